@@ -1,0 +1,28 @@
+// Shaders and resources that travel inside the binary, or are read from disk while one works on them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+struct EmbeddedFile {
+  std::string_view path; ///< from the repository root: "shaders/taa/resolve.frag"
+  std::string_view bytes;
+};
+
+/// The text of `path` ("shaders/…", "resources/…"). When the environment has TAA_SHADER_DIR, files under
+/// "shaders/" are read from that folder at each call, so that edits show (hot reload).
+/// Throws Error when there is no such file.
+std::string embeddedText(std::string_view path);
+
+/// Paths of all embedded files that start with `prefix`, sorted.
+std::vector<std::string> embeddedPaths(std::string_view prefix);
+
+namespace detail {
+std::span<const EmbeddedFile> embeddedFiles(); // generated
+}
+
+} // namespace taa

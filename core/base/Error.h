@@ -1,0 +1,21 @@
+// The one exception type: the world's mistake (a file, a shader, a driver), told in a sentence.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace taa {
+
+/// Says what happened, where, and what to do next, in one sentence for a user. Our own mistakes assert instead.
+class Error : public std::runtime_error {
+public:
+  explicit Error(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// Thrown by long work whose progress callback asked it to stop. Nothing is wrong; nothing was changed.
+class Cancelled : public std::runtime_error {
+public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+} // namespace taa

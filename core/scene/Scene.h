@@ -1,0 +1,177 @@
+// A scene as data: what a glTF file or a procedural builder makes and the renderer draws. No GL.
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// An axis-aligned box, world or model space as the owner says; empty until something is added.
+struct Bounds {
+  glm::vec3 min{std::numeric_limits<float>::max()};
+  glm::vec3 max{std::numeric_limits<float>::lowest()};
+  bool isEmpty() const { return min.x > max.x; }
+  glm::vec3 center() const { return 0.5f * (min + max); }
+  float radius() const { return isEmpty() ? 0.0f : 0.5f * glm::length(max - min); }
+  void add(const glm::vec3& point) {
+    min = glm::min(min, point);
+    max = glm::max(max, point);
+  }
+};
+
+/// 8-bit RGBA, row 0 at v = 0 (the top of the file's picture, as glTF has it). Whether the bytes are sRGB or linear
+/// is decided by the slot of the material that uses it.
+struct SceneImage {
+  std::string name;
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+enum class Filter : std::uint8_t { Nearest, Linear };
+enum class Mipmaps : std::uint8_t { None, Nearest, Linear };
+enum class Wrap : std::uint8_t { Repeat, MirroredRepeat, ClampToEdge };
+
+struct SamplerSettings {
+  Filter magnify = Filter::Linear, minify = Filter::Linear;
+  Mipmaps mipmaps = Mipmaps::Linear;
+  Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
+  bool operator==(const SamplerSettings&) const = default;
+};
+
+/// One texture slot of a material.
+struct TextureSlot {
+  int image = -1;   ///< into Scene::images; −1: no texture, the slot's factor alone
+  SamplerSettings sampler;
+  int uvSet = 0;    ///< 0 or 1
+  glm::mat3 uvFromUv{1.0f}; ///< KHR_texture_transform as a matrix on (u, v, 1)
+};
+
+enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< Blend is drawn as a mask at ½ for now
+
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1.0f};    ///< linear
+  float metallic = 1.0f, roughness = 1.0f;
+  glm::vec3 emissive{0.0f};     ///< linear, KHR_materials_emissive_strength multiplied in
+  float normalScale = 1.0f, occlusionStrength = 1.0f;
+  AlphaMode alphaMode = AlphaMode::Opaque;
+  float alphaCutoff = 0.5f;
+  bool doubleSided = false;
+  bool unlit = false;           ///< KHR_materials_unlit
+  TextureSlot baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
+};
+
+/// Interleaved as the vertex buffer holds it.
+struct Vertex {
+  glm::vec3 position{0.0f};
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};
+  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f}; ///< w: sign of the bitangent
+  glm::vec2 uv0{0.0f}, uv1{0.0f};
+  glm::vec4 color{1.0f};                     ///< linear
+};
+
+enum class Topology : std::uint8_t { Triangles, Lines, Points }; ///< strips, fans and loops are unrolled by the loader
+
+struct Primitive {
+  Topology topology = Topology::Triangles;
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices; ///< always given
+  int material = 0;                   ///< into Scene::materials, always valid
+  Bounds bounds;                      ///< model space
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Primitive> primitives;
+};
+
+struct Node {
+  std::string name;
+  int parent = -1; ///< into Scene::nodes, smaller than the node's own index (parents come first); −1: a root
+  glm::vec3 translation{0.0f};
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+  glm::vec3 scale{1.0f};
+  glm::mat4 matrix{1.0f}; ///< used instead of translation, rotation and scale when `hasMatrix`
+  bool hasMatrix = false;
+  int mesh = -1, camera = -1, light = -1;
+};
+
+enum class Interpolation : std::uint8_t { Step, Linear, CubicSpline };
+enum class AnimationPath : std::uint8_t { Translation, Rotation, Scale };
+
+struct AnimationChannel {
+  int node = -1;
+  AnimationPath path = AnimationPath::Translation;
+  Interpolation interpolation = Interpolation::Linear;
+  std::vector<float> times;      ///< seconds, strictly rising
+  std::vector<glm::vec4> values; ///< one a key (rotation x, y, z, w); three a key for cubic splines: in-tangent, value, out-tangent
+};
+
+struct Animation {
+  std::string name;
+  float duration = 0.0f; ///< seconds; the animation repeats after it
+  std::vector<AnimationChannel> channels;
+};
+
+struct SceneCamera {
+  std::string name;
+  int node = -1;
+  bool orthographic = false;
+  float fovY = 0.8f;    ///< radians, perspective
+  float height = 2.0f;  ///< world units from bottom to top, orthographic
+  float nearPlane = 0.01f;
+  float farPlane = 0.0f; ///< orthographic only; perspective is infinite
+};
+
+enum class LightKind : std::uint8_t { Directional, Point, Spot };
+
+struct Light {
+  LightKind kind = LightKind::Directional;
+  int node = -1;              ///< shines along the node's −z
+  glm::vec3 color{1.0f};
+  float intensity = 1.0f;     ///< lux (directional) or candela
+  float range = 0.0f;         ///< 0: unlimited
+  float innerConeAngle = 0.0f, outerConeAngle = 0.7853982f; ///< radians, spot
+};
+
+/// The sky: a vertical gradient and a sun disk, radiance in scene-referred linear units.
+struct Sky {
+  glm::vec3 zenith{0.18f, 0.32f, 0.62f}, horizon{0.62f, 0.70f, 0.80f}, ground{0.16f, 0.15f, 0.14f};
+  glm::vec3 sunDirection{0.4f, 0.8f, 0.45f}; ///< to the sun; need not be normalized
+  glm::vec3 sunColor{3.0f, 2.8f, 2.5f};      ///< irradiance; the sky lights scenes that bring no light of their own
+  bool sunEnabled = true;
+};
+
+/// How long a scene is and what is asked for first.
+struct Shot {
+  int frames = 240;
+  double framesPerSecond = 60.0;
+  std::string camera = "orbit"; ///< camera path it opens with
+  std::vector<int> cuts;        ///< frames at which the history starts anew, besides frame 0
+};
+
+struct Scene {
+  std::string name;
+  std::vector<SceneImage> images;
+  std::vector<Material> materials; ///< at least one
+  std::vector<Mesh> meshes;
+  std::vector<Node> nodes;
+  std::vector<Animation> animations; ///< the first one plays
+  std::vector<SceneCamera> cameras;
+  std::vector<Light> lights;
+  Sky sky;
+  Shot shot;
+  Bounds bounds;                   ///< world space, at rest
+  std::vector<std::string> warnings; ///< sentences about what was left out, for the user
+};
+
+} // namespace taa

@@ -1,0 +1,24 @@
+// Where scenes come from: a name or a path in, a Scene out.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace taa {
+
+struct BuiltinScene {
+  std::string id;          ///< "fan", opened as "builtin:fan"
+  std::string label;
+  std::string description; ///< one sentence: what it shows
+};
+
+const std::vector<BuiltinScene>& builtinScenes();
+
+/// Opens "builtin:NAME" or the path of a .gltf or .glb file.
+/// Throws Error with file, place and reason when that is not possible; nothing else escapes.
+Scene openScene(const std::string& source, const Progress& progress = {});
+
+} // namespace taa
