@@ -1,0 +1,14 @@
+// Runs the tests of the desktop program without a display, in the repository root.
+#include "tests/support/Paths.h"
+
+#include <QApplication>
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  std::filesystem::current_path(taa::test::rootFolder());
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,10 @@
+// Runs the tests that need nothing but the core, in the repository root.
+#include "tests/support/Paths.h"
+
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  std::filesystem::current_path(taa::test::rootFolder());
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,136 @@
+// Reading and writing whole files, and the files inside the binary.
+#include "core/base/Files.h"
+#include "core/base/EmbeddedFiles.h"
+#include "tests/support/Paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string messageOf(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const taa::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::size_t countFiles(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+fs::path emptyFolder(const std::string& name) {
+  const fs::path folder = taa::test::temporaryFolder() / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// Sets a variable of the environment for a scope.
+class ScopedVariable {
+ public:
+  ScopedVariable(const char* name, const std::string& value) : name_(name) {
+    ::setenv(name, value.c_str(), 1);
+  }
+  ScopedVariable(const ScopedVariable&) = delete;
+  ScopedVariable& operator=(const ScopedVariable&) = delete;
+  ~ScopedVariable() { ::unsetenv(name_); }
+
+ private:
+  const char* name_;
+};
+
+} // namespace
+
+TEST(Files, ReadBackTheBytesThatWereWritten) {
+  const fs::path path = emptyFolder("bytes") / "a.bin";
+  const std::string bytes("a\0\r\n\xff", 5);
+  taa::writeFile(path, bytes);
+  EXPECT_EQ(taa::readFile(path), bytes);
+}
+
+TEST(Files, SayWhichFileIsMissing) {
+  const std::string message = messageOf([] { taa::readFile("/nowhere/at.all"); });
+  EXPECT_NE(message.find("/nowhere/at.all"), std::string::npos);
+  EXPECT_NE(message.find("No such file"), std::string::npos);
+}
+
+TEST(Files, RefuseAFolder) {
+  EXPECT_NE(messageOf([] { taa::readFile("/tmp"); }).find("it is a folder"), std::string::npos);
+}
+
+TEST(Files, RefuseAFileAboveTheLimit) {
+  const fs::path path = emptyFolder("limit") / "ten";
+  taa::writeFile(path, "0123456789");
+  EXPECT_EQ(taa::readFile(path, 10).size(), 10u);
+  EXPECT_NE(messageOf([&] { taa::readFile(path, 9); }).find("10 bytes"), std::string::npos);
+}
+
+TEST(Files, ReplaceAFileInOneStep) {
+  const fs::path folder = emptyFolder("replace");
+  taa::writeFile(folder / "a.txt", "old");
+  taa::writeAtomically(folder / "a.txt", [&](const fs::path& temporary) {
+    EXPECT_EQ(temporary.parent_path(), folder);
+    EXPECT_EQ(temporary.extension(), ".txt");
+    std::ofstream(temporary) << "new";
+    EXPECT_EQ(taa::readFile(folder / "a.txt"), "old");
+  });
+  EXPECT_EQ(taa::readFile(folder / "a.txt"), "new");
+  EXPECT_EQ(countFiles(folder), 1u);
+}
+
+TEST(Files, KeepTheOldFileWhenWritingFails) {
+  const fs::path folder = emptyFolder("fails");
+  taa::writeFile(folder / "a.txt", "old");
+  const std::string message = messageOf([&] {
+    taa::writeAtomically(folder / "a.txt", [](const fs::path& temporary) {
+      std::ofstream(temporary) << "ha";
+      throw taa::Error("the disk is full");
+    });
+  });
+  EXPECT_EQ(message, "the disk is full");
+  EXPECT_EQ(taa::readFile(folder / "a.txt"), "old");
+  EXPECT_EQ(countFiles(folder), 1u);
+}
+
+TEST(Files, SayThatTheTargetFolderIsMissing) {
+  const fs::path path = emptyFolder("missing") / "no" / "a.txt";
+  EXPECT_NE(messageOf([&] { taa::writeFile(path, "x"); }).find(path.string()), std::string::npos);
+}
+
+TEST(Files, LeaveNothingBesideATargetThatIsAFolder) {
+  const fs::path folder = emptyFolder("target");
+  fs::create_directories(folder / "a");
+  EXPECT_NE(messageOf([&] { taa::writeFile(folder / "a", "x"); }), "");
+  EXPECT_EQ(countFiles(folder), 1u);
+}
+
+TEST(EmbeddedFiles, HoldTheSameBytesAsTheSources) {
+  const std::vector<std::string> paths = taa::embeddedPaths("shaders/");
+  EXPECT_TRUE(std::ranges::is_sorted(paths));
+  for (const std::string& path : paths) EXPECT_EQ(taa::embeddedText(path), taa::readFile(path)) << path;
+}
+
+TEST(EmbeddedFiles, NameTheFileThatIsNotThere) {
+  EXPECT_NE(messageOf([] { taa::embeddedText("shaders/no.glsl"); }).find("shaders/no.glsl"),
+            std::string::npos);
+}
+
+TEST(EmbeddedFiles, ComeFromTheShaderFolderWhenThereIsOne) {
+  const fs::path folder = emptyFolder("shaders");
+  const ScopedVariable variable("TAA_SHADER_DIR", folder.string());
+  fs::create_directories(folder / "taa");
+  taa::writeFile(folder / "taa" / "new.glsl", "first");
+  EXPECT_EQ(taa::embeddedText("shaders/taa/new.glsl"), "first");
+  taa::writeFile(folder / "taa" / "new.glsl", "second");
+  EXPECT_EQ(taa::embeddedText("shaders/taa/new.glsl"), "second") << "an edit shows at the next read";
+  EXPECT_NE(messageOf([] { taa::embeddedText("shaders/taa/no.glsl"); }).find(folder.string()),
+            std::string::npos);
+}
