@@ -6,15 +6,16 @@
 
 namespace taa {
 
-/// Says what happened, where, and what to do next, in one sentence for a user. Our own mistakes assert instead.
+/// Says what happened, where, and what to do next, in one sentence for a user. Our own mistakes assert
+/// instead.
 class Error : public std::runtime_error {
-public:
+ public:
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };
 
 /// Thrown by long work whose progress callback asked it to stop. Nothing is wrong; nothing was changed.
 class Cancelled : public std::runtime_error {
-public:
+ public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 

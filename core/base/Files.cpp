@@ -18,8 +18,8 @@ std::string readFile(const fs::path& path, std::uintmax_t maxBytes) {
   if (!in) throw Error("cannot open " + path.string() + ": " + std::strerror(errno));
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > maxBytes)
-    throw Error("cannot read " + path.string() + ": it has " + std::to_string(size) + " bytes, more than the " +
-                std::to_string(maxBytes) + " allowed");
+    throw Error("cannot read " + path.string() + ": it has " + std::to_string(size) +
+                " bytes, more than the " + std::to_string(maxBytes) + " allowed");
   std::ostringstream out;
   out << in.rdbuf();
   if (in.bad()) throw Error("cannot read " + path.string() + ": " + std::strerror(errno));

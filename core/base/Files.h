@@ -13,9 +13,9 @@ namespace taa {
 /// The bytes of a file. Throws Error when it cannot be read or is larger than `maxBytes`.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t maxBytes = std::uintmax_t(2) << 30);
 
-/// Writes beside the target and renames, so that a reader sees the old file or the new one, never half of one.
-/// `write` gets the temporary path, which keeps the extension of `path`. Whatever it throws goes on, and the
-/// temporary file is removed.
+/// Writes beside the target and renames, so that a reader sees the old file or the new one, never half of
+/// one. `write` gets the temporary path, which keeps the extension of `path`. Whatever it throws goes on, and
+/// the temporary file is removed.
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path&)>& write);
 

@@ -13,19 +13,21 @@ struct Pose {
   std::vector<glm::mat4> worldFromNode; ///< one for each of Scene::nodes
 };
 
-/// The pose at `time` seconds, the scene's first animation repeating. A pure function: the same time gives the same bits.
+/// The pose at `time` seconds, the scene's first animation repeating. A pure function: the same time gives
+/// the same bits.
 Pose poseAt(const Scene& scene, double time);
 
 /// A camera at one instant. View space looks along −z, y up; depth is reversed with an infinite far plane.
 struct CameraState {
   glm::mat4 viewFromWorld{1.0f};
-  glm::mat4 clipFromView{1.0f}; ///< unjittered, reversed depth in 0…1, y up (GL clip space before glClipControl)
+  glm::mat4 clipFromView{
+      1.0f}; ///< unjittered, reversed depth in 0…1, y up (GL clip space before glClipControl)
   bool orthographic = false;
   float nearPlane = 0.01f;
 };
 
-/// Names of the camera paths of a scene: "still", "pan", "orbit", "dolly", then "gltf:<name>" for each of its own
-/// and those a built-in scene adds.
+/// Names of the camera paths of a scene: "still", "pan", "orbit", "dolly", then "gltf:<name>" for each of its
+/// own and those a built-in scene adds.
 std::vector<std::string> cameraNames(const Scene& scene);
 
 /// The camera of path `name` at `time`, fitted to the scene's bounds; `aspect` is width over height.

@@ -28,8 +28,8 @@ struct Bounds {
   }
 };
 
-/// 8-bit RGBA, row 0 at v = 0 (the top of the file's picture, as glTF has it). Whether the bytes are sRGB or linear
-/// is decided by the slot of the material that uses it.
+/// 8-bit RGBA, row 0 at v = 0 (the top of the file's picture, as glTF has it). Whether the bytes are sRGB or
+/// linear is decided by the slot of the material that uses it.
 struct SceneImage {
   std::string name;
   int width = 0, height = 0;
@@ -49,9 +49,9 @@ struct SamplerSettings {
 
 /// One texture slot of a material.
 struct TextureSlot {
-  int image = -1;   ///< into Scene::images; −1: no texture, the slot's factor alone
+  int image = -1; ///< into Scene::images; −1: no texture, the slot's factor alone
   SamplerSettings sampler;
-  int uvSet = 0;    ///< 0 or 1
+  int uvSet = 0;            ///< 0 or 1
   glm::mat3 uvFromUv{1.0f}; ///< KHR_texture_transform as a matrix on (u, v, 1)
 };
 
@@ -59,14 +59,14 @@ enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< Blend is drawn
 
 struct Material {
   std::string name;
-  glm::vec4 baseColor{1.0f};    ///< linear
+  glm::vec4 baseColor{1.0f}; ///< linear
   float metallic = 1.0f, roughness = 1.0f;
-  glm::vec3 emissive{0.0f};     ///< linear, KHR_materials_emissive_strength multiplied in
+  glm::vec3 emissive{0.0f}; ///< linear, KHR_materials_emissive_strength multiplied in
   float normalScale = 1.0f, occlusionStrength = 1.0f;
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
-  bool unlit = false;           ///< KHR_materials_unlit
+  bool unlit = false; ///< KHR_materials_unlit
   TextureSlot baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
 };
 
@@ -76,10 +76,14 @@ struct Vertex {
   glm::vec3 normal{0.0f, 0.0f, 1.0f};
   glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f}; ///< w: sign of the bitangent
   glm::vec2 uv0{0.0f}, uv1{0.0f};
-  glm::vec4 color{1.0f};                     ///< linear
+  glm::vec4 color{1.0f}; ///< linear
 };
 
-enum class Topology : std::uint8_t { Triangles, Lines, Points }; ///< strips, fans and loops are unrolled by the loader
+enum class Topology : std::uint8_t {
+  Triangles,
+  Lines,
+  Points
+}; ///< strips, fans and loops are unrolled by the loader
 
 struct Primitive {
   Topology topology = Topology::Triangles;
@@ -113,7 +117,8 @@ struct AnimationChannel {
   AnimationPath path = AnimationPath::Translation;
   Interpolation interpolation = Interpolation::Linear;
   std::vector<float> times;      ///< seconds, strictly rising
-  std::vector<glm::vec4> values; ///< one a key (rotation x, y, z, w); three a key for cubic splines: in-tangent, value, out-tangent
+  std::vector<glm::vec4> values; ///< one a key (rotation x, y, z, w); three a key for cubic splines:
+                                 ///< in-tangent, value, out-tangent
 };
 
 struct Animation {
@@ -126,8 +131,8 @@ struct SceneCamera {
   std::string name;
   int node = -1;
   bool orthographic = false;
-  float fovY = 0.8f;    ///< radians, perspective
-  float height = 2.0f;  ///< world units from bottom to top, orthographic
+  float fovY = 0.8f;   ///< radians, perspective
+  float height = 2.0f; ///< world units from bottom to top, orthographic
   float nearPlane = 0.01f;
   float farPlane = 0.0f; ///< orthographic only; perspective is infinite
 };
@@ -136,10 +141,10 @@ enum class LightKind : std::uint8_t { Directional, Point, Spot };
 
 struct Light {
   LightKind kind = LightKind::Directional;
-  int node = -1;              ///< shines along the node's −z
+  int node = -1; ///< shines along the node's −z
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;     ///< lux (directional) or candela
-  float range = 0.0f;         ///< 0: unlimited
+  float intensity = 1.0f;                                   ///< lux (directional) or candela
+  float range = 0.0f;                                       ///< 0: unlimited
   float innerConeAngle = 0.0f, outerConeAngle = 0.7853982f; ///< radians, spot
 };
 
@@ -147,7 +152,8 @@ struct Light {
 struct Sky {
   glm::vec3 zenith{0.18f, 0.32f, 0.62f}, horizon{0.62f, 0.70f, 0.80f}, ground{0.16f, 0.15f, 0.14f};
   glm::vec3 sunDirection{0.4f, 0.8f, 0.45f}; ///< to the sun; need not be normalized
-  glm::vec3 sunColor{3.0f, 2.8f, 2.5f};      ///< irradiance; the sky lights scenes that bring no light of their own
+  glm::vec3 sunColor{3.0f, 2.8f,
+                     2.5f}; ///< irradiance; the sky lights scenes that bring no light of their own
   bool sunEnabled = true;
 };
 
@@ -170,7 +176,7 @@ struct Scene {
   std::vector<Light> lights;
   Sky sky;
   Shot shot;
-  Bounds bounds;                   ///< world space, at rest
+  Bounds bounds;                     ///< world space, at rest
   std::vector<std::string> warnings; ///< sentences about what was left out, for the user
 };
 

@@ -10,7 +10,7 @@
 namespace taa {
 
 struct BuiltinScene {
-  std::string id;          ///< "fan", opened as "builtin:fan"
+  std::string id; ///< "fan", opened as "builtin:fan"
   std::string label;
   std::string description; ///< one sentence: what it shows
 };

@@ -1,0 +1,131 @@
+#include "core/gl/Context.h"
+
+#include "core/base/Error.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <mutex>
+#include <utility>
+
+namespace taa::gl {
+
+struct Context::Handles {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+  std::mutex mutex; // drivers may call back from threads of their own
+  std::vector<std::string> messages;
+};
+
+namespace {
+
+bool initialize(EGLDisplay display) {
+  EGLint major = 0, minor = 0;
+  return display != EGL_NO_DISPLAY && eglInitialize(display, &major, &minor) == EGL_TRUE;
+}
+
+// A GPU when one can be opened; else Mesa's surfaceless platform, which rasterizes in software. libepoxy
+// knows no EGL version before a display exists, so the EXT entry points are the ones to ask for.
+EGLDisplay openDisplay() {
+  EGLDeviceEXT devices[16] = {};
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(16, devices, &count)) count = 0;
+  for (EGLint index = 0; index < count; ++index) {
+    const char* extensions = eglQueryDeviceStringEXT(devices[index], EGL_EXTENSIONS);
+    if (extensions && std::string(extensions).find("EGL_MESA_device_software") != std::string::npos) continue;
+    EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[index], nullptr);
+    if (initialize(display)) return display;
+  }
+  EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (initialize(display)) return display;
+  throw Error(
+      "cannot open a GL display: EGL offers neither a device nor a surfaceless platform; install a GL driver "
+      "(on Debian: libegl-mesa0 and libgl1-mesa-dri)");
+}
+
+EGLContext makeContext(EGLDisplay display) {
+  if (!eglBindAPI(EGL_OPENGL_API))
+    throw Error("cannot use OpenGL: this EGL offers OpenGL ES only; install a desktop GL driver");
+  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                               4,
+                               EGL_CONTEXT_MINOR_VERSION,
+                               5,
+                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                               EGL_CONTEXT_OPENGL_DEBUG,
+                               EGL_TRUE,
+                               EGL_NONE};
+  EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+  if (context == EGL_NO_CONTEXT)
+    throw Error("cannot make an OpenGL 4.5 core context: the GL driver is too old; update it or set "
+                "LIBGL_ALWAYS_SOFTWARE=1");
+  return context;
+}
+
+std::string text(GLenum name) {
+  const auto* value = reinterpret_cast<const char*>(glGetString(name));
+  return value ? value : "";
+}
+
+Driver describeDriver() {
+  Driver driver{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
+  driver.isSoftware = driver.renderer.find("llvmpipe") != std::string::npos ||
+                      driver.renderer.find("softpipe") != std::string::npos;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &driver.maxTextureSize);
+  return driver;
+}
+
+} // namespace
+
+Context::Context() : handles_(std::make_unique<Handles>()) {
+  handles_->display = openDisplay();
+  handles_->context = makeContext(handles_->display);
+  if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
+    eglDestroyContext(handles_->display, handles_->context);
+    throw Error("cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it");
+  }
+  driver_ = describeDriver();
+  glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDisable(GL_DITHER);
+  glEnable(GL_DEBUG_OUTPUT);
+  const auto report = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
+                         const void* user) {
+    if (severity != GL_DEBUG_SEVERITY_HIGH && type != GL_DEBUG_TYPE_ERROR) return;
+    auto* handles = static_cast<Handles*>(const_cast<void*>(user));
+    const std::lock_guard lock(handles->mutex);
+    handles->messages.emplace_back(message, static_cast<std::size_t>(length));
+  };
+  glDebugMessageCallback(report, handles_.get());
+}
+
+Context::~Context() {
+  glDebugMessageCallback(nullptr, nullptr);
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(handles_->display, handles_->context);
+  // The display is shared by the process and stays open: closing it would end other contexts.
+}
+
+std::vector<std::string> Context::takeMessages() {
+  const std::lock_guard lock(handles_->mutex);
+  return std::exchange(handles_->messages, {});
+}
+
+void finish() {
+  glFinish();
+}
+
+void checkErrors(const std::string& what) {
+  GLenum worst = GL_NO_ERROR;
+  for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
+    if (worst != GL_OUT_OF_MEMORY) worst = error;
+  if (worst == GL_NO_ERROR) return;
+  if (worst == GL_OUT_OF_MEMORY)
+    throw Error(what + ": the GL driver is out of memory; use a smaller size or fewer lanes");
+  throw Error(what + ": GL reports error " + std::to_string(worst));
+}
+
+} // namespace taa::gl

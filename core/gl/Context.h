@@ -1,0 +1,43 @@
+// A GL 4.5 core context of our own: surfaceless EGL, no window system (design §2.7).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace taa::gl {
+
+/// What the driver says of itself.
+struct Driver {
+  std::string vendor, renderer, version;
+  bool isSoftware = false; ///< llvmpipe or softpipe: results are exact, timer queries around compute lie
+  int maxTextureSize = 0;
+};
+
+/// Makes the context current on the constructing thread and sets the conventions of design §3 (upper-left
+/// origin, depth 0…1). Use and destroy it on that thread. Throws Error when there is no GL 4.5 to be had.
+class Context {
+ public:
+  Context();
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  const Driver& driver() const { return driver_; }
+
+  /// Errors the driver reported since the last call. Tests and debug builds treat any of them as a failure.
+  std::vector<std::string> takeMessages();
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+  Driver driver_;
+};
+
+/// Blocks until the GPU has done all that was asked of it; for timing where timer queries lie.
+void finish();
+
+/// Throws Error naming `what` when GL has run out of memory or reported another error since the last check.
+void checkErrors(const std::string& what);
+
+} // namespace taa::gl

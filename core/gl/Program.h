@@ -1,0 +1,51 @@
+// Shader programs: source with includes and a prelude, compiled, with errors that name file and line.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace taa::gl {
+
+/// The text of a shader after `#include "…"` (paths below shaders/, each file once) is expanded. `#version
+/// 450 core` and the prelude are put before it; line numbers keep naming the files they came from.
+class ShaderSource {
+ public:
+  /// `path` is below shaders/ ("taa/resolve.frag"). Throws Error when a file is missing, naming who includes
+  /// it.
+  explicit ShaderSource(const std::string& path, std::string_view prelude = {});
+  const std::string& text() const { return text_; }
+  const std::string& path() const { return files_.at(1); }
+  /// Driver logs name files by number: this turns "2:17(3): error …" into "taa/blend.glsl:17: error …".
+  std::string readableLog(const std::string& log) const;
+
+ private:
+  void append(const std::string& path, const std::string& includedFrom);
+  std::string text_;
+  std::vector<std::string> files_; ///< index = GLSL source-string number; 0 is the prelude
+};
+
+/// A linked program. Throws Error with `file:line: message` when it does not compile.
+class Program {
+ public:
+  Program() = default;
+  Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label);
+  ~Program();
+  Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  Program& operator=(Program&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  unsigned id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+  /// Members of uniform block `block` and their offsets in bytes, for the test that compares shared structs
+  /// with C++.
+  std::vector<std::pair<std::string, int>> blockOffsets(const std::string& block) const;
+
+ private:
+  unsigned id_ = 0;
+};
+
+} // namespace taa::gl

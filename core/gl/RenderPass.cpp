@@ -1,0 +1,184 @@
+#include "core/gl/RenderPass.h"
+
+#include "core/base/Error.h"
+
+#include <epoxy/gl.h>
+
+#include <cassert>
+
+namespace taa::gl {
+
+namespace {
+
+GLenum storeFormat(Format format) {
+  switch (format) {
+  case Format::R32F:
+    return GL_R32F;
+  case Format::RG32F:
+    return GL_RG32F;
+  case Format::RGBA32F:
+    return GL_RGBA32F;
+  case Format::RGBA16F:
+    return GL_RGBA16F;
+  case Format::R32UI:
+    return GL_R32UI;
+  default:
+    assert(false);
+    return GL_NONE;
+  }
+}
+
+// Passes without attributes still need a vertex array in core profiles; one for each context, found by being
+// bound to nothing else.
+struct EmptyVertexArray {
+  GLuint id = 0;
+  EmptyVertexArray() { glCreateVertexArrays(1, &id); }
+  ~EmptyVertexArray() { glDeleteVertexArrays(1, &id); }
+  EmptyVertexArray(const EmptyVertexArray&) = delete;
+  EmptyVertexArray& operator=(const EmptyVertexArray&) = delete;
+};
+
+} // namespace
+
+Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* depth,
+                         const std::string& label) {
+  glCreateFramebuffers(1, &id_);
+  std::vector<GLenum> buffers;
+  for (const Attachment& color : colors) {
+    const auto point = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + buffers.size());
+    if (color.texture->size().layers > 0)
+      glNamedFramebufferTextureLayer(id_, point, color.texture->id(), 0, color.layer);
+    else
+      glNamedFramebufferTexture(id_, point, color.texture->id(), 0);
+    buffers.push_back(point);
+  }
+  if (depth) glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth->id(), 0);
+  glNamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(buffers.size()), buffers.data());
+  const Texture& first = colors.empty() ? *depth : *colors.front().texture;
+  width_ = first.width();
+  height_ = first.height();
+  glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
+  const GLenum status = glCheckNamedFramebufferStatus(id_, GL_DRAW_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) return;
+  glDeleteFramebuffers(1, &id_);
+  id_ = 0;
+  throw Error("cannot draw into " + label + ": GL reports framebuffer status " + std::to_string(status));
+}
+
+Framebuffer::Framebuffer(int width, int height, const std::string& label) : width_(width), height_(height) {
+  glCreateFramebuffers(1, &id_);
+  glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+  glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+  glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
+}
+
+Framebuffer::~Framebuffer() {
+  if (id_) glDeleteFramebuffers(1, &id_);
+}
+
+void Framebuffer::swap(Framebuffer& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(width_, other.width_);
+  std::swap(height_, other.height_);
+}
+
+void Framebuffer::clearColor(int index, const glm::vec4& value) {
+  glDisable(GL_SCISSOR_TEST);
+  glClearNamedFramebufferfv(id_, GL_COLOR, index, &value.x);
+}
+
+void Framebuffer::clearColorUint(int index, std::uint32_t value) {
+  glDisable(GL_SCISSOR_TEST);
+  const GLuint values[4] = {value, 0, 0, 0};
+  glClearNamedFramebufferuiv(id_, GL_COLOR, index, values);
+}
+
+void Framebuffer::clearDepth(float value) {
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  glClearNamedFramebufferfv(id_, GL_DEPTH, 0, &value);
+}
+
+RenderPass::RenderPass(const Framebuffer& target, const RenderState& state, const std::string& label) {
+  glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label.c_str());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
+  glViewport(0, 0, target.width(), target.height());
+  if (state.scissor) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(state.scissor->x, state.scissor->y, state.scissor->width, state.scissor->height);
+  } else {
+    glDisable(GL_SCISSOR_TEST);
+  }
+  // Depth writes need the depth test enabled.
+  if (state.depthTest || state.depthWrite) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(state.depthTest ? GL_GEQUAL : GL_ALWAYS);
+  } else {
+    glDisable(GL_DEPTH_TEST);
+  }
+  glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+}
+
+RenderPass::~RenderPass() {
+  glPopDebugGroup();
+}
+
+void RenderPass::program(const Program& program) {
+  glUseProgram(program.id());
+}
+
+void RenderPass::texture(unsigned unit, const Texture& texture, const Sampler& sampler) {
+  glBindTextureUnit(unit, texture.id());
+  glBindSampler(unit, sampler.id());
+}
+
+void RenderPass::image(unsigned unit, const Texture& texture) {
+  glBindImageTexture(unit, texture.id(), 0, texture.size().layers > 0 ? GL_TRUE : GL_FALSE, 0, GL_WRITE_ONLY,
+                     storeFormat(texture.format()));
+}
+
+void RenderPass::uniformBlock(unsigned binding, const Buffer& buffer, std::size_t offset, std::size_t bytes) {
+  assert(offset % uniformAlignment() == 0);
+  glBindBufferRange(GL_UNIFORM_BUFFER, binding, buffer.id(), static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes ? bytes : buffer.bytes() - offset));
+}
+
+void RenderPass::storageBlock(unsigned binding, const Buffer& buffer) {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer.id());
+}
+
+void RenderPass::culling(bool enabled, bool mirrored) {
+  if (!enabled) return glDisable(GL_CULL_FACE);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glFrontFace(mirrored ? GL_CW : GL_CCW);
+}
+
+void RenderPass::drawFullscreen() {
+  const EmptyVertexArray empty;
+  glBindVertexArray(empty.id);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+void RenderPass::draw(const Mesh& mesh, int instances) {
+  static constexpr GLenum kModes[] = {GL_TRIANGLES, GL_LINES, GL_POINTS};
+  glBindVertexArray(mesh.vertexArray());
+  glDrawElementsInstanced(kModes[static_cast<int>(mesh.kind())], mesh.indexCount(), GL_UNSIGNED_INT, nullptr,
+                          instances);
+}
+
+void imageBarrier() {
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                  GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+std::size_t uniformAlignment() {
+  GLint alignment = 256;
+  glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  return static_cast<std::size_t>(alignment);
+}
+
+} // namespace taa::gl

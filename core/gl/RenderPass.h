@@ -1,0 +1,84 @@
+// Drawing into textures: a framebuffer, and a pass that is the only place where draw state is set.
+#pragma once
+
+#include "core/gl/Buffer.h"
+#include "core/gl/Program.h"
+#include "core/gl/Texture.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::gl {
+
+struct Attachment {
+  const Texture* texture = nullptr;
+  int layer = 0; ///< of a 2D array; 0 for a plain texture
+};
+
+/// Color targets in order, and perhaps depth. Does not own the textures; they must outlive it.
+class Framebuffer {
+ public:
+  Framebuffer() = default;
+  Framebuffer(const std::vector<Attachment>& colors, const Texture* depth, const std::string& label);
+  /// No attachments: for passes that write by image stores only.
+  Framebuffer(int width, int height, const std::string& label);
+  ~Framebuffer();
+  Framebuffer(Framebuffer&& other) noexcept { swap(other); }
+  Framebuffer& operator=(Framebuffer&& other) noexcept {
+    Framebuffer(std::move(other)).swap(*this);
+    return *this;
+  }
+  void clearColor(int index, const glm::vec4& value);
+  void clearColorUint(int index, std::uint32_t value);
+  void clearDepth(float value);
+  unsigned id() const { return id_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  void swap(Framebuffer& other) noexcept;
+  unsigned id_ = 0;
+  int width_ = 0, height_ = 0;
+};
+
+struct RenderState {
+  bool depthTest = false; ///< passes where the new depth ≥ the old one (reversed depth)
+  bool depthWrite = false;
+  std::optional<Rect> scissor; ///< default: the whole framebuffer
+};
+
+/// State and draws of one pass, in a debug group with its label. One at a time.
+class RenderPass {
+ public:
+  RenderPass(const Framebuffer& target, const RenderState& state, const std::string& label);
+  ~RenderPass();
+  RenderPass(const RenderPass&) = delete;
+  RenderPass& operator=(const RenderPass&) = delete;
+
+  void program(const Program& program);
+  void texture(unsigned unit, const Texture& texture, const Sampler& sampler);
+  /// All layers, for imageStore.
+  void image(unsigned unit, const Texture& texture);
+  /// `bytes` 0: the whole buffer. `offset` is a multiple of uniformAlignment().
+  void uniformBlock(unsigned binding, const Buffer& buffer, std::size_t offset = 0, std::size_t bytes = 0);
+  void storageBlock(unsigned binding, const Buffer& buffer);
+  /// Whether back faces are culled; a mirrored transform turns which ones those are.
+  void culling(bool enabled, bool mirrored = false);
+  void drawFullscreen(); ///< one triangle that covers the target; no attributes
+  void draw(const Mesh& mesh, int instances = 1);
+
+ private:
+  const Framebuffer& target_;
+};
+
+/// Makes image stores of earlier passes visible to texture fetches and downloads.
+void imageBarrier();
+
+/// What uniformBlock's offset must be a multiple of, bytes.
+std::size_t uniformAlignment();
+
+} // namespace taa::gl

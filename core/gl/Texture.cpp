@@ -1,0 +1,171 @@
+#include "core/gl/Texture.h"
+
+#include "core/base/Error.h"
+#include "core/gl/Context.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+namespace taa::gl {
+
+namespace {
+
+struct FormatInfo {
+  GLenum internalFormat, transfer, type;
+  int channels;
+  std::size_t bytes;
+};
+
+FormatInfo info(Format format) {
+  switch (format) {
+  case Format::RGBA8:
+    return {GL_RGBA8, GL_RGBA, GL_FLOAT, 4, 4};
+  case Format::SRGBA8:
+    return {GL_SRGB8_ALPHA8, GL_RGBA, GL_FLOAT, 4, 4};
+  case Format::R16F:
+    return {GL_R16F, GL_RED, GL_FLOAT, 1, 2};
+  case Format::RG16F:
+    return {GL_RG16F, GL_RG, GL_FLOAT, 2, 4};
+  case Format::RGBA16F:
+    return {GL_RGBA16F, GL_RGBA, GL_FLOAT, 4, 8};
+  case Format::R32F:
+    return {GL_R32F, GL_RED, GL_FLOAT, 1, 4};
+  case Format::RG32F:
+    return {GL_RG32F, GL_RG, GL_FLOAT, 2, 8};
+  case Format::RGBA32F:
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4, 16};
+  case Format::R32UI:
+    return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4};
+  case Format::Depth32F:
+    return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1, 4};
+  }
+  assert(false);
+  return {};
+}
+
+GLint wrapMode(TextureWrap wrap) {
+  switch (wrap) {
+  case TextureWrap::ClampToEdge:
+    return GL_CLAMP_TO_EDGE;
+  case TextureWrap::Repeat:
+    return GL_REPEAT;
+  case TextureWrap::MirroredRepeat:
+    return GL_MIRRORED_REPEAT;
+  }
+  return GL_CLAMP_TO_EDGE;
+}
+
+GLint minifyFilter(const SamplerState& state) {
+  if (!state.mipmapped) return state.minifyLinear ? GL_LINEAR : GL_NEAREST;
+  if (state.minifyLinear) return state.mipmapLinear ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_NEAREST;
+  return state.mipmapLinear ? GL_NEAREST_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
+}
+
+} // namespace
+
+int channels(Format format) {
+  return info(format).channels;
+}
+std::size_t bytesPerTexel(Format format) {
+  return info(format).bytes;
+}
+
+Texture::Texture(const TextureSize& size, Format format, const std::string& label)
+    : size_(size), format_(format) {
+  assert(size.width > 0 && size.height > 0);
+  if (size_.levels == 0)
+    size_.levels = std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)));
+  glCreateTextures(size.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id_);
+  const GLenum internalFormat = info(format).internalFormat;
+  if (size.layers > 0)
+    glTextureStorage3D(id_, size_.levels, internalFormat, size.width, size.height, size.layers);
+  else
+    glTextureStorage2D(id_, size_.levels, internalFormat, size.width, size.height);
+  glObjectLabel(GL_TEXTURE, id_, -1, label.c_str());
+  try {
+    checkErrors("cannot allocate " + label + " of " + std::to_string(size.width) + " x " +
+                std::to_string(size.height) + (size.layers > 0 ? " x " + std::to_string(size.layers) : "") +
+                " texels (" + std::to_string(bytes() >> 20) + " MiB)");
+  } catch (...) {
+    glDeleteTextures(1, &id_);
+    id_ = 0;
+    throw;
+  }
+}
+
+Texture::~Texture() {
+  if (id_) glDeleteTextures(1, &id_);
+}
+
+std::size_t Texture::bytes() const {
+  return bytesPerTexel(format_) * size_.width * size_.height * std::max(1, size_.layers);
+}
+
+void Texture::upload(const Image& image, int layer) {
+  const FormatInfo format = info(format_);
+  assert(image.width == width() && image.height == height() && image.channels == format.channels);
+  std::vector<std::uint32_t> integers;
+  const void* data = image.pixels.data();
+  if (format.type == GL_UNSIGNED_INT) {
+    for (float value : image.pixels) integers.push_back(static_cast<std::uint32_t>(value));
+    data = integers.data();
+  }
+  if (size_.layers > 0)
+    glTextureSubImage3D(id_, 0, 0, 0, layer, width(), height(), 1, format.transfer, format.type, data);
+  else
+    glTextureSubImage2D(id_, 0, 0, 0, width(), height(), format.transfer, format.type, data);
+}
+
+void Texture::uploadBytes(std::span<const std::uint8_t> bytes) {
+  assert(format_ == Format::RGBA8 || format_ == Format::SRGBA8);
+  assert(bytes.size() == this->bytes() && size_.layers == 0);
+  glTextureSubImage2D(id_, 0, 0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+}
+
+void Texture::generateMipmaps() {
+  glGenerateTextureMipmap(id_);
+}
+
+void Texture::clear(float r, float g, float b, float a) {
+  const FormatInfo format = info(format_);
+  const float values[4] = {r, g, b, a};
+  const auto integer = static_cast<std::uint32_t>(r);
+  glClearTexImage(id_, 0, format.transfer, format.type,
+                  format.type == GL_UNSIGNED_INT ? static_cast<const void*>(&integer) : values);
+}
+
+Image Texture::download(const Rect& rect, int layer) const {
+  const FormatInfo format = info(format_);
+  Image image(rect.width, rect.height, format.channels);
+  const auto bytes = static_cast<GLsizei>(image.pixels.size() * sizeof(float));
+  glGetTextureSubImage(id_, 0, rect.x, rect.y, layer, rect.width, rect.height, 1, format.transfer,
+                       format.type, bytes, image.pixels.data());
+  if (format.type == GL_UNSIGNED_INT)
+    for (float& value : image.pixels) value = static_cast<float>(std::bit_cast<std::uint32_t>(value));
+  return image;
+}
+
+void Texture::downloadBytes(std::span<std::uint8_t> bytes) const {
+  assert(format_ == Format::RGBA8 && bytes.size() == this->bytes() && size_.layers == 0);
+  glGetTextureImage(id_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()), bytes.data());
+}
+
+Sampler::Sampler(const SamplerState& state) {
+  glCreateSamplers(1, &id_);
+  glSamplerParameteri(id_, GL_TEXTURE_MAG_FILTER, state.magnifyLinear ? GL_LINEAR : GL_NEAREST);
+  glSamplerParameteri(id_, GL_TEXTURE_MIN_FILTER, minifyFilter(state));
+  glSamplerParameteri(id_, GL_TEXTURE_WRAP_S, wrapMode(state.wrapU));
+  glSamplerParameteri(id_, GL_TEXTURE_WRAP_T, wrapMode(state.wrapV));
+  glSamplerParameterf(id_, GL_TEXTURE_LOD_BIAS, state.lodBias);
+  if (state.anisotropy > 1.0f && epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))
+    glSamplerParameterf(id_, GL_TEXTURE_MAX_ANISOTROPY, state.anisotropy);
+}
+
+Sampler::~Sampler() {
+  if (id_) glDeleteSamplers(1, &id_);
+}
+
+} // namespace taa::gl

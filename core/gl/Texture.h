@@ -1,0 +1,115 @@
+// Immutable-size GL textures and samplers, owned by value (move-only; id 0 means moved-from).
+#pragma once
+
+#include "core/base/Image.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace taa::gl {
+
+enum class Format : std::uint8_t {
+  RGBA8,
+  SRGBA8,
+  R16F,
+  RG16F,
+  RGBA16F,
+  R32F,
+  RG32F,
+  RGBA32F,
+  R32UI,
+  Depth32F
+};
+
+int channels(Format format);
+std::size_t bytesPerTexel(Format format);
+
+struct TextureSize {
+  int width = 0, height = 0;
+  int layers = 0; ///< 0: a plain 2D texture; more: a 2D array
+  int levels = 1; ///< mip levels; 0: as many as there are
+  bool operator==(const TextureSize&) const = default;
+};
+
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0; ///< texels, (x, y) the top-left one
+  bool operator==(const Rect&) const = default;
+};
+
+class Texture {
+ public:
+  Texture() = default;
+  /// Storage with undefined contents. Throws Error when the driver has not the memory, saying what was asked
+  /// for.
+  Texture(const TextureSize& size, Format format, const std::string& label);
+  ~Texture();
+  Texture(Texture&& other) noexcept { swap(other); }
+  Texture& operator=(Texture&& other) noexcept {
+    Texture(std::move(other)).swap(*this);
+    return *this;
+  }
+
+  explicit operator bool() const { return id_ != 0; }
+  unsigned id() const { return id_; }
+  const TextureSize& size() const { return size_; }
+  int width() const { return size_.width; }
+  int height() const { return size_.height; }
+  Format format() const { return format_; }
+  std::size_t bytes() const; ///< of level 0, all layers
+
+  /// Level 0 of `layer` from 32-bit floats with as many channels as the format has.
+  void upload(const Image& image, int layer = 0);
+  /// Level 0 from bytes, RGBA8 and SRGBA8 only; `bytes` is width·height·4 long.
+  void uploadBytes(std::span<const std::uint8_t> bytes);
+  void generateMipmaps();
+  /// All of level 0. Integer formats take the first value converted.
+  void clear(float r, float g, float b, float a);
+
+  /// Texels of level 0 as floats, as many channels as the format has (unsigned integers are exact up to
+  /// 2^24).
+  Image download(const Rect& rect, int layer = 0) const;
+  Image download(int layer = 0) const { return download({0, 0, width(), height()}, layer); }
+  /// RGBA8 only: width·height·4 bytes, row 0 the top.
+  void downloadBytes(std::span<std::uint8_t> bytes) const;
+
+ private:
+  void swap(Texture& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(size_, other.size_);
+    std::swap(format_, other.format_);
+  }
+  unsigned id_ = 0;
+  TextureSize size_;
+  Format format_ = Format::RGBA8;
+};
+
+enum class TextureWrap : std::uint8_t { ClampToEdge, Repeat, MirroredRepeat };
+
+struct SamplerState {
+  bool magnifyLinear = false, minifyLinear = false;
+  bool mipmapped = false, mipmapLinear = false;
+  TextureWrap wrapU = TextureWrap::ClampToEdge, wrapV = TextureWrap::ClampToEdge;
+  float lodBias = 0.0f;
+  float anisotropy = 1.0f;
+  bool operator==(const SamplerState&) const = default;
+};
+
+class Sampler {
+ public:
+  Sampler() = default;
+  explicit Sampler(const SamplerState& state);
+  ~Sampler();
+  Sampler(Sampler&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  Sampler& operator=(Sampler&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  unsigned id() const { return id_; }
+
+ private:
+  unsigned id_ = 0;
+};
+
+} // namespace taa::gl
