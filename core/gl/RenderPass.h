@@ -70,9 +70,6 @@ class RenderPass {
   void culling(bool enabled, bool mirrored = false);
   void drawFullscreen(); ///< one triangle that covers the target; no attributes
   void draw(const Mesh& mesh, int instances = 1);
-
- private:
-  const Framebuffer& target_;
 };
 
 /// Makes image stores of earlier passes visible to texture fetches and downloads.
