@@ -1,0 +1,39 @@
+// What the resolve is given for one frame, wherever it comes from: the built-in renderer or somebody's
+// engine.
+#pragma once
+
+#include "core/gl/Texture.h"
+#include "shaders/shared/FrameBlock.h"
+
+#include <glm/vec2.hpp>
+
+namespace taa {
+
+/// Motion of a point that has no previous position (behind the previous camera): both components, px.
+/// The largest half float, so that it survives 16-bit storage.
+inline constexpr float kNoPreviousPosition = 65504.0f;
+
+/// Where in time and in the jitter pattern a frame lies.
+struct FrameInfo {
+  int frame = 0;
+  double time = 0.0;          ///< seconds
+  int jitterIndex = 0;        ///< 0 to period − 1
+  glm::vec2 jitterPx{0.0f};   ///< displacement of image content, x right, y down, |j| ≤ ½
+  bool startsHistory = false; ///< first frame or cut: no history may be used
+};
+
+/// All textures have the same size, row 0 at the top.
+struct FrameInputs {
+  FrameInfo info;
+  shared::FrameBlock block{};
+  gl::Texture color;    ///< RGBA16F or RGBA32F, scene-linear Rec. 709
+  gl::Texture depth;    ///< Depth32F, reversed, 0 = sky
+  gl::Texture motion;   ///< RG16F or RG32F, px, current − previous, jitter removed; see kNoPreviousPosition
+  gl::Texture normal;   ///< RGBA16F, world space, 0 for the sky
+  gl::Texture objectId; ///< R32UI, 0 = sky
+  gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
+  int width() const { return color.width(); }
+  int height() const { return color.height(); }
+};
+
+} // namespace taa

@@ -1,0 +1,49 @@
+// Draws a scene at a frame into FrameInputs: frame n is a pure function of scene, camera, settings, size and
+// n.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/render/FrameInputs.h"
+#include "core/scene/Scene.h"
+#include "core/settings/Settings.h"
+
+#include <memory>
+#include <string>
+
+namespace taa {
+
+/// What to draw besides the frame's number.
+struct FrameRequest {
+  std::string camera; ///< a path of cameraNames()
+  int width = 1280, height = 720;
+  JitterSettings jitter;
+  InputSettings inputs;
+};
+
+/// Owns the scene's GPU resources. Needs the current context for its whole life.
+class SceneRenderer {
+ public:
+  /// Uploads everything. Throws Error (out of memory, shader), Cancelled.
+  explicit SceneRenderer(std::shared_ptr<const Scene> scene,
+                         const Progress& progress = {}); // also owned by the Inspector
+  ~SceneRenderer();
+  SceneRenderer(SceneRenderer&&) noexcept;
+  SceneRenderer& operator=(SceneRenderer&&) noexcept;
+
+  /// Draws frame `frame` into `out`, whose textures are made anew only when size or format differ.
+  /// Pose and camera of frame − 1 give the motion; at frame 0 and at cuts the previous frame is the frame
+  /// itself.
+  void draw(const FrameRequest& request, int frame, FrameInputs& out);
+
+  /// Compiles the shaders again; on Error the old programs stay.
+  void reloadShaders();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Number, time, jitter and cut of a frame: all that can be known without drawing.
+FrameInfo frameInfo(const Scene& scene, const JitterSettings& jitter, int frame);
+
+} // namespace taa

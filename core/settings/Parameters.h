@@ -1,0 +1,92 @@
+// The one table of parameters: panel, JSON, --set, presets, GLSL, help and export headers are all derived
+// from it.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/settings/Stage.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+enum class ParameterKind : std::uint8_t { Choice, Toggle, Integer, Number };
+
+struct Choice {
+  std::string_view id;    ///< in files and flags: "closest3x3"
+  std::string_view label; ///< in the window: "Closest 3×3"
+  std::string_view explanation;
+};
+
+/// What has to be done again when the parameter changes.
+enum class Effect : std::uint8_t {
+  Inputs,  ///< the scene is drawn differently (jitter, formats)
+  Program, ///< a compile-time constant of the resolve
+  Uniform, ///< a number in the resolve's settings block
+  Storage, ///< the format of the history
+};
+
+/// One row. Values travel as double: the enumerator's number, 0 or 1, an integer, or the float.
+struct Parameter {
+  std::string_view path; ///< "rectify.method"
+  std::string_view label;
+  Stage stage;
+  ParameterKind kind;
+  Effect effect;
+  std::string_view unit; ///< "px", "px²", "frames"; empty for none
+  double minimum, maximum;
+  std::span<const Choice> choices; ///< Choice only
+  std::string_view tooltip;        ///< what it does, in a sentence
+  std::string_view formula;        ///< empty where there is none
+  std::string_view source;         ///< catalogue id and paper
+  std::string_view relevantWhen;   ///< "path=choice": it has no effect otherwise; empty: always relevant
+  double (*get)(const Settings&);
+  void (*set)(Settings&, double);
+
+  double defaultValue() const { return get(Settings{}); }
+};
+
+std::span<const Parameter> parameters();
+
+/// The row of `path`. Throws Error that names the nearest paths when there is none.
+const Parameter& parameter(std::string_view path);
+
+/// Whether the value of the row has any effect with these settings (see relevantWhen).
+bool isRelevant(const Parameter& parameter, const Settings& settings);
+
+/// The value as files and flags write it: choice id, "on"/"off", integer, or the shortest decimal that reads
+/// back.
+std::string valueText(const Parameter& parameter, double value);
+/// Reads what valueText writes. Throws Error naming path, text and what is allowed.
+double parseValue(const Parameter& parameter, std::string_view text);
+/// Applies "path=value". Throws Error.
+void applyAssignment(Settings& settings, std::string_view assignment);
+/// The assignments that turn `base` into `settings`.
+std::vector<std::string> differences(const Settings& settings, const Settings& base);
+
+/// {"jitter": {"sequence": "halton", …}, …}; every row.
+nlohmann::json toJson(const Settings& settings);
+/// Overwrites the rows that `json` names. Throws Error naming unknown keys and values out of range.
+void fromJson(const nlohmann::json& json, Settings& settings);
+
+bool operator==(const Settings& a, const Settings& b);
+
+/// GLSL text: for each Program row `const int kRectifyMethod = 3;` and `const int kRectifyMethod_clamp = 1;`
+/// for each choice (Toggles: `const bool kHistoryDering = true;`), then the uniform block `SettingsBlock`
+/// (binding 1, std140, instance `settings`) with one float or int for each Uniform row, named like the
+/// constant: `settings.rectifyGamma`.
+std::string glslPrelude(const Settings& settings);
+/// What the prelude depends on: settings with equal keys share a program.
+std::string programKey(const Settings& settings);
+/// The bytes of SettingsBlock, a multiple of 16.
+std::vector<std::byte> settingsBlock(const Settings& settings);
+
+/// Whether two lanes can share one drawing of the scene: all rows with Effect::Inputs are equal.
+bool sameInputs(const Settings& a, const Settings& b);
+
+} // namespace taa

@@ -1,0 +1,58 @@
+// The stages of the resolve in the order of the data: the one list that tables, panels and files group by.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace taa {
+
+enum class Stage : std::uint8_t {
+  Jitter,
+  Inputs,
+  DilateMotion,
+  Reproject,
+  SampleHistory,
+  FilterCurrent,
+  Neighborhood,
+  RectifyHistory,
+  ValidateHistory,
+  BlendWeight,
+  Blend,
+};
+
+struct StageInfo {
+  Stage stage;
+  std::string_view id;    ///< name of its GLSL file where it has one
+  std::string_view label; ///< as a heading
+  std::string_view description;
+};
+
+inline constexpr std::array<StageInfo, 11> kStages{{
+    {Stage::Jitter, "jitter", "Jitter",
+     "Moves the picture by a part of a pixel, a different one each frame."},
+    {Stage::Inputs, "inputs", "Inputs",
+     "What the renderer draws for this frame: color, depth, motion, normal, object id."},
+    {Stage::DilateMotion, "dilate_motion", "Dilate motion",
+     "Chooses the neighbor whose motion this pixel follows, so that silhouettes move with what is in front."},
+    {Stage::Reproject, "reproject", "Reproject",
+     "Finds where this pixel's surface was in the previous frame."},
+    {Stage::SampleHistory, "sample_history", "Sample history",
+     "Reads the accumulated picture at that place."},
+    {Stage::FilterCurrent, "filter_current", "Filter current",
+     "Rebuilds the color at the pixel's center from the jittered samples around it."},
+    {Stage::Neighborhood, "neighborhood", "Neighborhood",
+     "Measures the colors around the pixel and bounds them by a box."},
+    {Stage::RectifyHistory, "rectify_history", "Rectify history",
+     "Pulls history that lies outside the box back to it."},
+    {Stage::ValidateHistory, "validate_history", "Validate history",
+     "Rejects history that belongs to something else: off the screen, or behind what is now in front."},
+    {Stage::BlendWeight, "blend_weight", "Blend weight", "Decides α, how much the current frame counts."},
+    {Stage::Blend, "blend", "Blend", "Mixes current and history into the resolved picture."},
+}};
+
+constexpr const StageInfo& stageInfo(Stage stage) {
+  return kStages[static_cast<std::size_t>(stage)];
+}
+
+} // namespace taa

@@ -1,0 +1,149 @@
+// The one table of intermediates: GLSL expose macros, views, list, probe rows, EXR parts, JSON and tests
+// derive from it.
+#pragma once
+
+#include "core/settings/Stage.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+/// How a view shows it unless told otherwise.
+enum class Visual : std::uint8_t {
+  Color,    ///< scene-linear RGB, exposed and encoded
+  Box,      ///< three channels of the box's color space, shown as they are
+  Depth,    ///< one channel, logarithmic
+  Scalar,   ///< one channel, sequential color map
+  Signed,   ///< one channel, diverging color map around 0
+  Vector,   ///< two channels, direction as hue and length as saturation
+  Position, ///< two channels, shown as fractions of the picture's size
+  Normal,   ///< three channels in −1…1
+  Mask,     ///< 0 or 1
+  Index,    ///< integers, categorical colors
+};
+
+// One row each: id, label, stage, channels, unit, range (lowest, highest shown), visual, tolerance on a GPU
+// (relative to max(1, |value|); llvmpipe is exact), description. Colors are scene-linear Rec. 709; "box
+// space" is the color space of parameters space.color and space.tone. Motion is current − previous, x right,
+// y down.
+#define TAA_INTERMEDIATES(ROW)                                                                               \
+  ROW(color, "Color", Inputs, 3, "", 0, 1, Color, 1e-3, "This frame's jittered samples, scene-linear.")      \
+  ROW(depth, "Depth", Inputs, 1, "", 0, 1, Depth, 1e-6, "Device depth: reversed, 0 is the sky.")             \
+  ROW(depthView, "View depth", Inputs, 1, "m", 0, 20, Depth, 1e-5,                                           \
+      "Distance along the view axis; 0 stands for the sky.")                                                 \
+  ROW(motion, "Motion", Inputs, 2, "px", -16, 16, Vector, 1e-3,                                              \
+      "Where the surface came from: current minus previous position, jitter removed; 65504 where there is "  \
+      "no previous.")                                                                                        \
+  ROW(normal, "Normal", Inputs, 3, "", -1, 1, Normal, 1e-3, "Shading normal in world space.")                \
+  ROW(objectId, "Object id", Inputs, 1, "", 0, 255, Index, 0, "Number of the drawn object; 0 is the sky.")   \
+  ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
+      "Step to the neighbor whose motion is used.")                                                          \
+  ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \
+      "Device depth of that neighbor.")                                                                      \
+  ROW(dilatedMotion, "Dilated motion", DilateMotion, 2, "px", -16, 16, Vector, 1e-3,                         \
+      "Motion of that neighbor.")                                                                            \
+  ROW(historyPosition, "History position", Reproject, 2, "px", 0, 0, Position, 1e-3,                         \
+      "Where this pixel was in the previous frame: pixel center minus dilated motion.")                      \
+  ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask, 0,                                                \
+      "1 where the history position lies inside the picture.")                                               \
+  ROW(historyRaw, "History", SampleHistory, 3, "", 0, 1, Color, 1e-3,                                        \
+      "The accumulated color at the history position.")                                                      \
+  ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
+      "N at the history position: how many frames' worth of samples it holds.")                              \
+  ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color, 1e-3,                          \
+      "This frame's color at the pixel's center.")                                                           \
+  ROW(neighborhoodMean, "Mean", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                        \
+      "Mean of the neighborhood, box space.")                                                                \
+  ROW(neighborhoodDeviation, "Deviation", Neighborhood, 3, "", 0, 1, Box, 1e-3,                              \
+      "Standard deviation of the neighborhood, box space.")                                                  \
+  ROW(neighborhoodMin, "Minimum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                      \
+      "Smallest of each channel, box space.")                                                                \
+  ROW(neighborhoodMax, "Maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                      \
+      "Largest of each channel, box space.")                                                                 \
+  ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
+      "Lower corner of the box history must lie in.")                                                        \
+  ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
+      "Upper corner of the box history must lie in.")                                                        \
+  ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color, 1e-3,                       \
+      "History after it was pulled into the box.")                                                           \
+  ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                  \
+      "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
+  ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
+      "View depth this surface had in the previous frame.")                                                  \
+  ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
+      "Depth stored with the history, the best match of the four texels around; 0: the sky.")                \
+  ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                         \
+      "Relative difference of expected and stored depth; above the tolerance history is rejected.")          \
+  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 4, Index, 0,                                 \
+      "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth.")      \
+  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "Constant α, or 1/(N+1).")                \
+  ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
+  ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 0,                                        \
+      "1 where history was rejected, else 0.")                                                               \
+  ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
+      "Weight of the current frame: the largest of base, floor and invalid.")                                \
+  ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
+      "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
+  ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
+      "1/(1+luma) of the rectified history, 1 without tone weighting.")                                      \
+  ROW(blendFactor, "Blend factor", Blend, 1, "", 0, 1, Scalar, 1e-3,                                         \
+      "Share of the current color after tone weighting.")                                                    \
+  ROW(historyLength, "History length", Blend, 1, "frames", 0, 20, Scalar, 1e-3,                              \
+      "N after this frame: samples' worth of averaging in this pixel.")                                      \
+  ROW(resolved, "Resolved", Blend, 3, "", 0, 1, Color, 1e-3,                                                 \
+      "The output of TAA, which is the next frame's history.")
+
+enum class IntermediateId : int {
+#define TAA_ROW(id, ...) id,
+  TAA_INTERMEDIATES(TAA_ROW)
+#undef TAA_ROW
+};
+
+struct Intermediate {
+  IntermediateId id;
+  std::string_view name; ///< the id as text
+  std::string_view label;
+  Stage stage;
+  int channels;
+  std::string_view unit;
+  float low, high; ///< range shown at first; equal: the visual decides
+  Visual visual;
+  float tolerance;
+  std::string_view description;
+};
+
+inline constexpr auto kIntermediates = std::to_array<Intermediate>({
+#define TAA_ROW(id, label, stage, channels, unit, low, high, visual, tolerance, description)                 \
+  {IntermediateId::id, #id,       label,      Stage::stage, channels, unit, low, high,                       \
+   Visual::visual,     tolerance, description},
+    TAA_INTERMEDIATES(TAA_ROW)
+#undef TAA_ROW
+});
+inline constexpr std::size_t kIntermediateCount = kIntermediates.size();
+
+constexpr const Intermediate& intermediate(IntermediateId id) {
+  return kIntermediates[static_cast<std::size_t>(id)];
+}
+
+/// The row named `name`, or nothing.
+std::optional<IntermediateId> findIntermediate(std::string_view name);
+/// As above; throws Error naming those there are.
+IntermediateId intermediateNamed(std::string_view name);
+
+/// Names of the channels in files and probe rows, "R G B", "X Y", "Y Co Cg" …; as many as the row has.
+std::vector<std::string> channelNames(const Intermediate& row);
+
+/// A reject reason in words ("kept", "off screen", …).
+std::string_view rejectReasonText(int reason);
+
+/// GLSL text that defines `expose_<id>(value)` for every row: a store into the row's layer when it is in
+/// `watched`, nothing otherwise. Layers are given in the order of `watched`, one array for each channel count
+/// (see Exposure).
+std::string exposePrelude(const std::vector<IntermediateId>& watched);
+
+} // namespace taa

@@ -1,0 +1,81 @@
+// The fused resolve: a pure function of (inputs, previous history, settings), with any of its inside exposed.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/gl/RenderPass.h"
+#include "core/render/FrameInputs.h"
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace taa {
+
+/// What one frame leaves for the next. Written once, then only read.
+struct History {
+  gl::Texture color;   ///< RGBA16F or RGBA32F by history.precision: the resolved color, alpha 1
+  gl::Texture surface; ///< RG32F: history length N, view depth of the dilated sample (m, 0 = sky)
+  std::size_t bytes() const { return color.bytes() + surface.bytes(); }
+};
+
+/// Makes the textures of `history` fit size and precision; keeps them when they do.
+void fitHistory(History& history, int width, int height, Precision precision);
+
+/// Textures that hold the watched intermediates of a region, one layer each, 32-bit floats.
+class Exposure {
+ public:
+  Exposure() = default;
+  /// `region` in pixels of the picture. Throws Error when there is not the memory.
+  Exposure(std::vector<IntermediateId> watched, const gl::Rect& region);
+
+  const std::vector<IntermediateId>& watched() const { return watched_; }
+  const gl::Rect& region() const { return region_; }
+  bool holds(IntermediateId id) const;
+  /// The texture array and layer that hold `id`. Expects holds(id).
+  const gl::Texture& texture(IntermediateId id) const;
+  int layer(IntermediateId id) const;
+  /// The whole region of `id`, with the row's channels. Expects holds(id).
+  Image image(IntermediateId id) const;
+
+ private:
+  friend class TaaPass;
+  std::vector<IntermediateId> watched_;
+  gl::Rect region_;
+  gl::Texture one_, two_, four_; ///< arrays by channel count (3 and 4 share); empty when no row needs them
+};
+
+/// Specialised programs and the draw. Needs the current context for its whole life.
+class TaaPass {
+ public:
+  TaaPass();
+  ~TaaPass();
+  TaaPass(TaaPass&&) noexcept;
+  TaaPass& operator=(TaaPass&&) noexcept;
+
+  /// Resolves the whole frame into `out` (fitted to the inputs); `exposure`, when given, covers the whole
+  /// picture and is filled in the same run. `previous` null: no history. The result is the same bits with and
+  /// without exposure.
+  void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
+               Exposure* exposure = nullptr);
+
+  /// Runs the resolve on the exposure's region only, and keeps nothing but what it exposes.
+  void expose(const FrameInputs& inputs, const History* previous, const Settings& settings,
+              Exposure& exposure);
+
+  /// Compiles the program for `settings` now, so that the next resolve does not wait.
+  void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);
+
+  /// Drops all programs and compiles the ones in use again; on Error the old ones stay.
+  void reloadShaders();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Weights of the current filter over 3×3, row-major, not normalized (catalogue 7.0, 7.4).
+std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx);
+
+} // namespace taa

@@ -1,0 +1,46 @@
+// The resolve of one pixel on the CPU, written from the formulas of the catalogue, for tests and "what if"
+// questions.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+
+namespace taa::reference {
+
+/// Downloaded inputs of one frame; same size, row 0 at the top. Channels and units as in FrameInputs and
+/// History.
+struct Inputs {
+  Image color;          ///< 4 channels
+  Image depth;          ///< 1
+  Image motion;         ///< 2
+  Image normal;         ///< 4
+  Image objectId;       ///< 1
+  Image previousDepth;  ///< 1
+  Image historyColor;   ///< 4; empty: no history
+  Image historySurface; ///< 2: N, view depth
+  glm::vec2 jitterPx{0.0f};
+  glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
+  int width() const { return color.width; }
+  int height() const { return color.height; }
+};
+
+/// Every intermediate of one pixel; missing channels are 0.
+using PixelRecord = std::array<glm::vec4, kIntermediateCount>;
+
+inline glm::vec4& at(PixelRecord& record, IntermediateId id) {
+  return record[static_cast<std::size_t>(id)];
+}
+inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
+  return record[static_cast<std::size_t>(id)];
+}
+
+/// All intermediates of pixel (x, y), in 32-bit floats rounded after every operation.
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y);
+
+} // namespace taa::reference

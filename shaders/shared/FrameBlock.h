@@ -1,0 +1,36 @@
+// What the scene shaders know of a frame: matrices, jitter, sky and lights' count. Filled by C++, read by GLSL.
+// Spaces: world → view (looks along −z) → clip (y up, depth reversed 0…1, far plane at infinity).
+#ifdef __cplusplus
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+namespace taa::shared {
+using glm::mat4;
+using glm::vec2;
+using glm::vec4;
+struct FrameBlock {
+#else
+layout(std140, binding = 2) uniform FrameBlock {
+#endif
+  mat4 clipFromWorld;         // unjittered
+  mat4 jitteredClipFromWorld; // T(2jx/W, −2jy/H) · clipFromWorld
+  mat4 worldFromJitteredClip; // its inverse
+  mat4 viewFromWorld;
+  mat4 previousClipFromWorld; // unjittered, of the previous frame
+  mat4 previousViewFromWorld;
+  vec2 sizePx;       // width, height of the picture
+  vec2 jitterPx;     // displacement of image content, x right, y down
+  vec4 cameraPosition; // world; w: 1 when orthographic
+  vec4 depthTerms;   // projection elements (P33, P32, P23, P22): view depth = (d·P33 − P32) / (d·P23 − P22)
+  vec4 skyZenith;    // radiance; w: number of lights
+  vec4 skyHorizon;
+  vec4 skyGround;
+  vec4 sunDirection; // to the sun, normalized; w: 1 when it shines
+  vec4 sunColor;     // irradiance
+#ifdef __cplusplus
+};
+} // namespace taa::shared
+#else
+} frame;
+#endif

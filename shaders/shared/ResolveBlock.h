@@ -1,0 +1,27 @@
+// What the resolve knows of a frame besides its textures and settings. Filled by C++, read by GLSL.
+#ifdef __cplusplus
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+namespace taa::shared {
+using glm::ivec2;
+using glm::ivec4;
+using glm::vec2;
+using glm::vec4;
+struct ResolveBlock {
+#else
+layout(std140, binding = 0) uniform ResolveBlock {
+#endif
+  vec2 sizePx;          // width, height
+  vec2 jitterPx;        // displacement of image content, x right, y down
+  vec4 depthTerms;      // (P33, P32, P23, P22): view depth = (d·P33 − P32) / (d·P23 − P22)
+  vec4 currentWeights0; // weights of the current filter, row-major over 3×3: first row, w unused
+  vec4 currentWeights1; // middle row
+  vec4 currentWeights2; // last row
+  ivec4 state;          // x: 1 when there is history; y, z: first pixel of the exposed region; w unused
+#ifdef __cplusplus
+};
+} // namespace taa::shared
+#else
+} resolveBlock;
+#endif
