@@ -1,0 +1,105 @@
+// The façade: open a source, choose settings, go to a frame, look. Everything the app and taa-batch do goes
+// through it.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/gl/Context.h"
+#include "core/inspect/Visualizer.h"
+#include "core/render/FrameInputs.h"
+#include "core/scene/Scene.h"
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+#include "core/taa/reference/Reference.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+using reference::PixelRecord;
+
+/// Milliseconds of the last frame, by glFinish and the wall clock.
+struct FrameTimes {
+  double scene = 0.0, resolve = 0.0; ///< resolve: all lanes together
+};
+
+/// Lives on the thread that made it, with its own GL context. Strong guarantee: when a member throws,
+/// everything is as it was before. Frame n of a lane is f(scene, camera, the lane's settings, size, n):
+/// however it was reached, the same bits (design §2.1).
+class Inspector {
+ public:
+  Inspector();
+  ~Inspector();
+  Inspector(const Inspector&) = delete;
+  Inspector& operator=(const Inspector&) = delete;
+
+  const gl::Driver& driver() const;
+
+  // What is looked at
+  // -------------------------------------------------------------------------------------------------
+  /// A glTF file or "builtin:NAME". Goes to frame 0 with the scene's own camera.
+  void open(const std::string& source, const Progress& progress = {});
+  const std::string& source() const;
+  const Scene& scene() const;
+  std::vector<std::string> cameras() const;
+  const std::string& camera() const;
+  void setCamera(const std::string& name);
+  /// Throws Error when the size is out of the driver's limits or memory (4 to maxTextureSize a side).
+  void setSize(int width, int height);
+  int width() const;
+  int height() const;
+
+  // Lanes: one to four (settings, history) pairs on the same inputs
+  // -----------------------------------------------------
+  void setLanes(const std::vector<Settings>& lanes);
+  int laneCount() const;
+  const Settings& settings(int lane = 0) const;
+  /// Resolves the current frame again at once, on the history it had: isExact() is false until refine() or a
+  /// seek.
+  void setSettings(const Settings& settings, int lane = 0);
+
+  // Time
+  // --------------------------------------------------------------------------------------------------------------
+  int frameCount() const;
+  int frame() const;
+  FrameInfo info(int lane = 0) const; ///< jitter is the lane's
+  /// Goes to frame n (0 to frameCount − 1), replaying from the nearest checkpoint. Cancelled: stays where it
+  /// was.
+  void seek(int frame, const Progress& progress = {});
+  /// Replays the current frame so that it is exact again.
+  void refine(const Progress& progress = {});
+  /// False while the picture rests on history from old settings (the badge).
+  bool isExact(int lane = 0) const;
+  FrameTimes times() const;
+  /// Bytes that kept histories may use on the GPU; default 256 MiB.
+  void setCheckpointBudget(std::size_t bytes);
+
+  // Looking: changes nothing that is looked at
+  // -------------------------------------------------------------------------
+  /// Intermediates that each new frame exposes in its own resolve. Others are exposed on demand by running it
+  /// again.
+  void watch(const std::vector<IntermediateId>& ids);
+  /// Values of the current frame, with the row's channels; `region` empty: the whole picture.
+  Image image(IntermediateId id, int lane = 0, std::optional<gl::Rect> region = {});
+  /// Several at once, in one run of the resolve.
+  std::vector<Image> images(const std::vector<IntermediateId>& ids, int lane = 0);
+  /// Everything at one pixel, (0,0) top left. Throws Error outside the picture.
+  PixelRecord probe(int x, int y, int lane = 0);
+  /// Everything at a square of pixels around (x, y), `radius` 1: 3×3, row-major; clamped at the border.
+  std::vector<PixelRecord> probeAround(int x, int y, int radius, int lane = 0);
+  /// The finished picture of a view.
+  Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
+                  int height, int lane = 0);
+  const FrameInputs& inputs(int lane = 0) const;
+
+  /// Compiles all shaders again; on Error everything stays as it was.
+  void reloadShaders();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace taa

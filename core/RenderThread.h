@@ -1,0 +1,104 @@
+// The Inspector on a thread of its own: wishes in, results out; std only. The caller never waits for GL.
+#pragma once
+
+#include "core/Inspector.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// One view on the screen. A picture is delivered again whenever what it shows or how has changed.
+struct ViewRequest {
+  IntermediateId id = IntermediateId::resolved;
+  ViewStyle style;
+  ViewTransform transform;
+  int width = 0, height = 0; ///< screen pixels; 0: not shown
+  int lane = 0;
+  bool withValues = false; ///< also deliver the values of the visible texels (for printing them when large)
+  bool operator==(const ViewRequest&) const = default;
+};
+
+/// A finished picture of a view, with what it was made from.
+struct ViewResult {
+  int view = 0; ///< index into the views
+  ViewRequest request;
+  Picture picture;
+  Image values;    ///< of `region` when asked for; else empty
+  gl::Rect region; ///< pixels of the picture that `values` holds
+  int frame = 0;
+  bool exact = true;
+};
+
+struct ProbeResult {
+  int x = 0, y = 0, frame = 0;
+  std::vector<PixelRecord> around; ///< 3×3 row-major, [4] is the pixel itself
+  bool exact = true;
+};
+
+/// What the window shows about the state; sent whenever any of it changes.
+struct Status {
+  std::string source, camera;
+  std::vector<std::string> cameras, warnings;
+  int width = 0, height = 0, frameCount = 0;
+  double framesPerSecond = 60.0;
+  FrameInfo info;
+  Settings settings;
+  int jitterPeriod = 0;
+  bool playing = false, exact = true;
+  FrameTimes times;
+  gl::Driver driver;
+};
+
+/// Long work under way; `what` empty: none.
+struct Work {
+  std::string what;
+  int done = 0, total = 0;
+};
+
+/// Called on the render thread; must return soon (post to your own thread). Results are values.
+struct RenderListener {
+  std::function<void(ViewResult)> onPicture;
+  std::function<void(ProbeResult)> onProbe;
+  std::function<void(Status)> onStatus;
+  std::function<void(Work)> onWork;
+  std::function<void(std::string)> onError; ///< a sentence; nothing was lost
+};
+
+/// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
+/// kind wins, and long work that a newer wish makes useless is cancelled. Errors come by onError and change
+/// nothing.
+class RenderThread {
+ public:
+  explicit RenderThread(RenderListener listener);
+  /// Cancels what is under way and joins.
+  ~RenderThread();
+  RenderThread(const RenderThread&) = delete;
+  RenderThread& operator=(const RenderThread&) = delete;
+
+  void open(const std::string& source);
+  void setSize(int width, int height);
+  void setCamera(const std::string& name);
+  void setSettings(const Settings& settings); ///< answered at once on the old history, then exactly
+  void setPlaying(bool playing);
+  void setLooping(bool looping); ///< at the end: start again, or pause
+  void seek(int frame);
+  void step(int frames); ///< relative; steps add up while they wait
+  void setViews(const std::vector<ViewRequest>& views);
+  void probe(
+      std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back
+  void reloadShaders();
+  void cancel(); ///< stops the long work under way
+
+  /// Waits until all wishes so far are answered; for tests and screenshots only.
+  void waitUntilIdle();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace taa

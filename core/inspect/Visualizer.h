@@ -1,0 +1,68 @@
+// From an intermediate to a picture for a screen: channels, range, exposure, color map, zoom and pan,
+// overlays.
+#pragma once
+
+#include "core/gl/Texture.h"
+#include "core/taa/Intermediates.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+enum class ColorMap : std::uint8_t { Gray, Viridis, Inferno, Diverging, Cyclic, Categorical };
+
+/// How an intermediate is shown; each intermediate remembers its own.
+struct ViewStyle {
+  float low = 0.0f, high = 1.0f; ///< values drawn as the ends of the range
+  float exposure = 0.0f;         ///< stops, before the range
+  bool red = true, green = true, blue = true;
+  ColorMap map = ColorMap::Gray; ///< for one-channel rows and for a single channel shown alone
+  bool markInvalid = true; ///< NaN red, Inf green, negative blue (negative only where the row is a color)
+  bool operator==(const ViewStyle&) const = default;
+};
+
+/// The style a row opens with.
+ViewStyle defaultStyle(const Intermediate& row);
+std::string_view colorMapName(ColorMap map);
+
+/// Which part of the picture is shown where. Screen pixel s shows picture position origin + s / zoom.
+struct ViewTransform {
+  glm::vec2 origin{0.0f}; ///< picture position (px) at the top-left corner of the viewport
+  float zoom = 1.0f;      ///< screen pixels per picture pixel
+  bool operator==(const ViewTransform&) const = default;
+};
+
+/// A finished picture for the screen, sRGB, row 0 the top; alpha 0 outside the image.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Nearest neighbor above 1:1, exact area average below it (of the displayed colors' linear values).
+class Visualizer {
+ public:
+  Visualizer();
+  ~Visualizer();
+  Visualizer(Visualizer&&) noexcept;
+  Visualizer& operator=(Visualizer&&) noexcept;
+
+  /// Draws `layer` of `texture` (an array) as row `row` into a viewport of the given size (px).
+  Picture draw(const gl::Texture& texture, int layer, const Intermediate& row, const ViewStyle& style,
+               const ViewTransform& transform, int width, int height);
+  void reloadShaders();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Color of `value` (0…1) in a map, linear 0…1 RGB; the same polynomials as the shader's.
+std::array<float, 3> mapColor(ColorMap map, float value);
+
+} // namespace taa
