@@ -1,0 +1,106 @@
+#include "core/scene/Geometry.h"
+
+#include "core/scene/Pose.h"
+
+#include <cmath>
+
+namespace taa {
+
+namespace {
+
+glm::vec3 normalizedOr(const glm::vec3& v, const glm::vec3& fallback) {
+  const float length = glm::length(v);
+  return std::isfinite(length) && length > 0.0f ? v / length : fallback;
+}
+
+glm::vec3 anyPerpendicular(const glm::vec3& n) {
+  const glm::vec3 other = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  return normalizedOr(glm::cross(glm::cross(n, other), n), glm::vec3(1, 0, 0));
+}
+
+/// Directions in which u grows and v falls, weighted by the triangle's size.
+struct UvAxes {
+  glm::vec3 alongU{0.0f}, againstV{0.0f};
+};
+
+UvAxes uvAxes(const Vertex& a, const Vertex& b, const Vertex& c, int uvSet) {
+  const auto uv = [&](const Vertex& v) { return uvSet == 0 ? v.uv0 : v.uv1; };
+  const glm::vec3 e1 = b.position - a.position, e2 = c.position - a.position;
+  const glm::vec2 d1 = uv(b) - uv(a), d2 = uv(c) - uv(a);
+  const float area = d1.x * d2.y - d2.x * d1.y;
+  if (!std::isfinite(area) || area == 0.0f) return {};
+  const float weight = glm::length(glm::cross(e1, e2)), sign = area > 0.0f ? 1.0f : -1.0f;
+  const glm::vec3 u = sign * (e1 * d2.y - e2 * d1.y), v = sign * (e2 * d1.x - e1 * d2.x);
+  return {weight * normalizedOr(u, glm::vec3(0.0f)), -weight * normalizedOr(v, glm::vec3(0.0f))};
+}
+
+} // namespace
+
+void makeFlatNormals(Primitive& primitive) {
+  if (primitive.topology != Topology::Triangles) {
+    for (Vertex& vertex : primitive.vertices) vertex.normal = {0.0f, 1.0f, 0.0f};
+    return;
+  }
+  std::vector<Vertex> flat;
+  flat.reserve(primitive.indices.size());
+  for (const std::uint32_t index : primitive.indices) flat.push_back(primitive.vertices[index]);
+  for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
+    const glm::vec3 normal = normalizedOr(
+        glm::cross(flat[i + 1].position - flat[i].position, flat[i + 2].position - flat[i].position),
+        glm::vec3(0, 0, 1));
+    for (std::size_t corner = 0; corner < 3; ++corner) flat[i + corner].normal = normal;
+  }
+  primitive.vertices = std::move(flat);
+  for (std::size_t i = 0; i < primitive.indices.size(); ++i)
+    primitive.indices[i] = static_cast<std::uint32_t>(i);
+}
+
+void makeTangents(Primitive& primitive, int uvSet) {
+  std::vector<UvAxes> axes(primitive.vertices.size());
+  if (primitive.topology == Topology::Triangles)
+    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+      const std::uint32_t* corner = &primitive.indices[i];
+      const UvAxes triangle = uvAxes(primitive.vertices[corner[0]], primitive.vertices[corner[1]],
+                                     primitive.vertices[corner[2]], uvSet);
+      for (int k = 0; k < 3; ++k) {
+        axes[corner[k]].alongU += triangle.alongU;
+        axes[corner[k]].againstV += triangle.againstV;
+      }
+    }
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    Vertex& vertex = primitive.vertices[i];
+    const glm::vec3& n = vertex.normal;
+    const glm::vec3 tangent =
+        normalizedOr(axes[i].alongU - n * glm::dot(n, axes[i].alongU), anyPerpendicular(n));
+    const bool mirrored = glm::dot(glm::cross(n, tangent), axes[i].againstV) < 0.0f;
+    vertex.tangent = glm::vec4(tangent, mirrored ? -1.0f : 1.0f);
+  }
+}
+
+void updateBounds(Primitive& primitive) {
+  primitive.bounds = {};
+  for (const Vertex& vertex : primitive.vertices) primitive.bounds.add(vertex.position);
+}
+
+Bounds restBounds(const Scene& scene) {
+  Scene atRest;
+  atRest.nodes = scene.nodes;
+  const Pose pose = poseAt(atRest, 0.0);
+  Bounds bounds;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (scene.nodes[i].mesh < 0) continue;
+    for (const Primitive& primitive :
+         scene.meshes[static_cast<std::size_t>(scene.nodes[i].mesh)].primitives) {
+      if (primitive.bounds.isEmpty()) continue;
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 point(corner & 1 ? primitive.bounds.max.x : primitive.bounds.min.x,
+                              corner & 2 ? primitive.bounds.max.y : primitive.bounds.min.y,
+                              corner & 4 ? primitive.bounds.max.z : primitive.bounds.min.z);
+        bounds.add(glm::vec3(pose.worldFromNode[i] * glm::vec4(point, 1.0f)));
+      }
+    }
+  }
+  return bounds;
+}
+
+} // namespace taa

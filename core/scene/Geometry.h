@@ -1,0 +1,22 @@
+// What loader and builders both need to finish a mesh: normals, tangents, bounds.
+#pragma once
+
+#include "core/scene/Scene.h"
+
+namespace taa {
+
+/// Gives every triangle its own three vertices with the face's normal, as glTF asks where normals are
+/// missing. Lines and points get a normal along +y, so that the sky lights them.
+void makeFlatNormals(Primitive& primitive);
+
+/// Tangents along growing u, summed over a vertex's triangles; `uvSet` 0 or 1 is the normal map's.
+/// The bitangent cross(normal, tangent)·w points along falling v: up in the picture, as normal maps have it.
+void makeTangents(Primitive& primitive, int uvSet);
+
+/// Sets `primitive.bounds` from its vertices.
+void updateBounds(Primitive& primitive);
+
+/// World bounds of everything drawn, all nodes at rest; empty when nothing is.
+Bounds restBounds(const Scene& scene);
+
+} // namespace taa

@@ -1,0 +1,116 @@
+#include "core/scene/Pose.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace taa {
+
+namespace {
+
+/// A node's own transform while the channels write to it.
+struct Transform {
+  glm::vec3 translation;
+  glm::quat rotation;
+  glm::vec3 scale;
+};
+
+glm::quat toQuaternion(const glm::vec4& v) {
+  return {v.w, v.x, v.y, v.z};
+}
+
+glm::vec4 toVector(const glm::quat& q) {
+  return {q.x, q.y, q.z, q.w};
+}
+
+/// Between keys `i` and `i + 1` at `u` in 0…1; glTF 2.0 appendix C.
+glm::vec4 interpolate(const AnimationChannel& channel, std::size_t i, float u) {
+  const std::vector<glm::vec4>& values = channel.values;
+  switch (channel.interpolation) {
+  case Interpolation::Step:
+    return values[i];
+  case Interpolation::Linear:
+    if (channel.path == AnimationPath::Rotation) // glm's slerp takes the shorter way round
+      return toVector(glm::slerp(toQuaternion(values[i]), toQuaternion(values[i + 1]), u));
+    return values[i] + u * (values[i + 1] - values[i]);
+  case Interpolation::CubicSpline:
+    break;
+  }
+  const float step = channel.times[i + 1] - channel.times[i];
+  const glm::vec4 from = values[3 * i + 1], to = values[3 * i + 4];
+  const glm::vec4 fromTangent = step * values[3 * i + 2], toTangent = step * values[3 * i + 3];
+  const float u2 = u * u, u3 = u2 * u;
+  return (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * fromTangent + (3 * u2 - 2 * u3) * to +
+         (u3 - u2) * toTangent;
+}
+
+/// The channel's value at `time` seconds; before the first key and after the last it holds.
+glm::vec4 sample(const AnimationChannel& channel, double time) {
+  const std::vector<float>& times = channel.times;
+  const bool cubic = channel.interpolation == Interpolation::CubicSpline;
+  assert(!times.empty() && channel.values.size() == times.size() * (cubic ? 3 : 1));
+  const auto keyValue = [&](std::size_t i) { return channel.values[cubic ? 3 * i + 1 : i]; };
+  const auto after = std::ranges::upper_bound(times, time, {}, [](float t) { return double(t); });
+  if (after == times.begin()) return keyValue(0);
+  if (after == times.end()) return keyValue(times.size() - 1);
+  const std::size_t i = static_cast<std::size_t>(after - times.begin()) - 1;
+  const double start = times[i], end = times[i + 1];
+  return interpolate(channel, i, static_cast<float>((time - start) / (end - start)));
+}
+
+void apply(const AnimationChannel& channel, double time, Transform& transform) {
+  const glm::vec4 value = sample(channel, time);
+  switch (channel.path) {
+  case AnimationPath::Translation:
+    transform.translation = glm::vec3(value);
+    break;
+  case AnimationPath::Scale:
+    transform.scale = glm::vec3(value);
+    break;
+  case AnimationPath::Rotation:
+    // A cubic spline leaves the unit sphere; glTF asks for the result to be normalized.
+    if (const float length = glm::length(value); length > 0.0f)
+      transform.rotation =
+          toQuaternion(channel.interpolation == Interpolation::CubicSpline ? value / length : value);
+    break;
+  }
+}
+
+glm::mat4 matrixOf(const Transform& transform) {
+  glm::mat4 matrix = glm::mat4_cast(transform.rotation);
+  for (int axis = 0; axis < 3; ++axis) matrix[axis] *= transform.scale[axis];
+  matrix[3] = glm::vec4(transform.translation, 1.0f);
+  return matrix;
+}
+
+/// `time` brought into one run of the animation.
+double wrapped(double time, double duration) {
+  return duration > 0.0 ? std::max(0.0, time - std::floor(time / duration) * duration) : 0.0;
+}
+
+} // namespace
+
+Pose poseAt(const Scene& scene, double time) {
+  std::vector<Transform> transforms;
+  transforms.reserve(scene.nodes.size());
+  for (const Node& node : scene.nodes) transforms.push_back({node.translation, node.rotation, node.scale});
+  if (!scene.animations.empty()) {
+    const Animation& animation = scene.animations.front();
+    const double animationTime = wrapped(time, animation.duration);
+    for (const AnimationChannel& channel : animation.channels)
+      apply(channel, animationTime, transforms.at(static_cast<std::size_t>(channel.node)));
+  }
+  Pose pose;
+  pose.worldFromNode.reserve(scene.nodes.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    assert(node.parent < static_cast<int>(i));
+    const glm::mat4 parentFromNode = node.hasMatrix ? node.matrix : matrixOf(transforms[i]);
+    pose.worldFromNode.push_back(node.parent < 0 ? parentFromNode
+                                                 : pose.worldFromNode[static_cast<std::size_t>(node.parent)] *
+                                                       parentFromNode);
+  }
+  return pose;
+}
+
+} // namespace taa

@@ -1,0 +1,53 @@
+// Puts a scene together by code: hands out the indices that parts of a scene know each other by.
+#pragma once
+
+#include "core/scene/MeshBuilder.h"
+#include "core/scene/Scene.h"
+
+#include <functional>
+
+namespace taa {
+
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(std::string name);
+
+  int addImage(SceneImage image);
+  int addMaterial(const Material& material);
+  /// One node with one mesh; the primitives may have different materials.
+  int addObject(const std::string& name, std::vector<Primitive> primitives, int parent = -1);
+  /// Another node that draws the mesh of `object`.
+  int addInstance(int object, const glm::vec3& translation, const glm::vec3& scale = glm::vec3(1.0f));
+  int addNode(const std::string& name, const glm::vec3& translation, const glm::quat& rotation = {1, 0, 0, 0},
+              int parent = -1);
+  void addPointLight(const std::string& name, const glm::vec3& position, const glm::vec3& color,
+                     float candela);
+  /// A camera on a node of its own, looking along `direction`; returns the node.
+  int addCamera(const std::string& name, const glm::vec3& eye, const glm::vec3& direction, float fovY);
+
+  /// Moves `node` by `offset(angle)` (with its derivative by the angle) around a loop of `seconds`.
+  void animateLoop(int node, float seconds, const std::function<glm::vec3(float)>& position,
+                   const std::function<glm::vec3(float)>& derivative);
+  /// Spins `node` around its z axis, counter-clockwise, `turns` times in `seconds`.
+  void animateSpin(int node, float seconds, int turns);
+
+  Scene& scene() { return scene_; }
+  /// The scene with its bounds.
+  Scene finish();
+
+ private:
+  Animation& animation(float seconds);
+
+  Scene scene_;
+};
+
+/// A plain material; `color` linear.
+Material paintOf(const glm::vec3& color, float roughness, float metallic = 0.0f);
+
+/// A slot that shows `image`, repeated.
+TextureSlot textureSlot(int image);
+
+/// The rotation of a camera or light that looks along `direction`, y up.
+glm::quat lookRotation(const glm::vec3& direction);
+
+} // namespace taa
