@@ -182,6 +182,7 @@ std::string scenePathName(const Scene& scene, std::size_t index) {
 
 std::vector<std::string> cameraNames(const Scene& scene) {
   std::vector<std::string> names;
+  names.reserve(kFittedPaths.size() + scene.cameras.size());
   for (const FittedPath& path : kFittedPaths) names.emplace_back(path.name);
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) names.push_back(scenePathName(scene, i));
   return names;

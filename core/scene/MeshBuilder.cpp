@@ -142,7 +142,8 @@ void MeshBuilder::sheet(std::span<const glm::vec3> points, int columns) {
   const int rows = static_cast<int>(points.size()) / columns;
   const std::uint32_t first = static_cast<std::uint32_t>(primitive_.vertices.size());
   const auto at = [&](int row, int column) {
-    return points[static_cast<std::size_t>(row * columns + column)];
+    return points[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(column)];
   };
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {

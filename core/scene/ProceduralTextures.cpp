@@ -28,13 +28,27 @@ SceneImage paint(std::string name, Color color) {
   return image;
 }
 
+int wrapped(int i, int period) {
+  return ((i % period) + period) % period;
+}
+
 /// Slopes of `height(u, v)` (in texture widths) as a normal map.
 template <class Height>
 SceneImage paintNormals(std::string name, Height height) {
-  constexpr float kStep = 1.0f / kSize;
+  std::vector<float> heights;
+  heights.reserve(static_cast<std::size_t>(kSize) * kSize);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      heights.push_back(
+          height((static_cast<float>(x) + 0.5f) / kSize, (static_cast<float>(y) + 0.5f) / kSize));
+  const auto at = [&](int x, int y) {
+    return heights[static_cast<std::size_t>(wrapped(y, kSize)) * kSize +
+                   static_cast<std::size_t>(wrapped(x, kSize))];
+  };
   return paint(std::move(name), [&](float u, float v) {
-    const float slopeU = (height(u + kStep, v) - height(u - kStep, v)) / (2.0f * kStep);
-    const float slopeUp = (height(u, v - kStep) - height(u, v + kStep)) / (2.0f * kStep);
+    const int x = static_cast<int>(u * kSize), y = static_cast<int>(v * kSize);
+    const float slopeU = 0.5f * kSize * (at(x + 1, y) - at(x - 1, y));
+    const float slopeUp = 0.5f * kSize * (at(x, y - 1) - at(x, y + 1));
     const glm::vec3 normal = glm::normalize(glm::vec3(-slopeU, -slopeUp, 1.0f));
     return glm::vec4(0.5f * normal + 0.5f, 1.0f);
   });
@@ -47,10 +61,6 @@ float random(int x, int y, int seed) {
   h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
   h = (h ^ (h >> 12)) * 0x297A2D39u;
   return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.0f;
-}
-
-int wrapped(int i, int period) {
-  return ((i % period) + period) % period;
 }
 
 /// Value noise with `cells` cells across, 0 to 1; tiles.
