@@ -119,8 +119,8 @@ struct Intermediate {
 
 inline constexpr auto kIntermediates = std::to_array<Intermediate>({
 #define TAA_ROW(id, label, stage, channels, unit, low, high, visual, tolerance, description)                 \
-  {IntermediateId::id, #id,       label,      Stage::stage, channels, unit, low, high,                       \
-   Visual::visual,     tolerance, description},
+  {IntermediateId::id, #id,         label,          Stage::stage,     channels,   unit,                      \
+   float(low),         float(high), Visual::visual, float(tolerance), description},
     TAA_INTERMEDIATES(TAA_ROW)
 #undef TAA_ROW
 });
