@@ -1,0 +1,274 @@
+#include "core/settings/Parameters.h"
+
+#include "core/base/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace taa {
+
+namespace {
+
+// Levenshtein's distance, for "did you mean".
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, substituted});
+    }
+  }
+  return row.back();
+}
+
+std::string nearestPaths(std::string_view path) {
+  std::vector<std::pair<std::size_t, std::string_view>> ranked;
+  for (const Parameter& row : parameters()) ranked.emplace_back(editDistance(path, row.path), row.path);
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
+  std::string text;
+  for (std::size_t i = 0; i < 3; ++i)
+    text += (i == 0 ? "" : i == 1 ? ", " : " or ") + std::string(ranked[i].second);
+  return text;
+}
+
+std::string allowedText(const Parameter& row) {
+  switch (row.kind) {
+  case ParameterKind::Choice: {
+    std::string text = "one of ";
+    for (const Choice& choice : row.choices)
+      text += (&choice == row.choices.data() ? "" : ", ") + std::string(choice.id);
+    return text;
+  }
+  case ParameterKind::Toggle:
+    return "on or off";
+  case ParameterKind::Integer:
+    return "an integer from " + valueText(row, row.minimum) + " to " + valueText(row, row.maximum);
+  case ParameterKind::Number:
+    return "a number from " + valueText(row, row.minimum) + " to " + valueText(row, row.maximum);
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const Parameter& row, std::string_view text) {
+  throw Error("cannot set " + std::string(row.path) + " to \"" + std::string(text) + "\": give " +
+              allowedText(row));
+}
+
+// Index of the choice, or −1.
+int choiceIndex(const Parameter& row, std::string_view id) {
+  const auto found = std::ranges::find(row.choices, id, &Choice::id);
+  return found == row.choices.end() ? -1 : static_cast<int>(found - row.choices.begin());
+}
+
+double parseNumber(const Parameter& row, std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) refuse(row, text);
+  // What is stored is a float; 0.1 must be the float 0.1 wherever it is compared.
+  if (row.kind == ParameterKind::Number) value = static_cast<double>(static_cast<float>(value));
+  if (row.kind == ParameterKind::Integer && value != std::floor(value)) refuse(row, text);
+  if (!(value >= static_cast<double>(static_cast<float>(row.minimum)) && value <= row.maximum))
+    refuse(row, text);
+  return value;
+}
+
+// "rectify.method" → "RectifyMethod" or "rectifyMethod".
+std::string joinedName(std::string_view path, bool capital) {
+  std::string name;
+  for (char letter : path) {
+    if (letter == '.') {
+      capital = true;
+      continue;
+    }
+    name += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(letter))) : letter;
+    capital = false;
+  }
+  return name;
+}
+
+bool isProgramConstant(const Parameter& row) {
+  return row.effect == Effect::Program || row.effect == Effect::Storage;
+}
+
+nlohmann::json jsonValue(const Parameter& row, double value) {
+  switch (row.kind) {
+  case ParameterKind::Choice:
+    return valueText(row, value);
+  case ParameterKind::Toggle:
+    return value != 0.0;
+  case ParameterKind::Integer:
+    return static_cast<int>(value);
+  case ParameterKind::Number:
+    return nlohmann::json::parse(valueText(row, value)); // the shortest decimal, not the double's
+  }
+  return {};
+}
+
+double valueFromJson(const Parameter& row, const nlohmann::json& json) {
+  if (row.kind == ParameterKind::Toggle && json.is_boolean()) return json.get<bool>() ? 1.0 : 0.0;
+  if (row.kind == ParameterKind::Choice && json.is_string()) return parseValue(row, json.get<std::string>());
+  const bool wantsNumber = row.kind == ParameterKind::Integer || row.kind == ParameterKind::Number;
+  if (wantsNumber && json.is_number()) return parseNumber(row, json.dump());
+  refuse(row, json.dump());
+}
+
+} // namespace
+
+const Parameter& parameter(std::string_view path) {
+  const auto rows = parameters();
+  const auto found = std::ranges::find(rows, path, &Parameter::path);
+  if (found == rows.end())
+    throw Error("there is no parameter \"" + std::string(path) + "\"; near it are " + nearestPaths(path));
+  return *found;
+}
+
+bool isRelevant(const Parameter& row, const Settings& settings) {
+  if (row.relevantWhen.empty()) return true;
+  const std::size_t equals = row.relevantWhen.find('=');
+  assert(equals != std::string_view::npos);
+  const Parameter& other = parameter(row.relevantWhen.substr(0, equals));
+  const std::string value = valueText(other, other.get(settings));
+  std::string_view allowed = row.relevantWhen.substr(equals + 1);
+  while (!allowed.empty()) {
+    const std::size_t bar = allowed.find('|');
+    if (allowed.substr(0, bar) == value) return true;
+    allowed = bar == std::string_view::npos ? std::string_view() : allowed.substr(bar + 1);
+  }
+  return false;
+}
+
+std::string valueText(const Parameter& row, double value) {
+  switch (row.kind) {
+  case ParameterKind::Choice:
+    return std::string(row.choices[static_cast<std::size_t>(value)].id);
+  case ParameterKind::Toggle:
+    return value != 0.0 ? "on" : "off";
+  case ParameterKind::Integer:
+    return std::to_string(static_cast<long long>(value));
+  case ParameterKind::Number:
+    break;
+  }
+  char text[64];
+  const auto result = std::to_chars(text, text + sizeof(text), static_cast<float>(value));
+  return {text, result.ptr};
+}
+
+double parseValue(const Parameter& row, std::string_view text) {
+  switch (row.kind) {
+  case ParameterKind::Choice:
+    if (const int index = choiceIndex(row, text); index >= 0) return index;
+    refuse(row, text);
+  case ParameterKind::Toggle:
+    if (text == "on" || text == "true" || text == "1") return 1.0;
+    if (text == "off" || text == "false" || text == "0") return 0.0;
+    refuse(row, text);
+  case ParameterKind::Integer:
+  case ParameterKind::Number:
+    return parseNumber(row, text);
+  }
+  refuse(row, text);
+}
+
+void applyAssignment(Settings& settings, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw Error("cannot read \"" + std::string(assignment) +
+                "\": write path=value, for example rectify.method=clamp");
+  const Parameter& row = parameter(assignment.substr(0, equals));
+  row.set(settings, parseValue(row, assignment.substr(equals + 1)));
+}
+
+std::vector<std::string> differences(const Settings& settings, const Settings& base) {
+  std::vector<std::string> assignments;
+  for (const Parameter& row : parameters())
+    if (row.get(settings) != row.get(base))
+      assignments.push_back(std::string(row.path) + "=" + valueText(row, row.get(settings)));
+  return assignments;
+}
+
+nlohmann::json toJson(const Settings& settings) {
+  nlohmann::json json;
+  for (const Parameter& row : parameters()) {
+    const std::size_t dot = row.path.find('.');
+    json[std::string(row.path.substr(0, dot))][std::string(row.path.substr(dot + 1))] =
+        jsonValue(row, row.get(settings));
+  }
+  return json;
+}
+
+void fromJson(const nlohmann::json& json, Settings& settings) {
+  if (!json.is_object()) throw Error("cannot read settings: expected an object of groups");
+  Settings changed = settings;
+  for (const auto& [group, rows] : json.items()) {
+    if (!rows.is_object())
+      throw Error("cannot read settings: \"" + group + "\" is not a group of parameters");
+    for (const auto& [name, value] : rows.items()) {
+      const Parameter& row = parameter(group + "." + name);
+      row.set(changed, valueFromJson(row, value));
+    }
+  }
+  settings = changed;
+}
+
+bool operator==(const Settings& a, const Settings& b) {
+  return std::ranges::all_of(parameters(), [&](const Parameter& row) { return row.get(a) == row.get(b); });
+}
+
+std::string glslPrelude(const Settings& settings) {
+  std::string text;
+  std::string block;
+  for (const Parameter& row : parameters()) {
+    const std::string name = "k" + joinedName(row.path, true);
+    const int value = static_cast<int>(row.get(settings));
+    if (isProgramConstant(row) && row.kind == ParameterKind::Toggle)
+      text += "const bool " + name + " = " + (value ? "true" : "false") + ";\n";
+    if (isProgramConstant(row) && row.kind == ParameterKind::Choice) {
+      text += "const int " + name + " = " + std::to_string(value) + ";\n";
+      for (std::size_t i = 0; i < row.choices.size(); ++i)
+        text +=
+            "const int " + name + "_" + std::string(row.choices[i].id) + " = " + std::to_string(i) + ";\n";
+    }
+    if (row.effect == Effect::Uniform)
+      block += std::string(row.kind == ParameterKind::Integer ? "  int " : "  float ") +
+               joinedName(row.path, false) + ";\n";
+  }
+  return text + "layout(std140, binding = 1) uniform SettingsBlock {\n" + block + "} settings;\n";
+}
+
+std::string programKey(const Settings& settings) {
+  std::string key;
+  for (const Parameter& row : parameters())
+    if (isProgramConstant(row)) key += valueText(row, row.get(settings)) + " ";
+  return key;
+}
+
+std::vector<std::byte> settingsBlock(const Settings& settings) {
+  std::vector<std::byte> bytes;
+  for (const Parameter& row : parameters()) {
+    if (row.effect != Effect::Uniform) continue;
+    const auto number = static_cast<float>(row.get(settings));
+    const auto integer = static_cast<std::int32_t>(row.get(settings));
+    const void* value = row.kind == ParameterKind::Integer ? static_cast<const void*>(&integer) : &number;
+    bytes.resize(bytes.size() + 4);
+    std::memcpy(bytes.data() + bytes.size() - 4, value, 4);
+  }
+  bytes.resize((bytes.size() + 15) / 16 * 16);
+  return bytes;
+}
+
+bool sameInputs(const Settings& a, const Settings& b) {
+  return std::ranges::all_of(parameters(), [&](const Parameter& row) {
+    return row.effect != Effect::Inputs || row.get(a) == row.get(b);
+  });
+}
+
+} // namespace taa
