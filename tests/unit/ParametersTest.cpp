@@ -1,0 +1,165 @@
+// The parameter table: every field has its row, and every form a value takes reads back to the same bits.
+#include "core/settings/Parameters.h"
+
+#include "core/base/Error.h"
+#include "core/settings/Presets.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <set>
+
+namespace taa {
+namespace {
+
+// A value of the row that differs from `value`.
+double otherValue(const Parameter& row, double value) {
+  if (row.kind == ParameterKind::Number)
+    return static_cast<double>(static_cast<float>(value == 0.25 ? 0.75 : 0.25));
+  return value == row.minimum ? row.minimum + 1 : row.minimum;
+}
+
+Settings everythingChanged() {
+  Settings settings;
+  for (const Parameter& row : parameters()) row.set(settings, otherValue(row, row.defaultValue()));
+  return settings;
+}
+
+TEST(Parameters, HaveOneRowForEachFieldOfTheSettings) {
+  ASSERT_EQ(sizeof(Settings), 4 * parameters().size());
+  std::set<std::size_t> fields;
+  for (const Parameter& row : parameters()) {
+    Settings settings;
+    std::array<std::uint32_t, sizeof(Settings) / 4> before{}, after{};
+    std::memcpy(before.data(), &settings, sizeof(settings));
+    row.set(settings, otherValue(row, row.get(settings)));
+    std::memcpy(after.data(), &settings, sizeof(settings));
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i] != after[i]) {
+        EXPECT_TRUE(fields.insert(i).second) << row.path << " shares its field";
+      }
+    EXPECT_EQ(row.get(settings), otherValue(row, row.defaultValue())) << row.path;
+  }
+  EXPECT_EQ(fields.size(), parameters().size());
+}
+
+TEST(Parameters, AreDescribedCompletely) {
+  std::set<std::string_view> paths;
+  for (const Parameter& row : parameters()) {
+    EXPECT_TRUE(paths.insert(row.path).second) << row.path;
+    EXPECT_FALSE(row.label.empty() || row.tooltip.empty() || row.source.empty()) << row.path;
+    EXPECT_LT(row.minimum, row.maximum) << row.path;
+    EXPECT_GE(row.defaultValue(), row.minimum) << row.path;
+    EXPECT_LE(row.defaultValue(), row.maximum) << row.path;
+    EXPECT_EQ(row.kind == ParameterKind::Choice, !row.choices.empty()) << row.path;
+    if (row.kind == ParameterKind::Choice) {
+      EXPECT_EQ(row.maximum + 1, row.choices.size()) << row.path;
+    }
+    for (const Choice& choice : row.choices)
+      EXPECT_FALSE(choice.id.empty() || choice.label.empty() || choice.explanation.empty()) << row.path;
+    EXPECT_NO_THROW(isRelevant(row, Settings{})) << row.path;
+  }
+}
+
+TEST(Parameters, StandInTheOrderOfTheStages) {
+  for (std::size_t i = 1; i < parameters().size(); ++i)
+    EXPECT_LE(parameters()[i - 1].stage, parameters()[i].stage) << parameters()[i].path;
+}
+
+TEST(Parameters, ReadBackFromTextAndJson) {
+  const Settings settings = everythingChanged();
+  Settings fromText, fromFile;
+  for (const std::string& assignment : differences(settings, Settings{}))
+    applyAssignment(fromText, assignment);
+  fromJson(nlohmann::json::parse(toJson(settings).dump()), fromFile);
+  EXPECT_TRUE(fromText == settings);
+  EXPECT_TRUE(fromFile == settings);
+  EXPECT_EQ(differences(settings, Settings{}).size(), parameters().size());
+  EXPECT_TRUE(differences(settings, settings).empty());
+}
+
+TEST(Parameters, WriteNumbersAsPeopleDo) {
+  EXPECT_EQ(valueText(parameter("weight.minimum"), 0.1f), "0.1");
+  EXPECT_EQ(toJson(Settings{})["weight"]["minimum"].dump(), "0.1");
+  EXPECT_EQ(valueText(parameter("jitter.period"), 16), "16");
+  EXPECT_EQ(valueText(parameter("history.dering"), 1), "on");
+}
+
+TEST(Parameters, RefuseWhatTheyCannotTake) {
+  Settings settings;
+  for (const char* bad :
+       {"rectify.method=klamp", "jitter.period=0", "jitter.period=1.5", "jitter.period=1025",
+        "weight.alpha=nan", "weight.alpha=1.01", "weight.alpha=-0.1", "weight.alpha=", "weight.alpha=1x",
+        "history.dering=maybe", "rectify.methd=clamp", "rectify.method", "=", ""})
+    EXPECT_THROW(applyAssignment(settings, bad), Error) << bad;
+  EXPECT_TRUE(settings == Settings{});
+  for (const char* bad : {R"({"rectify":{"methd":"clamp"}})", R"({"weight":{"alpha":"0.1"}})",
+                          R"({"weight":3})", "[]", R"({"blend":{"tone":"luma"},"history":{"dering":1}})"})
+    EXPECT_THROW(fromJson(nlohmann::json::parse(bad), settings), Error) << bad;
+  EXPECT_TRUE(settings == Settings{});
+}
+
+TEST(Parameters, NameWhatIsNearAnUnknownPath) {
+  try {
+    parameter("rectify.methd");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("rectify.method"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Parameters, KnowWhenTheyMatter) {
+  Settings settings;
+  applyAssignment(settings, "neighborhood.box=minMax");
+  EXPECT_FALSE(isRelevant(parameter("neighborhood.gamma"), settings));
+  applyAssignment(settings, "neighborhood.box=variance");
+  EXPECT_TRUE(isRelevant(parameter("neighborhood.gamma"), settings));
+  EXPECT_FALSE(isRelevant(parameter("weight.alpha"), settings));
+  applyAssignment(settings, "validate.depth=off");
+  EXPECT_FALSE(isRelevant(parameter("validate.depthTolerance"), settings));
+}
+
+TEST(Parameters, ReachTheShaderOrTheInputs) {
+  const std::string before = glslPrelude(Settings{});
+  const std::vector<std::byte> block = settingsBlock(Settings{});
+  for (const Parameter& row : parameters()) {
+    Settings settings;
+    row.set(settings, otherValue(row, row.get(settings)));
+    const bool program = row.effect == Effect::Program || row.effect == Effect::Storage;
+    EXPECT_EQ(glslPrelude(settings) != before, program) << row.path;
+    EXPECT_EQ(programKey(settings) != programKey(Settings{}), program) << row.path;
+    EXPECT_EQ(settingsBlock(settings) != block, row.effect == Effect::Uniform) << row.path;
+    EXPECT_EQ(!sameInputs(settings, Settings{}), row.effect == Effect::Inputs) << row.path;
+  }
+  EXPECT_EQ(block.size() % 16, 0u);
+}
+
+TEST(Presets, OpenWithTheDefaultsAsBalanced) {
+  ASSERT_FALSE(builtinPresets().empty());
+  EXPECT_EQ(builtinPresets().front().id, "balanced");
+  EXPECT_TRUE(builtinPresets().front().settings == Settings{})
+      << ::testing::PrintToString(differences(builtinPresets().front().settings, Settings{}));
+}
+
+TEST(Presets, ReadBackFromTheirText) {
+  for (const Preset& row : builtinPresets()) {
+    const Preset again = presetFromText(presetToText(row), "test");
+    EXPECT_EQ(again.id, row.id);
+    EXPECT_FALSE(row.label.empty() || row.description.empty()) << row.id;
+    EXPECT_TRUE(again.settings == row.settings) << row.id;
+    EXPECT_TRUE(preset(row.id).settings == row.settings);
+  }
+}
+
+TEST(Presets, RefuseUnknownNamesFieldsAndFormats) {
+  EXPECT_THROW(preset("balancd"), Error);
+  EXPECT_THROW(preset("/nowhere/mine.json"), Error);
+  EXPECT_THROW(presetFromText("{", "test"), Error);
+  EXPECT_THROW(presetFromText(R"({"format":2,"id":"a","label":"A","settings":{}})", "test"), Error);
+  EXPECT_THROW(presetFromText(R"({"format":1,"id":"a","label":"A","settings":{},"extra":1})", "test"), Error);
+  EXPECT_THROW(presetFromText(R"({"format":1,"label":"A","settings":{}})", "test"), Error);
+}
+
+} // namespace
+} // namespace taa
