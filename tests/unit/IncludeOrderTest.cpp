@@ -76,7 +76,7 @@ const std::map<std::string, std::vector<std::string>>& allowedLayers() {
     allowed["taa"] = plus(low, {"render", "capture"});
     allowed["inspect"] = plus(allowed["taa"], {"taa"});
     // Finished frames with their tables, wherever they came from; never the window or the command line.
-    allowed["io"] = {"base", "settings", "scene", "taa", "render"};
+    allowed["io"] = {"base", "settings", "scene", "taa", "render", "shaders"};
     allowed["core"] = plus(allowed["inspect"], {"inspect", "io"});
     allowed["cli"] = plus(allowed["core"], {"core"});
     allowed["app"] = allowed["cli"];

@@ -1,0 +1,55 @@
+// One frame as a multi-part EXR: a part for each intermediate, 32-bit floats, row 0 the top.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/render/FrameInputs.h"
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// How a lane came to its frame; written into the header of each of its parts.
+struct FrameLane {
+  std::string name; ///< "A", put before its parts' names; empty when it is the only one
+  Settings settings;
+  FrameInfo info;
+  shared::FrameBlock block{};
+};
+
+struct FramePart {
+  int lane = 0; ///< index into FrameFile::lanes
+  IntermediateId id = IntermediateId::resolved;
+  Image image; ///< the row's channels
+};
+
+struct FrameFile {
+  std::string source, camera, driver;
+  std::vector<FrameLane> lanes;
+  std::vector<FramePart> parts;
+};
+
+/// Name of a part: the intermediate's id, after the lane's name and a dot where there is one ("A.resolved").
+std::string partName(const FrameLane& lane, IntermediateId id);
+
+/// Writes all parts, or nothing. Channels are named by the table; attributes start with "taa:" (source,
+/// camera, driver, lane, settings as JSON, frame, time, jitterPx, matrices, label, unit, description).
+/// Expects images of one size. Throws Error.
+void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame);
+
+/// Names of the parts of an EXR, in the order of the file. Throws Error.
+std::vector<std::string> partNames(const std::filesystem::path& path);
+
+/// The channels named `channels` of part `part`, whatever order the file has them in. Throws Error naming
+/// what there is.
+Image readPart(const std::filesystem::path& path, const std::string& part,
+               const std::vector<std::string>& channels);
+
+/// Attribute `name` of a part as text; empty when it has none. Throws Error.
+std::string readPartAttribute(const std::filesystem::path& path, const std::string& part,
+                              const std::string& name);
+
+} // namespace taa

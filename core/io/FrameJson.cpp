@@ -1,0 +1,85 @@
+#include "core/io/FrameJson.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace taa {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string_view kindName(ParameterKind kind) {
+  constexpr std::array<std::string_view, 4> kNames = {"choice", "toggle", "integer", "number"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::string_view visualName(Visual visual) {
+  constexpr std::array<std::string_view, 10> kNames = {"color",  "box",      "depth",  "scalar", "signed",
+                                                       "vector", "position", "normal", "mask",   "index"};
+  return kNames.at(static_cast<std::size_t>(visual));
+}
+
+} // namespace
+
+std::string floatText(float value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0.0f ? "inf" : "-inf";
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+ordered_json floatJson(float value) {
+  const std::string text = floatText(value);
+  if (!std::isfinite(value)) return text;
+  // The double next to the short decimal prints as that decimal; the double of the float prints 17 digits.
+  double shortest = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), shortest);
+  return shortest;
+}
+
+ordered_json recordJson(const reference::PixelRecord& record) {
+  ordered_json json;
+  for (const Intermediate& row : kIntermediates) {
+    ordered_json& values = json[std::string(row.name)];
+    int channel = 0;
+    for (const std::string& name : channelNames(row))
+      values[name] = floatJson(reference::at(record, row.id)[channel++]);
+  }
+  return json;
+}
+
+ordered_json intermediateJson(const Intermediate& row) {
+  return {{"id", row.name},
+          {"label", row.label},
+          {"stage", stageInfo(row.stage).id},
+          {"channels", channelNames(row)},
+          {"unit", row.unit},
+          {"range", {floatJson(row.low), floatJson(row.high)}},
+          {"visual", visualName(row.visual)},
+          {"tolerance", floatJson(row.tolerance)},
+          {"description", row.description}};
+}
+
+ordered_json parameterJson(const Parameter& row) {
+  ordered_json json = {
+      {"path", row.path},           {"label", row.label}, {"stage", stageInfo(row.stage).id},
+      {"kind", kindName(row.kind)}, {"unit", row.unit},   {"default", valueText(row, row.defaultValue())}};
+  if (row.kind == ParameterKind::Choice) {
+    json["choices"] = ordered_json::array();
+    for (const Choice& choice : row.choices)
+      json["choices"].push_back(
+          {{"id", choice.id}, {"label", choice.label}, {"explanation", choice.explanation}});
+  } else if (row.kind != ParameterKind::Toggle) {
+    json["minimum"] = row.minimum;
+    json["maximum"] = row.maximum;
+  }
+  json["tooltip"] = row.tooltip;
+  json["formula"] = row.formula;
+  json["source"] = row.source;
+  json["relevantWhen"] = row.relevantWhen;
+  return json;
+}
+
+} // namespace taa

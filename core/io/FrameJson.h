@@ -1,0 +1,29 @@
+// Pixels, intermediates and parameters as JSON, keys from the tables.
+#pragma once
+
+#include "core/settings/Parameters.h"
+#include "core/taa/Intermediates.h"
+#include "core/taa/reference/Reference.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace taa {
+
+/// The shortest decimal that reads back as the same 32-bit float; "nan", "inf", "-inf".
+std::string floatText(float value);
+
+/// A number that prints as floatText; what JSON has no number for is that text.
+nlohmann::ordered_json floatJson(float value);
+
+/// {"color": {"R": …, "G": …, "B": …}, "depth": {"Z": …}, …}: every row, in the table's order.
+nlohmann::ordered_json recordJson(const reference::PixelRecord& record);
+
+/// A row of the table of intermediates.
+nlohmann::ordered_json intermediateJson(const Intermediate& row);
+
+/// A row of the table of parameters.
+nlohmann::ordered_json parameterJson(const Parameter& row);
+
+} // namespace taa

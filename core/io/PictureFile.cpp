@@ -1,0 +1,25 @@
+#include "core/io/PictureFile.h"
+
+#include "core/base/Files.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cassert>
+
+namespace taa {
+
+void writePng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba) {
+  assert(rgba.size() == static_cast<std::size_t>(width) * height * 4);
+  OIIO::ImageSpec spec(width, height, 4, OIIO::TypeUInt8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  writeAtomically(path, [&](const std::filesystem::path& temporary) {
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+    if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without PNG");
+    if (!output->open(temporary.string(), spec) || !output->write_image(OIIO::TypeUInt8, rgba.data()) ||
+        !output->close())
+      throw Error("cannot write " + path.string() + ": " + output->geterror());
+  });
+}
+
+} // namespace taa

@@ -1,0 +1,14 @@
+// Finished pictures (sRGB, 8 bits) as PNG.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace taa {
+
+/// Writes width · height RGBA pixels, row 0 the top, alpha not multiplied in; all of the file or nothing.
+/// Throws Error.
+void writePng(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba);
+
+} // namespace taa
