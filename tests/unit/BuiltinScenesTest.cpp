@@ -1,3 +1,4 @@
+// The built-in scenes.
 #include "core/base/Error.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"

@@ -1,3 +1,4 @@
+// The camera paths of any scene.
 #include "core/base/Error.h"
 #include "core/scene/Pose.h"
 

@@ -1,3 +1,4 @@
+// Where everything is at a time.
 #include "core/scene/Pose.h"
 
 #include <gtest/gtest.h>
