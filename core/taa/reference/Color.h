@@ -1,0 +1,34 @@
+// Colors as the resolve sees them: read safely, measured, and moved into the space of the box.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/reference/Reference.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace taa::reference {
+
+/// NaN, negative, infinite or above the largest half float.
+bool isBad(float value);
+/// The color with bad channels 0.
+glm::vec3 sanitized(const glm::vec3& color);
+
+/// Rec. 709 luma of scene-linear color.
+float luma(const glm::vec3& color);
+
+/// Scene-linear color in the space the box is built in (catalogue 9.2, 15.2), and back.
+glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space);
+glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space);
+
+// Channel by channel, by comparisons, so that what NaN does is defined.
+glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 larger(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high);
+
+/// The pixel of the picture nearest to `pixel`.
+glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs);
+/// This frame's color at `pixel`, clamped to the border, sanitized.
+glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& pixel);
+
+} // namespace taa::reference

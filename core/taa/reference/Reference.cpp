@@ -1,0 +1,102 @@
+// Chains the stages and writes down everything they say.
+#include "core/taa/reference/Reference.h"
+
+#include "core/taa/reference/Stages.h"
+
+#include <glm/vec3.hpp>
+
+namespace taa::reference {
+namespace {
+
+void set(PixelRecord& record, IntermediateId id, const glm::vec3& value) {
+  at(record, id) = glm::vec4(value, 0.0f);
+}
+void set(PixelRecord& record, IntermediateId id, const glm::vec2& value) {
+  at(record, id) = glm::vec4(value, 0.0f, 0.0f);
+}
+void set(PixelRecord& record, IntermediateId id, float value) {
+  at(record, id) = glm::vec4(value, 0.0f, 0.0f, 0.0f);
+}
+
+void recordInputs(PixelRecord& record, const Inputs& inputs, const glm::ivec2& p) {
+  const float depth = inputs.depth.texel(p.x, p.y).x;
+  set(record, IntermediateId::color, glm::vec3(inputs.color.texel(p.x, p.y)));
+  set(record, IntermediateId::depth, depth);
+  set(record, IntermediateId::depthView, viewDepth(depth, inputs.depthTerms));
+  set(record, IntermediateId::motion, glm::vec2(inputs.motion.texel(p.x, p.y)));
+  set(record, IntermediateId::normal, glm::vec3(inputs.normal.texel(p.x, p.y)));
+  set(record, IntermediateId::objectId, inputs.objectId.texel(p.x, p.y).x);
+}
+
+void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
+  set(record, IntermediateId::neighborhoodMean, neighborhood.mean);
+  set(record, IntermediateId::neighborhoodDeviation, neighborhood.deviation);
+  set(record, IntermediateId::neighborhoodMin, neighborhood.min);
+  set(record, IntermediateId::neighborhoodMax, neighborhood.max);
+  set(record, IntermediateId::boxMin, neighborhood.boxMin);
+  set(record, IntermediateId::boxMax, neighborhood.boxMax);
+}
+
+void recordValidation(PixelRecord& record, const Validated& validated) {
+  set(record, IntermediateId::depthExpected, validated.depthExpected);
+  set(record, IntermediateId::historyDepth, validated.historyDepth);
+  set(record, IntermediateId::depthMismatch, validated.depthMismatch);
+  set(record, IntermediateId::rejectReason, static_cast<float>(validated.reason));
+}
+
+void recordWeights(PixelRecord& record, const Weights& weights) {
+  set(record, IntermediateId::alphaBase, weights.base);
+  set(record, IntermediateId::alphaFloor, weights.floor);
+  set(record, IntermediateId::alphaInvalid, weights.invalid);
+  set(record, IntermediateId::alpha, weights.alpha);
+}
+
+void recordBlend(PixelRecord& record, const Blended& blended) {
+  set(record, IntermediateId::toneWeightCurrent, blended.toneWeightCurrent);
+  set(record, IntermediateId::toneWeightHistory, blended.toneWeightHistory);
+  set(record, IntermediateId::blendFactor, blended.factor);
+  set(record, IntermediateId::historyLength, blended.historyLength);
+  set(record, IntermediateId::resolved, blended.resolved);
+}
+
+} // namespace
+
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y) {
+  const glm::ivec2 p(x, y);
+  PixelRecord record{};
+  recordInputs(record, inputs, p);
+
+  const Dilated dilated = dilateMotion(inputs, settings.dilate, p);
+  set(record, IntermediateId::dilatedOffset, glm::vec2(dilated.offset));
+  set(record, IntermediateId::dilatedDepth, dilated.depth);
+  set(record, IntermediateId::dilatedMotion, dilated.motion);
+
+  const Reprojected reprojected = reproject(inputs, dilated.motion, p);
+  set(record, IntermediateId::historyPosition, reprojected.position);
+  set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
+
+  const HistorySample history = sampleHistory(inputs, settings.history, reprojected.position, p);
+  set(record, IntermediateId::historyRaw, history.color);
+  set(record, IntermediateId::historyRawLength, history.length);
+
+  const glm::vec3 current = filterCurrent(inputs, settings.current, p);
+  set(record, IntermediateId::currentFiltered, current);
+
+  const Neighborhood neighborhood = measureNeighborhood(inputs, settings, current, p);
+  recordNeighborhood(record, neighborhood);
+
+  const Clipped rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood);
+  set(record, IntermediateId::historyRectified, rectified.value);
+  set(record, IntermediateId::clipAmount, rectified.amount);
+
+  const Validated validated =
+      validateHistory(inputs, settings.validate, dilated, reprojected, history.position, p);
+  recordValidation(record, validated);
+
+  const Weights weights = weigh(settings.weight, history.length, validated.reason);
+  recordWeights(record, weights);
+  recordBlend(record, blend(settings, current, rectified.value, weights.alpha, history.length));
+  return record;
+}
+
+} // namespace taa::reference

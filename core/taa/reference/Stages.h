@@ -1,0 +1,106 @@
+// The nine stages of the resolve on the CPU, in order, one file each: values in, values out.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/reference/Reference.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+
+namespace taa::reference {
+
+/// View depth (m) of a device depth; 0 stands for the sky.
+float viewDepth(float depth, const glm::vec4& depthTerms);
+
+/// Whose motion the pixel follows (catalogue §4).
+struct Dilated {
+  glm::ivec2 offset{0}; ///< px, −1 to 1
+  float depth = 0.0f;   ///< device
+  glm::vec2 motion{0.0f};
+};
+Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel);
+
+/// Where that surface was (catalogue §5).
+struct Reprojected {
+  glm::vec2 position{0.0f}; ///< px in the previous frame
+  bool onScreen = false;
+  bool noPrevious = false; ///< it was behind the previous camera
+};
+Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm::ivec2& pixel);
+
+/// Weights of a cubic's four taps at fraction f of a texel (catalogue 6.2, Catmull-Rom).
+std::array<float, 4> catmullRomWeights(float fraction);
+/// The stored color at `positionPx` by bilinear interpolation, clamped to the edge.
+glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx);
+/// What was accumulated there (catalogue §6).
+struct HistorySample {
+  glm::vec3 color{0.0f};
+  float length = 0.0f;      ///< N, frames; 0 without history
+  glm::vec2 position{0.0f}; ///< px, where it was read: the history position when that is sane
+};
+HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
+                            const glm::vec2& positionPx, const glm::ivec2& pixel);
+
+/// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (catalogue 7.4).
+std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
+/// This frame's color at the pixel's center (catalogue §7).
+glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
+
+/// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
+struct Neighborhood {
+  glm::vec3 mean{0.0f};
+  glm::vec3 deviation{0.0f};
+  glm::vec3 min{0.0f};
+  glm::vec3 max{0.0f};
+  glm::vec3 boxMin{0.0f};
+  glm::vec3 boxMax{0.0f};
+};
+Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
+                                 const glm::vec3& currentFiltered, const glm::ivec2& pixel);
+
+/// A point moved into a box, box space, and how far on its way: 0 kept, 1 all the way.
+struct Clipped {
+  glm::vec3 value{0.0f};
+  float amount = 0.0f;
+};
+Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
+             const glm::vec3& boxMax);
+/// History pulled into the box, scene-linear (catalogue §11).
+Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood);
+
+enum class RejectReason : int { Kept, NoHistory, NoPrevious, OffScreen, Depth };
+/// Whether the history belongs to this surface (catalogue 5.1, 12.1).
+struct Validated {
+  float depthExpected = 0.0f; ///< m
+  float historyDepth = 0.0f;  ///< m
+  float depthMismatch = 0.0f; ///< relative to depthExpected
+  RejectReason reason = RejectReason::Kept;
+};
+Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
+                          const Reprojected& reprojected, const glm::vec2& readPosition,
+                          const glm::ivec2& pixel);
+
+/// Terms of α, the weight of the current frame (catalogue §13).
+struct Weights {
+  float base = 0.0f;
+  float floor = 0.0f;
+  float invalid = 0.0f;
+  float alpha = 0.0f; ///< the largest
+};
+Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason);
+
+/// The output (catalogue §14–16).
+struct Blended {
+  float toneWeightCurrent = 1.0f;
+  float toneWeightHistory = 1.0f;
+  float factor = 1.0f;        ///< share of the current color
+  float historyLength = 1.0f; ///< N after this frame
+  glm::vec3 resolved{0.0f};
+};
+Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
+              float historyLength);
+
+} // namespace taa::reference

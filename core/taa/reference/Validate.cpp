@@ -1,0 +1,55 @@
+// Stage 7, validate history: off the screen, or another surface's.
+#include "core/taa/reference/Color.h"
+#include "core/taa/reference/Stages.h"
+
+#include <cmath>
+
+namespace taa::reference {
+namespace {
+
+/// Relative difference of view depths; the sky matches only the sky.
+float mismatch(float expected, float stored) {
+  if (expected == 0.0f && stored == 0.0f) return 0.0f;
+  if (expected == 0.0f || stored == 0.0f) return 1.0f;
+  return std::fabs(expected - stored) / expected;
+}
+
+/// Of the four texels around the position, the depth that fits best.
+void compareDepth(const Inputs& inputs, const glm::vec2& position, Validated& result) {
+  const glm::ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
+                          static_cast<int>(std::floor(position.y - 0.5f)));
+  for (int k = 0; k < 4; ++k) {
+    const glm::ivec2 texel = clampedToPicture(corner + glm::ivec2(k % 2, k / 2), inputs);
+    const float stored = inputs.historySurface.texel(texel.x, texel.y).y;
+    const float difference = mismatch(result.depthExpected, stored);
+    if (k == 0 || difference < result.depthMismatch) {
+      result.historyDepth = stored;
+      result.depthMismatch = difference;
+    }
+  }
+}
+
+} // namespace
+
+Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
+                          const Reprojected& reprojected, const glm::vec2& readPosition,
+                          const glm::ivec2& pixel) {
+  Validated result;
+  const glm::ivec2 chosen = pixel + dilated.offset;
+  result.depthExpected = inputs.previousDepth.texel(chosen.x, chosen.y).x;
+  if (inputs.historyColor.empty()) {
+    result.reason = RejectReason::NoHistory;
+    return result;
+  }
+  compareDepth(inputs, readPosition, result);
+  if (reprojected.noPrevious) {
+    result.reason = RejectReason::NoPrevious;
+  } else if (settings.offScreen == Switch::On && !reprojected.onScreen) {
+    result.reason = RejectReason::OffScreen;
+  } else if (settings.depth == Switch::On && result.depthMismatch > settings.depthTolerance) {
+    result.reason = RejectReason::Depth;
+  }
+  return result;
+}
+
+} // namespace taa::reference
