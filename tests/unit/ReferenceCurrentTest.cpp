@@ -1,0 +1,76 @@
+// The current filter of the CPU twin (invariants 31, 33).
+#include "tests/support/ReferenceInputs.h"
+
+#include "core/taa/reference/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace taa::reference {
+namespace {
+
+constexpr CurrentSettings kGaussian{CurrentFilter::Gaussian, 0.22f};
+
+TEST(ReferenceCurrent, GaussianAtRestHasTheWeightsOfBlackmanHarris) {
+  const std::array<float, 9> w = gaussianWeights(0.22f, glm::vec2(0.0f));
+  const float sum = std::accumulate(w.begin(), w.end(), 0.0f);
+  EXPECT_NEAR(w[4] / sum, 0.68748f, 5e-6f); // invariant 31, to the digits it gives
+  for (const std::size_t edge : {1u, 3u, 5u, 7u}) EXPECT_NEAR(w[edge] / sum, 0.07083f, 5e-6f);
+  for (const std::size_t corner : {0u, 2u, 6u, 8u}) EXPECT_NEAR(w[corner] / sum, 0.00730f, 5e-6f);
+  EXPECT_EQ(w[4], 1.0f);
+}
+
+TEST(ReferenceCurrent, WeighsMostTheSampleThatLandedNearest) {
+  // Content moved by +0.4 px to the right: what belongs to the center of pixel p now lies towards p + 1.
+  const std::array<float, 9> w = gaussianWeights(0.22f, {0.4f, 0.0f});
+  EXPECT_GT(w[5], w[3]);
+  EXPECT_EQ(w[5],
+            static_cast<float>(std::exp(-std::pow(1.0 - static_cast<double>(0.4f), 2) / (2.0 * 0.22f))));
+  const std::array<float, 9> mirrored = gaussianWeights(0.22f, {-0.4f, 0.0f});
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_EQ(w[k], mirrored[8 - k]);
+}
+
+TEST(ReferenceCurrent, KeepsConstantsExactlyWhateverTheJitter) {
+  Inputs inputs = test::constantInputs(4, 4, {0.3f, 1e-4f, 1000.0f});
+  for (int i = 0; i < 16; ++i) {
+    inputs.jitterPx = {static_cast<float>(i) / 16.0f - 0.5f, 0.5f - static_cast<float>(i) / 16.0f};
+    EXPECT_EQ(filterCurrent(inputs, kGaussian, {i % 4, i / 4}), glm::vec3(0.3f, 1e-4f, 1000.0f));
+  }
+}
+
+TEST(ReferenceCurrent, SpreadsAnImpulseByItsWeights) {
+  Inputs inputs = test::constantInputs(5, 5, glm::vec3(0.0f));
+  test::setColor(inputs.color, 2, 2, glm::vec3(1.0f));
+  EXPECT_EQ(filterCurrent(inputs, {CurrentFilter::Center, 0.22f}, {2, 2}), glm::vec3(1.0f));
+  EXPECT_EQ(filterCurrent(inputs, {CurrentFilter::Center, 0.22f}, {1, 2}), glm::vec3(0.0f));
+  EXPECT_NEAR(filterCurrent(inputs, kGaussian, {2, 2}).x, 0.68748f, 5e-6f);
+  EXPECT_NEAR(filterCurrent(inputs, kGaussian, {1, 2}).x, 0.07083f, 5e-6f);
+  EXPECT_NEAR(filterCurrent(inputs, kGaussian, {1, 1}).x, 0.00730f, 5e-6f);
+}
+
+TEST(ReferenceCurrent, MovesAJitteredRampBackToTheCenter) {
+  // Pixel p holds the ramp at p − j. A perfect filter returns the ramp at p; the wrong sign of j would
+  // double the error instead (invariant 33).
+  for (const float jitter : {-0.5f, -0.25f, 0.25f, 0.5f}) {
+    Inputs inputs = test::constantInputs(5, 1, glm::vec3(0.0f));
+    inputs.jitterPx.x = jitter;
+    for (int x = 0; x < 5; ++x)
+      test::setColor(inputs.color, x, 0, glm::vec3(10.0f + static_cast<float>(x) - jitter));
+    const float error = filterCurrent(inputs, kGaussian, {2, 0}).x - 12.0f;
+    EXPECT_LT(std::fabs(error), 0.7f * std::fabs(jitter)) << jitter;
+    inputs.jitterPx.x = -jitter;
+    EXPECT_GT(std::fabs(filterCurrent(inputs, kGaussian, {2, 0}).x - 12.0f), std::fabs(jitter));
+  }
+}
+
+TEST(ReferenceCurrent, TakesBadChannelsForBlack) {
+  Inputs inputs = test::constantInputs(1, 1, {std::nanf(""), -1.0f, 65505.0f});
+  EXPECT_EQ(filterCurrent(inputs, {CurrentFilter::Center, 0.22f}, {0, 0}), glm::vec3(0.0f));
+  EXPECT_EQ(filterCurrent(inputs, kGaussian, {0, 0}), glm::vec3(0.0f));
+}
+
+} // namespace
+} // namespace taa::reference

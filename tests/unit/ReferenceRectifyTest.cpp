@@ -1,0 +1,152 @@
+// Rectification of the CPU twin (invariants 38 to 40).
+#include "tests/support/ReferenceInputs.h"
+
+#include "core/taa/reference/Color.h"
+#include "core/taa/reference/Stages.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace taa::reference {
+namespace {
+
+constexpr auto kMethods = {RectifyMethod::Clamp, RectifyMethod::ClipToCenter, RectifyMethod::ClipToFiltered};
+
+/// A box, a history color around it and a target in it.
+struct Case {
+  glm::vec3 low, high, history, target;
+};
+
+std::vector<Case> randomCases() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto point = [&] { return glm::vec3(unit(random), unit(random), unit(random)); };
+  std::vector<Case> cases;
+  for (int i = 0; i < 500; ++i) {
+    const glm::vec3 a = point();
+    const glm::vec3 b = point();
+    Case c{smaller(a, b), larger(a, b), 3.0f * point() - 1.0f, {}};
+    c.target = c.low + point() * (c.high - c.low);
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+bool isInside(const Case& c, const glm::vec3& value, float slack) {
+  return clamped(value, c.low - slack, c.high + slack) == value;
+}
+
+/// Distance of `p` from the line through a and b.
+float distanceFromLine(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
+  return glm::length(glm::cross(p - a, glm::normalize(b - a)));
+}
+
+TEST(ReferenceRectify, KeepsColorsInsideTheBoxExactly) {
+  for (const Case& c : randomCases()) {
+    for (const RectifyMethod method : kMethods) {
+      const Clipped clipped = clip(method, c.target, c.history, c.low, c.high);
+      EXPECT_EQ(clipped.value, c.target);
+      EXPECT_EQ(clipped.amount, 0.0f);
+    }
+    EXPECT_EQ(clip(RectifyMethod::None, c.history, c.target, c.low, c.high).value, c.history);
+  }
+}
+
+TEST(ReferenceRectify, BringsEverythingIntoTheBoxAndIsIdempotent) {
+  constexpr float kRounding = 1e-6f; // a few roundings of values up to 3
+  for (const Case& c : randomCases()) {
+    for (const RectifyMethod method : kMethods) {
+      const Clipped once = clip(method, c.history, c.target, c.low, c.high);
+      EXPECT_TRUE(isInside(c, once.value, kRounding));
+      const Clipped twice = clip(method, once.value, c.target, c.low, c.high);
+      EXPECT_LE(glm::length(twice.value - once.value), kRounding);
+      EXPECT_GE(once.amount, 0.0f);
+      EXPECT_LE(once.amount, 1.0f);
+    }
+  }
+}
+
+TEST(ReferenceRectify, ClampFindsTheNearestPointOfTheBox) {
+  for (const Case& c : randomCases()) {
+    const float clampDistance =
+        glm::distance(c.history, clip(RectifyMethod::Clamp, c.history, c.target, c.low, c.high).value);
+    for (const RectifyMethod method : kMethods) {
+      EXPECT_LE(clampDistance,
+                glm::distance(c.history, clip(method, c.history, c.target, c.low, c.high).value) + 1e-6f);
+    }
+  }
+}
+
+TEST(ReferenceRectify, ClipsEndOnTheSurfaceAndOnTheLineToTheirTarget) {
+  for (const Case& c : randomCases()) {
+    if (isInside(c, c.history, 0.0f)) continue;
+    const glm::vec3 center = 0.5f * (c.low + c.high);
+    const glm::vec3 extent = 0.5f * (c.high - c.low);
+    if (std::min({extent.x, extent.y, extent.z}) < 0.01f) continue; // |u| below is ill-conditioned
+    for (const RectifyMethod method : {RectifyMethod::ClipToCenter, RectifyMethod::ClipToFiltered}) {
+      const glm::vec3 aim = method == RectifyMethod::ClipToCenter ? center : c.target;
+      const Clipped clipped = clip(method, c.history, c.target, c.low, c.high);
+      const glm::vec3 u = glm::abs(clipped.value - center) / extent;
+      EXPECT_NEAR(std::max({u.x, u.y, u.z}), 1.0f, 1e-4f); // 1e-6 of the color over the least extent
+      EXPECT_LE(distanceFromLine(clipped.value, c.history, aim), 1e-6f);
+      EXPECT_NEAR(glm::distance(c.history, clipped.value), clipped.amount * glm::distance(c.history, aim),
+                  1e-5f);
+    }
+  }
+}
+
+TEST(ReferenceRectify, ClosedFormsInOneDimension) {
+  const glm::vec3 low(1.0f, 0.0f, 0.0f);
+  const glm::vec3 high(2.0f, 1.0f, 1.0f);
+  const glm::vec3 history(5.5f, 0.5f, 0.5f); // 3.5 outside, 4 from the center
+  const Clipped clamp = clip(RectifyMethod::Clamp, history, {}, low, high);
+  EXPECT_EQ(clamp.value, glm::vec3(2.0f, 0.5f, 0.5f));
+  EXPECT_EQ(clamp.amount, 0.875f);
+  const Clipped center = clip(RectifyMethod::ClipToCenter, history, {}, low, high);
+  EXPECT_NEAR(center.value.x, 2.0f, 1e-6f);
+  EXPECT_NEAR(center.amount, 0.875f, 1e-6f);
+  const Clipped filtered = clip(RectifyMethod::ClipToFiltered, history, {1.0f, 0.5f, 0.5f}, low, high);
+  EXPECT_FLOAT_EQ(filtered.value.x, 2.0f);
+  EXPECT_FLOAT_EQ(filtered.amount, 3.5f / 4.5f);
+}
+
+TEST(ReferenceRectify, ATargetOutsideIsBroughtIntoTheBoxFirst) {
+  const glm::vec3 low(0.0f);
+  const glm::vec3 high(1.0f);
+  const Clipped clipped = clip(RectifyMethod::ClipToFiltered, glm::vec3(2.0f), glm::vec3(3.0f), low, high);
+  EXPECT_EQ(clipped.value, high); // the clamped target: no extrapolation
+  EXPECT_EQ(clipped.amount, 1.0f);
+}
+
+TEST(ReferenceRectify, AFlatBoxTakesAllHistoryToItself) {
+  const glm::vec3 point(0.25f, 0.5f, 0.125f);
+  for (const RectifyMethod method : kMethods) {
+    const Clipped clipped = clip(method, {3.0f, 0.0f, 1.0f}, point, point, point);
+    EXPECT_LE(glm::distance(clipped.value, point), 2e-8f); // the center's extent is 1e-8
+    EXPECT_NEAR(clipped.amount, 1.0f, 1e-7f);
+  }
+}
+
+TEST(ReferenceRectify, HistoryInTheBoxIsNotTakenThroughItsSpace) {
+  const Inputs inputs = [] {
+    Inputs made = test::constantInputs(3, 3, glm::vec3(0.0f));
+    test::setHistory(made, glm::vec3(0.0f), 1.0f);
+    return made;
+  }();
+  Neighborhood wide;
+  wide.boxMin = glm::vec3(-1e5f);
+  wide.boxMax = glm::vec3(1e5f);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> level(0.0f, 60000.0f);
+  for (int i = 0; i < 100; ++i) {
+    const glm::vec3 history(level(random), level(random), level(random));
+    EXPECT_EQ(rectifyHistory(inputs, Settings{}, history, glm::vec3(1.0f), wide).value, history);
+  }
+}
+
+} // namespace
+} // namespace taa::reference

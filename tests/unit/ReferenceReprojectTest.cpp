@@ -1,0 +1,96 @@
+// Dilation and reprojection of the CPU twin (invariants 20, 21, 23, 25).
+#include "tests/support/ReferenceInputs.h"
+
+#include "core/taa/reference/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace taa::reference {
+namespace {
+
+using test::constantInputs;
+
+constexpr DilateSettings kClosest{DilateMethod::Closest3x3};
+
+TEST(ReferenceDilate, SpreadsTheForegroundsMotionByOnePixel) {
+  Inputs inputs = constantInputs(9, 5, glm::vec3(0.5f));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 4; ++x) { // a half-plane in front of the background moves
+      inputs.depth.at(x, y)[0] = 0.5f;
+      inputs.motion.at(x, y)[0] = 3.0f;
+    }
+  }
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 9; ++x) {
+      const Dilated dilated = dilateMotion(inputs, kClosest, {x, y});
+      EXPECT_EQ(dilated.motion, glm::vec2(x <= 4 ? 3.0f : 0.0f, 0.0f)) << x << ", " << y;
+      EXPECT_EQ(dilated.depth, x <= 4 ? 0.5f : 0.1f);
+      EXPECT_EQ(dilateMotion(inputs, {DilateMethod::None}, {x, y}).motion.x, x < 4 ? 3.0f : 0.0f);
+    }
+  }
+}
+
+TEST(ReferenceDilate, KeepsThePixelItselfAmongEqualsAndInTheSky) {
+  for (const float depth : {0.0f, 0.25f}) {
+    Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
+    for (float& value : inputs.depth.pixels) value = depth;
+    for (int x = 0; x < 3; ++x) {
+      EXPECT_EQ(dilateMotion(inputs, kClosest, {x, 1}).offset, glm::ivec2(0));
+    }
+  }
+}
+
+TEST(ReferenceDilate, TakesTheFirstOfEquallyNearNeighborsAndStaysInThePicture) {
+  Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
+  inputs.depth.at(2, 0)[0] = 0.5f;
+  inputs.depth.at(0, 2)[0] = 0.5f;
+  EXPECT_EQ(dilateMotion(inputs, kClosest, {1, 1}).offset, glm::ivec2(1, -1)); // rows first
+  EXPECT_EQ(dilateMotion(inputs, kClosest, {2, 0}).offset, glm::ivec2(0));
+  EXPECT_EQ(dilateMotion(inputs, kClosest, {0, 1}).offset, glm::ivec2(0, 1));
+}
+
+TEST(ReferenceDilate, GivesViewDepthInMetersAndZeroForTheSky) {
+  const Inputs inputs = constantInputs(1, 1, glm::vec3(0.5f));
+  EXPECT_EQ(viewDepth(0.1f, inputs.depthTerms), 1.0f);
+  EXPECT_EQ(viewDepth(0.05f, inputs.depthTerms), 2.0f);
+  EXPECT_EQ(viewDepth(0.0f, inputs.depthTerms), 0.0f);
+}
+
+TEST(ReferenceReproject, SubtractsMotionFromThePixelsCenter) {
+  const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
+  const Reprojected reprojected = reproject(inputs, {2.25f, -1.5f}, {3, 1});
+  EXPECT_EQ(reprojected.position, glm::vec2(1.25f, 3.0f));
+  EXPECT_TRUE(reprojected.onScreen);
+  EXPECT_FALSE(reprojected.noPrevious);
+}
+
+TEST(ReferenceReproject, CountsTheBorderAsInsideAndNanAsOutside) {
+  const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
+  EXPECT_TRUE(reproject(inputs, {0.5f, 0.0f}, {0, 0}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {0.50001f, 0.0f}, {0, 0}).onScreen);
+  EXPECT_TRUE(reproject(inputs, {0.0f, -0.5f}, {0, 3}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {0.0f, -0.6f}, {0, 3}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {std::nanf(""), 0.0f}, {0, 0}).onScreen);
+  EXPECT_TRUE(reproject(inputs, {65504.0f, 65504.0f}, {0, 0}).noPrevious);
+}
+
+TEST(ReferenceReproject, StartsAnewWhereTheHistoryPositionIsOutsideOrNoNumber) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const float motion : {20.0f, -20.0f, infinity, -infinity, std::nanf(""), 65504.0f}) {
+    Inputs inputs = constantInputs(4, 4, {0.25f, 0.5f, 0.75f});
+    test::setHistory(inputs, glm::vec3(9.0f), 12.0f);
+    inputs.motion.at(1, 1)[0] = motion;
+    Settings settings;
+    settings.dilate.method = DilateMethod::None;
+    const PixelRecord record = resolvePixel(inputs, settings, 1, 1);
+    EXPECT_EQ(at(record, IntermediateId::resolved), glm::vec4(0.25f, 0.5f, 0.75f, 0.0f)) << motion;
+    EXPECT_EQ(at(record, IntermediateId::historyLength).x, 1.0f);
+    EXPECT_EQ(at(record, IntermediateId::rejectReason).x, motion == 65504.0f ? 2.0f : 3.0f);
+  }
+}
+
+} // namespace
+} // namespace taa::reference

@@ -1,0 +1,81 @@
+// Validation and α of the CPU twin (catalogue 5.1, 12.1, 13.1, 13.3).
+#include "tests/support/ReferenceInputs.h"
+
+#include "core/taa/reference/Stages.h"
+
+#include <gtest/gtest.h>
+
+namespace taa::reference {
+namespace {
+
+constexpr ValidateSettings kOn{Switch::On, Switch::On, 0.03f};
+
+Inputs withHistory(float expected, float stored) {
+  Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
+  test::setHistory(inputs, glm::vec3(0.5f), 3.0f);
+  for (float& depth : inputs.previousDepth.pixels) depth = expected;
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) inputs.historySurface.at(x, y)[1] = stored;
+  }
+  return inputs;
+}
+
+Validated validate(const Inputs& inputs, const ValidateSettings& settings = kOn) {
+  const Reprojected atRest{{1.5f, 1.5f}, true, false};
+  return validateHistory(inputs, settings, {}, atRest, atRest.position, {1, 1});
+}
+
+TEST(ReferenceValidate, ComparesDepthsRelativeToWhatIsExpected) {
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).depthMismatch, 0.25f);
+  EXPECT_EQ(validate(withHistory(4.0f, 5.0f)).depthMismatch, 0.25f);
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).reason, RejectReason::Depth);
+  EXPECT_EQ(validate(withHistory(64.0f, 63.0f)).reason, RejectReason::Kept); // 1/64 < τ
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {Switch::On, Switch::Off, 0.03f}).reason, RejectReason::Kept);
+}
+
+TEST(ReferenceValidate, TheSkyMatchesOnlyTheSky) {
+  EXPECT_EQ(validate(withHistory(0.0f, 0.0f)).depthMismatch, 0.0f);
+  EXPECT_EQ(validate(withHistory(0.0f, 5.0f)).depthMismatch, 1.0f);
+  EXPECT_EQ(validate(withHistory(5.0f, 0.0f)).depthMismatch, 1.0f);
+}
+
+TEST(ReferenceValidate, TakesTheBestOfTheFourTexelsAround) {
+  Inputs inputs = withHistory(4.0f, 8.0f);
+  inputs.historySurface.at(2, 2)[1] = 4.0f;
+  EXPECT_EQ(validate(inputs).depthMismatch, 0.0f); // 1½ − ½ = 1: texels 1 and 2
+  inputs.historySurface.at(2, 2)[1] = 8.0f;
+  inputs.historySurface.at(0, 0)[1] = 4.0f;
+  EXPECT_EQ(validate(inputs).depthMismatch, 1.0f); // texel 0 is not among them
+  inputs.historySurface.at(1, 2)[1] = 3.0f;
+  inputs.historySurface.at(2, 1)[1] = 5.0f; // equally far: the first in reading order
+  EXPECT_EQ(validate(inputs).historyDepth, 5.0f);
+}
+
+TEST(ReferenceValidate, GivesTheFirstReasonThatApplies) {
+  Inputs inputs = withHistory(4.0f, 8.0f);
+  const Reprojected off{{-3.0f, 1.5f}, false, false};
+  const Reprojected behind{{-3.0f, 1.5f}, false, true};
+  const auto reason = [&inputs](const Reprojected& where, const ValidateSettings& settings) {
+    return validateHistory(inputs, settings, {}, where, where.position, {1, 1}).reason;
+  };
+  EXPECT_EQ(reason(behind, kOn), RejectReason::NoPrevious);
+  EXPECT_EQ(reason(off, kOn), RejectReason::OffScreen);
+  EXPECT_EQ(reason(off, {Switch::Off, Switch::On, 0.03f}), RejectReason::Depth);
+  EXPECT_EQ(reason(off, {Switch::Off, Switch::Off, 0.03f}), RejectReason::Kept);
+  inputs.historyColor = {};
+  EXPECT_EQ(reason(behind, kOn), RejectReason::NoHistory);
+}
+
+TEST(ReferenceWeight, TakesTheLargestOfItsTerms) {
+  const WeightSettings length{AlphaSource::HistoryLength, 0.5f, 0.1f};
+  EXPECT_EQ(weigh(length, 3.0f, RejectReason::Kept).alpha, 0.25f);
+  EXPECT_EQ(weigh(length, 99.0f, RejectReason::Kept).alpha, 0.1f);
+  EXPECT_EQ(weigh(length, 99.0f, RejectReason::Depth).alpha, 1.0f);
+  EXPECT_EQ(weigh(length, 0.0f, RejectReason::NoHistory).base, 1.0f);
+  const WeightSettings constant{AlphaSource::Constant, 0.05f, 0.1f};
+  EXPECT_EQ(weigh(constant, 3.0f, RejectReason::Kept).alpha, 0.05f); // the floor is not for constants
+  EXPECT_EQ(weigh(constant, 3.0f, RejectReason::OffScreen).alpha, 1.0f);
+}
+
+} // namespace
+} // namespace taa::reference
