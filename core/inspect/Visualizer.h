@@ -38,7 +38,8 @@ struct ViewTransform {
   bool operator==(const ViewTransform&) const = default;
 };
 
-/// A finished picture for the screen, sRGB, row 0 the top; alpha 0 outside the image.
+/// A finished picture for the screen, sRGB, row 0 the top; alpha is the share of a pixel that the image
+/// covers, not multiplied in: 0 outside.
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
@@ -62,7 +63,7 @@ class Visualizer {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Color of `value` (0…1) in a map, linear 0…1 RGB; the same polynomials as the shader's.
+/// Color of `value` (0…1) in a map, linear 0…1 RGB; from the same table as the shader's (ColorMap.h).
 std::array<float, 3> mapColor(ColorMap map, float value);
 
 } // namespace taa

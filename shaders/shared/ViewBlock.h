@@ -1,0 +1,25 @@
+// What the visualizer's shader knows of a view: which part of which layer, and how values become colors.
+// Filled by C++, read by GLSL.
+#ifdef __cplusplus
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+namespace taa::shared {
+using glm::ivec4;
+using glm::vec2;
+using glm::vec4;
+struct ViewBlock {
+#else
+layout(std140, binding = 3) uniform ViewBlock {
+#endif
+  vec2 sizePx;   // width, height of the picture
+  vec2 originPx; // picture position at the top-left corner of the viewport
+  vec4 range;    // x: lowest value shown, y: highest minus lowest, z: factor of the exposure, w: screen px a picture px
+  ivec4 channels; // x, y, z: 1 where red, green, blue are shown; w unused
+  ivec4 layer;    // x: of the texture; others unused
+#ifdef __cplusplus
+};
+} // namespace taa::shared
+#else
+} view;
+#endif
