@@ -23,8 +23,10 @@ struct UvAxes {
   glm::vec3 alongU{0.0f}, againstV{0.0f};
 };
 
-UvAxes uvAxes(const Vertex& a, const Vertex& b, const Vertex& c, int uvSet) {
-  const auto uv = [&](const Vertex& v) { return uvSet == 0 ? v.uv0 : v.uv1; };
+UvAxes uvAxes(const Vertex& a, const Vertex& b, const Vertex& c, const TextureSlot& map) {
+  const auto uv = [&](const Vertex& v) {
+    return glm::vec2(map.uvFromUv * glm::vec3(map.uvSet == 0 ? v.uv0 : v.uv1, 1.0f));
+  };
   const glm::vec3 e1 = b.position - a.position, e2 = c.position - a.position;
   const glm::vec2 d1 = uv(b) - uv(a), d2 = uv(c) - uv(a);
   const float area = d1.x * d2.y - d2.x * d1.y;
@@ -55,13 +57,13 @@ void makeFlatNormals(Primitive& primitive) {
     primitive.indices[i] = static_cast<std::uint32_t>(i);
 }
 
-void makeTangents(Primitive& primitive, int uvSet) {
+void makeTangents(Primitive& primitive, const TextureSlot& normalMap) {
   std::vector<UvAxes> axes(primitive.vertices.size());
   if (primitive.topology == Topology::Triangles)
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
       const std::uint32_t* corner = &primitive.indices[i];
       const UvAxes triangle = uvAxes(primitive.vertices[corner[0]], primitive.vertices[corner[1]],
-                                     primitive.vertices[corner[2]], uvSet);
+                                     primitive.vertices[corner[2]], normalMap);
       for (int k = 0; k < 3; ++k) {
         axes[corner[k]].alongU += triangle.alongU;
         axes[corner[k]].againstV += triangle.againstV;

@@ -9,9 +9,9 @@ namespace taa {
 /// missing. Lines and points get a normal along +y, so that the sky lights them.
 void makeFlatNormals(Primitive& primitive);
 
-/// Tangents along growing u, summed over a vertex's triangles; `uvSet` 0 or 1 is the normal map's.
+/// Tangents along growing u of the normal map, summed over a vertex's triangles.
 /// The bitangent cross(normal, tangent)·w points along falling v: up in the picture, as normal maps have it.
-void makeTangents(Primitive& primitive, int uvSet);
+void makeTangents(Primitive& primitive, const TextureSlot& normalMap = {});
 
 /// Sets `primitive.bounds` from its vertices.
 void updateBounds(Primitive& primitive);

@@ -157,7 +157,7 @@ void MeshBuilder::sheet(std::span<const glm::vec3> points, int columns) {
 
 Primitive MeshBuilder::build(int material) {
   primitive_.material = material;
-  makeTangents(primitive_, 0);
+  makeTangents(primitive_);
   updateBounds(primitive_);
   return std::exchange(primitive_, {});
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/scene/BuiltinScenes.h"
+#include "core/scene/GltfLoader.h"
 
 #include <array>
 #include <string_view>
@@ -38,8 +39,8 @@ const std::vector<BuiltinScene>& builtinScenes() {
 }
 
 Scene openScene(const std::string& source, const Progress& progress) {
+  if (!source.starts_with(kBuiltinPrefix)) return loadGltf(source, progress);
   report(progress, "Opening the scene", 0, 1);
-  if (!source.starts_with(kBuiltinPrefix)) throw Error("cannot open " + source + ": no such file");
   Scene scene = makeBuiltin(source);
   report(progress, "Opening the scene", 1, 1);
   return scene;

@@ -1,0 +1,112 @@
+#include "core/scene/GltfAnimation.h"
+
+#include "core/base/Error.h"
+#include "core/scene/GltfAccessor.h"
+#include "core/scene/GltfContext.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace taa {
+
+namespace {
+
+constexpr std::size_t kMaxKeys = 20'000'000; ///< of all animations together
+
+std::optional<AnimationPath> pathOf(const std::string& name) {
+  if (name == "translation") return AnimationPath::Translation;
+  if (name == "rotation") return AnimationPath::Rotation;
+  if (name == "scale") return AnimationPath::Scale;
+  return std::nullopt;
+}
+
+Interpolation interpolationOf(const std::string& name) {
+  if (name == "STEP") return Interpolation::Step;
+  if (name == "CUBICSPLINE") return Interpolation::CubicSpline;
+  if (name.empty() || name == "LINEAR") return Interpolation::Linear;
+  throw Error("interpolation \"" + name + "\" does not exist");
+}
+
+/// Keys whose time does not rise are dropped.
+void fillKeys(GltfContext& context, const AccessorValues& times, const AccessorValues& values,
+              AnimationChannel& channel) {
+  const std::size_t perKey = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
+  for (std::size_t key = 0; key < times.count(); ++key) {
+    if (!channel.times.empty() && times.values[key] <= channel.times.back()) {
+      context.warn("Animation keys whose time does not rise are left out.");
+      continue;
+    }
+    channel.times.push_back(times.values[key]);
+    for (std::size_t i = 0; i < perKey; ++i) channel.values.push_back(values.at(perKey * key + i));
+  }
+  if (channel.path != AnimationPath::Rotation || perKey != 1) return;
+  for (glm::vec4& value : channel.values) {
+    const float length = glm::length(value);
+    value = length > 0.0f ? value / length : glm::vec4(0, 0, 0, 1);
+  }
+}
+
+void readSampler(GltfContext& context, const tinygltf::AnimationSampler& sampler, AnimationChannel& channel) {
+  channel.interpolation = interpolationOf(sampler.interpolation);
+  const AccessorValues times = readAccessor(context.model, sampler.input),
+                       values = readAccessor(context.model, sampler.output);
+  const std::size_t perKey = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
+  if (times.components != 1) throw Error("its times are not single numbers");
+  if (values.components != (channel.path == AnimationPath::Rotation ? 4 : 3))
+    throw Error("its values have " + std::to_string(values.components) + " components");
+  if (values.count() != perKey * times.count())
+    throw Error("it has " + std::to_string(values.count()) + " values for " + std::to_string(times.count()) +
+                " times");
+  if (!times.isFinite() || !values.isFinite()) throw Error("a key is not a finite number");
+  fillKeys(context, times, values, channel);
+}
+
+/// Nothing when the channel moves nothing that is shown.
+std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf::Animation& animation,
+                                            const tinygltf::AnimationChannel& source) {
+  const std::optional<AnimationPath> path = pathOf(source.target_path);
+  if (!path) {
+    context.warn("Animation of \"" + source.target_path + "\" is not shown yet.");
+    return std::nullopt;
+  }
+  AnimationChannel channel;
+  channel.path = *path;
+  channel.node =
+      source.target_node < 0 ? -1 : context.sceneNode.at(static_cast<std::size_t>(source.target_node));
+  if (channel.node < 0) return std::nullopt;
+  if (context.scene.nodes[static_cast<std::size_t>(channel.node)].hasMatrix) {
+    context.warn("An animation of a node that has a matrix is left out.");
+    return std::nullopt;
+  }
+  readSampler(context, animation.samplers.at(static_cast<std::size_t>(source.sampler)), channel);
+  return channel;
+}
+
+} // namespace
+
+void addGltfAnimations(GltfContext& context) {
+  std::size_t keys = 0;
+  for (std::size_t i = 0; i < context.model.animations.size(); ++i) {
+    const tinygltf::Animation& source = context.model.animations[i];
+    Animation animation;
+    animation.name = source.name;
+    for (std::size_t c = 0; c < source.channels.size(); ++c) try {
+        std::optional<AnimationChannel> channel = readChannel(context, source, source.channels[c]);
+        if (!channel) continue;
+        keys += channel->values.size();
+        if (keys > kMaxKeys) throw Error("there are more than " + std::to_string(kMaxKeys) + " keys");
+        animation.duration = std::max(animation.duration, channel->times.back());
+        animation.channels.push_back(std::move(*channel));
+      } catch (const Error& error) {
+        throw Error(gltfPlace("animations", i) + "." + gltfPlace("channels", c) + ": " + error.what());
+      }
+    if (!animation.channels.empty()) context.scene.animations.push_back(std::move(animation));
+  }
+  if (context.scene.animations.size() > 1)
+    context.warn("The file has " + std::to_string(context.scene.animations.size()) +
+                 " animations; the first, \"" + context.scene.animations.front().name + "\", plays.");
+}
+
+} // namespace taa

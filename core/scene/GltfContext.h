@@ -1,0 +1,36 @@
+// What the parts of the glTF loader share while one file becomes a scene.
+#pragma once
+
+#include "core/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace tinygltf {
+class Model;
+}
+
+namespace taa {
+
+struct GltfContext {
+  const tinygltf::Model& model;
+  Scene& scene;
+  std::vector<int>
+      sceneNode; ///< for each node of the file its index in the scene, −1 when that scene leaves it out
+  std::size_t vertices = 0; ///< made so far
+  std::size_t indices = 0;  ///< made so far
+
+  /// Adds a sentence for the user, once.
+  void warn(const std::string& sentence) {
+    for (const std::string& known : scene.warnings)
+      if (known == sentence) return;
+    scene.warnings.push_back(sentence);
+  }
+};
+
+/// "meshes[3]"
+inline std::string gltfPlace(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+} // namespace taa

@@ -1,0 +1,46 @@
+// A glTF file taken apart and checked before tinygltf sees it: sentences instead of crashes for what is wrong
+// with it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace taa {
+
+struct GltfDocument {
+  nlohmann::json json;
+  std::string binary;           ///< the BIN chunk of a .glb
+  bool isBinary = false;        ///< a .glb
+  std::filesystem::path folder; ///< where the files lie that it names
+};
+
+// All of these throw Error with "place: reason"; the loader puts the file's name before it.
+
+/// Reads and parses the file, and makes sure that it is glTF 2.0 that needs no extension unknown here.
+GltfDocument readGltfDocument(const std::filesystem::path& file);
+
+/// The type of every property and the range of every index, from one table.
+void checkGltfTypes(const nlohmann::json& root);
+
+/// Buffers (which get their real lengths), views, accessors and images: everything lies inside what holds it.
+void checkGltfData(GltfDocument& document);
+
+/// Nodes are trees, scenes list their roots, animations refer to their own samplers.
+void checkGltfGraph(const nlohmann::json& root);
+
+/// Takes out what nobody here reads: extras and unknown extensions.
+void stripGltf(nlohmann::json& root);
+
+/// Whether `name` is an extension the loader understands.
+bool isKnownGltfExtension(const std::string& name);
+
+/// The bytes of a file; the Error has the reason only.
+std::string readGltfFile(const std::filesystem::path& file, std::uintmax_t maxBytes);
+
+/// Where the file named by `uri` lies. Throws Error when it is not below `folder` or does not exist.
+std::filesystem::path resolveGltfUri(const std::filesystem::path& folder, const std::string& uri);
+
+} // namespace taa

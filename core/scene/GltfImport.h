@@ -1,0 +1,15 @@
+// Hands a checked glTF document to tinygltf, which parses it and loads its buffers and encoded images.
+#pragma once
+
+namespace tinygltf {
+class Model;
+}
+
+namespace taa {
+
+struct GltfDocument;
+
+/// Throws Error with the reason when tinygltf refuses the document. Images stay encoded.
+void importGltf(const GltfDocument& document, tinygltf::Model& model);
+
+} // namespace taa

@@ -1,0 +1,14 @@
+// Opens glTF 2.0 files. They come from anywhere: whatever is wrong with one becomes a sentence.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/scene/Scene.h"
+
+#include <filesystem>
+
+namespace taa {
+
+/// Throws Error "cannot open FILE: PLACE: REASON", Cancelled when `progress` asks for it, and nothing else.
+Scene loadGltf(const std::filesystem::path& file, const Progress& progress = {});
+
+} // namespace taa
