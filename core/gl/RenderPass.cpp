@@ -150,10 +150,10 @@ void RenderPass::storageBlock(unsigned binding, const Buffer& buffer) {
 }
 
 void RenderPass::culling(bool enabled, bool mirrored) {
+  glFrontFace(mirrored ? GL_CW : GL_CCW); // gl_FrontFacing needs it too
   if (!enabled) return glDisable(GL_CULL_FACE);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
-  glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
 void RenderPass::drawFullscreen() {

@@ -66,7 +66,7 @@ class RenderPass {
   /// `bytes` 0: the whole buffer. `offset` is a multiple of uniformAlignment().
   void uniformBlock(unsigned binding, const Buffer& buffer, std::size_t offset = 0, std::size_t bytes = 0);
   void storageBlock(unsigned binding, const Buffer& buffer);
-  /// Whether back faces are culled; a mirrored transform turns which ones those are.
+  /// Whether back faces are culled; a mirrored transform turns which ones those are, in gl_FrontFacing too.
   void culling(bool enabled, bool mirrored = false);
   void drawFullscreen(); ///< one triangle that covers the target; no attributes
   void draw(const Mesh& mesh, int instances = 1);

@@ -28,6 +28,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   vec4 skyGround;
   vec4 sunDirection; // to the sun, normalized; w: 1 when it shines
   vec4 sunColor;     // irradiance
+  vec4 storage;      // x: 1 when color and motion are kept as 16-bit floats; yzw unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -1,0 +1,34 @@
+#include "core/render/FrameClock.h"
+
+#include "core/render/Jitter.h"
+#include "core/render/SceneRenderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace taa {
+
+double frameTime(const Scene& scene, int frame) {
+  return frame / scene.shot.framesPerSecond;
+}
+
+bool startsHistory(const Scene& scene, int frame) {
+  return frame == 0 || std::ranges::find(scene.shot.cuts, frame) != scene.shot.cuts.end();
+}
+
+int previousFrame(const Scene& scene, int frame) {
+  return startsHistory(scene, frame) ? frame : frame - 1;
+}
+
+FrameInfo frameInfo(const Scene& scene, const JitterSettings& jitter, int frame) {
+  assert(frame >= 0);
+  FrameInfo info;
+  info.frame = frame;
+  info.time = frameTime(scene, frame);
+  info.jitterIndex = jitterIndex(jitter, frame);
+  info.jitterPx = jitterPx(jitter, frame);
+  info.startsHistory = startsHistory(scene, frame);
+  return info;
+}
+
+} // namespace taa

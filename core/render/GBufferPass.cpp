@@ -1,0 +1,124 @@
+#include "core/render/GBufferPass.h"
+
+#include "shaders/shared/DrawBlock.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <array>
+#include <cstring>
+#include <string>
+
+namespace taa {
+
+namespace {
+
+/// Cofactors of the upper 3×3: the inverse transpose times the determinant, defined for flat scales too. With
+/// the determinant's sign, so that normals stay on their side when the transform mirrors.
+glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
+  return glm::mat4(
+      glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
+}
+
+/// Whether a box lies wholly outside one of the planes of the view. `marginPx` covers jitter and the width of
+/// points and lines.
+bool isOutside(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx) {
+  if (box.isEmpty()) return false;
+  constexpr float marginPx = 3.0f;
+  const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
+  std::array<int, 5> outside{};
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec4 clip =
+        clipFromModel * glm::vec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                  corner & 4 ? box.max.z : box.min.z, 1.0f);
+    outside[0] += clip.x > limit.x * clip.w;
+    outside[1] += clip.x < -limit.x * clip.w;
+    outside[2] += clip.y > limit.y * clip.w;
+    outside[3] += clip.y < -limit.y * clip.w;
+    outside[4] += clip.z > clip.w; // before the near plane, which has depth 1
+  }
+  for (const int count : outside)
+    if (count == 8) return true;
+  return false;
+}
+
+} // namespace
+
+GBufferPass::GBufferPass(const Scene& scene) {
+  for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
+    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+    if (mesh < 0) continue;
+    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+    for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
+      const int number = primitives[static_cast<std::size_t>(index)].material;
+      const Material& material = scene.materials[static_cast<std::size_t>(number)];
+      const Variant variant{textureUse(material), material.alphaMode != AlphaMode::Opaque};
+      items_.push_back({node, mesh, index, number, variant});
+      if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
+    }
+  }
+  const std::size_t alignment = gl::uniformAlignment();
+  drawStride_ = (sizeof(shared::DrawBlock) + alignment - 1) / alignment * alignment;
+  staging_.resize(drawStride_ * items_.size());
+  visible_.resize(items_.size());
+  mirrored_.resize(items_.size());
+  if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
+}
+
+gl::Program GBufferPass::compile(const Variant& variant) {
+  const std::string prelude = "const int kTextures = " + std::to_string(static_cast<int>(variant.textures)) +
+                              ";\nconst bool kMasked = " + (variant.masked ? "true" : "false") + ";\n";
+  return {gl::ShaderSource("scene/mesh.vert"), gl::ShaderSource("scene/mesh.frag", prelude), "GBufferPass"};
+}
+
+void GBufferPass::reloadShaders() {
+  std::map<Variant, gl::Program> programs;
+  for (const auto& [variant, program] : programs_) programs.emplace(variant, compile(variant));
+  programs_.swap(programs);
+}
+
+void GBufferPass::prepare(const Scene& scene, const View& view) {
+  for (std::size_t index = 0; index < items_.size(); ++index) {
+    const Item& item = items_[index];
+    const auto node = static_cast<std::size_t>(item.node);
+    const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
+                                     .primitives[static_cast<std::size_t>(item.primitive)];
+    const glm::mat4& world = view.pose.worldFromNode[node];
+    const glm::mat4& previousWorld = view.previousPose.worldFromNode[node];
+    shared::DrawBlock block;
+    block.worldFromModel = world;
+    block.clipFromModel = view.block.clipFromWorld * world;
+    block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
+    block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
+    mirrored_[index] = glm::determinant(glm::mat3(world)) < 0.0f;
+    const float sign = mirrored_[index] ? -1.0f : 1.0f;
+    block.normalFromModel = normalMatrix(glm::mat3(world), sign);
+    block.drawTerms = {static_cast<float>(index + 1), sign,
+                       primitive.topology == Topology::Triangles ? 1.0f : 0.0f, 0.0f};
+    std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
+    visible_[index] =
+        !primitive.indices.empty() && !isOutside(primitive.bounds, block.clipFromModel, view.block.sizePx);
+  }
+}
+
+void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,
+                       const gl::Buffer& frame, const gl::Buffer& lights, const gl::Framebuffer& target) {
+  if (items_.empty()) return;
+  prepare(scene, view);
+  drawBlocks_.update(0, staging_.data(), staging_.size());
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
+  pass.uniformBlock(2, frame);
+  pass.uniformBlock(3, lights);
+  for (const auto& [variant, program] : programs_) { // opaque before masked within each kind of texture
+    pass.program(program);
+    for (std::size_t index = 0; index < items_.size(); ++index) {
+      const Item& item = items_[index];
+      if (!visible_[index] || item.variant != variant) continue;
+      pass.uniformBlock(4, drawBlocks_, index * drawStride_, sizeof(shared::DrawBlock));
+      resources.bindMaterial(pass, item.material);
+      pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided, mirrored_[index]);
+      pass.draw(resources.mesh(item.mesh, item.primitive));
+    }
+  }
+}
+
+} // namespace taa

@@ -1,0 +1,49 @@
+// Draws the scene's surfaces, forward and shaded, into color, motion, normal, object id, previous depth and
+// depth.
+#pragma once
+
+#include "core/render/SceneResources.h"
+#include "core/render/View.h"
+
+#include <map>
+#include <vector>
+
+namespace taa {
+
+class GBufferPass {
+ public:
+  /// Compiles the shader variants the scene's materials need.
+  explicit GBufferPass(const Scene& scene);
+
+  /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` and `lights` hold
+  /// the view's blocks.
+  void draw(const Scene& scene, const SceneResources& resources, const View& view, const gl::Buffer& frame,
+            const gl::Buffer& lights, const gl::Framebuffer& target);
+
+  /// Compiles again; on Error the old programs stay.
+  void reloadShaders();
+
+ private:
+  struct Variant {
+    TextureUse textures = TextureUse::None;
+    bool masked = false;
+    auto operator<=>(const Variant&) const = default;
+  };
+  /// One primitive at one node.
+  struct Item {
+    int node = 0, mesh = 0, primitive = 0, material = 0;
+    Variant variant;
+  };
+  static gl::Program compile(const Variant& variant);
+  /// Fills the blocks of all items; true in `visible_` for those that may be seen.
+  void prepare(const Scene& scene, const View& view);
+
+  std::vector<Item> items_; ///< object id − 1 is the index
+  std::map<Variant, gl::Program> programs_;
+  gl::Buffer drawBlocks_;
+  std::size_t drawStride_ = 0; ///< bytes
+  std::vector<std::byte> staging_;
+  std::vector<bool> visible_, mirrored_;
+};
+
+} // namespace taa

@@ -1,0 +1,170 @@
+#include "core/render/SceneResources.h"
+
+#include "shaders/shared/MaterialBlock.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstring>
+
+namespace taa {
+
+namespace {
+
+constexpr std::array kAttributes = {
+    gl::VertexAttribute{0, 3, offsetof(Vertex, position)},
+    gl::VertexAttribute{1, 3, offsetof(Vertex, normal)},
+    gl::VertexAttribute{2, 4, offsetof(Vertex, tangent)},
+    gl::VertexAttribute{3, 2, offsetof(Vertex, uv0)},
+    gl::VertexAttribute{4, 2, offsetof(Vertex, uv1)},
+    gl::VertexAttribute{5, 4, offsetof(Vertex, color)},
+};
+
+gl::PrimitiveKind primitiveKind(Topology topology) {
+  switch (topology) {
+  case Topology::Triangles:
+    return gl::PrimitiveKind::Triangles;
+  case Topology::Lines:
+    return gl::PrimitiveKind::Lines;
+  case Topology::Points:
+    return gl::PrimitiveKind::Points;
+  }
+  return gl::PrimitiveKind::Triangles;
+}
+
+gl::TextureWrap textureWrap(Wrap wrap) {
+  switch (wrap) {
+  case Wrap::Repeat:
+    return gl::TextureWrap::Repeat;
+  case Wrap::MirroredRepeat:
+    return gl::TextureWrap::MirroredRepeat;
+  case Wrap::ClampToEdge:
+    return gl::TextureWrap::ClampToEdge;
+  }
+  return gl::TextureWrap::Repeat;
+}
+
+shared::MaterialBlock materialBlock(const Material& material) {
+  shared::MaterialBlock block{};
+  block.baseColor = material.baseColor;
+  // Blend is drawn as a mask at ½ until there is a transparent pass.
+  block.emissive =
+      glm::vec4(material.emissive, material.alphaMode == AlphaMode::Blend ? 0.5f : material.alphaCutoff);
+  const float normalScale = material.normalTexture.image < 0 ? 0.0f : material.normalScale;
+  block.surface = {material.metallic, material.roughness, normalScale, material.occlusionStrength};
+  block.shading.x = material.unlit ? 1.0f : 0.0f;
+  for (int index = 0; index < kSlotCount; ++index) {
+    const TextureSlot& slot = textureSlot(material, static_cast<Slot>(index));
+    const glm::mat3 rows = glm::transpose(slot.uvFromUv);
+    block.uvRows[2 * index] = glm::vec4(rows[0], static_cast<float>(slot.uvSet));
+    block.uvRows[2 * index + 1] = glm::vec4(rows[1], 0.0f);
+  }
+  return block;
+}
+
+} // namespace
+
+const TextureSlot& textureSlot(const Material& material, Slot slot) {
+  switch (slot) {
+  case Slot::BaseColor:
+    return material.baseColorTexture;
+  case Slot::MetallicRoughness:
+    return material.metallicRoughnessTexture;
+  case Slot::Normal:
+    return material.normalTexture;
+  case Slot::Occlusion:
+    return material.occlusionTexture;
+  case Slot::Emissive:
+    return material.emissiveTexture;
+  }
+  return material.baseColorTexture;
+}
+
+TextureUse textureUse(const Material& material) {
+  for (int slot = 1; slot < kSlotCount; ++slot)
+    if (textureSlot(material, static_cast<Slot>(slot)).image >= 0) return TextureUse::All;
+  return material.baseColorTexture.image >= 0 ? TextureUse::BaseColorOnly : TextureUse::None;
+}
+
+SceneResources::SceneResources(const Scene& scene, const Progress& progress)
+    : white_({1, 1}, gl::Format::RGBA8, "white") {
+  white_.clear(1.0f, 1.0f, 1.0f, 1.0f);
+  uploadMeshes(scene, progress);
+  uploadMaterials(scene, progress);
+}
+
+void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) {
+  meshes_.resize(scene.meshes.size());
+  for (std::size_t index = 0; index < scene.meshes.size(); ++index) {
+    report(progress, "uploading meshes", static_cast<int>(index), static_cast<int>(scene.meshes.size()));
+    for (const Primitive& primitive : scene.meshes[index].primitives) {
+      const bool isEmpty = primitive.vertices.empty() || primitive.indices.empty();
+      meshes_[index].push_back(
+          isEmpty ? gl::Mesh()
+                  : gl::Mesh(std::as_bytes(std::span(primitive.vertices)), sizeof(Vertex), kAttributes,
+                             primitive.indices, primitiveKind(primitive.topology), scene.meshes[index].name));
+    }
+  }
+}
+
+void SceneResources::uploadMaterials(const Scene& scene, const Progress& progress) {
+  const std::size_t alignment = gl::uniformAlignment();
+  materialStride_ = (sizeof(shared::MaterialBlock) + alignment - 1) / alignment * alignment;
+  std::vector<std::byte> blocks(materialStride_ * scene.materials.size());
+  for (std::size_t index = 0; index < scene.materials.size(); ++index) {
+    report(progress, "uploading textures", static_cast<int>(index), static_cast<int>(scene.materials.size()));
+    const Material& material = scene.materials[index];
+    const shared::MaterialBlock block = materialBlock(material);
+    std::memcpy(blocks.data() + index * materialStride_, &block, sizeof(block));
+    MaterialTextures textures;
+    textures.use = textureUse(material);
+    for (int slot = 0; slot < kSlotCount; ++slot) {
+      const bool isSrgb =
+          slot == static_cast<int>(Slot::BaseColor) || slot == static_cast<int>(Slot::Emissive);
+      textures.slots[static_cast<std::size_t>(slot)] =
+          texture(scene, textureSlot(material, static_cast<Slot>(slot)), isSrgb);
+    }
+    materials_.push_back(textures);
+  }
+  materialBlocks_ = gl::Buffer(blocks.size(), blocks.data(), "materials");
+}
+
+SceneResources::BoundTexture SceneResources::texture(const Scene& scene, const TextureSlot& slot,
+                                                     bool isSrgb) {
+  const gl::Sampler& how = sampler(slot.sampler);
+  if (slot.image < 0) return {&white_, &how};
+  const SceneImage& image = scene.images[static_cast<std::size_t>(slot.image)];
+  const auto [place, isNew] = textures_.try_emplace({slot.image, isSrgb});
+  if (isNew) {
+    const gl::Format format = isSrgb ? gl::Format::SRGBA8 : gl::Format::RGBA8;
+    place->second = gl::Texture({image.width, image.height, 0, 0}, format, "texture " + image.name);
+    place->second.uploadBytes(image.rgba);
+    place->second.generateMipmaps();
+  }
+  return {&place->second, &how};
+}
+
+const gl::Sampler& SceneResources::sampler(const SamplerSettings& settings) {
+  for (const auto& [known, sampler] : samplers_)
+    if (known == settings) return *sampler;
+  gl::SamplerState state;
+  state.magnifyLinear = settings.magnify == Filter::Linear;
+  state.minifyLinear = settings.minify == Filter::Linear;
+  state.mipmapped = settings.mipmaps != Mipmaps::None;
+  state.mipmapLinear = settings.mipmaps == Mipmaps::Linear;
+  state.wrapU = textureWrap(settings.wrapU);
+  state.wrapV = textureWrap(settings.wrapV);
+  return *samplers_.emplace_back(settings, std::make_unique<gl::Sampler>(state)).second;
+}
+
+void SceneResources::bindMaterial(gl::RenderPass& pass, int material) const {
+  const auto index = static_cast<std::size_t>(material);
+  pass.uniformBlock(5, materialBlocks_, index * materialStride_, sizeof(shared::MaterialBlock));
+  const MaterialTextures& textures = materials_[index];
+  const unsigned count = textures.use == TextureUse::None  ? 0
+                         : textures.use == TextureUse::All ? kSlotCount
+                                                           : 1;
+  for (unsigned unit = 0; unit < count; ++unit)
+    pass.texture(unit, *textures.slots[unit].texture, *textures.slots[unit].sampler);
+}
+
+} // namespace taa

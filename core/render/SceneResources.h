@@ -1,0 +1,61 @@
+// A scene's meshes, textures and materials on the GPU: uploaded once, then only read.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/gl/RenderPass.h"
+#include "core/scene/Scene.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+/// Texture slots in the order of their texture units (shaders/scene/mesh.frag).
+enum class Slot : std::uint8_t { BaseColor, MetallicRoughness, Normal, Occlusion, Emissive };
+inline constexpr int kSlotCount = 5;
+
+/// How many textures a material's shader reads.
+enum class TextureUse : std::uint8_t { None, BaseColorOnly, All };
+
+const TextureSlot& textureSlot(const Material& material, Slot slot);
+TextureUse textureUse(const Material& material);
+
+class SceneResources {
+ public:
+  /// Throws Error when the driver has not the memory, Cancelled when `progress` says so.
+  SceneResources(const Scene& scene, const Progress& progress);
+
+  const gl::Mesh& mesh(int mesh, int primitive) const {
+    return meshes_[static_cast<std::size_t>(mesh)][static_cast<std::size_t>(primitive)];
+  }
+  /// Binds factors and textures of `material` for the mesh program.
+  void bindMaterial(gl::RenderPass& pass, int material) const;
+
+ private:
+  struct BoundTexture {
+    const gl::Texture* texture;
+    const gl::Sampler* sampler;
+  };
+  struct MaterialTextures {
+    TextureUse use = TextureUse::None;
+    std::array<BoundTexture, kSlotCount> slots{};
+  };
+  BoundTexture texture(const Scene& scene, const TextureSlot& slot, bool isSrgb);
+  const gl::Sampler& sampler(const SamplerSettings& settings);
+  void uploadMeshes(const Scene& scene, const Progress& progress);
+  void uploadMaterials(const Scene& scene, const Progress& progress);
+
+  std::vector<std::vector<gl::Mesh>> meshes_;
+  std::map<std::pair<int, bool>, gl::Texture>
+      textures_; ///< by image and whether it is sRGB; stable addresses
+  std::vector<std::pair<SamplerSettings, std::unique_ptr<gl::Sampler>>> samplers_;
+  gl::Texture white_;
+  std::vector<MaterialTextures> materials_;
+  gl::Buffer materialBlocks_;
+  std::size_t materialStride_ = 0; ///< bytes
+};
+
+} // namespace taa

@@ -1,0 +1,54 @@
+// The metallic-roughness model of glTF 2.0, appendix B: GGX with height-correlated Smith visibility (Heitz
+// 2014) and Schlick's Fresnel; diffuse is Lambert. Vectors are normalized, world space.
+
+const float kPi = 3.14159265;
+
+struct Surface {
+  vec3 diffuse;    // albedo of the diffuse part
+  vec3 specular;   // reflectance at normal incidence
+  float roughness; // perceptual, 0…1
+  vec3 normal;
+  vec3 toCamera;
+  float cosCamera; // normal · toCamera, at least a little above 0
+};
+
+Surface makeSurface(vec3 baseColor, float metallic, float roughness, vec3 normal, vec3 toCamera) {
+  Surface surface;
+  surface.diffuse = baseColor * (1.0 - metallic);
+  surface.specular = mix(vec3(0.04), baseColor, metallic);
+  surface.roughness = clamp(roughness, 0.089, 1.0); // below it highlights of a point-like light leave 16 bits
+  surface.normal = normal;
+  surface.toCamera = toCamera;
+  surface.cosCamera = clamp(dot(normal, toCamera), 1e-3, 1.0);
+  return surface;
+}
+
+/// Radiance towards the camera for irradiance 1 on a plane facing the light, cosine included.
+vec3 reflectedFrom(Surface surface, vec3 toLight) {
+  float cosLight = clamp(dot(surface.normal, toLight), 0.0, 1.0);
+  vec3 halfway = toLight + surface.toCamera;
+  halfway *= inversesqrt(max(dot(halfway, halfway), 1e-12));
+  float cosHalf = clamp(dot(surface.normal, halfway), 0.0, 1.0);
+  float cosDifference = clamp(dot(toLight, halfway), 0.0, 1.0);
+
+  float alpha = surface.roughness * surface.roughness;
+  float alpha2 = alpha * alpha;
+  float spread = (cosHalf * alpha2 - cosHalf) * cosHalf + 1.0;
+  float distribution = alpha2 / (kPi * spread * spread);
+  float cosCamera = surface.cosCamera;
+  float visibility = 0.5 / (cosLight * sqrt(cosCamera * cosCamera * (1.0 - alpha2) + alpha2) +
+                            cosCamera * sqrt(cosLight * cosLight * (1.0 - alpha2) + alpha2));
+  float grazing = 1.0 - cosDifference;
+  float grazing2 = grazing * grazing;
+  vec3 fresnel = surface.specular + (1.0 - surface.specular) * (grazing2 * grazing2 * grazing);
+  return ((1.0 - fresnel) * surface.diffuse / kPi + fresnel * (distribution * visibility)) * cosLight;
+}
+
+/// Share of a uniform environment that the specular part reflects: the analytic fit of Karis, "Physically
+/// Based Shading on Mobile" (2014).
+vec3 environmentReflectance(Surface surface) {
+  vec4 terms = surface.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+  float grazing = min(terms.x * terms.x, exp2(-9.28 * surface.cosCamera)) * terms.x + terms.y;
+  vec2 scaleBias = vec2(-1.04, 1.04) * grazing + terms.zw;
+  return surface.specular * scaleBias.x + scaleBias.y;
+}

@@ -1,0 +1,32 @@
+// Motion vectors: current − previous position, px, y down, jitter removed (catalogue §3). Both positions go
+// through the same arithmetic, so that what does not move has exactly 0.
+#include "include/storage.glsl"
+
+/// The mark of a point without a previous position; kNoPreviousPosition in C++.
+const vec2 kNoPreviousPosition = vec2(kLargestHalf);
+
+/// From interpolated clip positions (x, y, w) of both frames, divided here, per pixel (§3, rule i).
+vec2 motionFromClip(vec3 clip, vec3 previousClip) {
+  precise vec2 ndc = clip.xy / clip.z;
+  precise vec2 previousNdc = previousClip.xy / previousClip.z;
+  precise vec2 motionPx = (ndc - previousNdc) * (vec2(0.5, -0.5) * frame.sizePx);
+  // Comparisons are written so that NaN fails them.
+  bool isVisible = previousClip.z > 0.0 && all(lessThan(abs(motionPx), vec2(kLargestHalf)));
+  return isVisible ? storedMotion(motionPx) : kNoPreviousPosition;
+}
+
+/// Homogeneous world position of the sample that pixel `pixel` (gl_FragCoord.xy) holds at device depth `depth`.
+/// With perspective, depth 0 is the sky: a direction, w = 0. With an orthographic camera it is the far plane.
+vec4 worldPosition(vec2 pixel, float depth) {
+  vec2 ndc = vec2(2.0, -2.0) * (pixel / frame.sizePx) + vec2(-1.0, 1.0);
+  vec4 world = frame.worldFromJitteredClip * vec4(ndc, depth, 1.0);
+  if (depth == 0.0) world.w *= frame.cameraPosition.w;
+  return world;
+}
+
+/// Motion of a point that stands still in the world (§3.1), or infinitely far away when w = 0 (§3.2).
+vec2 cameraMotion(vec4 world) {
+  precise vec4 clip = frame.clipFromWorld * world;
+  precise vec4 previousClip = frame.previousClipFromWorld * world;
+  return motionFromClip(clip.xyw, previousClip.xyw);
+}

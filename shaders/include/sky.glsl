@@ -1,0 +1,27 @@
+// A simple sky: a vertical gradient with a sun disk, and what of it reaches surfaces. Directions are
+// normalized, world space, y up; radiance in scene-linear units.
+#include "shared/FrameBlock.h"
+
+/// The gradient without the sun; `blur` 0…1 widens the horizon, for rough reflections.
+vec3 skyGradient(float height, float blur) {
+  float up = clamp(height, 0.0, 1.0);
+  float rest = 1.0 - up;
+  vec3 sky = mix(frame.skyZenith.rgb, frame.skyHorizon.rgb, rest * rest * rest);
+  float width = 0.03 + 0.97 * blur;
+  return mix(frame.skyGround.rgb, sky, smoothstep(-width, width, height));
+}
+
+/// Irradiance / π on a surface that faces `normal`: a hemisphere of sky above one of ground.
+vec3 skyAmbient(vec3 normal) {
+  vec3 above = 0.5 * (frame.skyZenith.rgb + frame.skyHorizon.rgb);
+  return mix(frame.skyGround.rgb, above, 0.5 + 0.5 * normal.y);
+}
+
+/// What is seen in `direction`. The disk has three times the sun's real diameter and a soft rim.
+vec3 skyRadiance(vec3 direction) {
+  vec3 radiance = skyGradient(direction.y, 0.0);
+  float cosine = dot(direction, frame.sunDirection.xyz);
+  float disk = frame.sunDirection.w * smoothstep(0.99985, 0.99993, cosine);
+  float glow = frame.sunDirection.w * pow(clamp(cosine, 0.0, 1.0), 64.0);
+  return radiance + frame.sunColor.rgb * (40.0 * disk + 0.12 * glow);
+}

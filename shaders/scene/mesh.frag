@@ -1,0 +1,108 @@
+// Shades a surface and writes all inputs of the resolve. Specialised by kTextures (0 none, 1 base color only,
+// 2 all five) and kMasked (discards where alpha is below the cutoff).
+#include "include/brdf.glsl"
+#include "include/motion.glsl"
+#include "include/sky.glsl"
+#include "shared/DrawBlock.h"
+#include "shared/LightBlock.h"
+#include "shared/MaterialBlock.h"
+
+layout(binding = 0) uniform sampler2D u_baseColor;
+layout(binding = 1) uniform sampler2D u_metallicRoughness;
+layout(binding = 2) uniform sampler2D u_normal;
+layout(binding = 3) uniform sampler2D u_occlusion;
+layout(binding = 4) uniform sampler2D u_emissive;
+
+in vec3 v_worldPosition;
+in vec3 v_normal;
+in vec4 v_tangent;
+in vec4 v_uv;
+in vec4 v_color;
+in vec3 v_clip;
+in vec3 v_previousClip;
+in float v_previousDepthView;
+
+layout(location = 0) out vec4 o_color;
+layout(location = 1) out vec2 o_motion;
+layout(location = 2) out vec4 o_normal;
+layout(location = 3) out uint o_objectId;
+layout(location = 4) out float o_previousDepth;
+
+vec2 slotUv(int slot) {
+  vec4 row = material.uvRows[2 * slot];
+  vec3 uv = vec3(row.w > 0.5 ? v_uv.zw : v_uv.xy, 1.0);
+  return vec2(dot(row.xyz, uv), dot(material.uvRows[2 * slot + 1].xyz, uv));
+}
+
+vec3 safeNormalize(vec3 value) { return value * inversesqrt(max(dot(value, value), 1e-20)); }
+
+vec3 shadingNormal() {
+  vec3 normal = safeNormalize(v_normal);
+  if (kTextures == 2) {
+    vec3 bump = texture(u_normal, slotUv(2)).xyz * 2.0 - 1.0;
+    bump.xy *= material.surface.z;
+    vec3 tangent = safeNormalize(v_tangent.xyz);
+    vec3 bitangent = cross(normal, tangent) * v_tangent.w;
+    normal = safeNormalize(tangent * bump.x + bitangent * bump.y + normal * bump.z);
+  }
+  return gl_FrontFacing ? normal : -normal;
+}
+
+/// Irradiance of light `index` on a plane that faces it, and the direction to it.
+vec3 lightIrradiance(int index, out vec3 toLight) {
+  vec4 position = lighting.lightPosition[index];
+  vec4 terms = lighting.lightTerms[index];
+  vec3 way = position.xyz - v_worldPosition * position.w;
+  float distance2 = max(dot(way, way), 1e-8);
+  toLight = way * inversesqrt(distance2);
+  // Directional lights have w = 0: no distance, no cone, no range.
+  float nearness = mix(1.0, 1.0 / distance2, position.w);
+  float beyond = distance2 * terms.z;
+  float window = clamp(1.0 - beyond * beyond, 0.0, 1.0);
+  float cone = clamp(-dot(toLight, lighting.lightDirection[index].xyz) * terms.x + terms.y, 0.0, 1.0);
+  return lighting.lightColor[index].rgb * (nearness * window * cone * cone);
+}
+
+vec3 litColor(vec3 baseColor, vec3 normal) {
+  float metallic = material.surface.x;
+  float roughness = material.surface.y;
+  float occlusion = 1.0;
+  vec3 emissive = material.emissive.rgb;
+  if (kTextures == 2) {
+    vec4 metallicRoughness = texture(u_metallicRoughness, slotUv(1));
+    metallic *= metallicRoughness.b;
+    roughness *= metallicRoughness.g;
+    occlusion = 1.0 + material.surface.w * (texture(u_occlusion, slotUv(3)).r - 1.0);
+    emissive *= texture(u_emissive, slotUv(4)).rgb;
+  }
+  vec3 forward = -vec3(frame.viewFromWorld[0].z, frame.viewFromWorld[1].z, frame.viewFromWorld[2].z);
+  vec3 toCamera = frame.cameraPosition.w > 0.5 ? -forward : safeNormalize(frame.cameraPosition.xyz - v_worldPosition);
+  Surface surface = makeSurface(baseColor, metallic, roughness, normal, toCamera);
+
+  vec3 mirrored = reflect(-toCamera, normal);
+  vec3 environment = mix(skyGradient(mirrored.y, surface.roughness), skyAmbient(mirrored),
+                         surface.roughness * surface.roughness);
+  vec3 color = (surface.diffuse * skyAmbient(normal) + environmentReflectance(surface) * environment) * occlusion;
+  int lights = int(frame.skyZenith.w);
+  for (int index = 0; index < lights; ++index) {
+    vec3 toLight;
+    vec3 irradiance = lightIrradiance(index, toLight);
+    color += irradiance * reflectedFrom(surface, toLight);
+  }
+  return color + emissive;
+}
+
+void main() {
+  vec4 baseColor = material.baseColor * v_color;
+  if (kTextures >= 1) baseColor *= texture(u_baseColor, slotUv(0));
+  if (kMasked) {
+    if (baseColor.a < material.emissive.w) discard;
+  }
+  vec3 normal = shadingNormal();
+  bool lit = material.shading.x < 0.5 && draw.drawTerms.z > 0.5;
+  o_color = storedColor(lit ? litColor(baseColor.rgb, normal) : baseColor.rgb);
+  o_motion = motionFromClip(v_clip, v_previousClip);
+  o_normal = vec4(normal, 0.0);
+  o_objectId = uint(draw.drawTerms.x + 0.5);
+  o_previousDepth = v_previousDepthView > 0.0 ? v_previousDepthView : 0.0;
+}

@@ -1,0 +1,39 @@
+// A vertex of a rigid primitive, in this frame and in the previous one.
+#include "shared/DrawBlock.h"
+#include "shared/FrameBlock.h"
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec4 a_tangent;
+layout(location = 3) in vec2 a_uv0;
+layout(location = 4) in vec2 a_uv1;
+layout(location = 5) in vec4 a_color;
+
+out vec3 v_worldPosition;
+out vec3 v_normal;
+out vec4 v_tangent; // w: sign of the bitangent
+out vec4 v_uv;      // sets 0 and 1
+out vec4 v_color;
+out vec3 v_clip; // x, y, w, unjittered
+out vec3 v_previousClip;
+out float v_previousDepthView;
+
+void main() {
+  vec4 position = vec4(a_position, 1.0);
+  precise vec4 clip = draw.clipFromModel * position;
+  precise vec4 previousClip = draw.previousClipFromModel * position;
+  v_clip = clip.xyw;
+  v_previousClip = previousClip.xyw;
+  v_previousDepthView = dot(draw.previousDepthRow, position);
+
+  v_worldPosition = (draw.worldFromModel * position).xyz;
+  v_normal = mat3(draw.normalFromModel) * a_normal;
+  v_tangent = vec4(mat3(draw.worldFromModel) * a_tangent.xyz, a_tangent.w * draw.drawTerms.y);
+  v_uv = vec4(a_uv0, a_uv1);
+  v_color = a_color;
+
+  // The jitter of T(2jx/W, −2jy/H)·P; z and w stay as they are.
+  vec2 jitterNdc = vec2(2.0, -2.0) * (frame.jitterPx / frame.sizePx);
+  gl_Position = vec4(clip.xy + jitterNdc * clip.w, clip.zw);
+  gl_PointSize = 3.0; // glTF says nothing of it; one pixel is hard to see
+}

@@ -1,0 +1,24 @@
+// What the mesh shader knows of one draw: a primitive at a node. Filled by C++, read by GLSL.
+#ifdef __cplusplus
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+namespace taa::shared {
+using glm::mat4;
+using glm::vec4;
+struct DrawBlock {
+#else
+layout(std140, binding = 4) uniform DrawBlock {
+#endif
+  mat4 worldFromModel;
+  mat4 normalFromModel;       // cofactors of worldFromModel, signed so that normals keep their side
+  mat4 clipFromModel;         // unjittered
+  mat4 previousClipFromModel; // unjittered, of the previous frame
+  vec4 previousDepthRow;      // · (position, 1) = view depth in the previous frame, m
+  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1, 1 when lit; w unused
+#ifdef __cplusplus
+};
+} // namespace taa::shared
+#else
+} draw;
+#endif
