@@ -43,16 +43,15 @@ bool isOutside(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 size
 
 } // namespace
 
-GBufferPass::GBufferPass(const Scene& scene) {
+GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
     const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
     if (mesh < 0) continue;
     const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
     for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
-      const int number = primitives[static_cast<std::size_t>(index)].material;
-      const Material& material = scene.materials[static_cast<std::size_t>(number)];
-      const Variant variant{textureUse(material), material.alphaMode != AlphaMode::Opaque};
-      items_.push_back({node, mesh, index, number, variant});
+      const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
+      const Variant variant = variantFor(primitive, scene);
+      items_.push_back({node, mesh, index, primitive.material, variant});
       if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
     }
   }
@@ -64,9 +63,22 @@ GBufferPass::GBufferPass(const Scene& scene) {
   if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
 }
 
-gl::Program GBufferPass::compile(const Variant& variant) {
-  const std::string prelude = "const int kTextures = " + std::to_string(static_cast<int>(variant.textures)) +
-                              ";\nconst bool kMasked = " + (variant.masked ? "true" : "false") + ";\n";
+GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Scene& scene) {
+  const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+  // Lines and points have no side that could face a light.
+  const bool lit = !material.unlit && primitive.topology == Topology::Triangles;
+  return {textureMask(material), material.alphaMode != AlphaMode::Opaque, lit};
+}
+
+gl::Program GBufferPass::compile(const Variant& variant) const {
+  const auto line = [](const char* name, int value) {
+    return std::string("const int ") + name + " = " + std::to_string(value) + ";\n";
+  };
+  const std::string prelude = line("kTextures", static_cast<int>(variant.textures)) +
+                              line("kDirectionalLights", lights_.directional) +
+                              line("kNearLights", lights_.near) +
+                              "const bool kMasked = " + (variant.masked ? "true" : "false") +
+                              ";\nconst bool kLit = " + (variant.lit ? "true" : "false") + ";\n";
   return {gl::ShaderSource("scene/mesh.vert"), gl::ShaderSource("scene/mesh.frag", prelude), "GBufferPass"};
 }
 
@@ -92,8 +104,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     mirrored_[index] = glm::determinant(glm::mat3(world)) < 0.0f;
     const float sign = mirrored_[index] ? -1.0f : 1.0f;
     block.normalFromModel = normalMatrix(glm::mat3(world), sign);
-    block.drawTerms = {static_cast<float>(index + 1), sign,
-                       primitive.topology == Topology::Triangles ? 1.0f : 0.0f, 0.0f};
+    block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     visible_[index] =
         !primitive.indices.empty() && !isOutside(primitive.bounds, block.clipFromModel, view.block.sizePx);
@@ -108,7 +119,7 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lights);
-  for (const auto& [variant, program] : programs_) { // opaque before masked within each kind of texture
+  for (const auto& [variant, program] : programs_) { // few changes of program
     pass.program(program);
     for (std::size_t index = 0; index < items_.size(); ++index) {
       const Item& item = items_[index];

@@ -2,6 +2,7 @@
 // depth.
 #pragma once
 
+#include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
 
@@ -25,8 +26,9 @@ class GBufferPass {
 
  private:
   struct Variant {
-    TextureUse textures = TextureUse::None;
+    unsigned textures = 0; ///< textureMask()
     bool masked = false;
+    bool lit = true;
     auto operator<=>(const Variant&) const = default;
   };
   /// One primitive at one node.
@@ -34,10 +36,12 @@ class GBufferPass {
     int node = 0, mesh = 0, primitive = 0, material = 0;
     Variant variant;
   };
-  static gl::Program compile(const Variant& variant);
+  static Variant variantFor(const Primitive& primitive, const Scene& scene);
+  gl::Program compile(const Variant& variant) const;
   /// Fills the blocks of all items; true in `visible_` for those that may be seen.
   void prepare(const Scene& scene, const View& view);
 
+  LightCounts lights_;
   std::vector<Item> items_; ///< object id − 1 is the index
   std::map<Variant, gl::Program> programs_;
   gl::Buffer drawBlocks_;

@@ -49,9 +49,7 @@ shared::MaterialBlock materialBlock(const Material& material) {
   // Blend is drawn as a mask at ½ until there is a transparent pass.
   block.emissive =
       glm::vec4(material.emissive, material.alphaMode == AlphaMode::Blend ? 0.5f : material.alphaCutoff);
-  const float normalScale = material.normalTexture.image < 0 ? 0.0f : material.normalScale;
-  block.surface = {material.metallic, material.roughness, normalScale, material.occlusionStrength};
-  block.shading.x = material.unlit ? 1.0f : 0.0f;
+  block.surface = {material.metallic, material.roughness, material.normalScale, material.occlusionStrength};
   for (int index = 0; index < kSlotCount; ++index) {
     const TextureSlot& slot = textureSlot(material, static_cast<Slot>(index));
     const glm::mat3 rows = glm::transpose(slot.uvFromUv);
@@ -79,15 +77,14 @@ const TextureSlot& textureSlot(const Material& material, Slot slot) {
   return material.baseColorTexture;
 }
 
-TextureUse textureUse(const Material& material) {
-  for (int slot = 1; slot < kSlotCount; ++slot)
-    if (textureSlot(material, static_cast<Slot>(slot)).image >= 0) return TextureUse::All;
-  return material.baseColorTexture.image >= 0 ? TextureUse::BaseColorOnly : TextureUse::None;
+unsigned textureMask(const Material& material) {
+  unsigned mask = 0;
+  for (unsigned slot = 0; slot < kSlotCount; ++slot)
+    if (textureSlot(material, static_cast<Slot>(slot)).image >= 0) mask |= 1u << slot;
+  return mask;
 }
 
-SceneResources::SceneResources(const Scene& scene, const Progress& progress)
-    : white_({1, 1}, gl::Format::RGBA8, "white") {
-  white_.clear(1.0f, 1.0f, 1.0f, 1.0f);
+SceneResources::SceneResources(const Scene& scene, const Progress& progress) {
   uploadMeshes(scene, progress);
   uploadMaterials(scene, progress);
 }
@@ -115,23 +112,20 @@ void SceneResources::uploadMaterials(const Scene& scene, const Progress& progres
     const Material& material = scene.materials[index];
     const shared::MaterialBlock block = materialBlock(material);
     std::memcpy(blocks.data() + index * materialStride_, &block, sizeof(block));
-    MaterialTextures textures;
-    textures.use = textureUse(material);
+    std::array<BoundTexture, kSlotCount>& textures = materials_.emplace_back();
     for (int slot = 0; slot < kSlotCount; ++slot) {
       const bool isSrgb =
           slot == static_cast<int>(Slot::BaseColor) || slot == static_cast<int>(Slot::Emissive);
-      textures.slots[static_cast<std::size_t>(slot)] =
+      textures[static_cast<std::size_t>(slot)] =
           texture(scene, textureSlot(material, static_cast<Slot>(slot)), isSrgb);
     }
-    materials_.push_back(textures);
   }
   materialBlocks_ = gl::Buffer(blocks.size(), blocks.data(), "materials");
 }
 
 SceneResources::BoundTexture SceneResources::texture(const Scene& scene, const TextureSlot& slot,
                                                      bool isSrgb) {
-  const gl::Sampler& how = sampler(slot.sampler);
-  if (slot.image < 0) return {&white_, &how};
+  if (slot.image < 0) return {};
   const SceneImage& image = scene.images[static_cast<std::size_t>(slot.image)];
   const auto [place, isNew] = textures_.try_emplace({slot.image, isSrgb});
   if (isNew) {
@@ -140,7 +134,7 @@ SceneResources::BoundTexture SceneResources::texture(const Scene& scene, const T
     place->second.uploadBytes(image.rgba);
     place->second.generateMipmaps();
   }
-  return {&place->second, &how};
+  return {&place->second, &sampler(slot.sampler)};
 }
 
 const gl::Sampler& SceneResources::sampler(const SamplerSettings& settings) {
@@ -159,12 +153,9 @@ const gl::Sampler& SceneResources::sampler(const SamplerSettings& settings) {
 void SceneResources::bindMaterial(gl::RenderPass& pass, int material) const {
   const auto index = static_cast<std::size_t>(material);
   pass.uniformBlock(5, materialBlocks_, index * materialStride_, sizeof(shared::MaterialBlock));
-  const MaterialTextures& textures = materials_[index];
-  const unsigned count = textures.use == TextureUse::None  ? 0
-                         : textures.use == TextureUse::All ? kSlotCount
-                                                           : 1;
-  for (unsigned unit = 0; unit < count; ++unit)
-    pass.texture(unit, *textures.slots[unit].texture, *textures.slots[unit].sampler);
+  for (unsigned unit = 0; unit < kSlotCount; ++unit)
+    if (const BoundTexture& bound = materials_[index][unit]; bound.texture)
+      pass.texture(unit, *bound.texture, *bound.sampler);
 }
 
 } // namespace taa

@@ -17,11 +17,10 @@ namespace taa {
 enum class Slot : std::uint8_t { BaseColor, MetallicRoughness, Normal, Occlusion, Emissive };
 inline constexpr int kSlotCount = 5;
 
-/// How many textures a material's shader reads.
-enum class TextureUse : std::uint8_t { None, BaseColorOnly, All };
-
 const TextureSlot& textureSlot(const Material& material, Slot slot);
-TextureUse textureUse(const Material& material);
+
+/// Which slots have a texture: bit s for Slot s.
+unsigned textureMask(const Material& material);
 
 class SceneResources {
  public:
@@ -36,12 +35,8 @@ class SceneResources {
 
  private:
   struct BoundTexture {
-    const gl::Texture* texture;
-    const gl::Sampler* sampler;
-  };
-  struct MaterialTextures {
-    TextureUse use = TextureUse::None;
-    std::array<BoundTexture, kSlotCount> slots{};
+    const gl::Texture* texture = nullptr; ///< null: the slot has none
+    const gl::Sampler* sampler = nullptr;
   };
   BoundTexture texture(const Scene& scene, const TextureSlot& slot, bool isSrgb);
   const gl::Sampler& sampler(const SamplerSettings& settings);
@@ -52,8 +47,7 @@ class SceneResources {
   std::map<std::pair<int, bool>, gl::Texture>
       textures_; ///< by image and whether it is sRGB; stable addresses
   std::vector<std::pair<SamplerSettings, std::unique_ptr<gl::Sampler>>> samplers_;
-  gl::Texture white_;
-  std::vector<MaterialTextures> materials_;
+  std::vector<std::array<BoundTexture, kSlotCount>> materials_;
   gl::Buffer materialBlocks_;
   std::size_t materialStride_ = 0; ///< bytes
 };

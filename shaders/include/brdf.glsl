@@ -1,5 +1,6 @@
-// The metallic-roughness model of glTF 2.0, appendix B: GGX with height-correlated Smith visibility (Heitz
-// 2014) and Schlick's Fresnel; diffuse is Lambert. Vectors are normalized, world space.
+// The metallic-roughness model of glTF 2.0, appendix B: GGX with height-correlated Smith visibility (in the
+// form of Hammon, "PBR Diffuse Lighting for GGX+Smith Microsurfaces", 2017, without square roots) and
+// Schlick's Fresnel; diffuse is Lambert. Vectors are normalized, world space.
 
 const float kPi = 3.14159265;
 
@@ -25,23 +26,22 @@ Surface makeSurface(vec3 baseColor, float metallic, float roughness, vec3 normal
 
 /// Radiance towards the camera for irradiance 1 on a plane facing the light, cosine included.
 vec3 reflectedFrom(Surface surface, vec3 toLight) {
+  float cosCamera = surface.cosCamera;
   float cosLight = clamp(dot(surface.normal, toLight), 0.0, 1.0);
-  vec3 halfway = toLight + surface.toCamera;
-  halfway *= inversesqrt(max(dot(halfway, halfway), 1e-12));
-  float cosHalf = clamp(dot(surface.normal, halfway), 0.0, 1.0);
-  float cosDifference = clamp(dot(toLight, halfway), 0.0, 1.0);
+  // Angles of the half vector h = (l + v) / |l + v| without making it: |l + v|² = 2 + 2 l·v.
+  float cosBetween = dot(toLight, surface.toCamera);
+  float inverseLength = inversesqrt(max(2.0 + 2.0 * cosBetween, 1e-6));
+  float cosHalf = min((cosLight + cosCamera) * inverseLength, 1.0);
+  float grazing = 1.0 - min((1.0 + cosBetween) * inverseLength, 1.0);
 
   float alpha = surface.roughness * surface.roughness;
   float alpha2 = alpha * alpha;
   float spread = (cosHalf * alpha2 - cosHalf) * cosHalf + 1.0;
-  float distribution = alpha2 / (kPi * spread * spread);
-  float cosCamera = surface.cosCamera;
-  float visibility = 0.5 / (cosLight * sqrt(cosCamera * cosCamera * (1.0 - alpha2) + alpha2) +
-                            cosCamera * sqrt(cosLight * cosLight * (1.0 - alpha2) + alpha2));
-  float grazing = 1.0 - cosDifference;
+  float shadowing = mix(2.0 * cosLight * cosCamera, cosLight + cosCamera, alpha);
+  float lobe = 0.5 * alpha2 / (kPi * spread * spread * shadowing);
   float grazing2 = grazing * grazing;
   vec3 fresnel = surface.specular + (1.0 - surface.specular) * (grazing2 * grazing2 * grazing);
-  return ((1.0 - fresnel) * surface.diffuse / kPi + fresnel * (distribution * visibility)) * cosLight;
+  return ((1.0 - fresnel) * surface.diffuse * (1.0 / kPi) + fresnel * lobe) * cosLight;
 }
 
 /// Share of a uniform environment that the specular part reflects: the analytic fit of Karis, "Physically

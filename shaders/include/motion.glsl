@@ -7,8 +7,8 @@ const vec2 kNoPreviousPosition = vec2(kLargestHalf);
 
 /// From interpolated clip positions (x, y, w) of both frames, divided here, per pixel (§3, rule i).
 vec2 motionFromClip(vec3 clip, vec3 previousClip) {
-  precise vec2 ndc = clip.xy / clip.z;
-  precise vec2 previousNdc = previousClip.xy / previousClip.z;
+  precise vec2 ndc = clip.xy * (1.0 / clip.z);
+  precise vec2 previousNdc = previousClip.xy * (1.0 / previousClip.z);
   precise vec2 motionPx = (ndc - previousNdc) * (vec2(0.5, -0.5) * frame.sizePx);
   // Comparisons are written so that NaN fails them.
   bool isVisible = previousClip.z > 0.0 && all(lessThan(abs(motionPx), vec2(kLargestHalf)));

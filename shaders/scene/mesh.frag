@@ -1,5 +1,6 @@
-// Shades a surface and writes all inputs of the resolve. Specialised by kTextures (0 none, 1 base color only,
-// 2 all five) and kMasked (discards where alpha is below the cutoff).
+// Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
+// texture in slot s), kMasked (discards where alpha is below the cutoff), kLit, and the scene's numbers of lights:
+// llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
 #include "include/sky.glsl"
@@ -28,6 +29,8 @@ layout(location = 2) out vec4 o_normal;
 layout(location = 3) out uint o_objectId;
 layout(location = 4) out float o_previousDepth;
 
+bool hasTexture(int slot) { return (kTextures >> slot & 1) == 1; }
+
 vec2 slotUv(int slot) {
   vec4 row = material.uvRows[2 * slot];
   vec3 uv = vec3(row.w > 0.5 ? v_uv.zw : v_uv.xy, 1.0);
@@ -38,7 +41,7 @@ vec3 safeNormalize(vec3 value) { return value * inversesqrt(max(dot(value, value
 
 vec3 shadingNormal() {
   vec3 normal = safeNormalize(v_normal);
-  if (kTextures == 2) {
+  if (hasTexture(2)) {
     vec3 bump = texture(u_normal, slotUv(2)).xyz * 2.0 - 1.0;
     bump.xy *= material.surface.z;
     vec3 tangent = safeNormalize(v_tangent.xyz);
@@ -48,19 +51,30 @@ vec3 shadingNormal() {
   return gl_FrontFacing ? normal : -normal;
 }
 
-/// Irradiance of light `index` on a plane that faces it, and the direction to it.
-vec3 lightIrradiance(int index, out vec3 toLight) {
-  vec4 position = lighting.lightPosition[index];
+/// Irradiance of point or spot light `index` on a plane that faces it, and the direction to it.
+vec3 nearLight(int index, out vec3 toLight) {
   vec4 terms = lighting.lightTerms[index];
-  vec3 way = position.xyz - v_worldPosition * position.w;
+  vec3 way = lighting.lightPosition[index].xyz - v_worldPosition;
   float distance2 = max(dot(way, way), 1e-8);
-  toLight = way * inversesqrt(distance2);
-  // Directional lights have w = 0: no distance, no cone, no range.
-  float nearness = mix(1.0, 1.0 / distance2, position.w);
+  float inverseDistance = inversesqrt(distance2);
+  toLight = way * inverseDistance;
   float beyond = distance2 * terms.z;
   float window = clamp(1.0 - beyond * beyond, 0.0, 1.0);
-  float cone = clamp(-dot(toLight, lighting.lightDirection[index].xyz) * terms.x + terms.y, 0.0, 1.0);
-  return lighting.lightColor[index].rgb * (nearness * window * cone * cone);
+  float cone = clamp(terms.y - dot(toLight, lighting.lightDirection[index].xyz) * terms.x, 0.0, 1.0);
+  return lighting.lightColor[index].rgb * (inverseDistance * inverseDistance * window * cone * cone);
+}
+
+/// Radiance of all punctual lights, directional ones first.
+vec3 lightRadiance(Surface surface) {
+  vec3 radiance = vec3(0.0);
+  for (int index = 0; index < kDirectionalLights; ++index)
+    radiance += lighting.lightColor[index].rgb * reflectedFrom(surface, -lighting.lightDirection[index].xyz);
+  for (int index = kDirectionalLights; index < kDirectionalLights + kNearLights; ++index) {
+    vec3 toLight;
+    vec3 irradiance = nearLight(index, toLight);
+    radiance += irradiance * reflectedFrom(surface, toLight);
+  }
+  return radiance;
 }
 
 vec3 litColor(vec3 baseColor, vec3 normal) {
@@ -68,39 +82,31 @@ vec3 litColor(vec3 baseColor, vec3 normal) {
   float roughness = material.surface.y;
   float occlusion = 1.0;
   vec3 emissive = material.emissive.rgb;
-  if (kTextures == 2) {
-    vec4 metallicRoughness = texture(u_metallicRoughness, slotUv(1));
-    metallic *= metallicRoughness.b;
-    roughness *= metallicRoughness.g;
-    occlusion = 1.0 + material.surface.w * (texture(u_occlusion, slotUv(3)).r - 1.0);
-    emissive *= texture(u_emissive, slotUv(4)).rgb;
+  if (hasTexture(1)) {
+    vec2 metallicRoughness = texture(u_metallicRoughness, slotUv(1)).bg;
+    metallic *= metallicRoughness.x;
+    roughness *= metallicRoughness.y;
   }
+  if (hasTexture(3)) occlusion = 1.0 + material.surface.w * (texture(u_occlusion, slotUv(3)).r - 1.0);
+  if (hasTexture(4)) emissive *= texture(u_emissive, slotUv(4)).rgb;
   vec3 forward = -vec3(frame.viewFromWorld[0].z, frame.viewFromWorld[1].z, frame.viewFromWorld[2].z);
   vec3 toCamera = frame.cameraPosition.w > 0.5 ? -forward : safeNormalize(frame.cameraPosition.xyz - v_worldPosition);
   Surface surface = makeSurface(baseColor, metallic, roughness, normal, toCamera);
 
   vec3 mirrored = reflect(-toCamera, normal);
-  vec3 environment = mix(skyGradient(mirrored.y, surface.roughness), skyAmbient(mirrored),
-                         surface.roughness * surface.roughness);
-  vec3 color = (surface.diffuse * skyAmbient(normal) + environmentReflectance(surface) * environment) * occlusion;
-  int lights = int(frame.skyZenith.w);
-  for (int index = 0; index < lights; ++index) {
-    vec3 toLight;
-    vec3 irradiance = lightIrradiance(index, toLight);
-    color += irradiance * reflectedFrom(surface, toLight);
-  }
-  return color + emissive;
+  vec3 environment = skyGradient(reflect(-toCamera, normal).y, surface.roughness);
+  vec3 ambient = surface.diffuse * skyAmbient(normal) + environmentReflectance(surface) * environment;
+  return ambient * occlusion + lightRadiance(surface) + emissive;
 }
 
 void main() {
   vec4 baseColor = material.baseColor * v_color;
-  if (kTextures >= 1) baseColor *= texture(u_baseColor, slotUv(0));
+  if (hasTexture(0)) baseColor *= texture(u_baseColor, slotUv(0));
   if (kMasked) {
     if (baseColor.a < material.emissive.w) discard;
   }
   vec3 normal = shadingNormal();
-  bool lit = material.shading.x < 0.5 && draw.drawTerms.z > 0.5;
-  o_color = storedColor(lit ? litColor(baseColor.rgb, normal) : baseColor.rgb);
+  o_color = storedColor(kLit ? litColor(baseColor.rgb, normal) : baseColor.rgb);
   o_motion = motionFromClip(v_clip, v_previousClip);
   o_normal = vec4(normal, 0.0);
   o_objectId = uint(draw.drawTerms.x + 0.5);

@@ -15,7 +15,7 @@ layout(std140, binding = 4) uniform DrawBlock {
   mat4 clipFromModel;         // unjittered
   mat4 previousClipFromModel; // unjittered, of the previous frame
   vec4 previousDepthRow;      // · (position, 1) = view depth in the previous frame, m
-  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1, 1 when lit; w unused
+  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1; zw unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

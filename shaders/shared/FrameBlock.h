@@ -23,7 +23,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   vec2 jitterPx;     // displacement of image content, x right, y down
   vec4 cameraPosition; // world; w: 1 when orthographic
   vec4 depthTerms;   // projection elements (P33, P32, P23, P22): view depth = (d·P33 − P32) / (d·P23 − P22)
-  vec4 skyZenith;    // radiance; w: number of lights
+  vec4 skyZenith;    // radiance
   vec4 skyHorizon;
   vec4 skyGround;
   vec4 sunDirection; // to the sun, normalized; w: 1 when it shines

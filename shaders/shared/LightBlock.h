@@ -11,10 +11,11 @@ struct LightBlock {
 #else
 layout(std140, binding = 3) uniform LightBlock {
 #endif
-  vec4 lightPosition[kMaxLights];  // w 1: where it is; w 0: direction to it, normalized
-  vec4 lightDirection[kMaxLights]; // along its beam, normalized; w unused
-  vec4 lightColor[kMaxLights];     // lux (w of the position 0) or candela; w unused
-  vec4 lightTerms[kMaxLights];     // cone scale, cone offset, 1/range² (0: unlimited); w unused
+  // Directional lights first, then point and spot lights; w is unused in all of them.
+  vec4 lightPosition[kMaxLights];  // of point and spot lights
+  vec4 lightDirection[kMaxLights]; // along its beam, normalized
+  vec4 lightColor[kMaxLights];     // lux (directional) or candela
+  vec4 lightTerms[kMaxLights];     // of point and spot lights: cone scale, cone offset, 1/range² (0: unlimited)
 #ifdef __cplusplus
 };
 } // namespace taa::shared

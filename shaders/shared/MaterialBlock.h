@@ -10,8 +10,7 @@ layout(std140, binding = 5) uniform MaterialBlock {
 #endif
   vec4 baseColor; // linear; w: alpha
   vec4 emissive;  // linear; w: alpha cutoff
-  vec4 surface;   // metallic, roughness, normal scale (0 without a normal map), occlusion strength
-  vec4 shading;   // x: 1 when unlit; yzw unused
+  vec4 surface;   // metallic, roughness, normal scale, occlusion strength
   // Two rows for each slot (base color, metallic-roughness, normal, occlusion, emissive): xyz · (u, v, 1) gives
   // the texture coordinate, w of the first row is the uv set.
   vec4 uvRows[10];
