@@ -1,0 +1,47 @@
+// What the resolve reads: this frame's inputs and the history, all of one size, row 0 at the top. Every read is
+// a texelFetch, because filtering samplers round differently from driver to driver and from CPU to CPU.
+
+#include "include/color_spaces.glsl"
+#include "shared/ResolveBlock.h"
+
+layout(binding = 0) uniform sampler2D u_color;          // scene-linear, jittered
+layout(binding = 1) uniform sampler2D u_depth;          // device depth, reversed, 0 = sky
+layout(binding = 2) uniform sampler2D u_motion;         // px, current − previous
+layout(binding = 3) uniform sampler2D u_normal;         // world space
+layout(binding = 4) uniform usampler2D u_objectId;      // 0 = sky
+layout(binding = 5) uniform sampler2D u_previousDepth;  // view depth in the previous frame, m
+layout(binding = 6) uniform sampler2D u_historyColor;   // scene-linear
+layout(binding = 7) uniform sampler2D u_historySurface; // history length N, view depth in m
+
+/// The nearest texel of the picture.
+ivec2 clamped(ivec2 texel) { return clamp(texel, ivec2(0), ivec2(resolveBlock.sizePx) - 1); }
+
+bool hasHistory() { return resolveBlock.state.x != 0; }
+
+/// View depth in m of a device depth; 0 stands for the sky.
+float viewDepth(float depth) {
+  precise float numerator = depth * resolveBlock.depthTerms.x - resolveBlock.depthTerms.y;
+  precise float denominator = depth * resolveBlock.depthTerms.z - resolveBlock.depthTerms.w;
+  precise float result = depth == 0.0 ? 0.0 : numerator / denominator;
+  return result;
+}
+
+/// This frame's sane colors around a pixel, 3×3 row-major: 4 is the pixel itself.
+struct Samples {
+  vec3 color[9];
+};
+
+Samples readInputs(ivec2 pixel) {
+  Samples samples;
+  for (int k = 0; k < 9; ++k) {
+    ivec2 texel = clamped(pixel + ivec2(k % 3 - 1, k / 3 - 1));
+    samples.color[k] = sanitized(texelFetch(u_color, texel, 0).rgb);
+  }
+  expose_color(texelFetch(u_color, pixel, 0).rgb);
+  expose_depth(texelFetch(u_depth, pixel, 0).r);
+  expose_depthView(viewDepth(texelFetch(u_depth, pixel, 0).r));
+  expose_motion(texelFetch(u_motion, pixel, 0).rg);
+  expose_normal(texelFetch(u_normal, pixel, 0).xyz);
+  expose_objectId(float(texelFetch(u_objectId, pixel, 0).r));
+  return samples;
+}

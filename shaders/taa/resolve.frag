@@ -1,0 +1,32 @@
+// The fused resolve of one pixel: every stage in order. What each one computes stands in its own file; `expose_…`
+// in them writes intermediates where they are watched and is nothing otherwise.
+
+#include "taa/inputs.glsl"
+#include "taa/dilate_motion.glsl"
+#include "taa/reproject.glsl"
+#include "taa/sample_history.glsl"
+#include "taa/filter_current.glsl"
+#include "taa/neighborhood.glsl"
+#include "taa/rectify_history.glsl"
+#include "taa/validate_history.glsl"
+#include "taa/blend_weight.glsl"
+#include "taa/blend.glsl"
+
+layout(location = 0) out vec4 o_color;   // History::color
+layout(location = 1) out vec2 o_surface; // History::surface: N, view depth
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  Samples samples = readInputs(pixel);
+  DilatedMotion dilated = dilateMotion(pixel);
+  Reprojection reprojection = reproject(pixel, dilated.motion);
+  HistorySample history = sampleHistory(pixel, reprojection.position);
+  vec3 current = filterCurrent(samples);
+  Box box = boundNeighborhood(samples, current);
+  vec3 rectified = rectifyHistory(history.color, box, current);
+  int reason = validateHistory(pixel, dilated, reprojection, history.position);
+  float alpha = blendWeight(history.frames, reason);
+  Blended blended = blend(current, rectified, alpha, history.frames);
+  o_color = vec4(blended.color, 1.0);
+  o_surface = vec2(blended.frames, viewDepth(dilated.depth));
+}

@@ -1,0 +1,50 @@
+// Decides whether history shows the same surface (catalogue §5, §12). In: where depth and motion came from, the
+// reprojection, and the place in px that history was read at. Out: a reject reason.
+
+const int kRejectReason_kept = 0;
+const int kRejectReason_noHistory = 1;
+const int kRejectReason_noPrevious = 2;
+const int kRejectReason_offScreen = 3;
+const int kRejectReason_depth = 4;
+
+/// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
+float depthMismatch(float expected, float stored) {
+  precise float relative = abs(expected - stored) / expected;
+  if (expected == 0.0 && stored == 0.0) return 0.0;
+  return expected == 0.0 || stored == 0.0 ? 1.0 : relative;
+}
+
+struct DepthMatch {
+  float depth;    // m
+  float mismatch; // relative
+};
+
+/// The best of the four stored depths around the position: the surface is one of them unless it was hidden.
+DepthMatch bestMatch(float expected, vec2 position) {
+  precise vec2 corner = floor(position - 0.5);
+  ivec2 first = ivec2(corner);
+  DepthMatch best;
+  for (int k = 0; k < 4; ++k) {
+    float depth = texelFetch(u_historySurface, clamped(first + ivec2(k % 2, k / 2)), 0).g;
+    float mismatch = depthMismatch(expected, depth);
+    if (k == 0 || mismatch < best.mismatch) best = DepthMatch(depth, mismatch);
+  }
+  return best;
+}
+
+int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, vec2 samplePosition) {
+  float expected = texelFetch(u_previousDepth, pixel + ivec2(dilated.offset), 0).r;
+  DepthMatch match = DepthMatch(0.0, 0.0);
+  if (hasHistory()) match = bestMatch(expected, samplePosition);
+
+  int reason = kRejectReason_kept;
+  if (kValidateDepth && match.mismatch > settings.validateDepthTolerance) reason = kRejectReason_depth;
+  if (kValidateOffScreen && reprojection.onScreen == 0.0) reason = kRejectReason_offScreen;
+  if (!reprojection.hasPrevious) reason = kRejectReason_noPrevious;
+  if (!hasHistory()) reason = kRejectReason_noHistory;
+  expose_depthExpected(expected);
+  expose_historyDepth(match.depth);
+  expose_depthMismatch(match.mismatch);
+  expose_rejectReason(float(reason));
+  return reason;
+}
