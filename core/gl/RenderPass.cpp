@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cassert>
 
 namespace taa::gl {
@@ -45,6 +46,10 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   glCreateFramebuffers(1, &id_);
   std::vector<GLenum> buffers;
   for (const Attachment& color : colors) {
+    if (!color.texture) {
+      buffers.push_back(GL_NONE);
+      continue;
+    }
     const auto point = static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + buffers.size());
     if (color.texture->size().layers > 0)
       glNamedFramebufferTextureLayer(id_, point, color.texture->id(), 0, color.layer);
@@ -54,7 +59,8 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   }
   if (depth) glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth->id(), 0);
   glNamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(buffers.size()), buffers.data());
-  const Texture& first = colors.empty() ? *depth : *colors.front().texture;
+  const auto attached = std::ranges::find_if(colors, [](const Attachment& color) { return color.texture; });
+  const Texture& first = attached == colors.end() ? *depth : *attached->texture;
   width_ = first.width();
   height_ = first.height();
   glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());

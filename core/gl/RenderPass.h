@@ -15,8 +15,8 @@
 namespace taa::gl {
 
 struct Attachment {
-  const Texture* texture = nullptr;
-  int layer = 0; ///< of a 2D array; 0 for a plain texture
+  const Texture* texture = nullptr; ///< null: what is written there is dropped
+  int layer = 0;                    ///< of a 2D array; 0 for a plain texture
 };
 
 /// Color targets in order, and perhaps depth. Does not own the textures; they must outlive it.

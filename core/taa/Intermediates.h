@@ -135,15 +135,27 @@ std::optional<IntermediateId> findIntermediate(std::string_view name);
 /// As above; throws Error naming those there are.
 IntermediateId intermediateNamed(std::string_view name);
 
+/// The same set in the order of the table, each row once.
+std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids);
+
 /// Names of the channels in files and probe rows, "R G B", "X Y", "Y Co Cg" …; as many as the row has.
 std::vector<std::string> channelNames(const Intermediate& row);
 
 /// A reject reason in words ("kept", "off screen", …).
 std::string_view rejectReasonText(int reason);
 
-/// GLSL text that defines `expose_<id>(value)` for every row: a store into the row's layer when it is in
-/// `watched`, nothing otherwise. Layers are given in the order of `watched`, one array for each channel count
-/// (see Exposure).
+/// Color targets of the resolve that are the history's; watched rows come after them.
+inline constexpr std::size_t kHistoryTargets = 2;
+
+/// Whether so few are watched that each gets a color target of its own, which costs less than an image store.
+/// GL promises eight targets.
+inline bool exposesAsTargets(const std::vector<IntermediateId>& watched) {
+  return kHistoryTargets + watched.size() <= 8;
+}
+
+/// GLSL text that defines `expose_<id>(value)` for every row: writes the row's layer when it is in `watched`,
+/// nothing otherwise. Layers are given in the order of `watched`, one array for each channel count (see
+/// Exposure).
 std::string exposePrelude(const std::vector<IntermediateId>& watched);
 
 } // namespace taa

@@ -13,6 +13,7 @@ DilatedMotion dilateMotion(ivec2 pixel) {
   if (kDilateMethod == kDilateMethod_closest3x3) {
     // Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself.
     for (int k = 0; k < 9; ++k) {
+      if (k == 4) continue;
       ivec2 neighbor = clamped(pixel + ivec2(k % 3 - 1, k / 3 - 1));
       float depth = texelFetch(u_depth, neighbor, 0).r;
       if (depth > closest) {

@@ -37,7 +37,8 @@ Box boundNeighborhood(Samples samples, vec3 currentFiltered) {
   precise vec3 above = mean + reach;
   Box box = Box(lowest, highest);
   if (kNeighborhoodBox == kNeighborhoodBox_variance) box = Box(below, above);
-  if (kNeighborhoodBox == kNeighborhoodBox_intersection) box = Box(greater(lowest, below), lesser(highest, above));
+  if (kNeighborhoodBox == kNeighborhoodBox_intersection)
+    box = Box(greater(lowest, below), lesser(highest, above));
   if (kNeighborhoodIncludeFiltered) {
     precise vec3 filteredColor = toBox(currentFiltered);
     box = Box(lesser(box.lo, filteredColor), greater(box.hi, filteredColor));

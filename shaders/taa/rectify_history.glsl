@@ -58,7 +58,8 @@ vec3 rectifyHistory(vec3 historyColor, Box box, vec3 currentFiltered) {
   Rectified rectified = Rectified(history, 0.0);
   if (kRectifyMethod == kRectifyMethod_clamp) rectified = clampHistory(history, box);
   if (kRectifyMethod == kRectifyMethod_clipToCenter) rectified = clipToCenter(history, box);
-  if (kRectifyMethod == kRectifyMethod_clipToFiltered) rectified = clipToFiltered(history, box, currentFiltered);
+  if (kRectifyMethod == kRectifyMethod_clipToFiltered)
+    rectified = clipToFiltered(history, box, currentFiltered);
 
   bool isKept = !hasHistory() || kRectifyMethod == kRectifyMethod_none || isInside(history, box.lo, box.hi) ||
                 (kRectifyMethod == kRectifyMethod_clipToCenter && rectified.amount == 0.0);

@@ -16,7 +16,7 @@ layout(location = 0) out vec4 o_color;   // History::color
 layout(location = 1) out vec2 o_surface; // History::surface: N, view depth
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy) + resolveBlock.state.yz;
   Samples samples = readInputs(pixel);
   DilatedMotion dilated = dilateMotion(pixel);
   Reprojection reprojection = reproject(pixel, dilated.motion);
@@ -24,7 +24,7 @@ void main() {
   vec3 current = filterCurrent(samples);
   Box box = boundNeighborhood(samples, current);
   vec3 rectified = rectifyHistory(history.color, box, current);
-  int reason = validateHistory(pixel, dilated, reprojection, history.position);
+  int reason = validateHistory(pixel, dilated, reprojection, history);
   float alpha = blendWeight(history.frames, reason);
   Blended blended = blend(current, rectified, alpha, history.frames);
   o_color = vec4(blended.color, 1.0);

@@ -1,5 +1,5 @@
 // Decides whether history shows the same surface (catalogue §5, §12). In: where depth and motion came from, the
-// reprojection, and the place in px that history was read at. Out: a reject reason.
+// reprojection, and the depths stored with history. Out: a reject reason.
 
 const int kRejectReason_kept = 0;
 const int kRejectReason_noHistory = 1;
@@ -20,22 +20,19 @@ struct DepthMatch {
 };
 
 /// The best of the four stored depths around the position: the surface is one of them unless it was hidden.
-DepthMatch bestMatch(float expected, vec2 position) {
-  precise vec2 corner = floor(position - 0.5);
-  ivec2 first = ivec2(corner);
-  DepthMatch best;
-  for (int k = 0; k < 4; ++k) {
-    float depth = texelFetch(u_historySurface, clamped(first + ivec2(k % 2, k / 2)), 0).g;
-    float mismatch = depthMismatch(expected, depth);
-    if (k == 0 || mismatch < best.mismatch) best = DepthMatch(depth, mismatch);
+DepthMatch bestMatch(float expected, float depths[4]) {
+  DepthMatch best = DepthMatch(depths[0], depthMismatch(expected, depths[0]));
+  for (int k = 1; k < 4; ++k) {
+    float mismatch = depthMismatch(expected, depths[k]);
+    if (mismatch < best.mismatch) best = DepthMatch(depths[k], mismatch);
   }
   return best;
 }
 
-int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, vec2 samplePosition) {
+int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
   float expected = texelFetch(u_previousDepth, pixel + ivec2(dilated.offset), 0).r;
   DepthMatch match = DepthMatch(0.0, 0.0);
-  if (hasHistory()) match = bestMatch(expected, samplePosition);
+  if (hasHistory()) match = bestMatch(expected, history.depths);
 
   int reason = kRejectReason_kept;
   if (kValidateDepth && match.mismatch > settings.validateDepthTolerance) reason = kRejectReason_depth;

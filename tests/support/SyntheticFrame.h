@@ -1,0 +1,38 @@
+// Hand-made inputs and history of the resolve, as images and as textures.
+#pragma once
+
+#include "core/render/FrameInputs.h"
+#include "core/taa/TaaPass.h"
+#include "core/taa/reference/Reference.h"
+
+#include <cstdint>
+
+namespace taa::test {
+
+struct FrameShape {
+  int width = 97, height = 61;
+  Precision inputs = Precision::Half;
+  Precision history = Precision::Half;
+};
+
+/// A frame without history whose colors are all `color`, at 5 m, at rest, object 1.
+reference::Inputs flatFrame(const FrameShape& shape, float color);
+
+/// Random colors over nine decades, depths with sky and edges, motion of all sizes, and a history to match.
+/// `wild`: with NaN, Inf, negative and overflowing colors, NaN and huge motion, and the mark of no previous.
+/// All values are as the textures of `shape` hold them.
+reference::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool wild);
+
+/// Random colors at rest at 5 m: what a still camera sees.
+reference::Inputs stillFrame(const FrameShape& shape, std::uint32_t seed);
+
+/// Textures of the images, in the formats of `shape`.
+FrameInputs upload(const reference::Inputs& images, const FrameShape& shape);
+
+/// The images' history; empty textures when they have none.
+History uploadHistory(const reference::Inputs& images, const FrameShape& shape);
+
+/// Sets `images`' history to what a resolve left.
+void downloadHistory(const History& history, reference::Inputs& images);
+
+} // namespace taa::test
