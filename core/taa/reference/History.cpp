@@ -10,53 +10,54 @@ namespace {
 /// Positions further out than this, px, are read at the pixel itself: they are rejected later anyway.
 constexpr float kFarthestPosition = 1e6f;
 
-/// The two texels a position lies between along one axis, and how far from the first.
-struct Span {
-  int first;
-  int second;
-  float fraction;
+/// A place between texels along one axis: the texel before it, and how far it is to the next. Apart, because
+/// their sum would round the fraction by as much as the texel's number is large.
+struct Place {
+  int texel;
+  float fraction; ///< 0 to 1
 };
 
-Span span(float positionPx, int count) {
-  const auto size = static_cast<float>(count);
-  float u = (positionPx / size) * size; // as a sampler gets it: normalized, then scaled again
-  u = u < size ? u : size;
-  u = u - 0.5f;
-  u = u > 0.0f ? u : 0.0f;
-  const float whole = std::floor(u);
-  const int first = static_cast<int>(whole);
-  return {first, first + 1 < count - 1 ? first + 1 : count - 1, u - whole};
+Place placeAt(float positionPx) {
+  const float texel = std::floor(positionPx - 0.5f); // texel 0 is centered at ½
+  return {static_cast<int>(texel), positionPx - (texel + 0.5f)};
 }
 
 glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
   return a + fraction * (b - a);
 }
 
-glm::vec3 storedColor(const Inputs& inputs, int x, int y) {
-  return glm::vec3(inputs.historyColor.texel(x, y));
+glm::vec3 bilinear(const Inputs& inputs, const Place& x, const Place& y) {
+  const auto stored = [&inputs](int column, int row) {
+    const glm::ivec2 texel = clampedToPicture({column, row}, inputs);
+    return glm::vec3(inputs.historyColor.texel(texel.x, texel.y));
+  };
+  const glm::vec3 upper = lerp(stored(x.texel, y.texel), stored(x.texel + 1, y.texel), x.fraction);
+  const glm::vec3 lower = lerp(stored(x.texel, y.texel + 1), stored(x.texel + 1, y.texel + 1), x.fraction);
+  return lerp(upper, lower, y.fraction);
 }
 
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4).
 glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, Switch dering) {
-  const glm::vec2 center(std::floor(position.x - 0.5f) + 0.5f, std::floor(position.y - 0.5f) + 0.5f);
-  const std::array<float, 4> wx = catmullRomWeights(position.x - center.x);
-  const std::array<float, 4> wy = catmullRomWeights(position.y - center.y);
+  const Place x = placeAt(position.x);
+  const Place y = placeAt(position.y);
+  const std::array<float, 4> wx = catmullRomWeights(x.fraction);
+  const std::array<float, 4> wy = catmullRomWeights(y.fraction);
   const float middleX = wx[1] + wx[2];
   const float middleY = wy[1] + wy[2];
-  const float x12 = center.x + wx[2] / middleX;
-  const float y12 = center.y + wy[2] / middleY;
+  const Place x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
+  const Place y12{y.texel, wy[2] / middleY};
   struct Tap {
-    glm::vec2 position;
+    Place x, y;
     float weight;
   };
   constexpr std::size_t kMiddle = 2;
-  const std::array<Tap, 5> taps{{{{x12, center.y - 1.0f}, middleX * wy[0]},
-                                 {{center.x - 1.0f, y12}, wx[0] * middleY},
-                                 {{x12, y12}, middleX * middleY},
-                                 {{center.x + 2.0f, y12}, wx[3] * middleY},
-                                 {{x12, center.y + 2.0f}, middleX * wy[3]}}};
+  const std::array<Tap, 5> taps{{{x12, {y.texel - 1, 0.0f}, middleX * wy[0]},
+                                 {{x.texel - 1, 0.0f}, y12, wx[0] * middleY},
+                                 {x12, y12, middleX * middleY},
+                                 {{x.texel + 2, 0.0f}, y12, wx[3] * middleY},
+                                 {x12, {y.texel + 2, 0.0f}, middleX * wy[3]}}};
   std::array<glm::vec3, 5> colors;
-  for (std::size_t i = 0; i < 5; ++i) colors[i] = sanitized(bilinearHistory(inputs, taps[i].position));
+  for (std::size_t i = 0; i < 5; ++i) colors[i] = sanitized(bilinear(inputs, taps[i].x, taps[i].y));
 
   const glm::vec3& c = colors[kMiddle];
   float sum = 0.0f;
@@ -82,13 +83,7 @@ std::array<float, 4> catmullRomWeights(float f) {
 }
 
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx) {
-  const Span x = span(positionPx.x, inputs.width());
-  const Span y = span(positionPx.y, inputs.height());
-  const glm::vec3 upper =
-      lerp(storedColor(inputs, x.first, y.first), storedColor(inputs, x.second, y.first), x.fraction);
-  const glm::vec3 lower =
-      lerp(storedColor(inputs, x.first, y.second), storedColor(inputs, x.second, y.second), x.fraction);
-  return lerp(upper, lower, y.fraction);
+  return bilinear(inputs, placeAt(positionPx.x), placeAt(positionPx.y));
 }
 
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
