@@ -4,8 +4,11 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace taa {
@@ -19,13 +22,15 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
 }
 
-/// Whether a box lies wholly outside one of the planes of the view. `marginPx` covers jitter and the width of
-/// points and lines.
-bool isOutside(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx) {
-  if (box.isEmpty()) return false;
+/// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
+/// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
+/// width of points and lines.
+std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx) {
+  if (box.isEmpty()) return std::numeric_limits<float>::max();
   constexpr float marginPx = 3.0f;
   const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
   std::array<int, 5> outside{};
+  float farthest = std::numeric_limits<float>::lowest();
   for (int corner = 0; corner < 8; ++corner) {
     const glm::vec4 clip =
         clipFromModel * glm::vec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
@@ -35,10 +40,10 @@ bool isOutside(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 size
     outside[2] += clip.y > limit.y * clip.w;
     outside[3] += clip.y < -limit.y * clip.w;
     outside[4] += clip.z > clip.w; // before the near plane, which has depth 1
+    farthest = std::max(farthest, clip.w - clip.z);
   }
-  for (const int count : outside)
-    if (count == 8) return true;
-  return false;
+  if (std::ranges::find(outside, 8) != outside.end()) return std::nullopt;
+  return farthest;
 }
 
 } // namespace
@@ -58,7 +63,6 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
   const std::size_t alignment = gl::uniformAlignment();
   drawStride_ = (sizeof(shared::DrawBlock) + alignment - 1) / alignment * alignment;
   staging_.resize(drawStride_ * items_.size());
-  visible_.resize(items_.size());
   mirrored_.resize(items_.size());
   if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
 }
@@ -89,6 +93,7 @@ void GBufferPass::reloadShaders() {
 }
 
 void GBufferPass::prepare(const Scene& scene, const View& view) {
+  visible_.clear();
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
     const auto node = static_cast<std::size_t>(item.node);
@@ -106,9 +111,13 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     block.normalFromModel = normalMatrix(glm::mat3(world), sign);
     block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
-    visible_[index] =
-        !primitive.indices.empty() && !isOutside(primitive.bounds, block.clipFromModel, view.block.sizePx);
+    if (primitive.indices.empty()) continue;
+    if (const auto distance = farthestPoint(primitive.bounds, block.clipFromModel, view.block.sizePx))
+      visible_.push_back({items_[index].variant.masked, *distance, index});
   }
+  // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
+  // thing decides, so that walls and grounds come after what stands before them.
+  std::ranges::sort(visible_);
 }
 
 void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,
@@ -119,16 +128,14 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lights);
-  for (const auto& [variant, program] : programs_) { // few changes of program
-    pass.program(program);
-    for (std::size_t index = 0; index < items_.size(); ++index) {
-      const Item& item = items_[index];
-      if (!visible_[index] || item.variant != variant) continue;
-      pass.uniformBlock(4, drawBlocks_, index * drawStride_, sizeof(shared::DrawBlock));
-      resources.bindMaterial(pass, item.material);
-      pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided, mirrored_[index]);
-      pass.draw(resources.mesh(item.mesh, item.primitive));
-    }
+  for (const Visible& visible : visible_) {
+    const Item& item = items_[visible.item];
+    pass.program(programs_.at(item.variant));
+    pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));
+    resources.bindMaterial(pass, item.material);
+    pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
+                 mirrored_[visible.item]);
+    pass.draw(resources.mesh(item.mesh, item.primitive));
   }
 }
 

@@ -38,7 +38,14 @@ class GBufferPass {
   };
   static Variant variantFor(const Primitive& primitive, const Scene& scene);
   gl::Program compile(const Variant& variant) const;
-  /// Fills the blocks of all items; true in `visible_` for those that may be seen.
+  /// An item that may be seen; drawn in their order, front to back.
+  struct Visible {
+    bool masked = false;
+    float distance = 0.0f; ///< of its far end
+    std::size_t item = 0;
+    auto operator<=>(const Visible&) const = default;
+  };
+  /// Fills the blocks of all items, and `visible_`.
   void prepare(const Scene& scene, const View& view);
 
   LightCounts lights_;
@@ -47,7 +54,8 @@ class GBufferPass {
   gl::Buffer drawBlocks_;
   std::size_t drawStride_ = 0; ///< bytes
   std::vector<std::byte> staging_;
-  std::vector<bool> visible_, mirrored_;
+  std::vector<bool> mirrored_;
+  std::vector<Visible> visible_;
 };
 
 } // namespace taa

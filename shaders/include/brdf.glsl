@@ -8,6 +8,8 @@ struct Surface {
   vec3 diffuse;    // albedo of the diffuse part
   vec3 specular;   // reflectance at normal incidence
   float roughness; // perceptual, 0…1
+  float alpha;     // of GGX: roughness²
+  float alpha2;
   vec3 normal;
   vec3 toCamera;
   float cosCamera; // normal · toCamera, at least a little above 0
@@ -18,30 +20,46 @@ Surface makeSurface(vec3 baseColor, float metallic, float roughness, vec3 normal
   surface.diffuse = baseColor * (1.0 - metallic);
   surface.specular = mix(vec3(0.04), baseColor, metallic);
   surface.roughness = clamp(roughness, 0.089, 1.0); // below it highlights of a point-like light leave 16 bits
+  surface.alpha = surface.roughness * surface.roughness;
+  surface.alpha2 = surface.alpha * surface.alpha;
   surface.normal = normal;
   surface.toCamera = toCamera;
   surface.cosCamera = clamp(dot(normal, toCamera), 1e-3, 1.0);
   return surface;
 }
 
-/// Radiance towards the camera for irradiance 1 on a plane facing the light, cosine included.
-vec3 reflectedFrom(Surface surface, vec3 toLight) {
+/// Sums over lights, from which radiance is made once: Schlick's f0 + (1 − f0)·g is split into f0·(1 − g) and g.
+struct Reflection {
+  vec3 diffuse;  // irradiance
+  vec3 facing;   // irradiance · lobe · (1 − g)
+  vec3 grazing;  // irradiance · lobe · g
+};
+
+/// Adds a light of `irradiance` on a plane that faces it.
+void addLight(inout Reflection sum, Surface surface, vec3 irradiance, vec3 toLight) {
   float cosCamera = surface.cosCamera;
-  float cosLight = clamp(dot(surface.normal, toLight), 0.0, 1.0);
+  float cosLight = max(dot(surface.normal, toLight), 0.0);
   // Angles of the half vector h = (l + v) / |l + v| without making it: |l + v|² = 2 + 2 l·v.
   float cosBetween = dot(toLight, surface.toCamera);
   float inverseLength = inversesqrt(max(2.0 + 2.0 * cosBetween, 1e-6));
-  float cosHalf = min((cosLight + cosCamera) * inverseLength, 1.0);
-  float grazing = 1.0 - min((1.0 + cosBetween) * inverseLength, 1.0);
+  float cosHalf = (cosLight + cosCamera) * inverseLength;
+  float rest = 1.0 - (1.0 + cosBetween) * inverseLength;
+  float rest2 = rest * rest;
+  float grazing = rest2 * rest2 * rest;
 
-  float alpha = surface.roughness * surface.roughness;
-  float alpha2 = alpha * alpha;
-  float spread = (cosHalf * alpha2 - cosHalf) * cosHalf + 1.0;
-  float shadowing = mix(2.0 * cosLight * cosCamera, cosLight + cosCamera, alpha);
-  float lobe = 0.5 * alpha2 / (kPi * spread * spread * shadowing);
-  float grazing2 = grazing * grazing;
-  vec3 fresnel = surface.specular + (1.0 - surface.specular) * (grazing2 * grazing2 * grazing);
-  return ((1.0 - fresnel) * surface.diffuse * (1.0 / kPi) + fresnel * lobe) * cosLight;
+  float spread = 1.0 + (surface.alpha2 - 1.0) * min(cosHalf * cosHalf, 1.0);
+  float shadowing = mix(2.0 * cosLight * cosCamera, cosLight + cosCamera, surface.alpha);
+  float lobe = 0.5 * surface.alpha2 / (spread * spread * shadowing);
+  irradiance *= cosLight;
+  sum.diffuse += irradiance;
+  irradiance *= lobe;
+  sum.grazing += irradiance * grazing;
+  sum.facing += irradiance - irradiance * grazing;
+}
+
+/// Radiance towards the camera.
+vec3 reflectedRadiance(Reflection sum, Surface surface) {
+  return (surface.diffuse * sum.diffuse + surface.specular * sum.facing + sum.grazing) * (1.0 / kPi);
 }
 
 /// Share of a uniform environment that the specular part reflects: the analytic fit of Karis, "Physically

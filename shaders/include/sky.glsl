@@ -7,8 +7,9 @@ vec3 skyGradient(float height, float blur) {
   float up = clamp(height, 0.0, 1.0);
   float rest = 1.0 - up;
   vec3 sky = mix(frame.skyZenith.rgb, frame.skyHorizon.rgb, rest * rest * rest);
-  float width = 0.03 + 0.97 * blur;
-  return mix(frame.skyGround.rgb, sky, smoothstep(-width, width, height));
+  // Sharp from above: what stands before the horizon does not float on a band of ground color.
+  float width = 0.02 + 0.98 * blur;
+  return mix(frame.skyGround.rgb, sky, smoothstep(-width, width * blur, height));
 }
 
 /// Irradiance / π on a surface that faces `normal`: a hemisphere of sky above one of ground.
@@ -22,6 +23,8 @@ vec3 skyRadiance(vec3 direction) {
   vec3 radiance = skyGradient(direction.y, 0.0);
   float cosine = dot(direction, frame.sunDirection.xyz);
   float disk = frame.sunDirection.w * smoothstep(0.99985, 0.99993, cosine);
-  float glow = frame.sunDirection.w * pow(clamp(cosine, 0.0, 1.0), 64.0);
+  float glow = max(cosine, 0.0);
+  for (int square = 0; square < 6; ++square) glow *= glow; // to the 64th
+  glow *= frame.sunDirection.w;
   return radiance + frame.sunColor.rgb * (40.0 * disk + 0.12 * glow);
 }

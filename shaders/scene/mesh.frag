@@ -66,15 +66,15 @@ vec3 nearLight(int index, out vec3 toLight) {
 
 /// Radiance of all punctual lights, directional ones first.
 vec3 lightRadiance(Surface surface) {
-  vec3 radiance = vec3(0.0);
+  Reflection sum = Reflection(vec3(0.0), vec3(0.0), vec3(0.0));
   for (int index = 0; index < kDirectionalLights; ++index)
-    radiance += lighting.lightColor[index].rgb * reflectedFrom(surface, -lighting.lightDirection[index].xyz);
+    addLight(sum, surface, lighting.lightColor[index].rgb, -lighting.lightDirection[index].xyz);
   for (int index = kDirectionalLights; index < kDirectionalLights + kNearLights; ++index) {
     vec3 toLight;
     vec3 irradiance = nearLight(index, toLight);
-    radiance += irradiance * reflectedFrom(surface, toLight);
+    addLight(sum, surface, irradiance, toLight);
   }
-  return radiance;
+  return reflectedRadiance(sum, surface);
 }
 
 vec3 litColor(vec3 baseColor, vec3 normal) {
