@@ -145,6 +145,7 @@ reference::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool 
   maker.surfaces(made);
   maker.history(made);
   if (wild) maker.makeWild(made);
+  quantize(made.color, colorFormat(shape.inputs));
   quantize(made.motion, motionFormat(shape.inputs));
   made.jitterPx = glm::vec2(maker.uniform(-0.5f, 0.5f), maker.uniform(-0.5f, 0.5f));
   return made;

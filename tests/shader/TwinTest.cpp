@@ -1,0 +1,69 @@
+// The resolve in GLSL against its CPU twin: every intermediate of whole frames, bit for bit on llvmpipe.
+#include "tests/support/CompareImages.h"
+#include "tests/support/ResolveTest.h"
+#include "tests/support/Variants.h"
+
+using taa::test::FrameShape;
+using taa::test::Variant;
+
+namespace {
+
+std::vector<taa::Image> twinImages(const taa::reference::Inputs& inputs, const taa::Settings& settings) {
+  std::vector<taa::Image> images;
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    images.emplace_back(inputs.width(), inputs.height(), row.channels);
+  for (int y = 0; y < inputs.height(); ++y)
+    for (int x = 0; x < inputs.width(); ++x) {
+      const taa::reference::PixelRecord record = taa::reference::resolvePixel(inputs, settings, x, y);
+      for (std::size_t row = 0; row < images.size(); ++row)
+        for (int channel = 0; channel < images[row].channels; ++channel)
+          images[row].at(x, y)[channel] = record[row][channel];
+    }
+  return images;
+}
+
+} // namespace
+
+class TwinTest : public taa::test::ResolveTest {
+ protected:
+  // Random frames hold many pixels within rounding of a threshold, where a GPU may decide the other way and
+  // everything after it differs: there, one pixel in a hundred may.
+  static void expectTwin(const taa::reference::Inputs& frame, const FrameShape& shape, const Variant& variant,
+                         const std::string& what) {
+    const taa::test::Exposed exposed = expose(frame, shape, variant.settings);
+    const std::vector<taa::Image> twin = twinImages(frame, variant.settings);
+    for (const taa::Intermediate& row : taa::kIntermediates) {
+      const taa::Image& expected = twin[static_cast<std::size_t>(row.id)];
+      const float tolerance = isExact() ? 0.0f : row.tolerance;
+      const std::size_t allowed = isExact() ? 0 : expected.pixels.size() / 100;
+      const std::string differs = taa::test::difference(exposed.at(row.id), expected, tolerance, allowed);
+      EXPECT_EQ(differs, "") << row.name << " of " << what << " with " << variant.name;
+      // Everything after the first difference follows from it.
+      if (!differs.empty()) return;
+    }
+  }
+
+  static void expectTwin(const Variant& variant, std::uint32_t seed) {
+    FrameShape shape;
+    shape.inputs = seed % 2 ? taa::Precision::Half : taa::Precision::Full;
+    shape.history = variant.settings.history.precision;
+    expectTwin(taa::test::randomFrame(shape, seed, false), shape, variant, "a random frame");
+    expectTwin(taa::test::randomFrame(shape, seed + 1000, true), shape, variant, "a wild frame");
+    taa::reference::Inputs first = taa::test::randomFrame(shape, seed + 2000, true);
+    first.historyColor = {};
+    first.historySurface = {};
+    expectTwin(first, shape, variant, "a first frame");
+  }
+};
+
+TEST_F(TwinTest, AgreesWithEachChoiceAlone) {
+  std::uint32_t seed = 1;
+  for (const Variant& variant : taa::test::presetsAndChoices()) expectTwin(variant, seed++);
+}
+
+TEST_F(TwinTest, AgreesWithRandomCombinations) {
+  for (std::uint32_t seed = 100; seed < 164; ++seed) {
+    const taa::Settings settings = taa::test::randomSettings(seed);
+    expectTwin({taa::test::flags(settings), settings}, seed);
+  }
+}

@@ -1,0 +1,32 @@
+// Settings to run a test over, made from the parameter table so that a new choice is tested without being
+// listed.
+#pragma once
+
+#include "core/settings/Settings.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace taa::test {
+
+struct Variant {
+  std::string name; ///< a preset, or the flags that make these settings from the defaults
+  Settings settings;
+};
+
+/// The flags "--set path=value …" that turn the defaults into `settings`; "defaults" when there is nothing to
+/// turn.
+std::string flags(const Settings& settings);
+
+/// The defaults, then every other choice of the resolve alone against the defaults, then each number of its
+/// own at the ends of its range.
+std::vector<Variant> eachChoice();
+
+/// The built-in presets, then eachChoice().
+std::vector<Variant> presetsAndChoices();
+
+/// All choices and numbers of the resolve drawn at random.
+Settings randomSettings(std::uint32_t seed);
+
+} // namespace taa::test
