@@ -1,0 +1,98 @@
+// Real frames: every intermediate of every pixel is what the CPU twin says, with every preset.
+#include "tests/support/CompareImages.h"
+#include "tests/support/Frames.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/ResolveTest.h"
+
+#include "core/scene/SceneSource.h"
+#include "core/settings/Presets.h"
+
+#include <vector>
+
+namespace taa {
+namespace {
+
+class TwinOnScenesTest : public test::GlTest, public testing::WithParamInterface<const char*> {};
+
+constexpr int kWidth = 192;
+constexpr int kHeight = 108;
+
+TEST_P(TwinOnScenesTest, AgreesOnWholeFramesWithEveryPreset) {
+  const std::string source = std::string("builtin:") + GetParam();
+  const std::string camera = openScene(source).shot.camera;
+  TaaPass pass;
+  for (const Preset& preset : builtinPresets()) {
+    test::Player player(source, camera, kWidth, kHeight, preset.settings);
+    Exposure exposure(test::allIntermediates(), {0, 0, kWidth, kHeight});
+    for (int frame = 0; frame < 12; ++frame) {
+      player.step(pass, &exposure);
+      if (frame != 0 && frame != 1 && frame != 11) continue; // no history, the least, a usual one
+      std::vector<Image> pictures;
+      for (const IntermediateId id : test::allIntermediates()) pictures.push_back(exposure.image(id));
+      EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()),
+                                         preset.settings, pictures, isExact()),
+                "")
+          << source << ", " << preset.id << ", frame " << frame;
+    }
+  }
+}
+
+TEST_P(TwinOnScenesTest, ShowsOnePixelAsItShowsTheWholePicture) {
+  const std::string source = std::string("builtin:") + GetParam();
+  TaaPass pass;
+  const Settings settings = preset("balanced").settings;
+  test::Player player(source, openScene(source).shot.camera, kWidth, kHeight, settings);
+  Exposure whole(test::allIntermediates(), {0, 0, kWidth, kHeight});
+  for (int frame = 0; frame < 6; ++frame) player.step(pass, &whole);
+  for (const gl::Rect& region :
+       {gl::Rect{0, 0, 1, 1}, gl::Rect{97, 41, 1, 1}, gl::Rect{kWidth - 9, kHeight - 9, 9, 9}}) {
+    Exposure some(test::allIntermediates(), region);
+    pass.expose(player.inputs(), player.previous(), settings, some);
+    for (const IntermediateId id : test::allIntermediates()) {
+      const Image all = whole.image(id);
+      const Image part = some.image(id);
+      ASSERT_EQ(part.width, region.width);
+      for (int y = 0; y < part.height; ++y) {
+        for (int x = 0; x < part.width; ++x) {
+          EXPECT_EQ(part.texel(x, y), all.texel(region.x + x, region.y + y)) << intermediate(id).name;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
+  const std::string source = std::string("builtin:") + GetParam();
+  const std::string camera = openScene(source).shot.camera;
+  constexpr int kSmallWidth = 80;
+  constexpr int kSmallHeight = 45;
+  TaaPass pass;
+  for (const Preset& preset : builtinPresets()) {
+    test::Player player(source, camera, kSmallWidth, kSmallHeight, preset.settings);
+    test::Accumulator blind;
+    test::Accumulator glancing;
+    test::Accumulator staring;
+    const gl::Rect all{0, 0, kSmallWidth, kSmallHeight};
+    Exposure one({IntermediateId::alpha}, all);
+    Exposure everything(test::allIntermediates(), all);
+    for (int frame = 0; frame < 32; ++frame) {
+      player.draw();
+      blind.resolve(pass, player.inputs(), preset.settings);
+      glancing.resolve(pass, player.inputs(), preset.settings, &one);
+      staring.resolve(pass, player.inputs(), preset.settings, &everything);
+      const Image color = blind.history().color.download();
+      const Image surface = blind.history().surface.download();
+      for (const test::Accumulator* looked : {&glancing, &staring}) {
+        ASSERT_EQ(test::difference(color, looked->history().color.download()), "")
+            << preset.id << " " << frame;
+        ASSERT_EQ(test::difference(surface, looked->history().surface.download()), "")
+            << preset.id << " " << frame;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TwinOnScenesTest, testing::Values("fan", "fence"));
+
+} // namespace
+} // namespace taa
