@@ -92,8 +92,10 @@ Context::Context() : handles_(std::make_unique<Handles>()) {
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDisable(GL_DITHER);
   glEnable(GL_DEBUG_OUTPUT);
-  const auto report = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
-                         const void* user) {
+  const auto report = [](GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length,
+                         const GLchar* message, const void* user) {
+    // What the compiler says is in the Error of the program that does not compile.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     if (severity != GL_DEBUG_SEVERITY_HIGH && type != GL_DEBUG_TYPE_ERROR) return;
     auto* handles = static_cast<Handles*>(const_cast<void*>(user));
     const std::lock_guard lock(handles->mutex);

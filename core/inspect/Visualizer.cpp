@@ -48,7 +48,7 @@ std::string prelude(const Variant& variant) {
 
 gl::Program compile(const Variant& variant) {
   const auto index = static_cast<std::size_t>(variant.visual);
-  return {gl::ShaderSource("inspect/fullscreen.vert"),
+  return {gl::ShaderSource("include/fullscreen.vert"),
           gl::ShaderSource("inspect/visualize.frag", prelude(variant)),
           "Visualizer " + std::string(kVisuals[index])};
 }

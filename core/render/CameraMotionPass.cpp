@@ -7,7 +7,7 @@ CameraMotionPass::CameraMotionPass() : nearest_(gl::SamplerState{}) {
 }
 
 void CameraMotionPass::reloadShaders() {
-  program_ = gl::Program(gl::ShaderSource("scene/fullscreen.vert"),
+  program_ = gl::Program(gl::ShaderSource("include/fullscreen.vert"),
                          gl::ShaderSource("scene/camera_motion.frag"), "CameraMotionPass");
 }
 

@@ -8,7 +8,7 @@ SkyPass::SkyPass() {
 
 void SkyPass::reloadShaders() {
   program_ =
-      gl::Program(gl::ShaderSource("scene/fullscreen.vert"), gl::ShaderSource("scene/sky.frag"), "SkyPass");
+      gl::Program(gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/sky.frag"), "SkyPass");
 }
 
 void SkyPass::draw(const gl::Buffer& frame, const gl::Framebuffer& target) const {

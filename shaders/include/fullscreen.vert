@@ -1,4 +1,5 @@
-// One triangle that covers the whole target; drawn by RenderPass::drawFullscreen, without attributes.
+// One triangle that covers the whole target, at depth 0: behind everything where depth is reversed. Drawn by
+// RenderPass::drawFullscreen, without attributes.
 
 void main() {
   vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID >> 1) * 4 - 1);

@@ -86,7 +86,7 @@ class VisualizerTest : public taa::test::GlTest {
 } // namespace
 
 TEST_F(VisualizerTest, SharesItsBlockWithTheShader) {
-  const taa::gl::Program program(taa::gl::ShaderSource("inspect/fullscreen.vert"),
+  const taa::gl::Program program(taa::gl::ShaderSource("include/fullscreen.vert"),
                                  taa::gl::ShaderSource("inspect/visualize.frag", kPrelude), "test");
   using taa::shared::ViewBlock;
   const std::vector<std::pair<std::string, std::size_t>> expected = {

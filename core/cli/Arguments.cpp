@@ -1,0 +1,104 @@
+#include "core/cli/Arguments.h"
+
+#include "core/base/Error.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace taa::cli {
+
+namespace {
+
+constexpr std::size_t kMaxLanes = 4;
+
+std::optional<int> parseCount(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
+  return value;
+}
+
+/// Two numbers from 0 with `separator` between them.
+std::optional<glm::ivec2> parsePair(const std::string& text, std::string_view separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  const std::optional<int> first = parseCount(std::string_view(text).substr(0, at));
+  const std::optional<int> second = parseCount(std::string_view(text).substr(at + separator.size()));
+  if (!first || !second) return std::nullopt;
+  return glm::ivec2(*first, *second);
+}
+
+Settings presetSettings(const std::string& name) {
+  // A name that is wrong is the caller's mistake; a file that cannot be read is the world's.
+  if (name.ends_with(".json")) return preset(name).settings;
+  try {
+    return preset(name).settings;
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
+}
+
+} // namespace
+
+FrameRange parseFrames(const std::string& text) {
+  const std::optional<int> one = parseCount(text);
+  const std::optional<glm::ivec2> pair = one ? glm::ivec2(*one) : parsePair(text, "..");
+  if (!pair) throw UsageError("--frames " + text + ": expected A..B, for example 0..31, or one frame");
+  if (pair->y < pair->x) throw UsageError("--frames " + text + ": the last frame is before the first");
+  return {pair->x, pair->y};
+}
+
+glm::ivec2 parseSize(const std::string& text) {
+  const std::optional<glm::ivec2> size = parsePair(text, "x");
+  if (!size || size->x == 0 || size->y == 0)
+    throw UsageError("--size " + text + ": expected WIDTHxHEIGHT in pixels, for example 1280x720");
+  return *size;
+}
+
+glm::ivec2 parsePixel(const std::string& text) {
+  const std::optional<glm::ivec2> pixel = parsePair(text, ",");
+  if (!pixel)
+    throw UsageError("--pixel " + text + ": expected X,Y, for example 412,207; 0,0 is the top left");
+  return *pixel;
+}
+
+std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
+  std::vector<IntermediateId> ids;
+  for (const std::string& name : names) {
+    if (name == "all") {
+      ids.clear();
+      for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
+      return ids;
+    }
+    try {
+      const IntermediateId id = intermediateNamed(name);
+      if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
+    } catch (const Error& error) {
+      throw UsageError(std::string("--emit: ") + error.what());
+    }
+  }
+  return ids;
+}
+
+std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
+  if (arguments.lanes.size() > kMaxLanes)
+    throw UsageError("--lane was given " + std::to_string(arguments.lanes.size()) + " times; there are " +
+                     std::to_string(kMaxLanes) + " lanes at most");
+  std::vector<LaneChoice> lanes;
+  for (const std::string& name : arguments.lanes)
+    lanes.push_back({std::string(1, static_cast<char>('A' + lanes.size())), name, presetSettings(name)});
+  if (lanes.empty()) lanes.push_back({"", arguments.preset, presetSettings(arguments.preset)});
+  if (lanes.size() == 1) lanes[0].name.clear();
+  for (LaneChoice& lane : lanes)
+    for (const std::string& assignment : arguments.assignments) try {
+        applyAssignment(lane.settings, assignment);
+      } catch (const Error& error) {
+        throw UsageError(std::string("--set: ") + error.what());
+      }
+  return lanes;
+}
+
+} // namespace taa::cli

@@ -1,0 +1,70 @@
+// What the commands of taa-batch are asked for, and reading it from text.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <glm/vec2.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace taa::cli {
+
+/// The caller's mistake on the command line, told in a sentence; ends the program with 2.
+class UsageError : public std::runtime_error {
+ public:
+  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What to look at and with which settings: shared by render and probe.
+struct ShotArguments {
+  std::string source; ///< a glTF file or "builtin:NAME"
+  std::string camera; ///< empty: the scene's own
+  std::string size = "1280x720";
+  std::string preset = "balanced";
+  std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
+  std::vector<std::string> assignments; ///< "path=value", applied to every lane
+};
+
+struct ListArguments {
+  std::string what; ///< "intermediates", "parameters", "presets" or "scenes"
+  bool json = false;
+};
+
+struct RenderArguments {
+  ShotArguments shot;
+  std::string frames, folder;
+  std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
+  std::string format = "exr";
+  bool json = false;
+};
+
+struct ProbeArguments {
+  ShotArguments shot;
+  std::string pixel;
+  int frame = 0;
+  bool json = false;
+};
+
+/// First and last frame, both included.
+struct FrameRange {
+  int first = 0, last = 0;
+  int count() const { return last - first + 1; }
+};
+
+struct LaneChoice {
+  std::string name; ///< "A" to "D"; empty when it is the only one
+  std::string preset;
+  Settings settings;
+};
+
+// Each throws UsageError that says what is expected.
+FrameRange parseFrames(const std::string& text); ///< "A..B", or one frame
+glm::ivec2 parseSize(const std::string& text);   ///< "WxH"
+glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
+std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
+std::vector<LaneChoice> lanesOf(const ShotArguments& arguments); ///< also Error: a preset file
+
+} // namespace taa::cli

@@ -1,0 +1,20 @@
+// The commands of taa-batch. Results go to `out`, nothing else does; mistakes are thrown.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/cli/Arguments.h"
+
+#include <iosfwd>
+
+namespace taa::cli {
+
+/// What there is: intermediates, parameters, presets or built-in scenes.
+void runList(const ListArguments& arguments, std::ostream& out);
+
+/// Writes the intermediates of a range of frames; prints the files. Throws UsageError, Error, Cancelled.
+void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress);
+
+/// Prints every intermediate at one pixel of one frame. Throws UsageError, Error, Cancelled.
+void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress);
+
+} // namespace taa::cli

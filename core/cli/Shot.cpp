@@ -1,0 +1,50 @@
+#include "core/cli/Shot.h"
+
+#include "core/base/Error.h"
+#include "core/io/FrameJson.h"
+
+#include <iostream>
+
+namespace taa::cli {
+
+using nlohmann::ordered_json;
+
+ShotPlan planShot(const ShotArguments& arguments) {
+  return {parseSize(arguments.size), lanesOf(arguments)};
+}
+
+void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
+              const Progress& progress) {
+  std::vector<Settings> settings;
+  for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
+  inspector.setLanes(settings);
+  inspector.setSize(plan.size.x, plan.size.y);
+  inspector.open(arguments.source, progress);
+  if (!arguments.camera.empty()) inspector.setCamera(arguments.camera);
+  for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
+}
+
+void requireFrame(const Inspector& inspector, int frame) {
+  const int last = inspector.frameCount() - 1;
+  if (frame > last)
+    throw Error("there is no frame " + std::to_string(frame) + ": " + inspector.source() +
+                " has frames 0 to " + std::to_string(last));
+}
+
+ordered_json shotJson(const Inspector& inspector) {
+  return {{"source", inspector.source()},
+          {"camera", inspector.camera()},
+          {"driver", inspector.driver().renderer + ", " + inspector.driver().version},
+          {"size", {inspector.width(), inspector.height()}}};
+}
+
+ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane) {
+  const FrameInfo info = inspector.info(lane);
+  return {{"name", choice.name},
+          {"preset", choice.preset},
+          {"settings", toJson(choice.settings)},
+          {"jitterIndex", info.jitterIndex},
+          {"jitterPx", {floatJson(info.jitterPx.x), floatJson(info.jitterPx.y)}}};
+}
+
+} // namespace taa::cli

@@ -1,0 +1,31 @@
+// Opens an Inspector on what the command line asks for.
+#pragma once
+
+#include "core/Inspector.h"
+#include "core/cli/Arguments.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace taa::cli {
+
+/// Everything about `arguments` that can be wrong before a scene is opened, read once.
+struct ShotPlan {
+  glm::ivec2 size;
+  std::vector<LaneChoice> lanes;
+};
+ShotPlan planShot(const ShotArguments& arguments);
+
+/// Opens source, camera, size and lanes; the scene's warnings go to stderr. Throws Error, Cancelled.
+void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
+              const Progress& progress);
+
+/// Throws Error that names the frames there are.
+void requireFrame(const Inspector& inspector, int frame);
+
+/// What was rendered, on which driver: {"source", "camera", "driver", "size"}.
+nlohmann::ordered_json shotJson(const Inspector& inspector);
+
+/// A lane's name, preset, settings and where in the jitter pattern its frame lies.
+nlohmann::ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane);
+
+} // namespace taa::cli

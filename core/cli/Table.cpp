@@ -1,0 +1,36 @@
+#include "core/cli/Table.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace taa::cli {
+
+namespace {
+
+/// Columns that UTF-8 text takes: one for each code point (no wide or combining ones in our tables).
+std::size_t columns(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
+void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& rows,
+                const std::string& indent) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t column = 0; column < row.size(); ++column)
+      widths[column] = std::max(widths[column], columns(row[column]));
+  }
+  for (const std::vector<std::string>& row : rows) {
+    out << indent;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      out << row[column];
+      if (column + 1 < row.size()) out << std::string(widths[column] - columns(row[column]) + 2, ' ');
+    }
+    out << '\n';
+  }
+}
+
+} // namespace taa::cli

@@ -1,0 +1,15 @@
+// Text in columns for people.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace taa::cli {
+
+/// Prints `rows` with columns as wide as their longest entry, two spaces apart, each line after `indent`.
+/// The last column is not padded.
+void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& rows,
+                const std::string& indent = "");
+
+} // namespace taa::cli

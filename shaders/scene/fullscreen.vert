@@ -1,5 +1,0 @@
-// One triangle over the whole target, at depth 0: behind everything where depth is reversed.
-void main() {
-  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
-}

@@ -1,0 +1,108 @@
+// Structs that C++ writes and GLSL reads: the same members at the same offsets on either side.
+#include "core/gl/Program.h"
+#include "core/settings/Parameters.h"
+#include "shaders/shared/DrawBlock.h"
+#include "shaders/shared/FrameBlock.h"
+#include "shaders/shared/LightBlock.h"
+#include "shaders/shared/MaterialBlock.h"
+#include "shaders/shared/ResolveBlock.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/ShaderFolder.h"
+
+#include <cstddef>
+#include <cstring>
+#include <map>
+
+using Offsets = std::map<std::string, int>;
+
+namespace {
+
+// A program that includes `header` and reads `value`, so that the block is there.
+Offsets offsetsInGlsl(const std::string& header, const std::string& block, const std::string& value,
+                      const std::string& prelude = {}) {
+  const taa::test::ShaderFolder folder;
+  folder.write("test.frag", (header.empty() ? "" : "#include \"" + header + "\"\n") +
+                                "out vec4 o_color;\nvoid main() { o_color = vec4(" + value + "); }\n");
+  const taa::gl::Program program(taa::gl::ShaderSource("include/fullscreen.vert"),
+                                 taa::gl::ShaderSource("test.frag", prelude), "blocks");
+  const auto offsets = program.blockOffsets(block);
+  return {offsets.begin(), offsets.end()};
+}
+
+} // namespace
+
+#define MEMBER(Block, member)                                                                                \
+  { #member, static_cast < int>(offsetof(Block, member)) }
+
+using SharedBlocksTest = taa::test::GlTest;
+
+TEST_F(SharedBlocksTest, ResolveBlockIsTheSameOnEitherSide) {
+  using taa::shared::ResolveBlock;
+  const Offsets expected{
+      MEMBER(ResolveBlock, sizePx),          MEMBER(ResolveBlock, jitterPx),
+      MEMBER(ResolveBlock, depthTerms),      MEMBER(ResolveBlock, currentWeights0),
+      MEMBER(ResolveBlock, currentWeights1), MEMBER(ResolveBlock, currentWeights2),
+      MEMBER(ResolveBlock, state),
+  };
+  EXPECT_EQ(offsetsInGlsl("shared/ResolveBlock.h", "ResolveBlock", "resolveBlock.depthTerms"), expected);
+}
+
+TEST_F(SharedBlocksTest, FrameBlockIsTheSameOnEitherSide) {
+  using taa::shared::FrameBlock;
+  const Offsets expected{
+      MEMBER(FrameBlock, clipFromWorld),
+      MEMBER(FrameBlock, jitteredClipFromWorld),
+      MEMBER(FrameBlock, worldFromJitteredClip),
+      MEMBER(FrameBlock, viewFromWorld),
+      MEMBER(FrameBlock, previousClipFromWorld),
+      MEMBER(FrameBlock, previousViewFromWorld),
+      MEMBER(FrameBlock, sizePx),
+      MEMBER(FrameBlock, jitterPx),
+      MEMBER(FrameBlock, cameraPosition),
+      MEMBER(FrameBlock, depthTerms),
+      MEMBER(FrameBlock, skyZenith),
+      MEMBER(FrameBlock, skyHorizon),
+      MEMBER(FrameBlock, skyGround),
+      MEMBER(FrameBlock, sunDirection),
+      MEMBER(FrameBlock, sunColor),
+      MEMBER(FrameBlock, storage),
+  };
+  EXPECT_EQ(offsetsInGlsl("shared/FrameBlock.h", "FrameBlock", "frame.sunColor"), expected);
+}
+
+// GLSL names the first element of an array.
+TEST_F(SharedBlocksTest, BlocksOfTheSceneAreTheSameOnEitherSide) {
+  using taa::shared::DrawBlock;
+  using taa::shared::LightBlock;
+  using taa::shared::MaterialBlock;
+  const Offsets draw{MEMBER(DrawBlock, worldFromModel),   MEMBER(DrawBlock, normalFromModel),
+                     MEMBER(DrawBlock, clipFromModel),    MEMBER(DrawBlock, previousClipFromModel),
+                     MEMBER(DrawBlock, previousDepthRow), MEMBER(DrawBlock, drawTerms)};
+  EXPECT_EQ(offsetsInGlsl("shared/DrawBlock.h", "DrawBlock", "draw.drawTerms"), draw);
+  const Offsets light{MEMBER(LightBlock, lightPosition[0]), MEMBER(LightBlock, lightDirection[0]),
+                      MEMBER(LightBlock, lightColor[0]), MEMBER(LightBlock, lightTerms[0])};
+  EXPECT_EQ(offsetsInGlsl("shared/LightBlock.h", "LightBlock", "lighting.lightColor[1]"), light);
+  const Offsets material{MEMBER(MaterialBlock, baseColor), MEMBER(MaterialBlock, emissive),
+                         MEMBER(MaterialBlock, surface), MEMBER(MaterialBlock, uvRows[0])};
+  EXPECT_EQ(offsetsInGlsl("shared/MaterialBlock.h", "MaterialBlock", "material.surface"), material);
+}
+
+TEST_F(SharedBlocksTest, SettingsBlockHoldsEachNumberWhereGlslReadsIt) {
+  taa::Settings settings;
+  settings.neighborhood.gamma = 1.5f;
+  settings.validate.depthTolerance = 0.25f;
+  settings.weight.alpha = 0.125f;
+  settings.weight.minimum = 0.0625f;
+  const Offsets offsets =
+      offsetsInGlsl("", "SettingsBlock", "settings.weightAlpha", taa::glslPrelude(settings));
+  const std::vector<std::byte> bytes = taa::settingsBlock(settings);
+  const auto read = [&](const std::string& member) {
+    float value = 0.0f;
+    std::memcpy(&value, bytes.data() + offsets.at(member), sizeof(value));
+    return value;
+  };
+  EXPECT_EQ(read("neighborhoodGamma"), 1.5f);
+  EXPECT_EQ(read("validateDepthTolerance"), 0.25f);
+  EXPECT_EQ(read("weightAlpha"), 0.125f);
+  EXPECT_EQ(read("weightMinimum"), 0.0625f);
+}

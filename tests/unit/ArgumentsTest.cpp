@@ -1,0 +1,53 @@
+// Reading the command line of taa-batch.
+#include "core/cli/Arguments.h"
+
+#include <gtest/gtest.h>
+
+using namespace taa::cli;
+
+TEST(Arguments, ReadARangeOfFrames) {
+  EXPECT_EQ(parseFrames("3..7").first, 3);
+  EXPECT_EQ(parseFrames("3..7").last, 7);
+  EXPECT_EQ(parseFrames("3..7").count(), 5);
+  EXPECT_EQ(parseFrames("12").first, 12);
+  EXPECT_EQ(parseFrames("12").last, 12);
+  EXPECT_EQ(parseFrames("0..0").count(), 1);
+  for (const char* text :
+       {"", "..", "1..", "..2", "-1", "1..-2", "1.5", "a..b", "1-2", "1..2..3", "99999999999"})
+    EXPECT_THROW(parseFrames(text), UsageError) << text;
+  EXPECT_THROW(parseFrames("2..1"), UsageError);
+}
+
+TEST(Arguments, ReadSizesAndPixels) {
+  EXPECT_EQ(parseSize("1920x1080"), glm::ivec2(1920, 1080));
+  EXPECT_EQ(parsePixel("0,719"), glm::ivec2(0, 719));
+  for (const char* text : {"", "x", "10", "0x10", "10x0", "10X10", "10x10x10", "-1x10", "10 x 10"})
+    EXPECT_THROW(parseSize(text), UsageError) << text;
+  for (const char* text : {"", ",", "10", "-1,0", "1,2,3", "1.5,2"})
+    EXPECT_THROW(parsePixel(text), UsageError) << text;
+}
+
+TEST(Arguments, EmitEachIntermediateOnce) {
+  using enum taa::IntermediateId;
+  EXPECT_EQ(parseEmit({"resolved", "color", "resolved"}), (std::vector{resolved, color}));
+  EXPECT_EQ(parseEmit({"color", "all"}).size(), taa::kIntermediateCount);
+  EXPECT_THROW(parseEmit({"colour"}), UsageError);
+}
+
+TEST(Arguments, NameLanesOnlyWhereThereAreSeveral) {
+  ShotArguments arguments;
+  ASSERT_EQ(lanesOf(arguments).size(), 1u);
+  EXPECT_EQ(lanesOf(arguments)[0].name, "");
+  EXPECT_EQ(lanesOf(arguments)[0].preset, "balanced");
+  arguments.lanes = {"balanced"};
+  EXPECT_EQ(lanesOf(arguments)[0].name, "");
+  arguments.lanes = {"balanced", "balanced"};
+  EXPECT_EQ(lanesOf(arguments)[1].name, "B");
+}
+
+TEST(Arguments, AssignToEveryLane) {
+  ShotArguments arguments;
+  arguments.lanes = {"balanced", "balanced"};
+  arguments.assignments = {"weight.alpha=0.25"};
+  for (const LaneChoice& lane : lanesOf(arguments)) EXPECT_EQ(lane.settings.weight.alpha, 0.25f);
+}

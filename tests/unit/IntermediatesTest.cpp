@@ -1,0 +1,120 @@
+// The table of intermediates and what is derived from it.
+#include "core/taa/Intermediates.h"
+
+#include "core/base/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using taa::Intermediate;
+using taa::IntermediateId;
+using taa::kIntermediates;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+} // namespace
+
+TEST(Intermediates, StandInTheOrderOfTheirIdsAndStages) {
+  for (std::size_t index = 0; index < kIntermediates.size(); ++index) {
+    EXPECT_EQ(static_cast<std::size_t>(kIntermediates[index].id), index);
+    if (index > 0) {
+      EXPECT_LE(kIntermediates[index - 1].stage, kIntermediates[index].stage);
+    }
+  }
+}
+
+TEST(Intermediates, SayWhatTheyAre) {
+  std::set<std::string_view> names, labels;
+  for (const Intermediate& row : kIntermediates) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_TRUE(labels.insert(row.label).second) << row.label;
+    EXPECT_TRUE(row.description.ends_with('.')) << row.name;
+    EXPECT_GE(row.channels, 1) << row.name;
+    EXPECT_LE(row.channels, 3) << row.name;
+    EXPECT_LE(row.low, row.high) << row.name;
+  }
+}
+
+TEST(Intermediates, AreFoundByTheirName) {
+  for (const Intermediate& row : kIntermediates) {
+    EXPECT_EQ(taa::findIntermediate(row.name), row.id);
+    EXPECT_EQ(taa::intermediateNamed(row.name), row.id);
+  }
+  EXPECT_EQ(taa::findIntermediate("velocity"), std::nullopt);
+}
+
+TEST(Intermediates, AnUnknownNameIsToldWhatThereIs) {
+  try {
+    taa::intermediateNamed("velocity");
+    FAIL();
+  } catch (const taa::Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("\"velocity\""), std::string::npos) << text;
+    EXPECT_NE(text.find("dilatedMotion"), std::string::npos) << text;
+  }
+}
+
+TEST(Intermediates, HaveAsManyChannelNamesAsChannels) {
+  for (const Intermediate& row : kIntermediates) {
+    const std::vector<std::string> names = taa::channelNames(row);
+    EXPECT_EQ(static_cast<int>(names.size()), row.channels) << row.name;
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << row.name;
+  }
+}
+
+TEST(Intermediates, EveryRejectReasonHasItsOwnText) {
+  std::set<std::string_view> texts;
+  for (int reason = 0; reason <= 4; ++reason) texts.insert(taa::rejectReasonText(reason));
+  EXPECT_EQ(texts.size(), 5u);
+  EXPECT_EQ(taa::rejectReasonText(0), "kept");
+  EXPECT_EQ(taa::rejectReasonText(3), "off screen");
+  EXPECT_EQ(taa::rejectReasonText(5), "unknown");
+  EXPECT_EQ(taa::rejectReasonText(-1), "unknown");
+}
+
+TEST(Intermediates, ASetStandsInTheOrderOfTheTable) {
+  const std::vector<IntermediateId> ordered = taa::inTableOrder(
+      {IntermediateId::resolved, IntermediateId::color, IntermediateId::resolved, IntermediateId::alpha});
+  EXPECT_EQ(ordered, (std::vector{IntermediateId::color, IntermediateId::alpha, IntermediateId::resolved}));
+}
+
+TEST(ExposePrelude, DefinesOneMacroForEveryRow) {
+  std::vector<IntermediateId> all;
+  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
+  for (const auto& watched : {std::vector<IntermediateId>{}, {IntermediateId::alpha}, all}) {
+    const std::string text = taa::exposePrelude(watched);
+    for (const Intermediate& row : kIntermediates)
+      EXPECT_EQ(count(text, "#define expose_" + std::string(row.name) + "(value)"), 1u) << row.name;
+  }
+}
+
+TEST(ExposePrelude, WritesNothingButTheMacrosWhenNothingIsWatched) {
+  const std::string text = taa::exposePrelude({});
+  EXPECT_EQ(count(text, "\n"), kIntermediates.size());
+  EXPECT_EQ(count(text, "(value)\n"), kIntermediates.size()) << "every macro is empty";
+}
+
+TEST(ExposePrelude, GivesAFewTargetsBehindThoseOfTheHistory) {
+  const std::string text = taa::exposePrelude({IntermediateId::motion, IntermediateId::alpha});
+  EXPECT_EQ(count(text, "layout(location = 2) out vec2 o_motion;"), 1u) << text;
+  EXPECT_EQ(count(text, "layout(location = 3) out float o_alpha;"), 1u) << text;
+  EXPECT_EQ(count(text, "imageStore"), 0u);
+}
+
+TEST(ExposePrelude, StoresManyToOneArrayForEachCountOfChannels) {
+  std::vector<IntermediateId> all;
+  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
+  const std::string text = taa::exposePrelude(all);
+  EXPECT_EQ(count(text, "imageStore"), kIntermediates.size());
+  EXPECT_EQ(count(text, "uniform writeonly image2DArray"), 3u);
+  EXPECT_EQ(count(text, "layout(r32f, binding = 0)"), 1u);
+  EXPECT_EQ(count(text, "layout(rg32f, binding = 1)"), 1u);
+  EXPECT_EQ(count(text, "layout(rgba32f, binding = 2)"), 1u);
+}
