@@ -111,6 +111,10 @@ Context::~Context() {
   // The display is shared by the process and stays open: closing it would end other contexts.
 }
 
+void Context::makeCurrent() {
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context);
+}
+
 std::vector<std::string> Context::takeMessages() {
   const std::lock_guard lock(handles_->mutex);
   return std::exchange(handles_->messages, {});

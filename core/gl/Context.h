@@ -25,6 +25,9 @@ class Context {
 
   const Driver& driver() const { return driver_; }
 
+  /// Again, on the thread that made it, after another context was made or destroyed there.
+  void makeCurrent();
+
   /// Errors the driver reported since the last call. Tests and debug builds treat any of them as a failure.
   std::vector<std::string> takeMessages();
 

@@ -33,6 +33,7 @@ void GlTest::SetUp() {
     if (std::getenv("TAA_REQUIRE_GL")) FAIL() << error.what();
     GTEST_SKIP() << error.what();
   }
+  sharedContext->makeCurrent(); // tests of whatever has a context of its own leave none behind
   sharedContext->takeMessages();
 }
 
