@@ -79,7 +79,7 @@ std::string asTargets(const std::vector<IntermediateId>& watched) {
   std::string outputs, macros;
   for (std::size_t index = 0; index < watched.size(); ++index) {
     const Intermediate& row = intermediate(watched[index]);
-    const std::string name = "o_" + std::string(row.name);
+    const std::string name = "o_exposed_" + std::string(row.name);
     outputs += "layout(location = " + std::to_string(kHistoryTargets + index) + ") out " +
                std::string(kStores[storeIndex(row)].type) + " " + name + ";\n";
     macros += macro(row, name + " = " + (row.channels == 3 ? "vec4(value, 1.0)" : "(value)"));
