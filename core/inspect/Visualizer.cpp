@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <compare>
 #include <map>
+#include <tuple>
 
 namespace taa {
 
@@ -26,7 +26,11 @@ struct Variant {
   int channels = 1, alone = -1;
   ColorMap map = ColorMap::Gray;
   bool marksInvalid = true, isMinified = false;
-  auto operator<=>(const Variant&) const = default;
+
+  bool operator<(const Variant& other) const { return key() < other.key(); }
+  std::tuple<Visual, int, int, ColorMap, bool, bool> key() const {
+    return {visual, channels, alone, map, marksInvalid, isMinified};
+  }
 };
 
 std::string prelude(const Variant& variant) {
@@ -150,10 +154,10 @@ Picture Visualizer::draw(const gl::Texture& texture, int layer, const Intermedia
   return picture;
 }
 
-void Visualizer::reloadShaders() {
-  std::map<Variant, gl::Program> fresh;
-  for (const auto& [variant, program] : parts_->programs) fresh.emplace(variant, compile(variant));
-  parts_->programs = std::move(fresh);
+Visualizer Visualizer::reloaded() const {
+  Visualizer fresh;
+  for (const auto& [variant, program] : parts_->programs) fresh.parts_->program(variant);
+  return fresh;
 }
 
 ViewStyle defaultStyle(const Intermediate& row) {

@@ -56,7 +56,8 @@ class Visualizer {
   /// Draws `layer` of `texture` (an array) as row `row` into a viewport of the given size (px).
   Picture draw(const gl::Texture& texture, int layer, const Intermediate& row, const ViewStyle& style,
                const ViewTransform& transform, int width, int height);
-  void reloadShaders();
+  /// One with the same programs, compiled again; throws Error when one does not compile.
+  Visualizer reloaded() const;
 
  private:
   struct Parts;

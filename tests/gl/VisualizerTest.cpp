@@ -178,8 +178,9 @@ TEST_F(VisualizerTest, SpreadsDepthByItsLogarithm) {
 
 TEST_F(VisualizerTest, TellsTheSkyFromEveryDepth) {
   const ViewStyle style = taa::defaultStyle(row(IntermediateId::depth));
-  std::vector<glm::vec4> texels = {glm::vec4(0.0f)};
-  for (int step = 0; step <= 40; ++step) texels.emplace_back(std::exp2(-static_cast<float>(step) / 4.0f));
+  std::vector<glm::vec4> texels(42, glm::vec4(0.0f));
+  for (std::size_t step = 1; step < texels.size(); ++step)
+    texels[step] = glm::vec4(std::exp2(0.25f - static_cast<float>(step) / 4.0f));
   const Picture picture = show(row(IntermediateId::depth), style, texels);
   const Bytes sky = pixel(picture, 0);
   EXPECT_GT(sky[2], sky[0]);
@@ -333,7 +334,7 @@ TEST_F(VisualizerTest, ShowsTheSameFromAnotherTextureAndASecondTime) {
   for (int width = 1; width < 9; ++width) // more sizes than it keeps targets for
     show(row(IntermediateId::alpha), {},
          std::vector<glm::vec4>(static_cast<std::size_t>(width), glm::vec4(0.5f)));
-  visualizer().reloadShaders();
+  visualizer() = visualizer().reloaded();
   EXPECT_EQ(show(row(IntermediateId::alpha), taa::defaultStyle(row(IntermediateId::alpha)), texels).rgba,
             first.rgba);
 }
