@@ -1,0 +1,86 @@
+// Makes frames of all lanes and replays them from checkpoints: frame n of a lane is a function (design §2.1).
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/inspect/Checkpoints.h"
+#include "core/render/FrameInputs.h"
+#include "core/render/SceneRenderer.h"
+#include "core/settings/Settings.h"
+#include "core/taa/TaaPass.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// All that frame n is a function of, besides n.
+struct Subject {
+  std::string source;
+  std::shared_ptr<const Scene> scene;      // also owned by the renderer
+  std::shared_ptr<SceneRenderer> renderer; // also owned by the copy that a change is tried on
+  std::string camera;
+  int width = 1280, height = 720;
+  std::vector<Settings> lanes{Settings{}};
+};
+
+/// One lane of the frame on show.
+struct ShownLane {
+  std::size_t inputs = 0; ///< into ShownFrame::inputs
+  HistoryHandle previous; ///< what the frame was resolved on; null: no history
+  HistoryHandle current;
+  bool exact = true;             ///< false: `previous` is not what these settings would have left
+  bool isExposed = false;        ///< whether `watched` holds this frame
+  Exposure watched;              ///< the whole picture of what is watched
+  std::optional<Exposure> asked; ///< the whole picture of what was asked for besides
+};
+
+/// A frame as it is looked at.
+struct ShownFrame {
+  int frame = 0;
+  std::vector<FrameInputs> inputs; ///< one for lanes whose inputs are the same
+  std::vector<ShownLane> lanes;
+  double sceneMs = 0.0, resolveMs = 0.0; ///< wall clock, up to the end of the GPU's work
+};
+
+/// One frame to make: lanes that are not active are left out.
+struct FrameStep {
+  int frame = 0;
+  std::vector<HistoryHandle> previous; ///< one a lane; ignored where the frame starts a history
+  std::vector<bool> active;
+  bool exposes = true; ///< fill `watched` in the same run
+};
+
+class FrameMaker {
+ public:
+  TaaPass pass;
+  std::vector<IntermediateId> watched;
+
+  /// A frame to make the next one in, with the textures of one that is not on show any more.
+  ShownFrame take();
+  /// Gives back a frame that is not on show any more.
+  void recycle(ShownFrame&& frame);
+  /// Frees textures that are kept for later: they have not the right size any more.
+  void freeTextures();
+
+  /// Draws the inputs and resolves the active lanes. `next` is whole only when all lanes are active.
+  void make(const Subject& subject, const FrameStep& step, ShownFrame& next);
+
+  /// Frame `frame` of all lanes, exactly: from the nearest checkpoint of each lane, which new ones are added
+  /// to, as many as `budget` bytes hold. Throws Cancelled when `progress` says so; what was kept stays.
+  ShownFrame replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
+                    std::size_t budget, const Progress& progress);
+
+  /// The exposure of the whole picture that holds `id`, made now when there is none.
+  const Exposure& exposed(const Subject& subject, ShownFrame& shown, IntermediateId id, int lane);
+
+ private:
+  HistoryPool pool_;
+  std::optional<ShownFrame> spare_;
+};
+
+/// Whether frame `frame` may use no history: the first, and after cuts.
+bool startsHistory(const Subject& subject, int frame);
+
+} // namespace taa

@@ -1,0 +1,23 @@
+#include "core/inspect/Probe.h"
+
+namespace taa {
+
+std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
+                                                const History* previous, const Settings& settings,
+                                                const gl::Rect& region) {
+  std::vector<IntermediateId> ids;
+  ids.reserve(kIntermediateCount);
+  for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
+  Exposure exposure(ids, region);
+  pass.expose(inputs, previous, settings, exposure);
+  std::vector<reference::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height);
+  for (IntermediateId id : ids) {
+    const Image image = exposure.image(id);
+    for (int y = 0; y < region.height; ++y)
+      for (int x = 0; x < region.width; ++x)
+        reference::at(records[static_cast<std::size_t>(y) * region.width + x], id) = image.texel(x, y);
+  }
+  return records;
+}
+
+} // namespace taa

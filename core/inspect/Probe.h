@@ -1,0 +1,16 @@
+// Everything about a few pixels: the resolve again, on those pixels only, with all of its inside exposed.
+#pragma once
+
+#include "core/taa/TaaPass.h"
+#include "core/taa/reference/Reference.h"
+
+#include <vector>
+
+namespace taa {
+
+/// All intermediates of the pixels of `region`, row-major. The region lies inside the picture.
+std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
+                                                const History* previous, const Settings& settings,
+                                                const gl::Rect& region);
+
+} // namespace taa
