@@ -25,7 +25,7 @@ struct FrameTimes {
   double scene = 0.0, resolve = 0.0; ///< resolve: all lanes together
 };
 
-/// Lives on the thread that made it, with its own GL context. Strong guarantee: when a member throws,
+/// Lives on the thread that made it, one at a time there, with its own GL context. Strong guarantee: when a member throws,
 /// everything is as it was before. Frame n of a lane is f(scene, camera, the lane's settings, size, n):
 /// however it was reached, the same bits (design §2.1).
 class Inspector {
@@ -37,16 +37,19 @@ class Inspector {
 
   const gl::Driver& driver() const;
 
-  // What is looked at
+  // What is looked at; all but settings, lanes and size expect that something is open
   // -------------------------------------------------------------------------------------------------
   /// A glTF file or "builtin:NAME". Goes to frame 0 with the scene's own camera.
   void open(const std::string& source, const Progress& progress = {});
-  const std::string& source() const;
+  const std::string& source() const; ///< empty: nothing is open yet
   const Scene& scene() const;
   std::vector<std::string> cameras() const;
   const std::string& camera() const;
+  /// Stays at the frame, which is drawn anew without history: isExact() is false until refine() or a seek,
+  /// unless no frame before it counts. Throws Error naming the paths there are.
   void setCamera(const std::string& name);
-  /// Throws Error when the size is out of the driver's limits or memory (4 to maxTextureSize a side).
+  /// As setCamera. Throws Error when the size is out of the driver's limits or memory (4 to maxTextureSize a
+  /// side).
   void setSize(int width, int height);
   int width() const;
   int height() const;
@@ -68,6 +71,9 @@ class Inspector {
   /// Goes to frame n (0 to frameCount − 1), replaying from the nearest checkpoint. Cancelled: stays where it
   /// was.
   void seek(int frame, const Progress& progress = {});
+  /// Goes to the next frame on the history at hand, exact or not: for playing. Expects that there is a next
+  /// one.
+  void advance();
   /// Replays the current frame so that it is exact again.
   void refine(const Progress& progress = {});
   /// False while the picture rests on history from old settings (the badge).

@@ -1,0 +1,355 @@
+#include "core/Inspector.h"
+
+#include "core/inspect/FrameMaker.h"
+#include "core/inspect/Probe.h"
+#include "core/scene/Pose.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Parameters.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace taa {
+
+namespace {
+
+constexpr std::size_t kDefaultBudget = std::size_t(256) << 20;
+constexpr int kMostLanes = 4;
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " × " + std::to_string(height);
+}
+
+// What a pixel costs at most: two sets of 32-bit inputs for every lane, three 32-bit histories, an exposure.
+constexpr double kBytesPerPixelOfLane = 2.0 * 48.0 + 3.0 * 24.0 + 16.0;
+
+void checkSize(int width, int height, std::size_t lanes, const gl::Driver& driver) {
+  const int most = driver.maxTextureSize;
+  if (width < 4 || height < 4 || width > most || height > most)
+    throw Error("cannot use a picture of " + sizeText(width, height) + " pixels: this driver allows 4 to " +
+                std::to_string(most) + " a side");
+  if (!driver.isSoftware) return; // a GPU's driver says when its memory ends; a software one is killed
+  const double needed = kBytesPerPixelOfLane * width * height * static_cast<double>(lanes);
+  const double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed > 0.5 * memory)
+    throw Error("cannot use a picture of " + sizeText(width, height) + " pixels: it takes about " +
+                std::to_string(static_cast<long>(needed / (1 << 20))) +
+                " MiB, more than half of this machine's memory; choose a smaller size or fewer lanes");
+}
+
+/// The values of `region` (px of the picture), with the row's channels.
+Image valuesOf(const Exposure& exposure, IntermediateId id, const gl::Rect& region) {
+  const gl::Rect& held = exposure.region();
+  Image texels = exposure.texture(id).download(
+      {region.x - held.x, region.y - held.y, region.width, region.height}, exposure.layer(id));
+  const int channels = intermediate(id).channels;
+  if (channels == texels.channels) return texels;
+  Image values(texels.width, texels.height, channels);
+  for (int y = 0; y < values.height; ++y)
+    for (int x = 0; x < values.width; ++x) std::copy_n(texels.at(x, y), channels, values.at(x, y));
+  return values;
+}
+
+} // namespace
+
+struct Inspector::Parts {
+  gl::Context context; // first: everything else needs it
+  Subject subject;
+  FrameMaker maker;
+  Visualizer visualizer;
+  std::vector<Checkpoints> checkpoints{1}; // one a lane
+  ShownFrame shown;
+  std::size_t budget = kDefaultBudget;
+
+  bool isOpen() const { return subject.scene != nullptr; }
+  const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
+  const Settings& settings(int index) const { return subject.lanes.at(static_cast<std::size_t>(index)); }
+  const FrameInputs& inputs(int index) const { return shown.inputs[lane(index).inputs]; }
+  bool isExact() const { return std::ranges::all_of(shown.lanes, &ShownLane::exact); }
+
+  void show(ShownFrame&& next);
+  void keepShown();
+  void goTo(int frame, const Progress& progress);
+  void startAnew(Subject next, std::vector<Checkpoints> kept, int frame);
+  void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
+};
+
+void Inspector::Parts::show(ShownFrame&& next) {
+  std::swap(shown, next);
+  maker.recycle(std::move(next));
+}
+
+// The histories of the frame on show are checkpoints, whatever else was given up meanwhile.
+void Inspector::Parts::keepShown() {
+  for (std::size_t index = 0; index < shown.lanes.size(); ++index) {
+    const ShownLane& lane = shown.lanes[index];
+    if (!lane.exact) continue;
+    checkpoints[index].keep(shown.frame, lane.current);
+    if (lane.previous) checkpoints[index].keep(shown.frame - 1, lane.previous);
+  }
+}
+
+void Inspector::Parts::goTo(int frame, const Progress& progress) {
+  try {
+    show(maker.replay(subject, checkpoints, frame, budget, progress));
+  } catch (...) {
+    keepShown();
+    throw;
+  }
+}
+
+// Another source or other lanes: all is made first, then put in place of what there was.
+void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
+  ShownFrame made = maker.replay(next, kept, frame, budget, {});
+  subject = std::move(next);
+  checkpoints = std::move(kept);
+  show(std::move(made));
+}
+
+// The frame on show with other settings, at once: changed lanes on the history they had, or on none.
+void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
+  if (!isOpen()) {
+    subject = std::move(next);
+    return;
+  }
+  FrameStep step{shown.frame, {}, std::vector<bool>(changed.size(), true)};
+  for (std::size_t index = 0; index < changed.size(); ++index)
+    step.previous.push_back(changed[index] && !keepsHistory ? nullptr : shown.lanes[index].previous);
+  ShownFrame made = maker.take();
+  maker.make(next, step, made);
+  for (std::size_t index = 0; index < changed.size(); ++index) {
+    const bool starts = made.inputs[made.lanes[index].inputs].info.startsHistory;
+    made.lanes[index].exact = changed[index] ? starts : shown.lanes[index].exact;
+    if (changed[index]) checkpoints[index].clear();
+  }
+  subject = std::move(next);
+  show(std::move(made));
+  keepShown();
+}
+
+Inspector::Inspector() : parts_(std::make_unique<Parts>()) {}
+Inspector::~Inspector() = default;
+
+const gl::Driver& Inspector::driver() const {
+  return parts_->context.driver();
+}
+
+void Inspector::open(const std::string& source, const Progress& progress) {
+  Subject next = parts_->subject;
+  next.source = source;
+  next.scene = std::make_shared<const Scene>(openScene(source, progress));
+  next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
+  next.camera = next.scene->shot.camera;
+  parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
+}
+
+const std::string& Inspector::source() const {
+  return parts_->subject.source;
+}
+
+const Scene& Inspector::scene() const {
+  assert(parts_->isOpen());
+  return *parts_->subject.scene;
+}
+
+std::vector<std::string> Inspector::cameras() const {
+  return cameraNames(scene());
+}
+
+const std::string& Inspector::camera() const {
+  return parts_->subject.camera;
+}
+
+void Inspector::setCamera(const std::string& name) {
+  assert(parts_->isOpen());
+  if (name == camera()) return;
+  Subject next = parts_->subject;
+  next.camera = name;
+  const std::vector<bool> changed(next.lanes.size(), true);
+  parts_->redraw(std::move(next), changed, false);
+}
+
+void Inspector::setSize(int width, int height) {
+  if (width == this->width() && height == this->height()) return;
+  checkSize(width, height, parts_->subject.lanes.size(), driver());
+  Subject next = parts_->subject;
+  next.width = width;
+  next.height = height;
+  const std::vector<bool> changed(next.lanes.size(), true);
+  parts_->redraw(std::move(next), changed, false);
+  parts_->maker.freeTextures();
+}
+
+int Inspector::width() const {
+  return parts_->subject.width;
+}
+
+int Inspector::height() const {
+  return parts_->subject.height;
+}
+
+void Inspector::setLanes(const std::vector<Settings>& lanes) {
+  if (lanes.empty() || lanes.size() > kMostLanes)
+    throw Error("cannot run " + std::to_string(lanes.size()) + " lanes: there are one to " +
+                std::to_string(kMostLanes));
+  checkSize(width(), height(), lanes.size(), driver());
+  Subject next = parts_->subject;
+  next.lanes = lanes;
+  std::vector<Checkpoints> kept(lanes.size());
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    for (std::size_t old = 0; old < parts_->subject.lanes.size(); ++old)
+      if (lanes[lane] == parts_->subject.lanes[old]) kept[lane] = parts_->checkpoints[old];
+  if (parts_->isOpen()) return parts_->startAnew(std::move(next), std::move(kept), frame());
+  parts_->subject = std::move(next);
+  parts_->checkpoints = std::move(kept);
+}
+
+int Inspector::laneCount() const {
+  return static_cast<int>(parts_->subject.lanes.size());
+}
+
+const Settings& Inspector::settings(int lane) const {
+  return parts_->settings(lane);
+}
+
+void Inspector::setSettings(const Settings& settings, int lane) {
+  if (settings == this->settings(lane)) return;
+  Subject next = parts_->subject;
+  next.lanes[static_cast<std::size_t>(lane)] = settings;
+  std::vector<bool> changed(next.lanes.size(), false);
+  changed[static_cast<std::size_t>(lane)] = true;
+  parts_->redraw(std::move(next), changed, true);
+}
+
+int Inspector::frameCount() const {
+  return scene().shot.frames;
+}
+
+int Inspector::frame() const {
+  return parts_->shown.frame;
+}
+
+FrameInfo Inspector::info(int lane) const {
+  return parts_->inputs(lane).info;
+}
+
+void Inspector::seek(int frame, const Progress& progress) {
+  if (frame < 0 || frame >= frameCount())
+    throw Error("there is no frame " + std::to_string(frame) + ": the shot has frames 0 to " +
+                std::to_string(frameCount() - 1));
+  if (frame == this->frame() && parts_->isExact()) return;
+  parts_->goTo(frame, progress);
+}
+
+void Inspector::advance() {
+  assert(frame() + 1 < frameCount());
+  const std::size_t lanes = parts_->subject.lanes.size();
+  FrameStep step{frame() + 1, {}, std::vector<bool>(lanes, true)};
+  for (const ShownLane& lane : parts_->shown.lanes) step.previous.push_back(lane.current);
+  ShownFrame next = parts_->maker.take();
+  parts_->maker.make(parts_->subject, step, next);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    next.lanes[lane].exact =
+        parts_->shown.lanes[lane].exact || next.inputs[next.lanes[lane].inputs].info.startsHistory;
+  parts_->show(std::move(next));
+  parts_->keepShown();
+  for (Checkpoints& kept : parts_->checkpoints) kept.trim(parts_->budget / lanes, frame(), frameCount());
+}
+
+void Inspector::refine(const Progress& progress) {
+  seek(frame(), progress);
+}
+
+bool Inspector::isExact(int lane) const {
+  return parts_->lane(lane).exact;
+}
+
+FrameTimes Inspector::times() const {
+  return {parts_->shown.sceneMs, parts_->shown.resolveMs};
+}
+
+void Inspector::setCheckpointBudget(std::size_t bytes) {
+  parts_->budget = bytes;
+  if (!parts_->isOpen()) return;
+  for (Checkpoints& kept : parts_->checkpoints)
+    kept.trim(bytes / parts_->checkpoints.size(), frame(), frameCount());
+}
+
+void Inspector::watch(const std::vector<IntermediateId>& ids) {
+  std::vector<IntermediateId> once;
+  for (IntermediateId id : ids)
+    if (std::ranges::find(once, id) == once.end()) once.push_back(id);
+  parts_->maker.watched = std::move(once);
+}
+
+Image Inspector::image(IntermediateId id, int lane, std::optional<gl::Rect> region) {
+  const gl::Rect part = region.value_or(gl::Rect{0, 0, width(), height()});
+  assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= width() && part.y + part.height <= height());
+  return valuesOf(parts_->maker.exposed(parts_->subject, parts_->shown, id, lane), id, part);
+}
+
+std::vector<Image> Inspector::images(const std::vector<IntermediateId>& ids, int lane) {
+  const ShownLane& shown = parts_->lane(lane);
+  std::vector<IntermediateId> missing;
+  for (IntermediateId id : ids)
+    if (!(shown.isExposed && shown.watched.holds(id)) && std::ranges::find(missing, id) == missing.end())
+      missing.push_back(id);
+  Exposure exposure;
+  if (!missing.empty()) {
+    exposure = Exposure(missing, {0, 0, width(), height()});
+    parts_->maker.pass.expose(inputs(lane), shown.previous.get(), settings(lane), exposure);
+  }
+  std::vector<Image> images;
+  images.reserve(ids.size());
+  for (IntermediateId id : ids) images.push_back((exposure.holds(id) ? exposure : shown.watched).image(id));
+  return images;
+}
+
+PixelRecord Inspector::probe(int x, int y, int lane) {
+  return probeAround(x, y, 0, lane).front();
+}
+
+std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int lane) {
+  if (x < 0 || y < 0 || x >= width() || y >= height())
+    throw Error("pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") lies outside the picture of " +
+                sizeText(width(), height()) + " pixels");
+  const int left = std::max(0, x - radius), top = std::max(0, y - radius);
+  const int right = std::min(width() - 1, x + radius), bottom = std::min(height() - 1, y + radius);
+  const gl::Rect region{left, top, right - left + 1, bottom - top + 1};
+  const std::vector<PixelRecord> inside = probeRegion(
+      parts_->maker.pass, inputs(lane), parts_->lane(lane).previous.get(), settings(lane), region);
+  std::vector<PixelRecord> around;
+  for (int dy = -radius; dy <= radius; ++dy)
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int column = std::clamp(x + dx, left, right) - left, row = std::clamp(y + dy, top, bottom) - top;
+      around.push_back(inside[static_cast<std::size_t>(row) * region.width + column]);
+    }
+  return around;
+}
+
+Picture Inspector::picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
+                           int width, int height, int lane) {
+  const Exposure& exposure = parts_->maker.exposed(parts_->subject, parts_->shown, id, lane);
+  return parts_->visualizer.draw(exposure.texture(id), exposure.layer(id), intermediate(id), style, transform,
+                                 width, height);
+}
+
+const FrameInputs& Inspector::inputs(int lane) const {
+  return parts_->inputs(lane);
+}
+
+void Inspector::reloadShaders() {
+  // New ones are made beside the old; the renderer, which keeps its own old ones on error, comes last.
+  TaaPass pass;
+  for (const Settings& settings : parts_->subject.lanes) pass.prepare(settings, parts_->maker.watched);
+  Visualizer visualizer = parts_->visualizer.reloaded();
+  if (parts_->isOpen()) parts_->subject.renderer->reloadShaders();
+  parts_->maker.pass = std::move(pass);
+  parts_->visualizer = std::move(visualizer);
+  parts_->redraw(parts_->subject, std::vector<bool>(parts_->subject.lanes.size(), true), true);
+}
+
+} // namespace taa

@@ -1,0 +1,388 @@
+// The façade: time, settings, lanes and looking, on a small picture.
+#include "core/Inspector.h"
+
+#include "core/base/Error.h"
+#include "core/settings/Parameters.h"
+#include "tests/support/GlTest.h"
+
+#include <cstring>
+#include <future>
+
+namespace {
+
+using taa::Image;
+using taa::Inspector;
+using taa::IntermediateId;
+using taa::Settings;
+
+constexpr int kWidth = 48, kHeight = 27;
+
+class InspectorTest : public taa::test::GlTest {
+ protected:
+  static std::unique_ptr<Inspector> opened(const std::vector<Settings>& lanes = {Settings{}}) {
+    auto inspector = std::make_unique<Inspector>();
+    inspector->setSize(kWidth, kHeight);
+    inspector->setLanes(lanes);
+    inspector->open("builtin:fan");
+    return inspector;
+  }
+};
+
+const std::vector<IntermediateId>& everything() {
+  static const std::vector<IntermediateId> ids = [] {
+    std::vector<IntermediateId> all;
+    all.reserve(taa::kIntermediateCount);
+    for (const taa::Intermediate& row : taa::kIntermediates) all.push_back(row.id);
+    return all;
+  }();
+  return ids;
+}
+
+bool isSame(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+}
+
+void expectSame(const std::vector<Image>& actual, const std::vector<Image>& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t index = 0; index < actual.size(); ++index)
+    EXPECT_TRUE(isSame(actual[index], expected[index])) << taa::kIntermediates[index].name;
+}
+
+/// All of a frame, from an inspector that went straight there; on a thread of its own, so that the context of
+/// the one under test stays current here.
+std::vector<Image> fresh(const Settings& settings, int frame) {
+  const auto make = [&] {
+    Inspector inspector;
+    inspector.setSize(kWidth, kHeight);
+    inspector.setSettings(settings);
+    inspector.open("builtin:fan");
+    inspector.seek(frame);
+    return inspector.images(everything());
+  };
+  return std::async(std::launch::async, make).get();
+}
+
+Settings otherSettings() {
+  Settings settings;
+  taa::applyAssignment(settings, "rectify.method=clamp");
+  taa::applyAssignment(settings, "weight.minimum=0.05");
+  return settings;
+}
+
+Settings otherJitter() {
+  Settings settings;
+  taa::applyAssignment(settings, "jitter.period=8");
+  return settings;
+}
+
+/// How many frames a seek replays.
+int replayed(Inspector& inspector, int frame) {
+  int total = 0;
+  inspector.seek(frame, [&](std::string_view, int, int all) {
+    total = all;
+    return true;
+  });
+  return total;
+}
+
+} // namespace
+
+TEST_F(InspectorTest, OpensASourceAtFrameZeroWithItsOwnCamera) {
+  const auto inspector = opened();
+  EXPECT_EQ(inspector->source(), "builtin:fan");
+  EXPECT_EQ(inspector->frame(), 0);
+  EXPECT_EQ(inspector->camera(), inspector->scene().shot.camera);
+  EXPECT_EQ(inspector->width(), kWidth);
+  EXPECT_TRUE(inspector->isExact());
+  EXPECT_TRUE(inspector->info().startsHistory);
+  EXPECT_GT(inspector->times().scene, 0.0);
+  EXPECT_GT(inspector->times().resolve, 0.0);
+}
+
+TEST_F(InspectorTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
+  const std::vector<Image> expected = fresh({}, 6);
+  const auto inspector = opened();
+  for (int frame = 1; frame <= 6; ++frame) inspector->advance();
+  expectSame(inspector->images(everything()), expected);
+  for (int frame = 7; frame <= 11; ++frame) inspector->seek(frame);
+  for (int frame = 10; frame >= 6; --frame) inspector->seek(frame);
+  expectSame(inspector->images(everything()), expected);
+  inspector->seek(20);
+  inspector->seek(6);
+  expectSame(inspector->images(everything()), expected);
+  EXPECT_EQ(inspector->frame(), 6);
+}
+
+TEST_F(InspectorTest, ReplaysOneFrameForAStepInEitherDirection) {
+  const auto inspector = opened();
+  EXPECT_EQ(replayed(*inspector, 8), 8) << "frame 0 is there already";
+  EXPECT_EQ(replayed(*inspector, 9), 1);
+  EXPECT_EQ(replayed(*inspector, 8), 1);
+  EXPECT_EQ(replayed(*inspector, 7), 1);
+  EXPECT_EQ(replayed(*inspector, 0), 1);
+}
+
+TEST_F(InspectorTest, ReplaysFromTheStartWhenNothingMayBeKept) {
+  const std::vector<Image> expected = fresh({}, 4);
+  const auto inspector = opened();
+  inspector->seek(9);
+  inspector->setCheckpointBudget(0);
+  EXPECT_EQ(replayed(*inspector, 10), 1) << "the histories in use stay";
+  EXPECT_EQ(replayed(*inspector, 4), 5);
+  expectSame(inspector->images(everything()), expected);
+}
+
+TEST_F(InspectorTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
+  const auto inspector = opened();
+  const std::size_t each = std::size_t(kWidth) * kHeight * (8 + 8); // RGBA16F and RG32F
+  inspector->setCheckpointBudget(12 * each);
+  inspector->seek(100);
+  EXPECT_EQ(replayed(*inspector, 99), 1);
+  // Six anchors over 240 frames: one each 40.
+  EXPECT_EQ(inspector->frameCount(), 240);
+  EXPECT_LE(replayed(*inspector, 79), 40);
+}
+
+TEST_F(InspectorTest, StaysWhereItWasWhenASeekIsCancelled) {
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::alpha});
+  inspector->seek(3);
+  const std::vector<Image> before = inspector->images(everything());
+  EXPECT_THROW(inspector->seek(12, [](std::string_view, int done, int) { return done < 4; }), taa::Cancelled);
+  EXPECT_EQ(inspector->frame(), 3);
+  expectSame(inspector->images(everything()), before);
+  EXPECT_EQ(replayed(*inspector, 12), 5) << "what was replayed is kept";
+  expectSame(inspector->images(everything()), fresh({}, 12));
+}
+
+TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
+  const auto inspector = opened();
+  inspector->seek(2);
+  const std::vector<Image> before = inspector->images(everything());
+  EXPECT_THROW(inspector->seek(-1), taa::Error);
+  EXPECT_THROW(inspector->seek(inspector->frameCount()), taa::Error);
+  EXPECT_THROW(inspector->open("no/such/model.glb"), taa::Error);
+  EXPECT_THROW(inspector->open("builtin:nothing"), taa::Error);
+  EXPECT_THROW(inspector->setCamera("backwards"), taa::Error);
+  EXPECT_THROW(inspector->setSize(3, 100), taa::Error);
+  EXPECT_THROW(inspector->setSize(1 << 20, 100), taa::Error);
+  EXPECT_THROW(inspector->setLanes({}), taa::Error);
+  EXPECT_THROW(inspector->setLanes(std::vector<Settings>(5)), taa::Error);
+  EXPECT_THROW(inspector->probe(kWidth, 0), taa::Error);
+  EXPECT_THROW(inspector->probe(0, -1), taa::Error);
+  EXPECT_EQ(inspector->source(), "builtin:fan");
+  EXPECT_EQ(inspector->frame(), 2);
+  EXPECT_EQ(inspector->laneCount(), 1);
+  expectSame(inspector->images(everything()), before);
+  inspector->seek(3);
+  expectSame(inspector->images(everything()), fresh({}, 3));
+}
+
+TEST_F(InspectorTest, RefusesAPictureThatDoesNotFitIntoMemory) {
+  const auto inspector = opened();
+  if (!inspector->driver().isSoftware) GTEST_SKIP() << "a GPU's driver decides by itself";
+  const int most = inspector->driver().maxTextureSize;
+  try {
+    inspector->setSize(most, most);
+    FAIL() << "a picture of " << most << " pixels a side was accepted";
+  } catch (const taa::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("memory"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(inspector->width(), kWidth);
+}
+
+TEST_F(InspectorTest, AnswersNewSettingsAtOnceAndExactlyLater) {
+  const std::vector<Image> exact = fresh(otherSettings(), 9);
+  const auto inspector = opened();
+  inspector->seek(9);
+  const std::vector<Image> old = inspector->images(everything());
+  inspector->setSettings(otherSettings());
+  EXPECT_EQ(inspector->frame(), 9);
+  EXPECT_FALSE(inspector->isExact());
+  const std::vector<Image> atOnce = inspector->images(everything());
+  const auto at = [](const std::vector<Image>& images, IntermediateId id) {
+    return images[static_cast<std::size_t>(id)];
+  };
+  EXPECT_TRUE(isSame(at(atOnce, IntermediateId::historyRaw), at(old, IntermediateId::historyRaw)));
+  EXPECT_FALSE(
+      isSame(at(atOnce, IntermediateId::historyRectified), at(old, IntermediateId::historyRectified)));
+  inspector->refine();
+  EXPECT_TRUE(inspector->isExact());
+  expectSame(inspector->images(everything()), exact);
+}
+
+TEST_F(InspectorTest, KeepsTheOldPictureWhenRefiningIsCancelled) {
+  const auto inspector = opened();
+  inspector->seek(9);
+  inspector->setSettings(otherJitter());
+  const std::vector<Image> atOnce = inspector->images(everything());
+  EXPECT_THROW(inspector->refine([](std::string_view, int done, int) { return done < 5; }), taa::Cancelled);
+  EXPECT_FALSE(inspector->isExact());
+  expectSame(inspector->images(everything()), atOnce);
+  inspector->refine();
+  expectSame(inspector->images(everything()), fresh(otherJitter(), 9));
+}
+
+TEST_F(InspectorTest, PlaysOnFromInexactHistoryUntilOneStartsAnew) {
+  const auto inspector = opened();
+  inspector->seek(5);
+  inspector->setSettings(otherSettings());
+  inspector->advance();
+  EXPECT_EQ(inspector->frame(), 6);
+  EXPECT_FALSE(inspector->isExact());
+  inspector->advance();
+  EXPECT_FALSE(inspector->isExact());
+  inspector->seek(0);
+  EXPECT_TRUE(inspector->isExact());
+  inspector->advance();
+  EXPECT_TRUE(inspector->isExact());
+  expectSame(inspector->images(everything()), fresh(otherSettings(), 1));
+  inspector->seek(6);
+  expectSame(inspector->images(everything()), fresh(otherSettings(), 6));
+}
+
+TEST_F(InspectorTest, IsExactAtOnceWhereNoHistoryIsUsed) {
+  const auto inspector = opened();
+  inspector->setSettings(otherJitter());
+  EXPECT_TRUE(inspector->isExact());
+  inspector->setCamera("pan");
+  EXPECT_TRUE(inspector->isExact());
+  inspector->seek(1);
+  inspector->setCamera("dolly");
+  EXPECT_FALSE(inspector->isExact());
+}
+
+TEST_F(InspectorTest, DrawsAnotherSizeOrCameraAsIfItHadAlwaysBeen) {
+  const auto inspector = opened();
+  inspector->seek(4);
+  inspector->setSize(kWidth + 7, kHeight + 2);
+  inspector->setCamera("pan");
+  EXPECT_EQ(inspector->image(IntermediateId::resolved).width, kWidth + 7);
+  EXPECT_FALSE(inspector->isExact());
+  inspector->setSize(kWidth, kHeight);
+  inspector->setCamera(inspector->scene().shot.camera);
+  inspector->refine();
+  expectSame(inspector->images(everything()), fresh({}, 4));
+}
+
+TEST_F(InspectorTest, RunsLanesAsIfEachWereAlone) {
+  const std::vector<Settings> lanes = {Settings{}, otherSettings(), otherJitter()};
+  std::vector<std::vector<Image>> alone;
+  alone.reserve(lanes.size());
+  for (const Settings& settings : lanes) alone.push_back(fresh(settings, 5));
+  const auto inspector = opened(lanes);
+  inspector->watch({IntermediateId::alpha});
+  inspector->seek(2);
+  for (int frame = 3; frame <= 5; ++frame) inspector->advance();
+  for (int lane = 0; lane < 3; ++lane)
+    expectSame(inspector->images(everything(), lane), alone[static_cast<std::size_t>(lane)]);
+  EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1)) << "drawn once";
+  EXPECT_NE(&inspector->inputs(0), &inspector->inputs(2)) << "another jitter";
+  EXPECT_EQ(inspector->info(2).jitterIndex, 5);
+}
+
+TEST_F(InspectorTest, ChangesOneLaneAndLeavesTheOthersExact) {
+  const auto inspector = opened({Settings{}, Settings{}});
+  inspector->seek(4);
+  const std::vector<Image> first = inspector->images(everything(), 0);
+  inspector->setSettings(otherJitter(), 1);
+  EXPECT_TRUE(inspector->isExact(0));
+  EXPECT_FALSE(inspector->isExact(1));
+  expectSame(inspector->images(everything(), 0), first);
+  inspector->refine();
+  expectSame(inspector->images(everything(), 0), first);
+  expectSame(inspector->images(everything(), 1), fresh(otherJitter(), 4));
+}
+
+TEST_F(InspectorTest, AddsALaneThatIsExactFromTheStart) {
+  const auto inspector = opened();
+  inspector->seek(4);
+  inspector->setLanes({Settings{}, otherSettings()});
+  EXPECT_EQ(inspector->laneCount(), 2);
+  EXPECT_EQ(inspector->frame(), 4);
+  expectSame(inspector->images(everything(), 1), fresh(otherSettings(), 4));
+}
+
+TEST_F(InspectorTest, LooksWithoutChangingWhatItLooksAt) {
+  const std::vector<std::vector<IntermediateId>> watched = {{}, {IntermediateId::clipAmount}, everything()};
+  std::vector<std::vector<Image>> resolved, clipped;
+  for (const auto& ids : watched) {
+    const auto inspector = opened();
+    inspector->watch(ids);
+    resolved.emplace_back();
+    clipped.emplace_back();
+    for (int frame = 0; frame < 6; ++frame) {
+      if (frame > 0) inspector->advance();
+      resolved.back().push_back(inspector->image(IntermediateId::resolved));
+      clipped.back().push_back(inspector->image(IntermediateId::clipAmount));
+      inspector->probe(3, 4);
+    }
+  }
+  for (std::size_t frame = 0; frame < 6; ++frame)
+    for (std::size_t other = 1; other < watched.size(); ++other) {
+      EXPECT_TRUE(isSame(resolved[other][frame], resolved[0][frame])) << frame;
+      EXPECT_TRUE(isSame(clipped[other][frame], clipped[0][frame])) << frame;
+    }
+}
+
+TEST_F(InspectorTest, GivesTheSameValuesHoweverTheyAreAskedFor) {
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::boxMin});
+  inspector->seek(3);
+  const std::vector<Image> all = inspector->images(everything());
+  const taa::gl::Rect part{5, 6, 11, 3};
+  // One of each number of channels and of each way to be held: every set of ids is a program to compile.
+  for (IntermediateId id : {IntermediateId::boxMin, IntermediateId::color, IntermediateId::motion,
+                            IntermediateId::objectId, IntermediateId::resolved}) {
+    const Image& whole = all[static_cast<std::size_t>(id)];
+    EXPECT_TRUE(isSame(inspector->image(id), whole)) << taa::intermediate(id).name;
+    const Image cut = inspector->image(id, 0, part);
+    for (int y = 0; y < part.height; ++y)
+      for (int x = 0; x < part.width; ++x)
+        EXPECT_EQ(cut.texel(x, y), whole.texel(part.x + x, part.y + y)) << taa::intermediate(id).name;
+  }
+}
+
+TEST_F(InspectorTest, ProbesWhatThePictureShows) {
+  const auto inspector = opened();
+  inspector->seek(5);
+  const std::vector<Image> all = inspector->images(everything());
+  for (int sample = 0; sample < 12; ++sample) {
+    const int x = (sample * 29) % kWidth, y = (sample * 17) % kHeight;
+    const taa::PixelRecord record = inspector->probe(x, y);
+    for (std::size_t index = 0; index < all.size(); ++index)
+      EXPECT_EQ(record[index], all[index].texel(x, y)) << taa::kIntermediates[index].name;
+  }
+  const std::vector<taa::PixelRecord> corner = inspector->probeAround(0, kHeight - 1, 1);
+  ASSERT_EQ(corner.size(), 9u);
+  const Image& color = all[static_cast<std::size_t>(IntermediateId::color)];
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const auto index = static_cast<std::size_t>((dy + 1) * 3 + dx + 1);
+      EXPECT_EQ(taa::reference::at(corner[index], IntermediateId::color),
+                color.texel(std::max(dx, 0), kHeight - 1 + std::min(dy, 0)));
+    }
+}
+
+TEST_F(InspectorTest, ShowsWhatItHolds) {
+  const auto inspector = opened();
+  inspector->seek(2);
+  const taa::Intermediate& row = taa::intermediate(IntermediateId::rejectReason);
+  const taa::Picture asked =
+      inspector->picture(row.id, taa::defaultStyle(row), {.zoom = 2.0f}, 2 * kWidth, 2 * kHeight);
+  inspector->watch({row.id});
+  const taa::Picture watched =
+      inspector->picture(row.id, taa::defaultStyle(row), {.zoom = 2.0f}, 2 * kWidth, 2 * kHeight);
+  EXPECT_EQ(asked.rgba, watched.rgba);
+  EXPECT_EQ(asked.rgba.size(), std::size_t(kWidth) * kHeight * 16);
+}
+
+TEST_F(InspectorTest, CompilesItsShadersAgainWithoutLosingItsPlace) {
+  const auto inspector = opened();
+  inspector->seek(3);
+  inspector->reloadShaders();
+  EXPECT_EQ(inspector->frame(), 3);
+  inspector->refine();
+  expectSame(inspector->images(everything()), fresh({}, 3));
+}
