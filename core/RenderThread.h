@@ -86,7 +86,7 @@ class RenderThread {
   void setPlaying(bool playing);
   void setLooping(bool looping); ///< at the end: start again, or pause
   void seek(int frame);
-  void step(int frames); ///< relative; steps add up while they wait
+  void step(int frames); ///< relative; steps add up while they wait; pauses
   void setViews(const std::vector<ViewRequest>& views);
   void probe(
       std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back

@@ -1,0 +1,161 @@
+#include "core/RenderThread.h"
+
+#include "core/RenderWorker.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace taa {
+
+struct RenderThread::Parts {
+  RenderListener listener;
+  std::mutex mutex; // held for a moment only: never while GL works or the listener is called
+  std::condition_variable wished, answered;
+  Wishes wishes;
+  std::uint64_t posted = 0, done = 0; // wishes so far, and how many of them are answered
+  std::atomic<bool> ends = false;
+  std::thread thread;
+
+  template <typename Change>
+  void post(Change change);
+  void run();
+  void runWorker();
+  bool takeWishes(Wishes& taken, const RenderWorker* worker);
+  bool pending(bool (*question)(const Wishes&));
+};
+
+template <typename Change>
+void RenderThread::Parts::post(Change change) {
+  {
+    const std::lock_guard lock(mutex);
+    change(wishes);
+    ++posted;
+  }
+  wished.notify_one();
+}
+
+bool RenderThread::Parts::pending(bool (*question)(const Wishes&)) {
+  const std::lock_guard lock(mutex);
+  return question(wishes);
+}
+
+// Waits until there is something to do; false at the end. Without a worker wishes are taken and forgotten.
+bool RenderThread::Parts::takeWishes(Wishes& taken, const RenderWorker* worker) {
+  std::unique_lock lock(mutex);
+  const auto hasNews = [&] { return ends || !wishes.isEmpty(); };
+  if (!hasNews() && !(worker && worker->hasGoal())) {
+    done = posted;
+    answered.notify_all();
+    if (worker && worker->isPlaying())
+      wished.wait_until(lock, worker->nextFrameAt(), hasNews);
+    else
+      wished.wait(lock, hasNews);
+  }
+  taken = std::exchange(wishes, {});
+  return !ends;
+}
+
+void RenderThread::Parts::run() {
+  try {
+    runWorker();
+  } catch (const std::exception& error) { // no GL
+    if (listener.onError) listener.onError(error.what());
+    Wishes ignored;
+    while (takeWishes(ignored, nullptr)) continue;
+  }
+}
+
+void RenderThread::Parts::runWorker() {
+  RenderWorker worker(
+      listener, [this](bool (*question)(const Wishes&)) { return pending(question); }, ends);
+  worker.deliver();
+  for (Wishes taken; takeWishes(taken, &worker);) {
+    worker.apply(taken);
+    worker.deliver();
+    worker.work();
+    worker.deliver();
+  }
+}
+
+RenderThread::RenderThread(RenderListener listener) : parts_(std::make_unique<Parts>()) {
+  parts_->listener = std::move(listener);
+  parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
+}
+
+RenderThread::~RenderThread() {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->ends = true;
+  }
+  parts_->wished.notify_one();
+  parts_->thread.join();
+}
+
+void RenderThread::open(const std::string& source) {
+  parts_->post([&](Wishes& wishes) {
+    wishes.source = source;
+    wishes.camera.reset(); // meant the old one
+    wishes.frame.reset();
+    wishes.steps = 0;
+  });
+}
+
+void RenderThread::setSize(int width, int height) {
+  parts_->post([&](Wishes& wishes) { wishes.size = glm::ivec2(width, height); });
+}
+
+void RenderThread::setCamera(const std::string& name) {
+  parts_->post([&](Wishes& wishes) { wishes.camera = name; });
+}
+
+void RenderThread::setSettings(const Settings& settings) {
+  parts_->post([&](Wishes& wishes) { wishes.settings = settings; });
+}
+
+void RenderThread::setPlaying(bool playing) {
+  parts_->post([&](Wishes& wishes) { wishes.playing = playing; });
+}
+
+void RenderThread::setLooping(bool looping) {
+  parts_->post([&](Wishes& wishes) { wishes.looping = looping; });
+}
+
+void RenderThread::seek(int frame) {
+  parts_->post([&](Wishes& wishes) {
+    wishes.frame = frame;
+    wishes.steps = 0;
+  });
+}
+
+void RenderThread::step(int frames) {
+  parts_->post([&](Wishes& wishes) {
+    wishes.steps += frames;
+    wishes.playing = false;
+  });
+}
+
+void RenderThread::setViews(const std::vector<ViewRequest>& views) {
+  parts_->post([&](Wishes& wishes) { wishes.views = views; });
+}
+
+void RenderThread::probe(std::optional<glm::ivec2> pixel) {
+  parts_->post([&](Wishes& wishes) { wishes.probe = pixel; });
+}
+
+void RenderThread::reloadShaders() {
+  parts_->post([&](Wishes& wishes) { wishes.reload = true; });
+}
+
+void RenderThread::cancel() {
+  parts_->post([&](Wishes& wishes) { wishes.cancel = true; });
+}
+
+void RenderThread::waitUntilIdle() {
+  std::unique_lock lock(parts_->mutex);
+  const std::uint64_t upTo = parts_->posted;
+  parts_->answered.wait(lock, [&] { return parts_->done >= upTo; });
+}
+
+} // namespace taa

@@ -1,0 +1,261 @@
+#include "core/RenderWorker.h"
+
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace taa {
+
+namespace {
+
+// The pixels of the picture that a view shows, whole ones.
+gl::Rect visiblePixels(const ViewRequest& view, int width, int height) {
+  const auto edge = [](float position, int size) {
+    return static_cast<int>(std::clamp(position, 0.0f, static_cast<float>(size)));
+  };
+  const glm::vec2 from = view.transform.origin;
+  const glm::vec2 to = from + glm::vec2(view.width, view.height) / view.transform.zoom;
+  const int left = edge(std::floor(from.x), width), top = edge(std::floor(from.y), height);
+  return {left, top, edge(std::ceil(to.x), width) - left, edge(std::ceil(to.y), height) - top};
+}
+
+int jitterPeriod(const JitterSettings& jitter) {
+  return jitter.sequence == JitterSequence::None ? 1 : jitter.period;
+}
+
+bool stopsOpening(const Wishes& wishes) {
+  return wishes.source || wishes.cancel;
+}
+
+bool stopsReplayAtOnce(const Wishes& wishes) {
+  return wishes.endReplay();
+}
+
+// Any wish is answered between two frames; what was replayed until then is kept, and the replay goes on.
+bool stopsReplay(const Wishes& wishes) {
+  return !wishes.isEmpty();
+}
+
+} // namespace
+
+bool Wishes::isEmpty() const {
+  return !reload && !cancel && !source && !camera && !size && !settings && !looping && !playing && !frame &&
+         steps == 0 && !views && !probe;
+}
+
+bool Wishes::endReplay() const {
+  return reload || cancel || source || camera || size || settings || frame || steps != 0;
+}
+
+RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
+    : listener_(listener), pending_(std::move(pending)), ends_(ends) {}
+
+// Errors are told and change nothing; returns whether the action was done.
+template <typename Action>
+bool RenderWorker::attempt(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+    return false; // whoever asked for it knows
+  } catch (const std::exception& error) {
+    if (listener_.onError) listener_.onError(error.what());
+    return false;
+  }
+}
+
+// Reports `what` unless the progress names it itself, and stops when a wish says so: at once, or, for wishes
+// that a replay only pauses for, after the first step, so that it comes on however fast they arrive.
+Progress RenderWorker::progress(const std::string& what, bool (*stops)(const Wishes&)) {
+  return [this, what, stops](std::string_view doing, int done, int total) {
+    if (ends_ || pending_(stops)) return false;
+    if (what.empty() || total > 1) {
+      if (listener_.onWork) listener_.onWork({what.empty() ? std::string(doing) : what, done, total});
+    }
+    if (!what.empty() && done > 0 && pending_(stopsReplay)) return false;
+    return true;
+  };
+}
+
+void RenderWorker::apply(const Wishes& wishes) {
+  if (wishes.cancel) {
+    goal_.reset();
+    refinementStopped_ = true;
+  }
+  if (wishes.looping) looping_ = *wishes.looping;
+  applySource(wishes);
+  applyTime(wishes);
+  if (wishes.views) {
+    views_ = *wishes.views;
+    delivered_.resize(views_.size());
+    std::vector<IntermediateId> ids;
+    for (const ViewRequest& view : views_)
+      if (view.width > 0 && view.height > 0) ids.push_back(view.id);
+    inspector_.watch(ids);
+  }
+  if (wishes.probe) {
+    probe_ = *wishes.probe;
+    probeDelivered_ = 0;
+  }
+}
+
+void RenderWorker::applySource(const Wishes& wishes) {
+  const auto change = [&](auto action) {
+    if (!attempt(action)) return;
+    ++version_;
+    statusChanged_ = true;
+    refinementStopped_ = false;
+  };
+  if (wishes.reload) change([&] { inspector_.reloadShaders(); });
+  if (wishes.source) {
+    goal_.reset();
+    change([&] { inspector_.open(*wishes.source, progress("", stopsOpening)); });
+    if (listener_.onWork) listener_.onWork({});
+  }
+  if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
+    change([&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
+  if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
+    change([&] { inspector_.setCamera(*wishes.camera); });
+  if (wishes.settings && !(*wishes.settings == inspector_.settings()))
+    change([&] { inspector_.setSettings(*wishes.settings); });
+}
+
+void RenderWorker::applyTime(const Wishes& wishes) {
+  if (!isOpen()) return;
+  const int last = inspector_.frameCount() - 1;
+  if (wishes.playing) {
+    const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
+    setPlaying(*wishes.playing);
+    if (restarts) goal_ = 0;
+  }
+  if (!wishes.frame && wishes.steps == 0) return;
+  const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
+  goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
+  refinementStopped_ = false;
+}
+
+void RenderWorker::setPlaying(bool playing) {
+  if (playing == playing_) return;
+  playing_ = playing;
+  nextFrameAt_ = Clock::now();
+  statusChanged_ = true;
+  refinementStopped_ = false;
+}
+
+bool RenderWorker::needsRefinement() const {
+  return isOpen() && !playing_ && !refinementStopped_ && !inspector_.isExact();
+}
+
+void RenderWorker::work() {
+  if (!isOpen()) return;
+  if (goal_)
+    replay(*goal_, "Going to frame " + std::to_string(*goal_));
+  else if (playing_ && Clock::now() >= nextFrameAt_)
+    playOn();
+  else if (needsRefinement())
+    replay(inspector_.frame(), "Replaying with the new settings");
+}
+
+// Goes to a frame, as far as wishes let it; what they interrupt is taken up again by the next work().
+void RenderWorker::replay(int frame, const std::string& what) {
+  const int oldFrame = inspector_.frame();
+  const bool wasExact = inspector_.isExact();
+  bool isCancelled = false;
+  attempt([&] {
+    try {
+      inspector_.seek(frame, progress(what, stopsReplayAtOnce));
+    } catch (const Cancelled&) {
+      isCancelled = true;
+    }
+  });
+  if (listener_.onWork) listener_.onWork({});
+  if (isCancelled) return;
+  goal_.reset();
+  if (!inspector_.isExact()) refinementStopped_ = true; // it failed
+  if (inspector_.frame() == oldFrame && inspector_.isExact() == wasExact) return;
+  ++version_;
+  statusChanged_ = true;
+}
+
+// The next frame, in its turn: when frames take longer than their time, time slows down.
+void RenderWorker::playOn() {
+  const int last = inspector_.frameCount() - 1;
+  if (last == 0 || (inspector_.frame() == last && !looping_)) return setPlaying(false);
+  const auto period = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(1.0 / inspector_.scene().shot.framesPerSecond));
+  nextFrameAt_ += period;
+  const bool done = attempt([&] { inspector_.frame() == last ? inspector_.seek(0) : inspector_.advance(); });
+  if (!done) setPlaying(false);
+  nextFrameAt_ = std::max(nextFrameAt_, Clock::now());
+  ++version_;
+  statusChanged_ = true;
+}
+
+void RenderWorker::deliver() {
+  if (isOpen()) {
+    for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
+    if (probe_ && probeDelivered_ != version_) deliverProbe();
+  }
+  if (statusChanged_) sendStatus();
+}
+
+void RenderWorker::deliverView(int index) {
+  const ViewRequest& view = views_[static_cast<std::size_t>(index)];
+  Delivered& last = delivered_[static_cast<std::size_t>(index)];
+  if (view.width <= 0 || view.height <= 0 || (last.version == version_ && last.request == view)) return;
+  last = {view, version_}; // also when it fails: once is enough to tell
+  attempt([&] {
+    ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
+    result.frame = inspector_.frame();
+    result.exact = inspector_.isExact(view.lane);
+    result.picture =
+        inspector_.picture(view.id, view.style, view.transform, view.width, view.height, view.lane);
+    const gl::Rect region = visiblePixels(view, inspector_.width(), inspector_.height());
+    if (view.withValues && region.width > 0 && region.height > 0) {
+      result.region = region;
+      result.values = inspector_.image(view.id, view.lane, region);
+    }
+    if (listener_.onPicture) listener_.onPicture(std::move(result));
+  });
+}
+
+void RenderWorker::deliverProbe() {
+  probeDelivered_ = version_;
+  // A pinned pixel may lie outside for a while, when the size changes.
+  if (probe_->x < 0 || probe_->y < 0 || probe_->x >= inspector_.width() || probe_->y >= inspector_.height())
+    return;
+  attempt([&] {
+    ProbeResult result{.x = probe_->x, .y = probe_->y, .frame = inspector_.frame(), .around = {}};
+    result.around = inspector_.probeAround(probe_->x, probe_->y, 1);
+    result.exact = inspector_.isExact();
+    if (listener_.onProbe) listener_.onProbe(std::move(result));
+  });
+}
+
+void RenderWorker::sendStatus() {
+  statusChanged_ = false;
+  if (!listener_.onStatus) return;
+  Status status;
+  status.width = inspector_.width();
+  status.height = inspector_.height();
+  status.settings = inspector_.settings();
+  status.jitterPeriod = jitterPeriod(status.settings.jitter);
+  status.playing = playing_;
+  status.driver = inspector_.driver();
+  if (isOpen()) {
+    status.source = inspector_.source();
+    status.camera = inspector_.camera();
+    status.cameras = inspector_.cameras();
+    status.warnings = inspector_.scene().warnings;
+    status.frameCount = inspector_.frameCount();
+    status.framesPerSecond = inspector_.scene().shot.framesPerSecond;
+    status.info = inspector_.info();
+    status.exact = inspector_.isExact();
+    status.times = inspector_.times();
+  }
+  listener_.onStatus(std::move(status));
+}
+
+} // namespace taa

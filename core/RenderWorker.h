@@ -1,0 +1,87 @@
+// What the render thread does: takes wishes in their order of importance, works, and delivers what changed.
+#pragma once
+
+#include "core/RenderThread.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// What is asked for and not yet taken up; the last wish of a kind wins, steps add up.
+struct Wishes {
+  bool reload = false, cancel = false;
+  std::optional<std::string> source, camera;
+  std::optional<glm::ivec2> size;
+  std::optional<Settings> settings;
+  std::optional<bool> looping, playing;
+  std::optional<int> frame; ///< to go to, before the steps
+  int steps = 0;
+  std::optional<std::vector<ViewRequest>> views;
+  std::optional<std::optional<glm::ivec2>> probe;
+
+  bool isEmpty() const;
+  /// Whether going to a frame is of no use any more once these are taken up.
+  bool endReplay() const;
+};
+
+/// Lives on the render thread, with the Inspector. `pending` answers what has been wished for since: called
+/// with a function that looks at the wishes while nobody changes them.
+class RenderWorker {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Pending = std::function<bool(bool (*)(const Wishes&))>;
+
+  /// Throws Error when there is no GL.
+  RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends);
+
+  void apply(const Wishes& wishes);
+  /// Goes on with what is not done: a frame to go to, the next frame of a playing shot, an exact picture.
+  void work();
+  void deliver();
+
+  /// Whether work() would do something now, besides playing.
+  bool hasGoal() const { return goal_ || needsRefinement(); }
+  bool isPlaying() const { return playing_; }
+  Clock::time_point nextFrameAt() const { return nextFrameAt_; }
+
+ private:
+  struct Delivered {
+    ViewRequest request;
+    std::uint64_t version = 0;
+  };
+  bool isOpen() const { return !inspector_.source().empty(); }
+  bool needsRefinement() const;
+  void applySource(const Wishes& wishes);
+  void applyTime(const Wishes& wishes);
+  void playOn();
+  void replay(int frame, const std::string& what);
+  void setPlaying(bool playing);
+  void deliverView(int index);
+  void deliverProbe();
+  void sendStatus();
+  Progress progress(const std::string& what, bool (*stops)(const Wishes&));
+  template <typename Action>
+  bool attempt(Action action);
+
+  const RenderListener& listener_;
+  Pending pending_;
+  const std::atomic<bool>& ends_;
+  Inspector inspector_;
+  bool playing_ = false, looping_ = true;
+  bool refinementStopped_ = false; // cancelled or failed: not again until something changes
+  std::optional<int> goal_;        // frame to go to
+  Clock::time_point nextFrameAt_;
+  std::uint64_t version_ = 1; // of the frame on show; changes with everything that it depends on
+  bool statusChanged_ = true;
+  std::vector<ViewRequest> views_;
+  std::vector<Delivered> delivered_;
+  std::optional<glm::ivec2> probe_;
+  std::uint64_t probeDelivered_ = 0;
+};
+
+} // namespace taa
