@@ -103,8 +103,8 @@ TEST(ExposePrelude, WritesNothingButTheMacrosWhenNothingIsWatched) {
 
 TEST(ExposePrelude, GivesAFewTargetsBehindThoseOfTheHistory) {
   const std::string text = taa::exposePrelude({IntermediateId::motion, IntermediateId::alpha});
-  EXPECT_EQ(count(text, "layout(location = 2) out vec2 o_motion;"), 1u) << text;
-  EXPECT_EQ(count(text, "layout(location = 3) out float o_alpha;"), 1u) << text;
+  EXPECT_EQ(count(text, "layout(location = 2) out vec2 o_exposed_motion;"), 1u) << text;
+  EXPECT_EQ(count(text, "layout(location = 3) out float o_exposed_alpha;"), 1u) << text;
   EXPECT_EQ(count(text, "imageStore"), 0u);
 }
 

@@ -1,0 +1,147 @@
+// Looking changes nothing: the resolve gives the same bits whatever is exposed, and exposes the same bits
+// whatever else it does.
+#include "core/base/Error.h"
+#include "tests/support/CompareImages.h"
+#include "tests/support/ResolveTest.h"
+#include "tests/support/ShaderFolder.h"
+#include "tests/support/Variants.h"
+
+using taa::Exposure;
+using taa::History;
+using taa::IntermediateId;
+using taa::test::crop;
+using taa::test::difference;
+using taa::test::FrameShape;
+using taa::test::Variant;
+
+class LookingTest : public taa::test::ResolveTest {
+ protected:
+  static void expectSame(const History& actual, const History& expected, const std::string& what) {
+    EXPECT_EQ(difference(actual.color.download(), expected.color.download()), "") << "color, " << what;
+    EXPECT_EQ(difference(actual.surface.download(), expected.surface.download()), "") << "surface, " << what;
+  }
+
+  // Watched: nothing, one row, six (the most that have targets of their own), everything.
+  static std::vector<std::vector<IntermediateId>> watches(std::size_t first) {
+    std::vector<std::vector<IntermediateId>> watches(3);
+    for (std::size_t i = 0; i < 6; ++i)
+      watches[i == 0 ? 0 : 1].push_back(
+          static_cast<IntermediateId>((first + 5 * i) % taa::kIntermediateCount));
+    watches[1].push_back(watches[0][0]);
+    watches[2] = taa::test::allIntermediates();
+    return watches;
+  }
+};
+
+TEST_F(LookingTest, ChangesNothing) {
+  std::uint32_t seed = 1;
+  for (const Variant& variant : taa::test::presetsAndChoices()) {
+    FrameShape shape;
+    shape.history = variant.settings.history.precision;
+    const taa::reference::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
+    const History bare = resolve(frame, shape, variant.settings);
+    for (const auto& watched : watches(seed)) {
+      Exposure exposure(watched, whole(shape));
+      expectSame(resolve(frame, shape, variant.settings, &exposure), bare,
+                 std::to_string(watched.size()) + " watched, " + variant.name);
+    }
+  }
+}
+
+TEST_F(LookingTest, ShowsTheSameWhetherItHasATargetOrAStore) {
+  const FrameShape shape;
+  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 7, true);
+  const taa::test::Exposed all = expose(frame, shape, {});
+  for (std::size_t first = 0; first < taa::kIntermediateCount; first += 6) {
+    std::vector<IntermediateId> watched;
+    for (std::size_t row = first; row < std::min(first + 6, taa::kIntermediateCount); ++row)
+      watched.push_back(static_cast<IntermediateId>(row));
+    ASSERT_TRUE(taa::exposesAsTargets(watched));
+    Exposure exposure(watched, whole(shape));
+    resolve(frame, shape, {}, &exposure);
+    for (const IntermediateId id : watched)
+      EXPECT_EQ(difference(exposure.image(id), all.at(id)), "") << taa::intermediate(id).name;
+  }
+}
+
+TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
+  const FrameShape shape;
+  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 8, true);
+  const taa::test::Exposed all = expose(frame, shape, {});
+  const taa::FrameInputs inputs = taa::test::upload(frame, shape);
+  const History previous = taa::test::uploadHistory(frame, shape);
+  const taa::gl::Rect regions[] = {{13, 7, 9, 5}, {0, 0, 1, 1}, {96, 60, 1, 1}, {40, 0, 57, 61}};
+  for (const taa::gl::Rect& region : regions)
+    for (const auto& watched : watches(3)) {
+      Exposure exposure(watched, region);
+      pass().expose(inputs, &previous, {}, exposure);
+      for (const IntermediateId id : watched)
+        EXPECT_EQ(
+            difference(exposure.image(id), crop(all.at(id), region.x, region.y, region.width, region.height)),
+            "")
+            << taa::intermediate(id).name << " at " << region.x << ", " << region.y;
+    }
+}
+
+TEST_F(LookingTest, ShowsAsResolvedWhatTheHistoryHolds) {
+  for (const taa::Precision precision : {taa::Precision::Half, taa::Precision::Full}) {
+    FrameShape shape;
+    shape.history = precision;
+    taa::Settings settings;
+    settings.history.precision = precision;
+    const taa::reference::Inputs frame = taa::test::randomFrame(shape, 9, true);
+    const taa::test::Exposed all = expose(frame, shape, settings);
+    taa::reference::Inputs next = frame;
+    taa::test::downloadHistory(resolve(frame, shape, settings), next);
+    taa::Image color(shape.width, shape.height, 3);
+    taa::Image frames(shape.width, shape.height, 1);
+    for (int y = 0; y < shape.height; ++y)
+      for (int x = 0; x < shape.width; ++x) {
+        std::copy_n(next.historyColor.at(x, y), 3, color.at(x, y));
+        *frames.at(x, y) = next.historySurface.at(x, y)[0];
+      }
+    EXPECT_EQ(difference(all.at(IntermediateId::resolved), color), "");
+    EXPECT_EQ(difference(all.at(IntermediateId::historyLength), frames), "");
+  }
+}
+
+TEST_F(LookingTest, AnExposureKnowsItsRows) {
+  const Exposure exposure(
+      {IntermediateId::alpha, IntermediateId::color, IntermediateId::depth, IntermediateId::color},
+      {0, 0, 4, 4});
+  EXPECT_EQ(exposure.watched(),
+            (std::vector{IntermediateId::color, IntermediateId::depth, IntermediateId::alpha}));
+  EXPECT_TRUE(exposure.holds(IntermediateId::depth));
+  EXPECT_FALSE(exposure.holds(IntermediateId::motion));
+  EXPECT_EQ(exposure.layer(IntermediateId::color), 0);
+  EXPECT_EQ(exposure.layer(IntermediateId::depth), 0);
+  EXPECT_EQ(exposure.layer(IntermediateId::alpha), 1);
+  EXPECT_EQ(difference(exposure.image(IntermediateId::color), taa::Image(4, 4, 3)), "") << "cleared at first";
+}
+
+TEST_F(LookingTest, ABrokenShaderKeepsTheProgramsThatRun) {
+  const FrameShape shape;
+  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 10, false);
+  const taa::test::ShaderFolder folder;
+  taa::TaaPass own;
+  const taa::FrameInputs inputs = taa::test::upload(frame, shape);
+  const History previous = taa::test::uploadHistory(frame, shape);
+  History before, broken, changed;
+  own.resolve(inputs, &previous, {}, before);
+
+  folder.replace("taa/blend.glsl", "precise float currentWeight", "no float currentWeight");
+  try {
+    own.reloadShaders();
+    FAIL() << "compiles";
+  } catch (const taa::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("taa/blend.glsl:"), std::string::npos) << error.what();
+  }
+  own.resolve(inputs, &previous, {}, broken);
+  expectSame(broken, before, "after a reload that failed");
+
+  folder.replace("taa/blend.glsl", "no float currentWeight", "precise float currentWeight");
+  folder.replace("taa/resolve.frag", "vec4(blended.color, 1.0)", "vec4(2.0)");
+  own.reloadShaders();
+  own.resolve(inputs, &previous, {}, changed);
+  EXPECT_EQ(changed.color.download().pixels[0], 2.0f) << "the new shader runs";
+}
