@@ -117,7 +117,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
-  std::ranges::sort(visible_);
+  std::sort(visible_.begin(), visible_.end());
 }
 
 void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,

@@ -7,6 +7,7 @@
 #include "core/render/View.h"
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 namespace taa {
@@ -29,7 +30,9 @@ class GBufferPass {
     unsigned textures = 0; ///< textureMask()
     bool masked = false;
     bool lit = true;
-    auto operator<=>(const Variant&) const = default;
+    bool operator<(const Variant& other) const {
+      return std::tie(textures, masked, lit) < std::tie(other.textures, other.masked, other.lit);
+    }
   };
   /// One primitive at one node.
   struct Item {
@@ -43,7 +46,9 @@ class GBufferPass {
     bool masked = false;
     float distance = 0.0f; ///< of its far end
     std::size_t item = 0;
-    auto operator<=>(const Visible&) const = default;
+    bool operator<(const Visible& other) const {
+      return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
+    }
   };
   /// Fills the blocks of all items, and `visible_`.
   void prepare(const Scene& scene, const View& view);

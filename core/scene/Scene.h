@@ -152,8 +152,8 @@ struct Light {
 struct Sky {
   glm::vec3 zenith{0.18f, 0.32f, 0.62f}, horizon{0.62f, 0.70f, 0.80f}, ground{0.16f, 0.15f, 0.14f};
   glm::vec3 sunDirection{0.4f, 0.8f, 0.45f}; ///< to the sun; need not be normalized
-  glm::vec3 sunColor{3.0f, 2.8f,
-                     2.5f}; ///< irradiance; the sky lights scenes that bring no light of their own
+  glm::vec3 sunColor{2.5f, 2.35f,
+                     2.1f}; ///< irradiance; the sky lights scenes that bring no light of their own
   bool sunEnabled = true;
 };
 

@@ -2,14 +2,16 @@
 // normalized, world space, y up; radiance in scene-linear units.
 #include "shared/FrameBlock.h"
 
-/// The gradient without the sun; `blur` 0…1 widens the horizon, for rough reflections.
+/// The gradient without the sun; `blur` 0…1 softens the horizon, for rough reflections. Ground fades into haze
+/// towards the horizon, so that things which float in nothing stand before something calm.
 vec3 skyGradient(float height, float blur) {
-  float up = clamp(height, 0.0, 1.0);
-  float rest = 1.0 - up;
-  vec3 sky = mix(frame.skyZenith.rgb, frame.skyHorizon.rgb, rest * rest * rest);
-  // Sharp from above: what stands before the horizon does not float on a band of ground color.
-  float width = 0.02 + 0.98 * blur;
-  return mix(frame.skyGround.rgb, sky, smoothstep(-width, width * blur, height));
+  float rest = 1.0 - min(abs(height), 1.0);
+  float rest2 = rest * rest;
+  float haze = (0.8 - 0.8 * blur) * (rest2 * rest2) * (rest2 * rest2) * (rest2 * rest2);
+  vec3 sky = mix(frame.skyZenith.rgb, frame.skyHorizon.rgb, rest2 * rest);
+  vec3 ground = mix(frame.skyGround.rgb, frame.skyHorizon.rgb, haze);
+  float width = 0.004 + 0.996 * blur;
+  return mix(ground, sky, smoothstep(-width, width, height));
 }
 
 /// Irradiance / π on a surface that faces `normal`: a hemisphere of sky above one of ground.
