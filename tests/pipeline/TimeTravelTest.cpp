@@ -1,0 +1,206 @@
+// Frame n is a function: however it is reached and however much is looked at, the same bits, with every
+// preset, in both built-in scenes (design §2.1–3).
+#include "core/Inspector.h"
+
+#include "core/base/Error.h"
+#include "core/settings/Presets.h"
+#include "core/taa/reference/Stages.h"
+#include "tests/support/CompareImages.h"
+#include "tests/support/Frames.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/ReferenceInputs.h"
+#include "tests/support/ResolveTest.h"
+
+#include <string>
+#include <vector>
+
+namespace taa {
+namespace {
+
+constexpr int kWidth = 80;
+constexpr int kHeight = 45;
+constexpr int kFrame = 13; // not a round number: between checkpoints, whatever their distance
+
+std::vector<Settings> presetLanes() {
+  std::vector<Settings> lanes;
+  for (const Preset& preset : builtinPresets()) lanes.push_back(preset.settings);
+  return lanes;
+}
+
+/// Every intermediate of every lane; resolved, history length and dilated depth are the next frame's history.
+std::vector<Image> everything(Inspector& inspector) {
+  std::vector<Image> pictures;
+  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+    for (Image& picture : inspector.images(test::allIntermediates(), lane))
+      pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+/// The first picture in which two moments differ, and where; empty when none does.
+std::string difference(const std::vector<Image>& a, const std::vector<Image>& b) {
+  if (a.size() != b.size()) return "different numbers of pictures";
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string where = test::difference(a[i], b[i]);
+    if (where.empty()) continue;
+    return std::string(kIntermediates[i % kIntermediateCount].name) + " of lane " +
+           std::to_string(i / kIntermediateCount) + ": " + where;
+  }
+  return {};
+}
+
+void play(Inspector& inspector, int frame) {
+  while (inspector.frame() < frame) inspector.seek(inspector.frame() + 1);
+}
+
+/// Parameter: a built-in scene. One Inspector at a time, for each brings its own context.
+class TimeTravelTest : public test::GlTest, public testing::WithParamInterface<const char*> {
+ protected:
+  static void open(Inspector& inspector, const std::vector<Settings>& lanes) {
+    inspector.setSize(kWidth, kHeight);
+    inspector.open(std::string("builtin:") + GetParam());
+    inspector.setLanes(lanes);
+  }
+
+  /// All of a frame, from an inspector that keeps nothing and went straight there.
+  static std::vector<Image> soughtAtOnce(const std::vector<Settings>& lanes, int frame) {
+    Inspector inspector;
+    inspector.setCheckpointBudget(0);
+    open(inspector, lanes);
+    inspector.seek(frame);
+    EXPECT_TRUE(inspector.isExact());
+    return everything(inspector);
+  }
+};
+
+TEST_P(TimeTravelTest, PlayingSeekingAndSteppingBackGiveTheSameBitsInEveryLane) {
+  const std::vector<Image> expected = soughtAtOnce(presetLanes(), kFrame);
+  const std::vector<Image> next = soughtAtOnce(presetLanes(), kFrame + 1);
+  EXPECT_NE(difference(expected, next), ""); // frames differ at all
+  Inspector inspector;
+  open(inspector, presetLanes());
+  EXPECT_EQ(inspector.laneCount(), 4);
+  play(inspector, kFrame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "played";
+  play(inspector, kFrame + 5);
+  for (int frame = kFrame + 4; frame >= kFrame; --frame) inspector.seek(frame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "stepped back";
+  inspector.seek(kFrame + 1);
+  EXPECT_EQ(difference(everything(inspector), next), "") << "and on again";
+  inspector.seek(40);
+  inspector.seek(kFrame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from behind";
+  inspector.seek(0);
+  inspector.seek(kFrame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from the start";
+}
+
+TEST_P(TimeTravelTest, ALaneIsWhatItIsAlone) {
+  const std::vector<Image> together = soughtAtOnce(presetLanes(), kFrame);
+  std::vector<Image> alone;
+  for (const Settings& settings : presetLanes()) {
+    for (Image& picture : soughtAtOnce({settings}, kFrame)) alone.push_back(std::move(picture));
+  }
+  EXPECT_EQ(difference(together, alone), "");
+}
+
+TEST_P(TimeTravelTest, AfterNewSettingsRefiningAndSeekingMakeItExact) {
+  const std::vector<Image> balanced = soughtAtOnce({preset("balanced").settings}, kFrame);
+  for (const Preset& other : builtinPresets()) {
+    if (other.id == "balanced") continue;
+    const std::vector<Image> refined = soughtAtOnce({other.settings}, kFrame);
+    Inspector inspector;
+    open(inspector, {preset("balanced").settings});
+    inspector.seek(kFrame);
+    inspector.setSettings(other.settings);
+    EXPECT_FALSE(inspector.isExact());
+    EXPECT_NE(difference(everything(inspector), refined), ""); // new settings on old history
+    inspector.refine();
+    EXPECT_TRUE(inspector.isExact());
+    EXPECT_EQ(difference(everything(inspector), refined), "") << other.id << ", refined";
+    inspector.setSettings(preset("balanced").settings);
+    inspector.refine();
+    inspector.seek(kFrame - 3); // checkpoints of other settings must not be used
+    inspector.seek(kFrame);
+    EXPECT_TRUE(inspector.isExact());
+    EXPECT_EQ(difference(everything(inspector), balanced), "") << other.id << " and back";
+  }
+}
+
+TEST_P(TimeTravelTest, LookingChangesNothingOverThirtyTwoFramesOfEveryPreset) {
+  const std::vector<IntermediateId> history{IntermediateId::resolved, IntermediateId::historyLength,
+                                            IntermediateId::dilatedDepth};
+  // Plays 32 frames; what is left as history after each, when asked to look, and everything at the end.
+  const auto playWatching = [&](const std::vector<IntermediateId>& watched, bool looks) {
+    std::vector<Image> seen;
+    Inspector inspector;
+    open(inspector, presetLanes());
+    inspector.watch(watched);
+    for (int frame = 0; frame < 32; ++frame) {
+      inspector.seek(frame);
+      for (int lane = 0; looks && lane < inspector.laneCount(); ++lane) {
+        inspector.probe(frame, frame, lane);
+        inspector.picture(IntermediateId::motion, {}, {}, 40, 40, lane);
+        for (Image& image : inspector.images(history, lane)) seen.push_back(std::move(image));
+      }
+    }
+    return std::pair(std::move(seen), everything(inspector));
+  };
+  const auto blind = playWatching({}, false);
+  const auto glancing = playWatching({IntermediateId::clipAmount}, true);
+  const auto staring = playWatching(test::allIntermediates(), true);
+  ASSERT_EQ(glancing.first.size(), staring.first.size());
+  for (std::size_t i = 0; i < glancing.first.size(); ++i) {
+    ASSERT_EQ(test::difference(glancing.first[i], staring.first[i]), "") << "picture " << i;
+  }
+  EXPECT_EQ(difference(blind.second, glancing.second), "");
+  EXPECT_EQ(difference(blind.second, staring.second), "");
+}
+
+/// What the frame after the inspector's will be resolved on, from what can be looked at.
+void keepHistory(Inspector& inspector, Image& color, Image& surface) {
+  const Image resolved = inspector.image(IntermediateId::resolved);
+  const Image length = inspector.image(IntermediateId::historyLength);
+  const Image depth = inspector.image(IntermediateId::dilatedDepth);
+  const glm::vec4 depthTerms = inspector.inputs().block.depthTerms;
+  color = Image(kWidth, kHeight, 4);
+  surface = Image(kWidth, kHeight, 2);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      test::setColor(color, x, y, glm::vec3(resolved.texel(x, y)));
+      surface.at(x, y)[0] = length.at(x, y)[0];
+      surface.at(x, y)[1] = reference::viewDepth(depth.at(x, y)[0], depthTerms);
+    }
+  }
+}
+
+TEST_P(TimeTravelTest, ProbeIsPictureIsTwin) {
+  const Settings settings = preset("balanced").settings;
+  Inspector inspector;
+  open(inspector, {settings});
+  inspector.seek(kFrame - 1);
+  Image color;
+  Image surface;
+  keepHistory(inspector, color, surface);
+  inspector.seek(kFrame);
+  const std::vector<Image> pictures = everything(inspector);
+  reference::Inputs twin = test::twinInputs(inspector.inputs(), nullptr);
+  twin.historyColor = color;
+  twin.historySurface = surface;
+  EXPECT_EQ(test::differenceFromTwin(twin, settings, pictures, inspector.driver().isSoftware), "");
+  for (int i = 0; i < 40; ++i) { // scattered over the picture, a corner among them
+    const int x = i * 37 % kWidth;
+    const int y = i * 23 % kHeight;
+    const PixelRecord record = inspector.probe(x, y);
+    for (std::size_t row = 0; row < kIntermediateCount; ++row) {
+      EXPECT_EQ(record[row], pictures[row].texel(x, y)) << kIntermediates[row].name;
+    }
+    EXPECT_EQ(inspector.probeAround(x, y, 1)[4], record);
+  }
+  EXPECT_THROW(inspector.probe(kWidth, 0), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, TimeTravelTest, testing::Values("fan", "fence"));
+
+} // namespace
+} // namespace taa
