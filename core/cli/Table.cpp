@@ -24,12 +24,11 @@ void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& 
       widths[column] = std::max(widths[column], columns(row[column]));
   }
   for (const std::vector<std::string>& row : rows) {
-    out << indent;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      out << row[column];
-      if (column + 1 < row.size()) out << std::string(widths[column] - columns(row[column]) + 2, ' ');
-    }
-    out << '\n';
+    std::string line = indent;
+    for (std::size_t column = 0; column < row.size(); ++column)
+      line += row[column] + std::string(widths[column] - columns(row[column]) + 2, ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
   }
 }
 

@@ -7,8 +7,8 @@
 
 namespace taa::cli {
 
-/// Prints `rows` with columns as wide as their longest entry, two spaces apart, each line after `indent`.
-/// The last column is not padded.
+/// Prints `rows` with columns as wide as their longest entry, two spaces apart, each line after `indent`;
+/// no spaces at the ends of lines.
 void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& rows,
                 const std::string& indent = "");
 

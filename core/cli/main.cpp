@@ -1,13 +1,144 @@
-// taa-batch: the core without a window. Here are only the command line and how errors end the program.
+// taa-batch: the core without a window. The command line, and how the program ends.
+#include "core/base/Error.h"
+#include "core/cli/Commands.h"
+
 #include <CLI/CLI.hpp>
 
-int main(int argc, char** argv) {
-  CLI::App app("Renders frames through TAA and answers questions about them, without a window.", "taa-batch");
+#include <csignal>
+#include <iostream>
+#include <unistd.h>
+
+namespace {
+
+using namespace taa::cli;
+
+constexpr int kWorldsFault = 1;
+constexpr int kUsage = 2;
+constexpr int kInterrupted = 130; // as a shell reports SIGINT
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// One line on a terminal that follows the work and is wiped at the end; silent where stderr is no terminal.
+class ProgressLine {
+ public:
+  ProgressLine() : isTerminal_(::isatty(STDERR_FILENO) == 1) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (isTerminal_) std::cerr << "\r\033[K" << std::flush;
+  }
+  bool show(std::string_view what, int done, int total) const {
+    if (isTerminal_) std::cerr << "\r\033[K" << what << ": " << done << " of " << total << std::flush;
+    return interrupted == 0;
+  }
+
+ private:
+  bool isTerminal_;
+};
+
+void addShotOptions(CLI::App& command, ShotArguments& shot) {
+  command.add_option("SOURCE", shot.source, "A glTF file (.gltf, .glb), or builtin:NAME (see list scenes)")
+      ->required();
+  command.add_option("--size", shot.size, "Size of the picture, WxH pixels")->capture_default_str();
+  command.add_option("--camera", shot.camera, "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
+  CLI::Option* preset =
+      command.add_option("--preset", shot.preset, "A preset (see list presets) or a .json file")
+          ->capture_default_str();
+  command.add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
+      ->allow_extra_args(false)
+      ->excludes(preset);
+  command.add_option("--set", shot.assignments, "path=value (see list parameters); repeat it for more")
+      ->allow_extra_args(false);
+}
+
+void addList(CLI::App& app, ListArguments& list) {
+  CLI::App* command = app.add_subcommand("list", "Say what there is");
+  command->add_option("WHAT", list.what, "intermediates, parameters, presets or scenes")
+      ->required()
+      ->check(CLI::IsMember({"intermediates", "parameters", "presets", "scenes"}));
+  command->add_flag("--json", list.json, "Print JSON");
+  command->callback([&list] { runList(list, std::cout); });
+}
+
+void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand("render", "Render frames and write their intermediates to files");
+  addShotOptions(*command, render.shot);
+  command->add_option("--frames", render.frames, "A..B, both included, or one frame")->required();
+  command->add_option("--out", render.folder, "Folder of the files; made where it is missing")->required();
+  command
+      ->add_option("--emit", render.emit,
+                   "Intermediates, with commas between (see list intermediates), or all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--format", render.format,
+          "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file for each")
+      ->check(CLI::IsMember({"exr", "png"}))
+      ->capture_default_str();
+  command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
+  command->callback([&render, &progress] { runRender(render, std::cout, progress); });
+}
+
+void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand("probe", "Print every intermediate at one pixel of one frame");
+  addShotOptions(*command, probe.shot);
+  command->add_option("--frame", probe.frame, "Number of the frame, from 0")->required();
+  command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left")->required();
+  command->add_flag("--json", probe.json, "Print JSON");
+  command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
+}
+
+/// CLI11 only says that a command is missing when the word in its place is none.
+void requireCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (!app.get_subcommands(isMeant).empty()) return;
+  throw UsageError("there is no command \"" + std::string(argv[1]) + "\"; there are list, render and probe");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Renders frames through TAA, exports any intermediate and answers questions about pixels, without a "
+      "window.",
+      "taa-batch");
   app.set_version_flag("--version", TAA_VERSION);
+  app.require_subcommand(1);
+  ListArguments list;
+  RenderArguments render;
+  ProbeArguments probe;
+  const ProgressLine line;
+  const taa::Progress progress = [&line](std::string_view what, int done, int total) {
+    return line.show(what, done, total);
+  };
+  addList(app, list);
+  addRender(app, render, progress);
+  addProbe(app, probe, progress);
+  requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return app.exit(error) == 0 ? 0 : kUsage;
   }
+  if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
   return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    std::cerr << "taa-batch: " << error.what() << '\n';
+    return kUsage;
+  } catch (const taa::Cancelled&) {
+    std::cerr << "taa-batch: interrupted; the files written so far are whole\n";
+    return kInterrupted;
+  } catch (const std::exception& error) {
+    std::cerr << "taa-batch: " << error.what() << '\n';
+    return kWorldsFault;
+  }
 }

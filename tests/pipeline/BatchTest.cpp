@@ -1,0 +1,255 @@
+// taa-batch as users and scripts meet it: the real program, its files, its words and its exit codes.
+#include "core/base/Files.h"
+#include "core/io/FrameFile.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using taa::test::ProcessResult;
+
+namespace {
+
+ProcessResult batch(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), taa::test::binary("taa-batch").string());
+  return taa::test::runProcess(arguments);
+}
+
+/// render builtin:fan, small, into a folder.
+ProcessResult render(const fs::path& folder, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {"render", "builtin:fan", "--size", "64x36", "--out", folder.string()};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return batch(arguments);
+}
+
+/// A folder of the test's own that is not there yet.
+fs::path freshFolder() {
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder = taa::test::temporaryFolder() / test->name();
+  fs::remove_all(folder);
+  return folder;
+}
+
+std::vector<std::string> fileNames(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+/// A mistake: these words on stderr, nothing on stdout, and the exit code.
+void expectMistake(int exitCode, const std::vector<std::string>& arguments,
+                   const std::vector<std::string>& words) {
+  const ProcessResult result = batch(arguments);
+  EXPECT_EQ(result.exitCode, exitCode) << result.err;
+  EXPECT_EQ(result.out, "");
+  for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+}
+
+void expectUsageError(const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
+  expectMistake(2, arguments, words);
+}
+
+void expectFailure(const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
+  expectMistake(1, arguments, words);
+}
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+float floatOf(const json& value) {
+  if (value.is_number()) return value.get<float>();
+  if (value == "nan") return std::numeric_limits<float>::quiet_NaN();
+  return (value == "inf" ? 1.0f : -1.0f) * std::numeric_limits<float>::infinity();
+}
+
+} // namespace
+
+TEST(BatchList, PrintsEveryRowOfEveryTableAsJson) {
+  const std::vector<std::pair<std::string, std::size_t>> tables = {{"intermediates", taa::kIntermediateCount},
+                                                                   {"parameters", taa::parameters().size()},
+                                                                   {"presets", taa::builtinPresets().size()},
+                                                                   {"scenes", 2}};
+  for (const auto& [what, count] : tables) {
+    const ProcessResult result = batch({"list", what, "--json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(json::parse(result.out).size(), count) << what;
+  }
+}
+
+TEST(BatchList, GivesIntermediatesInTheOrderOfTheTable) {
+  const json list = json::parse(batch({"list", "intermediates", "--json"}).out);
+  for (std::size_t index = 0; index < taa::kIntermediateCount; ++index) {
+    const taa::Intermediate& row = taa::kIntermediates[index];
+    EXPECT_EQ(list[index]["id"], row.name);
+    EXPECT_EQ(list[index]["unit"], row.unit);
+    EXPECT_EQ(list[index]["channels"].size(), static_cast<std::size_t>(row.channels));
+    EXPECT_EQ(list[index]["description"], row.description);
+  }
+}
+
+TEST(BatchList, GivesParametersThatSetAccepts) {
+  taa::Settings settings;
+  for (const json& row : json::parse(batch({"list", "parameters", "--json"}).out)) {
+    const std::string path = row["path"], value = row["default"];
+    EXPECT_NO_THROW(taa::applyAssignment(settings, path + "=" + value));
+  }
+  EXPECT_TRUE(settings == taa::Settings{});
+}
+
+TEST(BatchList, PrintsOneLineForEachRowToPeople) {
+  const ProcessResult result = batch({"list", "intermediates"});
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(result.out, '\n')), taa::kIntermediateCount);
+  EXPECT_TRUE(result.out.starts_with("color ")) << result.out;
+}
+
+TEST(Batch, ExplainsEveryCommand) {
+  for (const char* command : {"", "list", "render", "probe"}) {
+    std::vector<std::string> arguments = {"--help"};
+    if (*command) arguments.insert(arguments.begin(), command);
+    const ProcessResult result = batch(arguments);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.out.find("Usage: taa-batch"), std::string::npos) << result.out;
+    EXPECT_EQ(result.err, "");
+  }
+  EXPECT_EQ(batch({"--version"}).out, TAA_VERSION "\n");
+}
+
+TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
+  expectUsageError({}, {"subcommand"});
+  expectUsageError({"paint"}, {"paint", "render"});
+  expectUsageError({"list", "lights"}, {"intermediates", "presets"});
+  const std::vector<std::string> call = {"render", "builtin:fan", "--frames", "0", "--out", "/nowhere"};
+  expectUsageError(joined(call, {"--emit", "resolved,velocity"}), {"velocity", "motion"});
+  expectUsageError(joined(call, {"--set", "rectify.methid=clamp"}), {"rectify.methid", "rectify.method"});
+  expectUsageError(joined(call, {"--set", "rectify.method=squash"}), {"squash", "clamp"});
+  expectUsageError(joined(call, {"--set", "rectify.method"}), {"rectify.method"});
+  expectUsageError(joined(call, {"--preset", "splendid"}), {"splendid", "balanced"});
+  expectUsageError(joined(call, {"--lane", "splendid"}), {"splendid", "balanced"});
+  expectUsageError(joined(call, {"--lane", "balanced", "--preset", "balanced"}), {"--lane", "--preset"});
+  expectUsageError(joined(call, {"--size", "720p"}), {"720p", "1280x720"});
+  expectUsageError(joined(call, {"--format", "bmp"}), {"exr", "png"});
+  expectUsageError({"render", "builtin:fan", "--out", "/nowhere", "--frames", "7..3"}, {"7..3"});
+  expectUsageError({"probe", "builtin:fan", "--frame", "0", "--pixel", "middle"}, {"middle", "412,207"});
+  expectUsageError({"probe", "builtin:fan", "--frame", "-1", "--pixel", "0,0"}, {"--frame"});
+}
+
+TEST(Batch, RefusesAFifthLane) {
+  std::vector<std::string> arguments = {"render", "builtin:fan", "--frames", "0", "--out", "/nowhere"};
+  for (int lane = 0; lane < 5; ++lane) arguments.insert(arguments.end(), {"--lane", "balanced"});
+  expectUsageError(arguments, {"5 times", "4 lanes"});
+}
+
+using BatchTest = taa::test::GlTest;
+
+TEST_F(BatchTest, SaysWhatIsWrongWithTheWorld) {
+  const fs::path folder = freshFolder();
+  const std::vector<std::string> end = {"--size", "16x16", "--out", folder.string()};
+  expectFailure(joined({"render", "/nowhere/a.glb", "--frames", "0"}, end), {"/nowhere/a.glb"});
+  expectFailure(joined({"render", "builtin:nothing", "--frames", "0"}, end), {"nothing", "fan", "fence"});
+  const std::vector<std::string> fan = joined({"render", "builtin:fan"}, end);
+  expectFailure(joined(fan, {"--frames", "0", "--camera", "drone"}), {"drone", "orbit"});
+  expectFailure(joined(fan, {"--frames", "0..99999"}), {"99999", "frames 0 to"});
+  expectFailure(joined(fan, {"--frames", "0", "--preset", "/nowhere/a.json"}), {"/nowhere/a.json"});
+  expectFailure({"probe", "builtin:fan", "--size", "16x16", "--frame", "0", "--pixel", "16,0"}, {"16"});
+  EXPECT_FALSE(fs::exists(folder)) << "nothing is made before it is known that it can be filled";
+}
+
+TEST_F(BatchTest, SaysThatTheFolderCannotBeMade) {
+  const fs::path file = taa::test::temporaryFolder() / "a file";
+  taa::writeFile(file, "x");
+  const ProcessResult result = render(file, {"--frames", "0"});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.err.find(file.string()), std::string::npos) << result.err;
+  EXPECT_EQ(taa::readFile(file), "x");
+}
+
+TEST_F(BatchTest, WritesAFileForEachFrameWithAPartForEachIntermediate) {
+  const fs::path folder = freshFolder() / "made";
+  const ProcessResult result = render(folder, {"--frames", "1..2", "--emit", "all", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "") << "no progress where there is no terminal";
+  EXPECT_EQ(fileNames(folder), (std::vector<std::string>{"frame.0001.exr", "frame.0002.exr"}));
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["frames"], json::array({1, 2}));
+  EXPECT_EQ(report["size"], json::array({64, 36}));
+  EXPECT_EQ(report["files"][1], (folder / "frame.0002.exr").string());
+  std::vector<std::string> ids;
+  for (const taa::Intermediate& row : taa::kIntermediates) ids.emplace_back(row.name);
+  EXPECT_EQ(taa::partNames(folder / "frame.0002.exr"), ids);
+  EXPECT_EQ(taa::readPartAttribute(folder / "frame.0002.exr", "color", "taa:frame"), "2");
+}
+
+TEST_F(BatchTest, PrintsTheFilesItWrote) {
+  const fs::path folder = freshFolder();
+  const ProcessResult result = render(folder, {"--frames", "0..1"});
+  const std::string first = (folder / "frame.0000.exr").string(),
+                    second = (folder / "frame.0001.exr").string();
+  EXPECT_EQ(result.out, first + "\n" + second + "\n") << result.err;
+  EXPECT_EQ(taa::partNames(first), std::vector<std::string>{"resolved"});
+}
+
+TEST_F(BatchTest, NamesPartsByLane) {
+  const fs::path folder = freshFolder();
+  const ProcessResult result = render(folder, {"--frames", "3", "--lane", "balanced", "--lane", "balanced",
+                                               "--emit", "color,resolved", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(taa::partNames(folder / "frame.0003.exr"),
+            (std::vector<std::string>{"A.color", "A.resolved", "B.color", "B.resolved"}));
+  EXPECT_EQ(json::parse(result.out)["lanes"].size(), 2u);
+}
+
+TEST_F(BatchTest, WritesAPictureForEachIntermediate) {
+  const fs::path folder = freshFolder();
+  const ProcessResult result =
+      render(folder, {"--frames", "0", "--format", "png", "--emit", "resolved,motion"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(fileNames(folder),
+            (std::vector<std::string>{"frame.0000.motion.png", "frame.0000.resolved.png"}));
+}
+
+TEST_F(BatchTest, ProbesWhatItExports) {
+  const fs::path folder = freshFolder();
+  const std::vector<std::string> choices = {"--set", "rectify.method=clamp"};
+  ASSERT_EQ(render(folder, joined({"--frames", "5", "--emit", "all"}, choices)).exitCode, 0);
+  for (const char* place : {"0,0", "63,35", "31,17"}) {
+    const ProcessResult result = batch(joined(
+        {"probe", "builtin:fan", "--size", "64x36", "--frame", "5", "--pixel", place, "--json"}, choices));
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const json report = json::parse(result.out), &lane = report["lanes"][0];
+    EXPECT_EQ(lane["settings"]["rectify"]["method"], "clamp");
+    for (const taa::Intermediate& row : taa::kIntermediates) {
+      const std::string id(row.name);
+      const std::vector<std::string> channels = taa::channelNames(row);
+      const taa::Image image = taa::readPart(folder / "frame.0005.exr", id, channels);
+      for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        const float probed = floatOf(lane["values"][id][channels[channel]]);
+        const float exported = image.at(report["pixel"][0], report["pixel"][1])[channel];
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(probed), std::bit_cast<std::uint32_t>(exported))
+            << id << "." << channels[channel] << " at " << place << ": " << probed << ", " << exported;
+      }
+    }
+  }
+}
+
+TEST_F(BatchTest, ShowsAPixelToPeople) {
+  const ProcessResult result =
+      batch({"probe", "builtin:fence", "--size", "64x36", "--frame", "2", "--pixel", "20,10"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    EXPECT_NE(result.out.find(std::string(row.label)), std::string::npos) << row.label;
+}
