@@ -121,13 +121,14 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
 }
 
 void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,
-                       const gl::Buffer& frame, const gl::Buffer& lights, const gl::Framebuffer& target) {
+                       const gl::Buffer& frame, const gl::Framebuffer& target) {
   if (items_.empty()) return;
   prepare(scene, view);
+  lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
   pass.uniformBlock(2, frame);
-  pass.uniformBlock(3, lights);
+  pass.uniformBlock(3, lightBlock_);
   for (const Visible& visible : visible_) {
     const Item& item = items_[visible.item];
     pass.program(programs_.at(item.variant));

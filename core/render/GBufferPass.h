@@ -17,10 +17,10 @@ class GBufferPass {
   /// Compiles the shader variants the scene's materials need.
   explicit GBufferPass(const Scene& scene);
 
-  /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` and `lights` hold
-  /// the view's blocks.
+  /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
+  /// block.
   void draw(const Scene& scene, const SceneResources& resources, const View& view, const gl::Buffer& frame,
-            const gl::Buffer& lights, const gl::Framebuffer& target);
+            const gl::Framebuffer& target);
 
   /// Compiles again; on Error the old programs stay.
   void reloadShaders();
@@ -56,6 +56,7 @@ class GBufferPass {
   LightCounts lights_;
   std::vector<Item> items_; ///< object id − 1 is the index
   std::map<Variant, gl::Program> programs_;
+  gl::Buffer lightBlock_{sizeof(shared::LightBlock), nullptr, "lights"};
   gl::Buffer drawBlocks_;
   std::size_t drawStride_ = 0; ///< bytes
   std::vector<std::byte> staging_;

@@ -39,7 +39,6 @@ struct SceneRenderer::Parts {
   SkyPass sky;
   CameraMotionPass cameraMotion;
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
-  gl::Buffer lights{sizeof(shared::LightBlock), nullptr, "lights"};
 
   Parts(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene) {}
@@ -62,13 +61,12 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   out.info = view.info;
   out.block = view.block;
   parts.frame.update(0, &view.block, sizeof(view.block));
-  parts.lights.update(0, &view.lights, sizeof(view.lights));
 
   // Every pixel is written by a surface or by the sky, so only depth needs to start from something.
   gl::Framebuffer target({{&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}},
                          &out.depth, "frame inputs");
   target.clearDepth(0.0f);
-  parts.gbuffer.draw(*parts.scene, parts.resources, view, parts.frame, parts.lights, target);
+  parts.gbuffer.draw(*parts.scene, parts.resources, view, parts.frame, target);
   parts.sky.draw(parts.frame, target);
   if (request.inputs.motion == MotionSource::CameraFromDepth) parts.cameraMotion.draw(parts.frame, out);
 }

@@ -1,8 +1,10 @@
 // What the renderer draws into the frame's inputs: depth, surfaces, materials, purity.
 #include "core/render/SceneRenderer.h"
 
+#include "core/base/Error.h"
 #include "core/base/Half.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/ShaderFolder.h"
 #include "tests/support/SmallScene.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -322,6 +324,36 @@ TEST_F(SceneRendererTest, SurvivesAScaleOfNothingAndAnEmptyScene) {
   scene.nodes[static_cast<std::size_t>(quad)].scale = glm::vec3(0.0f);
   for (const float value : draw(scene).color.download().pixels) ASSERT_TRUE(std::isfinite(value));
   for (const float value : draw(emptyScene()).color.download().pixels) ASSERT_TRUE(std::isfinite(value));
+}
+
+TEST_F(SceneRendererTest, KeepsDrawingWithTheOldShadersWhenTheNewOnesDoNotCompile) {
+  Scene scene = emptyScene();
+  addQuad(scene, {0, 0, 0}, kRight, kUp);
+  const test::ShaderFolder shaders;
+  SceneRenderer renderer(std::make_shared<const Scene>(scene));
+  FrameInputs inputs;
+  const auto middle = [&] {
+    renderer.draw(request(), 0, inputs);
+    return inputs.color.download().texel(kMiddleX, kMiddleY);
+  };
+  EXPECT_EQ(middle(), glm::vec4(1.0f));
+  shaders.replace("scene/mesh.frag", "baseColor.rgb);", "0.5 * baseColor.rgb);");
+  renderer.reloadShaders();
+  EXPECT_EQ(middle(), glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
+  shaders.replace("scene/mesh.frag", "0.5 * baseColor.rgb);", "0.25 * nothing);");
+  EXPECT_THROW(renderer.reloadShaders(), Error);
+  EXPECT_EQ(middle(), glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
+}
+
+TEST_F(SceneRendererTest, StopsUploadingWhenToldTo) {
+  const auto scene = std::make_shared<const Scene>(emptyScene());
+  EXPECT_THROW(SceneRenderer(scene, [](std::string_view, int, int) { return false; }), Cancelled);
+}
+
+TEST_F(SceneRendererTest, NamesTheCamerasThereAreWhenAskedForAnother) {
+  FrameRequest asked = request();
+  asked.camera = "gltf:nobody";
+  EXPECT_THROW(draw(emptyScene(), asked), Error);
 }
 
 } // namespace
