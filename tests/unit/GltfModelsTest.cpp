@@ -15,14 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The file of a shared model; skips the test where the shared data are not there.
-#define MODEL(name)                                                                                                    \
-  fs::path(TAA_SHARED_DATA) / "models" / (name);                                                                       \
-  if (!fs::exists(fs::path(TAA_SHARED_DATA) / "models")) GTEST_SKIP() << "no shared data at " << TAA_SHARED_DATA
+#define MODEL(name)                                                                                          \
+  fs::path(TAA_SHARED_DATA) / "models" / (name);                                                             \
+  if (!fs::exists(fs::path(TAA_SHARED_DATA) / "models"))                                                     \
+  GTEST_SKIP() << "no shared data at " << TAA_SHARED_DATA
 
 std::vector<fs::path> modelFiles() {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(TAA_SHARED_DATA) / "models"))
-    if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") files.push_back(entry.path());
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(fs::path(TAA_SHARED_DATA) / "models"))
+    if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
+      files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
 }
@@ -49,7 +52,8 @@ void expectWhole(const Scene& scene) {
         ASSERT_NEAR(glm::length(vertex.normal), 1.0f, 1e-4f);
       }
     }
-  for (const SceneImage& image : scene.images) ASSERT_EQ(image.rgba.size(), std::size_t(image.width) * image.height * 4);
+  for (const SceneImage& image : scene.images)
+    ASSERT_EQ(image.rgba.size(), std::size_t(image.width) * image.height * 4);
   for (const Animation& animation : scene.animations)
     for (const AnimationChannel& channel : animation.channels)
       ASSERT_TRUE(std::ranges::is_sorted(channel.times, std::less_equal<>()));
@@ -62,14 +66,18 @@ TEST(GltfModels, AllOpenOrSayWhichExtensionTheyNeed) {
   for (const fs::path& file : modelFiles()) {
     SCOPED_TRACE(file.string());
     const std::string text = file.string();
-    const bool draco = text.find("Draco") != std::string::npos, meshopt = text.find("Meshopt") != std::string::npos;
+    const bool draco = text.find("Draco") != std::string::npos,
+               meshopt = text.find("Meshopt") != std::string::npos;
     try {
       expectWhole(openScene(text));
       EXPECT_FALSE(draco || meshopt);
       ++opened;
     } catch (const Error& error) {
-      const std::string extension = draco ? "KHR_draco_mesh_compression" : meshopt ? "EXT_meshopt_compression" : "none";
-      EXPECT_EQ(std::string(error.what()), "cannot open " + text + ": extensionsRequired: it needs the extension " + extension +
+      const std::string extension = draco     ? "KHR_draco_mesh_compression"
+                                    : meshopt ? "EXT_meshopt_compression"
+                                              : "none";
+      EXPECT_EQ(std::string(error.what()), "cannot open " + text +
+                                               ": extensionsRequired: it needs the extension " + extension +
                                                ", which is not supported; export it without");
       ++refused;
     }

@@ -1,0 +1,447 @@
+// Tests of opening glTF files made by the test: what they mean, and the sentence for each way they can be
+// wrong.
+#include "core/base/Error.h"
+#include "core/base/Progress.h"
+#include "core/scene/Pose.h"
+#include "core/scene/SceneSource.h"
+#include "tests/support/GltfSample.h"
+#include "tests/support/Paths.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+namespace taa {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::GltfSample;
+
+/// The sentence a file is refused with, without "cannot open FILE: ".
+std::string refusal(const fs::path& file) {
+  try {
+    openScene(file.string());
+    return "it opened";
+  } catch (const Error& error) {
+    const std::string text = error.what(), start = "cannot open " + file.string() + ": ";
+    EXPECT_TRUE(text.starts_with(start)) << text;
+    return text.substr(std::min(text.size(), start.size()));
+  }
+}
+
+std::string refusalOf(const std::function<void(GltfSample&)>& spoil) {
+  GltfSample sample;
+  spoil(sample);
+  return refusal(sample.writeEmbedded("spoiled"));
+}
+
+/// Refusal after one JSON value was put at a JSON pointer: set("/nodes/0/mesh", 7).
+std::string refusalWith(const std::string& pointer, const json& value) {
+  return refusalOf([&](GltfSample& sample) { sample.json[json::json_pointer(pointer)] = value; });
+}
+
+TEST(GltfLoader, ReadsTheWholeSampleFromBothContainers) {
+  GltfSample sample;
+  for (const fs::path& file : {sample.writeEmbedded("whole"), sample.writeBinary("whole")}) {
+    const Scene scene = openScene(file.string());
+    EXPECT_EQ(scene.name, file.filename().string());
+    ASSERT_EQ(scene.nodes.size(), 6u); // the skinned mesh has a node of its own
+    EXPECT_EQ(scene.nodes[0].scale, glm::vec3(1, -1, 1));
+    EXPECT_EQ(scene.nodes[1].parent, 0);
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    const Primitive& triangle = scene.meshes[std::size_t(scene.nodes[1].mesh)].primitives.at(0);
+    EXPECT_EQ(triangle.indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(triangle.vertices[1].position, glm::vec3(1, 0, 0));
+    EXPECT_EQ(triangle.vertices[1].normal, glm::vec3(0, 0, 1)) << "made flat";
+    EXPECT_EQ(triangle.vertices[1].tangent, glm::vec4(1, 0, 0, 1)) << "u grows along x, v falls along y";
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.images[0].rgba.size(), 4u);
+    EXPECT_EQ(scene.bounds.min, glm::vec3(0, -3, 0)) << "the skinned triangle, moved by its joint";
+  }
+}
+
+TEST(GltfLoader, ReadsMaterialsCamerasAndLights) {
+  const Scene scene = openScene(GltfSample().writeEmbedded("parts").string());
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.metallic, 0.25f);
+  EXPECT_EQ(material.roughness, 1.0f);
+  EXPECT_EQ(material.normalScale, 2.0f);
+  EXPECT_EQ(material.alphaMode, AlphaMode::Mask);
+  EXPECT_EQ(material.alphaCutoff, 0.25f);
+  EXPECT_EQ(material.baseColorTexture.image, 0);
+  EXPECT_EQ(material.emissiveTexture.image, -1);
+  EXPECT_EQ(material.baseColorTexture.sampler.magnify, Filter::Nearest);
+  EXPECT_EQ(material.baseColorTexture.sampler.wrapU, Wrap::ClampToEdge);
+  EXPECT_EQ(material.baseColorTexture.sampler.wrapV, Wrap::Repeat);
+  ASSERT_EQ(scene.cameras.size(), 1u);
+  EXPECT_EQ(scene.cameras[0].fovY, 0.9f);
+  EXPECT_EQ(scene.cameras[0].nearPlane, 0.1f);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].kind, LightKind::Spot);
+  EXPECT_EQ(scene.lights[0].intensity, 5.0f);
+  EXPECT_EQ(scene.lights[0].outerConeAngle, 0.5f);
+  EXPECT_FALSE(scene.sky.sunEnabled) << "the file brings its own light";
+}
+
+TEST(GltfLoader, PlaysTheAnimationAndFitsTheShotToIt) {
+  const Scene scene = openScene(GltfSample().writeEmbedded("animated").string());
+  ASSERT_EQ(scene.animations.size(), 1u);
+  EXPECT_EQ(scene.animations[0].duration, 1.0f);
+  EXPECT_EQ(scene.shot.frames, 240);
+  EXPECT_EQ(glm::vec3(poseAt(scene, 0.25).worldFromNode[1][3]), glm::vec3(0, -1, 0))
+      << "under a mirrored parent";
+}
+
+TEST(GltfLoader, PutsSkinnedMeshesIntoTheirPoseAtRest) {
+  const Scene scene = openScene(GltfSample().writeEmbedded("skinned").string());
+  const Node& node = scene.nodes.back();
+  EXPECT_EQ(node.name, "skinned");
+  EXPECT_EQ(node.parent, -1);
+  // The joint is 2 up under a parent that mirrors y.
+  EXPECT_EQ(scene.meshes[std::size_t(node.mesh)].primitives.at(0).vertices[2].position, glm::vec3(0, -3, 0));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(scene.warnings[0], "Skinned meshes stand still in the pose their joints have at rest.");
+}
+
+TEST(GltfLoader, UnrollsEveryPrimitiveMode) {
+  struct Case {
+    int mode;
+    Topology topology;
+    std::vector<std::uint32_t> indices;
+  };
+  const Case cases[] = {{0, Topology::Points, {0, 1, 2, 3, 4}},
+                        {1, Topology::Lines, {0, 1, 2, 3}},
+                        {2, Topology::Lines, {0, 1, 1, 2, 2, 3, 3, 4, 4, 0}},
+                        {3, Topology::Lines, {0, 1, 1, 2, 2, 3, 3, 4}},
+                        {4, Topology::Triangles, {0, 1, 2}},
+                        {5, Topology::Triangles, {0, 1, 2, 1, 3, 2, 2, 3, 4}},
+                        {6, Topology::Triangles, {1, 2, 0, 2, 3, 0, 3, 4, 0}}};
+  for (const Case& expected : cases) {
+    GltfSample sample;
+    json attributes;
+    attributes["POSITION"] = sample.addFloats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0}, "VEC3");
+    attributes["NORMAL"] = sample.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    sample.json["meshes"][0]["primitives"][0] = {{"attributes", attributes}, {"mode", expected.mode}};
+    sample.json["nodes"][4].erase("skin");
+    const Scene scene = openScene(sample.writeEmbedded("mode").string());
+    const Primitive& primitive = scene.meshes.at(0).primitives.at(0);
+    EXPECT_EQ(primitive.topology, expected.topology) << expected.mode;
+    EXPECT_EQ(primitive.indices, expected.indices) << expected.mode;
+  }
+}
+
+TEST(GltfLoader, ReadsNormalizedAndQuantizedComponents) {
+  GltfSample sample;
+  const std::int8_t positions[12] = {0, 0, 0, 0, 64, 0, 0, 0, -128, 127, 0, 0}; // stride 4
+  const std::uint16_t colors[12] = {65535, 0, 0, 65535, 0, 0, 0, 0, 0, 0, 0, 13107};
+  json& accessors = sample.json["accessors"];
+  accessors[0] = {{"bufferView", sample.addView(positions, 12)},
+                  {"componentType", 5120},
+                  {"count", 3},
+                  {"type", "VEC3"},
+                  {"normalized", true}};
+  sample.json["bufferViews"].back()["byteStride"] = 4;
+  accessors.push_back({{"bufferView", sample.addView(colors, 24)},
+                       {"componentType", 5123},
+                       {"count", 3},
+                       {"type", "VEC4"},
+                       {"normalized", true}});
+  sample.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = accessors.size() - 1;
+  sample.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const Scene scene = openScene(sample.writeEmbedded("quantized").string());
+  const std::vector<Vertex>& vertices = scene.meshes.at(0).primitives.at(0).vertices;
+  EXPECT_EQ(vertices[1].position, glm::vec3(64.0f / 127.0f, 0, 0));
+  EXPECT_EQ(vertices[2].position, glm::vec3(-1, 1, 0)) << "-128 counts as -127";
+  EXPECT_EQ(vertices[0].color, glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(vertices[2].color, glm::vec4(0, 0, 0, 13107.0f / 65535.0f));
+}
+
+TEST(GltfLoader, PutsSparseValuesOverTheOthers) {
+  GltfSample sample;
+  const std::uint8_t which[4] = {2};
+  const float where[3] = {7, 8, 9};
+  const int indices = sample.addView(which, 1), values = sample.addView(where, 12);
+  sample.json["accessors"][0]["sparse"] = {{"count", 1},
+                                           {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                           {"values", {{"bufferView", values}}}};
+  const Scene scene = openScene(sample.writeEmbedded("sparse").string());
+  const std::vector<Vertex>& vertices = scene.meshes.at(0).primitives.at(0).vertices;
+  EXPECT_EQ(vertices[1].position, glm::vec3(1, 0, 0));
+  EXPECT_EQ(vertices[2].position, glm::vec3(7, 8, 9));
+}
+
+TEST(GltfLoader, ReadsTextureTransformEmissiveStrengthAndUnlit) {
+  GltfSample sample;
+  json& material = sample.json["materials"][0];
+  material["emissiveFactor"] = {0.5, 0.25, 0};
+  material["extensions"] = {{"KHR_materials_unlit", json::object()},
+                            {"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}};
+  material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", 0}, {"texCoord", 1}};
+  material["normalTexture"]["extensions"]["KHR_texture_transform"] = {{"rotation", 1.5707963}};
+  const Material read = openScene(sample.writeEmbedded("extended").string()).materials.at(0);
+  EXPECT_TRUE(read.unlit);
+  EXPECT_EQ(read.emissive, glm::vec3(4, 2, 0));
+  EXPECT_EQ(read.baseColorTexture.uvSet, 1);
+  EXPECT_EQ(read.baseColorTexture.uvFromUv * glm::vec3(1, 1, 1), glm::vec3(2.25f, 4.5f, 1));
+  const glm::vec3 turned =
+      read.normalTexture.uvFromUv * glm::vec3(1, 0, 1); // counter-clockwise: u points up, to −v
+  EXPECT_NEAR(turned.x, 0.0f, 1e-6f);
+  EXPECT_NEAR(turned.y, -1.0f, 1e-6f);
+}
+
+TEST(GltfLoader, ExpandsInstances) {
+  GltfSample sample;
+  const int places = sample.addFloats({1, 0, 0, 2, 0, 0, 3, 0, 0}, "VEC3");
+  sample.json["nodes"][1]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  const Scene scene = openScene(sample.writeEmbedded("instanced").string());
+  int drawn = 0;
+  for (const Node& node : scene.nodes) drawn += node.parent == 1 && node.mesh >= 0;
+  EXPECT_EQ(drawn, 3);
+  EXPECT_EQ(scene.nodes[1].mesh, -1);
+}
+
+TEST(GltfLoader, OpensFilesBesideItThroughPercentEncodedNames) {
+  GltfSample sample;
+  test::writeTemporary("sub folder/data ü.bin", sample.buffer + "padding");
+  sample.json["buffers"][0]["uri"] = "sub%20folder/data%20%C3%BC.bin";
+  EXPECT_NO_THROW(openScene(test::writeTemporary("external.gltf", sample.json.dump()).string()));
+}
+
+TEST(GltfLoader, ReportsProgressAndStopsWhenAsked) {
+  const std::string file = GltfSample().writeEmbedded("stopped").string();
+  int calls = 0;
+  openScene(file, [&](std::string_view, int, int) { return ++calls > 0; });
+  EXPECT_GE(calls, 3);
+  EXPECT_THROW(openScene(file, [](std::string_view, int, int) { return false; }), Cancelled);
+}
+
+TEST(GltfLoader, RefusesFilesThatAreNotThereOrNotGltf) {
+  EXPECT_EQ(refusal(test::temporaryFolder() / "none.gltf"), "there is no such file");
+  EXPECT_EQ(refusal(test::temporaryFolder()), "it is a folder");
+  EXPECT_EQ(refusal("/dev/zero"), "it is not a regular file");
+  EXPECT_TRUE(refusal(test::writeTemporary("empty.gltf", "")).starts_with("it is not glTF: parse error"));
+  EXPECT_TRUE(refusal(test::writeTemporary("text.gltf", "hello")).starts_with("it is not glTF: parse error"));
+  EXPECT_EQ(refusal(test::writeTemporary("list.gltf", "[]")), "JSON: the file holds no object");
+  EXPECT_EQ(refusal(test::writeTemporary("object.gltf", "{}")), "asset: missing; it is not a glTF file");
+  EXPECT_EQ(refusal(test::writeTemporary("deep.gltf", std::string(100000, '['))),
+            "JSON: nested deeper than 64 levels");
+}
+
+TEST(GltfLoader, RefusesOtherVersions) {
+  const std::string advice = "; only glTF 2.0 can be opened, export it anew";
+  EXPECT_EQ(refusalWith("/asset/version", "1.0"), "asset.version: it is glTF 1.0" + advice);
+  EXPECT_EQ(refusalWith("/asset/minVersion", "3.0"), "asset.minVersion: it is glTF 3.0" + advice);
+  EXPECT_EQ(refusal(test::writeTemporary("old.gltf", R"({"nodes": {}, "techniques": {}})")),
+            "asset: it is glTF 1.0" + advice);
+  std::string glb = test::joinGlb("{}", "");
+  glb[4] = 1;
+  EXPECT_EQ(refusal(test::writeTemporary("old.glb", glb)), "header: it is binary glTF 1" + advice);
+}
+
+TEST(GltfLoader, NamesARequiredExtensionThatIsMissing) {
+  EXPECT_EQ(refusalWith("/extensionsRequired", {"KHR_texture_basisu"}),
+            "extensionsRequired: it needs the extension KHR_texture_basisu, which is not supported; export "
+            "it without");
+  EXPECT_EQ(refusalWith("/extensionsRequired", 3), "extensionsRequired: not a list");
+}
+
+TEST(GltfLoader, RefusesDamagedBinaryContainers) {
+  const std::string good = test::joinGlb(GltfSample().json.dump(), GltfSample().buffer);
+  const auto refused = [](std::string bytes) { return refusal(test::writeTemporary("damaged.glb", bytes)); };
+  EXPECT_EQ(refused(good.substr(0, 10)), "header: the file ends after 10 bytes");
+  EXPECT_TRUE(refused(good.substr(0, good.size() - 4)).starts_with("header: the file has "));
+  std::string wrong = good;
+  wrong[15] = 0x7F;
+  EXPECT_TRUE(refused(wrong).starts_with("chunk 0: its ")) << refused(wrong);
+  wrong = good;
+  wrong[16] = 'X';
+  EXPECT_EQ(refused(wrong), "chunk 0: the first chunk, and only that, must be JSON");
+  EXPECT_EQ(refused(std::string("glTF\2\0\0\0\14\0\0\0", 12)), "header: there is no chunk with JSON");
+}
+
+TEST(GltfLoader, RefusesIndicesOutOfRange) {
+  EXPECT_EQ(refusalWith("/scene", 1), "scene: there is no scenes[1]; there are 1");
+  EXPECT_EQ(refusalWith("/scenes/0/nodes/0", 9), "scenes[0].nodes[0]: there is no nodes[9]; there are 5");
+  EXPECT_EQ(refusalWith("/nodes/0/children/1", 77),
+            "nodes[0].children[1]: there is no nodes[77]; there are 5");
+  EXPECT_EQ(refusalWith("/nodes/1/mesh", 1), "nodes[1].mesh: there is no meshes[1]; there are 1");
+  EXPECT_EQ(refusalWith("/nodes/2/camera", 1), "nodes[2].camera: there is no cameras[1]; there are 1");
+  EXPECT_EQ(refusalWith("/nodes/4/skin", 5), "nodes[4].skin: there is no skins[5]; there are 1");
+  EXPECT_EQ(refusalWith("/nodes/2/extensions/KHR_lights_punctual/light", 5),
+            "nodes[2].extensions.KHR_lights_punctual.light: there is no "
+            "extensions.KHR_lights_punctual.lights[5]; there are 1");
+  EXPECT_EQ(refusalWith("/meshes/0/primitives/0/material", 3),
+            "meshes[0].primitives[0].material: there is no materials[3]; there are 1");
+  EXPECT_EQ(refusalWith("/meshes/0/primitives/0/attributes/POSITION", 30),
+            "meshes[0].primitives[0].attributes.POSITION: there is no accessors[30]; there are 8");
+  EXPECT_EQ(refusalWith("/accessors/0/bufferView", 30),
+            "accessors[0].bufferView: there is no bufferViews[30]; there are 8");
+  EXPECT_EQ(refusalWith("/bufferViews/0/buffer", 1),
+            "bufferViews[0].buffer: there is no buffers[1]; there are 1");
+  EXPECT_EQ(refusalWith("/materials/0/normalTexture/index", 1),
+            "materials[0].normalTexture.index: there is no textures[1]; there are 1");
+  EXPECT_EQ(refusalWith("/textures/0/source", 2), "textures[0].source: there is no images[2]; there are 1");
+  EXPECT_EQ(refusalWith("/textures/0/sampler", 2),
+            "textures[0].sampler: there is no samplers[2]; there are 1");
+  EXPECT_EQ(refusalWith("/animations/0/channels/0/sampler", 2),
+            "animations[0]: a channel asks for samplers[2]; there are 1");
+  EXPECT_EQ(refusalWith("/skins/0/joints/0", -1), "skins[0].joints[0]: -1 is out of range");
+}
+
+TEST(GltfLoader, RefusesVerticesAndJointsOutOfRange) {
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              const std::uint16_t beyond[3] = {0, 1, 3};
+              std::memcpy(sample.buffer.data() + sample.json["bufferViews"][4]["byteOffset"].get<int>(),
+                          beyond, 6);
+            }),
+            "meshes[0].primitives[0].indices: vertex 3 is out of range; there are 3");
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              sample.buffer[sample.json["bufferViews"][3]["byteOffset"].get<std::size_t>()] = 9;
+            }),
+            "meshes[0].primitives[0].attributes.JOINTS_0: joint 9 is out of range; the skin has 1");
+}
+
+TEST(GltfLoader, RefusesNodesThatAreNoTrees) {
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              sample.json["nodes"][3]["children"] = {0};
+              sample.json["scenes"][0]["nodes"] = {4};
+            }),
+            "nodes[0]: it is its own ancestor: the nodes form a cycle");
+  EXPECT_EQ(refusalWith("/nodes/4/children", {1}), "nodes[1]: it is a child of both nodes[0] and nodes[4]");
+  EXPECT_EQ(refusalWith("/nodes/4/children", {4}),
+            "nodes[4]: it is its own ancestor: the nodes form a cycle");
+  EXPECT_EQ(refusalWith("/scenes/0/nodes", {0, 1, 4}),
+            "scenes[0]: nodes[1] is the child of nodes[0], not a root");
+  EXPECT_EQ(refusalWith("/scenes/0/nodes", {0, 0}), "scenes[0]: it lists nodes[0] twice");
+}
+
+TEST(GltfLoader, RefusesDataThatReachOutOfTheirBuffers) {
+  const std::size_t size = GltfSample().buffer.size();
+  EXPECT_EQ(refusalWith("/buffers/0/byteLength", size + 1),
+            "buffers[0]: byteLength is " + std::to_string(size + 1) + " where there are " +
+                std::to_string(size) + " bytes");
+  EXPECT_EQ(refusalWith("/bufferViews/0/byteLength", 10000),
+            "bufferViews[0]: 10000 bytes from byte 0 on reach past the " + std::to_string(size) +
+                " bytes of its buffer");
+  EXPECT_EQ(refusalWith("/accessors/0/count", 4),
+            "accessors[0]: 4 elements of 12 bytes need 48 bytes; its bufferView has 36");
+  EXPECT_EQ(refusalWith("/accessors/0/byteOffset", 4),
+            "accessors[0]: 3 elements of 12 bytes need 40 bytes; its bufferView has 36");
+  EXPECT_EQ(refusalWith("/accessors/0/count", 2000000000),
+            "accessors[0]: count 2000000000 is more than the 33554432 that can be opened");
+  EXPECT_EQ(refusalWith("/bufferViews/0/byteStride", 6),
+            "bufferViews[0]: byteStride 6 is none of 4, 8, … 252");
+  EXPECT_EQ(refusalWith("/bufferViews/0/byteStride", 24),
+            "accessors[0]: 3 elements of 12 bytes need 60 bytes; its bufferView has 36");
+  EXPECT_EQ(refusalWith("/accessors/0/componentType", 7), "accessors[0]: componentType 7 does not exist");
+  EXPECT_EQ(refusalWith("/accessors/0/type", "VEC9"), "accessors[0]: type \"VEC9\" does not exist");
+}
+
+TEST(GltfLoader, RefusesSparseIndicesOutOfRange) {
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              const std::uint8_t which[4] = {3};
+              const int indices = sample.addView(which, 1);
+              sample.json["accessors"][0]["sparse"] = {
+                  {"count", 1},
+                  {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                  {"values", {{"bufferView", 0}}}};
+            }),
+            "meshes[0].primitives[0].accessors[0]: sparse index 3 is out of range; there are 3 elements");
+}
+
+TEST(GltfLoader, RefusesFilesOutsideItsFolder) {
+  test::writeTemporary("secret.bin", std::string(1000, 'x'));
+  for (const std::string uri :
+       {"../secret.bin", "a/../../secret.bin", "%2e%2e/secret.bin", "/etc/passwd", "file:///etc/passwd",
+        "http://example.com/a.bin", "..\\secret.bin", "C:\\a.bin"}) {
+    GltfSample sample;
+    sample.json["buffers"][0]["uri"] = uri;
+    const std::string text = refusal(test::writeTemporary("inside/outside.gltf", sample.json.dump()));
+    EXPECT_TRUE(text.starts_with("buffers[0]: ") &&
+                text.ends_with("is not a file below the folder of the scene; only such files are opened"))
+        << text;
+    const std::string image = refusalWith("/images/0/uri", uri);
+    EXPECT_TRUE(image.starts_with("images[0]: \"")) << image;
+  }
+}
+
+TEST(GltfLoader, RefusesMissingAndUnreadableData) {
+  GltfSample sample;
+  EXPECT_EQ(refusal(test::writeTemporary("bufferless.gltf", sample.json.dump())),
+            "buffers[0]: it has no uri and there is no binary chunk for it");
+  sample.json["buffers"][0]["uri"] = "gone.bin";
+  EXPECT_EQ(refusal(test::writeTemporary("gone.gltf", sample.json.dump())),
+            "buffers[0]: there is no file \"gone.bin\" beside it");
+  sample.json["buffers"][0]["uri"] = "data:application/octet-stream;base64,AA*A";
+  EXPECT_EQ(refusal(test::writeTemporary("base64.gltf", sample.json.dump())),
+            "buffers[0]: its data URI is not valid base64");
+  sample.json["buffers"][0]["uri"] = "data:application/pdf,hello";
+  EXPECT_EQ(refusal(test::writeTemporary("pdf.gltf", sample.json.dump())),
+            "buffers[0]: its data URI is not base64 of a buffer, PNG or JPEG");
+}
+
+TEST(GltfLoader, RefusesPicturesThatCannotBeDecoded) {
+  const auto refused = [](const std::string& bytes) {
+    return refusalWith("/images/0/uri", "data:image/png;base64," + test::base64(bytes));
+  };
+  EXPECT_EQ(refused("GIF89a"), "images[0] (red): it is neither PNG nor JPEG");
+  const std::string start("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
+  EXPECT_EQ(refused(start), "images[0] (red): its picture is damaged: it has no size");
+  EXPECT_EQ(refused(start + std::string("\0\1\0\0\0\1\0\0", 8)),
+            "images[0] (red): its picture of 65536×65536 pixels is too large");
+  EXPECT_EQ(refused(start + std::string("\0\0\0\1\0\0\0\1", 8)),
+            "images[0] (red): its picture is damaged and cannot be decoded");
+  EXPECT_EQ(refused("\xFF\xD8\xFF\xE0"), "images[0] (red): its picture is damaged: it has no size");
+  EXPECT_EQ(refusalOf([](GltfSample& sample) { sample.json["images"][0].erase("uri"); }),
+            "images[0]: it must have either a uri or a bufferView");
+}
+
+TEST(GltfLoader, RefusesPositionsAndBoundsThatAreNotFinite) {
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+    EXPECT_EQ(refusalOf([&](GltfSample& sample) { std::memcpy(sample.buffer.data() + 16, &value, 4); }),
+              "meshes[0].primitives[0].attributes.POSITION: a position is not a finite number");
+  EXPECT_EQ(refusalWith("/nodes/0/scale", {3e38, 1, 1e30}), "bounds: the scene reaches to infinity");
+  EXPECT_EQ(refusalOf([](GltfSample& sample) {
+              for (const int node : {0, 1}) sample.json["nodes"][std::size_t(node)]["scale"] = {3e38, 1, 1};
+            }),
+            "nodes[1]: its transform is not finite");
+  EXPECT_EQ(refusalWith("/nodes/0/scale", {1e300, 1, 1}), "nodes[0].scale: too large a number");
+}
+
+TEST(GltfLoader, RefusesPropertiesOfTheWrongType) {
+  EXPECT_EQ(refusalWith("/animations", 5), "animations: not a list");
+  EXPECT_EQ(refusalWith("/nodes/0", 5), "nodes[0]: not an object");
+  EXPECT_EQ(refusalWith("/nodes/0/name", 5), "nodes[0].name: not a text");
+  EXPECT_EQ(refusalWith("/nodes/0/scale", {1, 2}), "nodes[0].scale: not a list of 3 numbers");
+  EXPECT_EQ(refusalWith("/nodes/0/scale", {1, 2, "3"}), "nodes[0].scale: not a number");
+  EXPECT_EQ(refusalWith("/meshes/0/primitives", json::array()), "meshes[0].primitives: not a list, or empty");
+  EXPECT_EQ(refusalWith("/meshes/0/primitives/0/mode", 9), "meshes[0].primitives[0].mode: 9 does not exist");
+  EXPECT_EQ(refusalWith("/materials/0/doubleSided", 1), "materials[0].doubleSided: neither true nor false");
+  EXPECT_EQ(refusalWith("/accessors/0/count", 1.5), "accessors[0].count: not a whole number");
+  EXPECT_EQ(refusalWith("/accessors/0/count", 0), "accessors[0].count: it is 0");
+  EXPECT_EQ(refusalOf([](GltfSample& sample) { sample.json["accessors"][0].erase("type"); }),
+            "accessors[0].type: missing");
+  EXPECT_EQ(refusalWith("/meshes/0/primitives/0/attributes/POSITION", 1),
+            "meshes[0].primitives[0].attributes.POSITION: it has 2 components");
+}
+
+TEST(GltfLoader, RefusesAnimationsThatDoNotFitTogether) {
+  EXPECT_EQ(refusalWith("/accessors/7/count", 1), "animations[0].channels[0]: it has 1 values for 2 times");
+  EXPECT_EQ(refusalWith("/animations/0/samplers/0/interpolation", "MAGIC"),
+            "animations[0].channels[0]: interpolation \"MAGIC\" does not exist");
+  EXPECT_EQ(refusalWith("/animations/0/samplers/0/input", 0),
+            "animations[0].channels[0]: its times are not single numbers");
+}
+
+TEST(GltfLoader, GoesOnAfterARefusal) {
+  EXPECT_NE(refusalWith("/asset/version", "1.0"), "it opened");
+  EXPECT_EQ(refusalOf([](GltfSample&) {}), "it opened");
+}
+
+} // namespace
+} // namespace taa
