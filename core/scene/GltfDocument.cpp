@@ -81,6 +81,13 @@ json parseJson(const std::string& text) {
   }
 }
 
+void checkVersionText(const json& version, const std::string& place) {
+  if (!version.is_string()) throw Error(place + ": missing or not a text");
+  const std::string text = version.get<std::string>();
+  if (!text.starts_with("2."))
+    throw Error(place + ": it is glTF " + text + "; only glTF 2.0 can be opened, export it anew");
+}
+
 void checkVersion(const json& root) {
   if (!root.is_object()) throw Error("JSON: the file holds no object");
   const auto asset = root.find("asset");
@@ -88,15 +95,8 @@ void checkVersion(const json& root) {
                      (root.contains("techniques") || (root.contains("nodes") && root["nodes"].is_object()));
   if (isOld) throw Error("asset: it is glTF 1.0; only glTF 2.0 can be opened, export it anew");
   if (asset == root.end() || !asset->is_object()) throw Error("asset: missing; it is not a glTF file");
-  for (const char* key : {"version", "minVersion"}) {
-    const auto version = asset->find(key);
-    if (version == asset->end() && std::string_view(key) == "minVersion") continue;
-    const std::string place = std::string("asset.") + key;
-    if (version == asset->end() || !version->is_string()) throw Error(place + ": missing or not a text");
-    const std::string text = version->get<std::string>();
-    if (!text.starts_with("2."))
-      throw Error(place + ": it is glTF " + text + "; only glTF 2.0 can be opened, export it anew");
-  }
+  checkVersionText(asset->value("version", json()), "asset.version");
+  if (asset->contains("minVersion")) checkVersionText((*asset)["minVersion"], "asset.minVersion");
 }
 
 void checkExtensions(const json& root) {
@@ -155,7 +155,7 @@ fs::path resolveGltfUri(const fs::path& folder, const std::string& uri) {
   if (name.empty() || hasScheme || hasOddCharacter || path.is_absolute() ||
       std::ranges::find(path, fs::path("..")) != path.end())
     throw Error("\"" + name + "\" is not a file below the folder of the scene; only such files are opened");
-  const fs::path file = folder / path;
+  fs::path file = folder / path;
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw Error("there is no file \"" + name + "\" beside it");
   return file;
