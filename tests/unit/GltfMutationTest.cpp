@@ -68,7 +68,7 @@ TEST(GltfMutation, NeverDoesWorseThanARefusal) {
     tryOpening("mutated.gltf", mutated(text, random), outcome);
     tryOpening("mutated.glb", mutated(binary, random), outcome);
   }
-  EXPECT_GT(outcome.opened, 100) << "mutations that are all refused at the door test little";
+  EXPECT_GT(outcome.opened, 50) << "mutations that are all refused at the door test little";
   EXPECT_GT(outcome.refused, 100);
 }
 
