@@ -58,6 +58,12 @@ std::string mutated(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
+/// As above in the data only: the JSON stays whole.
+std::string withOtherData(std::string bytes, std::size_t first, std::mt19937& random) {
+  for (int i = 0; i < 3; ++i) bytes[first + random() % (bytes.size() - first)] = static_cast<char>(random());
+  return bytes;
+}
+
 TEST(GltfMutation, NeverDoesWorseThanARefusal) {
   const std::string text = readFile(GltfSample().writeEmbedded("original")),
                     binary = readFile(GltfSample().writeBinary("original"));
@@ -67,8 +73,10 @@ TEST(GltfMutation, NeverDoesWorseThanARefusal) {
     std::mt19937 random(seed);
     tryOpening("mutated.gltf", mutated(text, random), outcome);
     tryOpening("mutated.glb", mutated(binary, random), outcome);
+    tryOpening("data.glb", withOtherData(binary, binary.size() - GltfSample().buffer.size(), random),
+               outcome);
   }
-  EXPECT_GT(outcome.opened, 50) << "mutations that are all refused at the door test little";
+  EXPECT_GT(outcome.opened, 100) << "mutations that are all refused at the door test little";
   EXPECT_GT(outcome.refused, 100);
 }
 
