@@ -25,9 +25,9 @@ struct FrameTimes {
   double scene = 0.0, resolve = 0.0; ///< resolve: all lanes together
 };
 
-/// Lives on the thread that made it, one at a time there, with its own GL context. Strong guarantee: when a member throws,
-/// everything is as it was before. Frame n of a lane is f(scene, camera, the lane's settings, size, n):
-/// however it was reached, the same bits (design §2.1).
+/// Lives on the thread that made it, one at a time there, with its own GL context. Strong guarantee: when a
+/// member throws, everything is as it was before. Frame n of a lane is f(scene, camera, the lane's settings,
+/// size, n): however it was reached, the same bits (design §2.1).
 class Inspector {
  public:
   Inspector();

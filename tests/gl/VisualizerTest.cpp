@@ -150,6 +150,7 @@ TEST_F(VisualizerTest, DrawsEveryMapAsMapColorSays) {
     ViewStyle style;
     style.map = map;
     std::vector<glm::vec4> texels;
+    texels.reserve(101);
     for (int step = 0; step <= 100; ++step) texels.emplace_back(static_cast<float>(step) / 100.0f);
     const Picture picture = show(row(IntermediateId::alpha), style, texels);
     for (int step = 0; step <= 100; ++step) {
@@ -259,6 +260,7 @@ TEST_F(VisualizerTest, ShowsMasksInBlackAndWhite) {
 TEST_F(VisualizerTest, GivesNumbersTheColorsOfTheirCategories) {
   const taa::Intermediate& ids = row(IntermediateId::objectId);
   std::vector<glm::vec4> texels;
+  texels.reserve(20);
   for (int number = 0; number < 20; ++number) texels.emplace_back(static_cast<float>(number));
   const Picture picture = show(ids, taa::defaultStyle(ids), texels);
   for (int number = 0; number < 20; ++number)
