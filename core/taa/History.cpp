@@ -26,8 +26,9 @@ std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::
   }
   // The pixel's own scene sample lies at −jitter from its center, so a neighbor's lies at offset − jitter.
   for (int k = 0; k < 9; ++k) {
-    const double dx = k % 3 - 1 - static_cast<double>(jitterPx.x);
-    const double dy = k / 3 - 1 - static_cast<double>(jitterPx.y);
+    const int column = k % 3 - 1, row = k / 3 - 1;
+    const double dx = column - static_cast<double>(jitterPx.x);
+    const double dy = row - static_cast<double>(jitterPx.y);
     const double twoVariances = 2.0 * static_cast<double>(settings.variance);
     weights[k] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / twoVariances));
   }

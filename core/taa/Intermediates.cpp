@@ -20,9 +20,8 @@ IntermediateId intermediateNamed(std::string_view name) {
 }
 
 std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids) {
-  std::ranges::sort(ids);
-  const auto repeated = std::ranges::unique(ids);
-  ids.erase(repeated.begin(), repeated.end());
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }
 

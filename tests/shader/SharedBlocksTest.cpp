@@ -1,10 +1,6 @@
-// Structs that C++ writes and GLSL reads: the same members at the same offsets on either side.
+// Blocks of the resolve that C++ writes and GLSL reads: the same members at the same offsets on either side.
 #include "core/gl/Program.h"
 #include "core/settings/Parameters.h"
-#include "shaders/shared/DrawBlock.h"
-#include "shaders/shared/FrameBlock.h"
-#include "shaders/shared/LightBlock.h"
-#include "shaders/shared/MaterialBlock.h"
 #include "shaders/shared/ResolveBlock.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
@@ -45,46 +41,6 @@ TEST_F(SharedBlocksTest, ResolveBlockIsTheSameOnEitherSide) {
       MEMBER(ResolveBlock, state),
   };
   EXPECT_EQ(offsetsInGlsl("shared/ResolveBlock.h", "ResolveBlock", "resolveBlock.depthTerms"), expected);
-}
-
-TEST_F(SharedBlocksTest, FrameBlockIsTheSameOnEitherSide) {
-  using taa::shared::FrameBlock;
-  const Offsets expected{
-      MEMBER(FrameBlock, clipFromWorld),
-      MEMBER(FrameBlock, jitteredClipFromWorld),
-      MEMBER(FrameBlock, worldFromJitteredClip),
-      MEMBER(FrameBlock, viewFromWorld),
-      MEMBER(FrameBlock, previousClipFromWorld),
-      MEMBER(FrameBlock, previousViewFromWorld),
-      MEMBER(FrameBlock, sizePx),
-      MEMBER(FrameBlock, jitterPx),
-      MEMBER(FrameBlock, cameraPosition),
-      MEMBER(FrameBlock, depthTerms),
-      MEMBER(FrameBlock, skyZenith),
-      MEMBER(FrameBlock, skyHorizon),
-      MEMBER(FrameBlock, skyGround),
-      MEMBER(FrameBlock, sunDirection),
-      MEMBER(FrameBlock, sunColor),
-      MEMBER(FrameBlock, storage),
-  };
-  EXPECT_EQ(offsetsInGlsl("shared/FrameBlock.h", "FrameBlock", "frame.sunColor"), expected);
-}
-
-// GLSL names the first element of an array.
-TEST_F(SharedBlocksTest, BlocksOfTheSceneAreTheSameOnEitherSide) {
-  using taa::shared::DrawBlock;
-  using taa::shared::LightBlock;
-  using taa::shared::MaterialBlock;
-  const Offsets draw{MEMBER(DrawBlock, worldFromModel),   MEMBER(DrawBlock, normalFromModel),
-                     MEMBER(DrawBlock, clipFromModel),    MEMBER(DrawBlock, previousClipFromModel),
-                     MEMBER(DrawBlock, previousDepthRow), MEMBER(DrawBlock, drawTerms)};
-  EXPECT_EQ(offsetsInGlsl("shared/DrawBlock.h", "DrawBlock", "draw.drawTerms"), draw);
-  const Offsets light{MEMBER(LightBlock, lightPosition[0]), MEMBER(LightBlock, lightDirection[0]),
-                      MEMBER(LightBlock, lightColor[0]), MEMBER(LightBlock, lightTerms[0])};
-  EXPECT_EQ(offsetsInGlsl("shared/LightBlock.h", "LightBlock", "lighting.lightColor[1]"), light);
-  const Offsets material{MEMBER(MaterialBlock, baseColor), MEMBER(MaterialBlock, emissive),
-                         MEMBER(MaterialBlock, surface), MEMBER(MaterialBlock, uvRows[0])};
-  EXPECT_EQ(offsetsInGlsl("shared/MaterialBlock.h", "MaterialBlock", "material.surface"), material);
 }
 
 TEST_F(SharedBlocksTest, SettingsBlockHoldsEachNumberWhereGlslReadsIt) {
