@@ -1,0 +1,86 @@
+#include "tests/bench/Figures.h"
+
+#include "core/base/Files.h"
+
+#include <array>
+#include <ctime>
+#include <iomanip>
+#include <sstream>
+#include <thread>
+
+namespace taa::bench {
+
+namespace {
+
+constexpr std::string_view kBegin = "<!-- figures: written by taa_bench --write-readme -->\n";
+constexpr std::string_view kEnd = "<!-- end of figures -->";
+
+struct Row {
+  std::string_view id, label, unit;
+  double limit; ///< wanted: at most this; 0 where nothing is promised
+  int digits;
+};
+
+constexpr std::array<Row, 7> kRows{{
+    {"firstPicture", "Start of a fresh process to its first picture, shaders not cached", "s", 3.0, 2},
+    {"scene", "Drawing the scene of a frame", "ms", 0.0, 1},
+    {"resolve", "Resolving a frame, nothing watched", "ms", 0.0, 1},
+    {"watchOne", "The same while one intermediate is watched", "×", 1.15, 2},
+    {"watchAll", "The same while every intermediate is watched", "×", 0.0, 2},
+    {"probe", "Every intermediate of one pixel", "ms", 0.5, 2},
+    {"stepBack", "Stepping back a frame, against stepping forward", "×", 1.2, 2},
+}};
+
+std::string valueText(double value, const Row& row) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(row.digits);
+  if (row.unit == "×")
+    text << "× " << value;
+  else
+    text << value << ' ' << row.unit;
+  return text.str();
+}
+
+std::string processorName() {
+  std::istringstream lines(readFile("/proc/cpuinfo"));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "an unnamed processor";
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::ostringstream text;
+  text << std::put_time(&parts, "%Y-%m-%d");
+  return text.str();
+}
+
+} // namespace
+
+std::string figuresTable(const Figures& figures, const std::string& driver) {
+  std::ostringstream text;
+  text << "| builtin:fan, 1280×720, preset balanced | measured | wanted |\n|---|---|---|\n";
+  for (const Row& row : kRows) {
+    const auto figure = figures.find(std::string(row.id));
+    if (figure == figures.end()) continue;
+    text << "| " << row.label << " | " << valueText(figure->second, row) << " | "
+         << (row.limit > 0.0 ? "≤ " + valueText(row.limit, row) : "") << " |\n";
+  }
+  text << "\nMedians of one run on " << processorName() << ", " << std::thread::hardware_concurrency()
+       << " cores, " << driver << ", " << today()
+       << "; each ratio is of pairs measured one right after the other.\n";
+  return text.str();
+}
+
+void writeFigures(const std::filesystem::path& readme, const std::string& table) {
+  std::string text = readFile(readme);
+  const std::size_t begin = text.find(kBegin), end = text.find(kEnd);
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    throw Error(readme.string() + " has not the two comments that say where the figures go");
+  text.replace(begin + kBegin.size(), end - begin - kBegin.size(), table);
+  writeFile(readme, text);
+}
+
+} // namespace taa::bench

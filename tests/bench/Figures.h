@@ -1,0 +1,20 @@
+// The README's table of figures: which benchmark gives which, what is wanted, and writing it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace taa::bench {
+
+/// Medians by figure id, as the benchmarks report them in counters of that name.
+using Figures = std::map<std::string, double>;
+
+/// The table in Markdown, with machine, driver and date below it. Figures that were not measured are left
+/// out.
+std::string figuresTable(const Figures& figures, const std::string& driver);
+
+/// Replaces what stands between the two markers of the README. Throws Error when they are not there.
+void writeFigures(const std::filesystem::path& readme, const std::string& table);
+
+} // namespace taa::bench

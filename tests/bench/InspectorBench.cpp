@@ -1,0 +1,141 @@
+// What looking costs: paired measurements of the façade. Every figure is a counter named as in Figures.cpp.
+#include "core/Inspector.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+namespace {
+
+using taa::IntermediateId;
+
+constexpr int kWarmUpFrames = 24;
+constexpr int kWidth = 1280, kHeight = 720;
+
+double median(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
+}
+
+double seconds(const std::function<void()>& act) {
+  const auto start = std::chrono::steady_clock::now();
+  act();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// builtin:fan, warmed up; opened anew, so that one benchmark's checkpoints do not help the next.
+std::unique_ptr<taa::Inspector> openFan() {
+  auto inspector = std::make_unique<taa::Inspector>();
+  inspector->setSize(kWidth, kHeight);
+  inspector->open("builtin:fan");
+  inspector->seek(kWarmUpFrames);
+  return inspector;
+}
+
+/// One frame on, at the end of the shot back to where the warm-up ended.
+void stepForward(taa::Inspector& inspector) {
+  const int next = inspector.frame() + 1;
+  inspector.seek(next < inspector.frameCount() ? next : kWarmUpFrames);
+}
+
+double resolveTime(taa::Inspector& inspector, const std::vector<IntermediateId>& watched) {
+  inspector.watch(watched);
+  stepForward(inspector);
+  return inspector.times().resolve;
+}
+
+void benchWatching(benchmark::State& state, const std::vector<IntermediateId>& watched, const char* figure) {
+  const std::unique_ptr<taa::Inspector> inspector = openFan();
+  resolveTime(*inspector, watched); // compiles the exposed program
+  std::vector<double> ratios, bare, scene;
+  for (auto _ : state) {
+    bare.push_back(resolveTime(*inspector, {}));
+    scene.push_back(inspector->times().scene);
+    const double exposed = resolveTime(*inspector, watched);
+    ratios.push_back(exposed / bare.back());
+    state.SetIterationTime(exposed / 1000.0);
+  }
+  state.counters[figure] = median(ratios);
+  state.counters["resolve"] = median(bare);
+  state.counters["scene"] = median(scene);
+}
+
+void watchOne(benchmark::State& state) {
+  benchWatching(state, {IntermediateId::historyRectified}, "watchOne");
+}
+
+void watchAll(benchmark::State& state) {
+  std::vector<IntermediateId> all;
+  for (const taa::Intermediate& row : taa::kIntermediates) all.push_back(row.id);
+  benchWatching(state, all, "watchAll");
+}
+
+void probe(benchmark::State& state) {
+  const std::unique_ptr<taa::Inspector> inspector = openFan();
+  std::vector<double> times;
+  int count = 0;
+  for (auto _ : state) {
+    // Strides that are prime to the size: all over the picture.
+    const int x = count * 467 % kWidth, y = count * 311 % kHeight;
+    const double time = seconds([&] { benchmark::DoNotOptimize(inspector->probe(x, y)); });
+    if (count++ > 0) times.push_back(time * 1000.0); // the first one compiles
+    state.SetIterationTime(time);
+  }
+  state.counters["probe"] = median(times);
+}
+
+void stepBack(benchmark::State& state) {
+  const std::unique_ptr<taa::Inspector> inspector = openFan();
+  std::vector<double> ratios;
+  // Runs of steps and not single ones, for a step back may be dear now and then.
+  constexpr int kSteps = 12;
+  for (auto _ : state) {
+    const double forward = seconds([&] {
+      for (int step = 0; step < kSteps; ++step) inspector->seek(inspector->frame() + 1);
+    });
+    const double back = seconds([&] {
+      for (int step = 0; step < kSteps; ++step) inspector->seek(inspector->frame() - 1);
+    });
+    ratios.push_back(back / forward);
+    state.SetIterationTime(back / kSteps);
+  }
+  state.counters["stepBack"] = median(ratios);
+}
+
+/// The window's first picture where there is a window, else the batch tool's.
+void firstPicture(benchmark::State& state) {
+  const std::string picture = (taa::test::temporaryFolder() / "first.png").string();
+  std::vector<std::string> command = {taa::test::binary("taa-inspector").string(), "--screenshot", picture};
+  if (!std::filesystem::exists(command[0]))
+    command = {taa::test::binary("taa-batch").string(),
+               "render",
+               "builtin:fan",
+               "--frames",
+               "0",
+               "--format",
+               "png",
+               "--out",
+               taa::test::temporaryFolder().string()};
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  std::vector<double> times;
+  for (auto _ : state) {
+    times.push_back(seconds([&] {
+      if (taa::test::runProcess(command).exitCode != 0) state.SkipWithError("the program failed");
+    }));
+    state.SetIterationTime(times.back());
+  }
+  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
+  state.counters["firstPicture"] = median(times);
+}
+
+} // namespace
+
+BENCHMARK(firstPicture)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK(watchAll)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK(watchOne)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(60);
+BENCHMARK(probe)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(200);
+BENCHMARK(stepBack)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);

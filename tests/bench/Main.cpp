@@ -1,0 +1,57 @@
+// Runs the benchmarks; with --write-readme also writes their table into the README.
+#include "core/base/Error.h"
+#include "core/gl/Context.h"
+#include "tests/bench/Figures.h"
+#include "tests/support/Paths.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <iostream>
+
+namespace {
+
+/// Prints as always and keeps the counters. A figure measured twice keeps the later one.
+class FigureReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      failed = failed || run.error_occurred;
+      for (const auto& [name, counter] : run.counters) figures[name] = counter.value;
+    }
+    ConsoleReporter::ReportRuns(runs);
+  }
+
+  taa::bench::Figures figures;
+  bool failed = false;
+};
+
+std::string driverName() {
+  const taa::gl::Context context;
+  return context.driver().renderer + ", " + context.driver().version;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  bool write = false;
+  for (int index = 1; index < argc; ++index)
+    if (std::strcmp(argv[index], "--write-readme") == 0) {
+      write = true;
+      std::rotate(argv + index, argv + index + 1, argv + argc);
+      --argc;
+    }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  try {
+    FigureReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    const std::string table = taa::bench::figuresTable(reporter.figures, driverName());
+    std::cout << '\n' << table;
+    if (write && !reporter.failed) taa::bench::writeFigures(taa::test::rootFolder() / "README.md", table);
+    return reporter.failed ? 1 : 0;
+  } catch (const taa::Error& error) {
+    std::cerr << "taa_bench: " << error.what() << '\n';
+    return 1;
+  }
+}
