@@ -49,7 +49,7 @@ fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<
     for (std::size_t index = 0; index < ids.size(); ++index)
       frame.parts.push_back({lane, ids[index], std::move(images[index])});
   }
-  const fs::path path = folder / (frameName(inspector.frame()) + ".exr");
+  fs::path path = folder / (frameName(inspector.frame()) + ".exr");
   writeFrameFile(path, frame);
   return path;
 }
