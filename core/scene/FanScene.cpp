@@ -56,7 +56,7 @@ void addRotor(SceneBuilder& builder) {
   cream.doubleSided = coral.doubleSided = true;
   const int creamId = builder.addMaterial(cream), coralId = builder.addMaterial(coral);
   const int brass = builder.addMaterial(paintOf({0.90f, 0.66f, 0.30f}, 0.22f, 1.0f));
-  const int glow = builder.addMaterial(glowOf({26.0f, 15.0f, 5.0f}));
+  const int glow = builder.addMaterial(glowOf({26.0f, 13.0f, 0.8f}));
   constexpr int kBlades = 7;
   MeshBuilder creamBlades, coralBlades, hub, beads;
   for (int blade = 0; blade < kBlades; ++blade) {
@@ -123,7 +123,7 @@ void addRoom(SceneBuilder& builder) {
   MeshBuilder wallMesh, tableMesh, chartMesh;
   wallMesh.quad({-4.5f, kTable, kWall}, {9.0f, 0, 0}, {0, 4.2f, 0}, {7.5f, 3.5f});
   tableMesh.quad({-4.5f, kTable, 2.2f}, {9.0f, 0, 0}, {0, 0, kWall - 2.2f}, {7.5f, 2.54f});
-  chartMesh.quad({-2.35f, -0.75f, kWall + 0.02f}, {1.35f, 0, 0}, {0, 1.8f, 0});
+  chartMesh.quad({-2.35f, -0.75f, kWall + 0.02f}, {1.35f, 0, 0}, {0, kPosterAspect * 1.35f, 0});
   builder.addObject("wall", {wallMesh.build(builder.addMaterial(wall))});
   builder.addObject("table", {tableMesh.build(builder.addMaterial(table))});
   builder.addObject("chart", {chartMesh.build(builder.addMaterial(chart))});
@@ -132,9 +132,9 @@ void addRoom(SceneBuilder& builder) {
 /// A cable across the wall with small, very bright bulbs: fireflies for the resolve.
 void addLights(SceneBuilder& builder) {
   const int rubber = builder.addMaterial(paintOf({0.03f, 0.035f, 0.03f}, 0.6f));
-  const std::array<int, 3> glow{builder.addMaterial(glowOf({34.0f, 19.0f, 6.0f})),
-                                builder.addMaterial(glowOf({22.0f, 5.0f, 3.5f})),
-                                builder.addMaterial(glowOf({4.0f, 14.0f, 17.0f}))};
+  const std::array<int, 3> glow{builder.addMaterial(glowOf({30.0f, 10.0f, 0.7f})),
+                                builder.addMaterial(glowOf({22.0f, 0.8f, 0.5f})),
+                                builder.addMaterial(glowOf({0.3f, 9.0f, 16.0f}))};
   std::array<MeshBuilder, 3> bulbs;
   MeshBuilder cable;
   std::vector<glm::vec3> points;
@@ -158,7 +158,7 @@ void addLights(SceneBuilder& builder) {
 void addOrnaments(SceneBuilder& builder) {
   const int mirror = builder.addMaterial(paintOf({0.93f, 0.93f, 0.95f}, 0.08f, 1.0f));
   const int copper = builder.addMaterial(paintOf({0.95f, 0.55f, 0.38f}, 0.3f, 1.0f));
-  const int lamp = builder.addMaterial(glowOf({9.0f, 5.6f, 2.6f}));
+  const int lamp = builder.addMaterial(glowOf({1.6f, 0.95f, 0.5f}));
   MeshBuilder left, right, globe, beads;
   left.ball({-1.62f, kTable + 0.27f, 0.15f}, 0.27f, 48);
   right.ball({1.42f, kTable + 0.17f, 0.45f}, 0.17f, 40);

@@ -44,7 +44,7 @@ void addPicket(MeshBuilder& mesh, float z) {
   }
   for (const float side : {-1.0f, 1.0f}) {
     mesh.face({side * kThin, kTip, z}, {side * kThin, kShoulder, z + side * kHalf},
-              {side * kThin, kShoulder, z - side * kHalf});
+              {side * kThin, kShoulder, z - side * kHalf}, 1.4f);
   }
 }
 
@@ -57,7 +57,7 @@ void addPicketFence(SceneBuilder& builder) {
   constexpr int kPickets = 16;
   for (int i = 0; i < kPickets; ++i) addPicket(panel, -kPanel * (static_cast<float>(i) + 0.5f) / kPickets);
   for (const float y : {0.28f, 0.78f}) panel.box({0.011f, y, -kPanel}, {0.045f, y + 0.07f, 0.0f}, 1.4f);
-  panel.box({0.02f, 0.0f, -0.05f}, {0.12f, 1.12f, 0.05f}, 1.4f);
+  panel.box({0.02f, 0.0f, -0.05f}, {0.12f, 0.96f, 0.05f}, 1.4f);
   const int first = builder.addObject("pickets", {panel.build(builder.addMaterial(white))});
   builder.scene().nodes.back().translation = {kFenceX, 0.0f, 3.0f};
   for (int i = 1; i < kPanels; ++i)
@@ -123,17 +123,46 @@ void addPowerLine(SceneBuilder& builder) {
   for (int i = 1; i < 6; ++i) builder.addInstance(first, {kX, 0.0f, 8.0f - kSpan * static_cast<float>(i)});
 }
 
-/// Ground, path, a barn with lit windows and lamps along the path.
+/// Ground and path.
 void addLand(SceneBuilder& builder) {
-  Material grass = paintOf(glm::vec3(1.0f), 0.95f), path = paintOf({0.50f, 0.43f, 0.34f}, 0.95f);
+  Material grass = paintOf(glm::vec3(1.0f), 0.95f), path = paintOf(glm::vec3(1.0f), 0.95f);
   grass.baseColorTexture = textureSlot(builder.addImage(grassImage()));
-  path.baseColorTexture = grass.baseColorTexture;
-  path.baseColor = {1.5f, 1.05f, 0.95f, 1.0f};
+  path.baseColorTexture = textureSlot(builder.addImage(gravelImage()));
   MeshBuilder land, track;
   land.quad({-60.0f, 0.0f, 12.0f}, {120.0f, 0, 0}, {0, 0, -112.0f}, {48.0f, 44.8f});
   track.quad({-0.9f, 0.01f, 12.0f}, {1.8f, 0, 0}, {0, 0, -90.0f}, {0.9f, 45.0f});
   builder.addObject("land", {land.build(builder.addMaterial(grass))});
   builder.addObject("path", {track.build(builder.addMaterial(path))});
+}
+
+/// Round trees, some behind the barn and a row along the horizon.
+void addTrees(SceneBuilder& builder) {
+  const int bark = builder.addMaterial(paintOf({0.16f, 0.11f, 0.07f}, 0.95f));
+  const int leaves = builder.addMaterial(paintOf({0.10f, 0.19f, 0.045f}, 0.9f));
+  MeshBuilder trunk, crown;
+  const std::array<glm::vec3, 2> stem{{{0, 2.2f, 0}, {0, 0, 0}}};
+  trunk.tube(stem, 0.16f, 8);
+  constexpr std::array<glm::vec4, 5> kBalls{{{0.0f, 3.1f, 0.0f, 1.35f},
+                                             {0.9f, 2.6f, 0.3f, 0.95f},
+                                             {-0.85f, 2.7f, 0.4f, 0.9f},
+                                             {0.2f, 2.5f, -0.9f, 0.95f},
+                                             {-0.1f, 4.0f, 0.1f, 0.85f}}};
+  for (const glm::vec4& ball : kBalls) crown.ball(glm::vec3(ball), ball.w, 14);
+  const int first = builder.addObject("tree", {trunk.build(bark), crown.build(leaves)});
+  builder.scene().nodes.back().translation = {15.5f, 0.0f, -27.0f};
+  constexpr std::array<glm::vec3, 11> kPlaces{{{3.0f, 0.0f, -36.0f},
+                                               {18.5f, 0.0f, -33.0f},
+                                               {-14.0f, 0.0f, -30.0f},
+                                               {-19.0f, 0.0f, -41.0f},
+                                               {-11.0f, 0.0f, -52.0f},
+                                               {-27.0f, 0.0f, -60.0f},
+                                               {-3.5f, 0.0f, -70.0f},
+                                               {6.0f, 0.0f, -74.0f},
+                                               {16.0f, 0.0f, -66.0f},
+                                               {27.0f, 0.0f, -58.0f},
+                                               {36.0f, 0.0f, -72.0f}}};
+  for (std::size_t i = 0; i < kPlaces.size(); ++i)
+    builder.addInstance(first, kPlaces[i], glm::vec3(0.8f + 0.13f * static_cast<float>(i * 5 % 7)));
 }
 
 void addBarn(SceneBuilder& builder) {
@@ -142,7 +171,7 @@ void addBarn(SceneBuilder& builder) {
   red.baseColorTexture = boards.baseColorTexture;
   red.normalTexture = boards.normalTexture;
   Material window = paintOf(glm::vec3(0.02f), 0.4f);
-  window.emissive = {7.0f, 4.4f, 1.9f};
+  window.emissive = {7.0f, 2.6f, 0.5f};
   const int redId = builder.addMaterial(red), slate = [&] {
     Material material = paintOf({0.12f, 0.13f, 0.16f}, 0.7f);
     material.doubleSided = true; // the eaves are seen from below
@@ -153,7 +182,7 @@ void addBarn(SceneBuilder& builder) {
   const glm::vec3 ridge(9.0f, 5.9f, -19.6f), back(0, 0, -10.8f);
   roof.quad({4.6f, 3.2f, -19.6f}, ridge - glm::vec3(4.6f, 3.2f, -19.6f), back);
   roof.quad(ridge, glm::vec3(13.4f, 3.2f, -19.6f) - ridge, back);
-  walls.face({9.0f, 5.75f, -20.0f}, {5.0f, 3.4f, -20.0f}, {13.0f, 3.4f, -20.0f});
+  walls.face({9.0f, 5.75f, -20.0f}, {5.0f, 3.4f, -20.0f}, {13.0f, 3.4f, -20.0f}, 0.4f);
   for (int i = 0; i < 4; ++i)
     windows.quad({5.7f + 1.8f * static_cast<float>(i), 1.5f, -19.98f}, {0.8f, 0, 0}, {0, 1.0f, 0});
   builder.addObject("barn",
@@ -170,6 +199,7 @@ Scene makeFenceScene() {
   addPowerLine(builder);
   addLand(builder);
   addBarn(builder);
+  addTrees(builder);
   const glm::vec3 eye(0.0f, 1.25f, 4.2f);
   const int camera = builder.addCamera("pass", eye, {0.16f, -0.03f, -1.0f}, 0.80f);
   const auto swing = [](float angle) { return 0.55f * std::sin(angle); };

@@ -54,11 +54,12 @@ void MeshBuilder::quad(const glm::vec3& corner, const glm::vec3& right, const gl
   triangle(a, c, d);
 }
 
-void MeshBuilder::face(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+void MeshBuilder::face(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float uvPerMeter) {
   const glm::vec3 normal = glm::normalize(glm::cross(b - a, c - a));
-  const std::uint32_t first = vertex(a, normal, {0.0f, 0.0f});
-  vertex(b, normal, {0.0f, 0.0f});
-  vertex(c, normal, {0.0f, 0.0f});
+  const auto uv = [&](const glm::vec3& point) { return uvPerMeter * glm::vec2(point.x + point.z, -point.y); };
+  const std::uint32_t first = vertex(a, normal, uv(a));
+  vertex(b, normal, uv(b));
+  vertex(c, normal, uv(c));
   triangle(first, first + 1, first + 2);
 }
 

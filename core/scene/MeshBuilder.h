@@ -13,8 +13,8 @@ class MeshBuilder {
   /// A parallelogram from `corner` along `right` and `up`; uv (0,1) at the corner, `uvSize` across.
   void quad(const glm::vec3& corner, const glm::vec3& right, const glm::vec3& up,
             const glm::vec2& uvSize = {1, 1});
-  /// One flat triangle, uv 0.
-  void face(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+  /// One flat triangle; uv in meters along the horizontal and down, times `uvPerMeter`.
+  void face(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float uvPerMeter = 1.0f);
   /// An axis-aligned box; uv in meters times `uvPerMeter`.
   void box(const glm::vec3& min, const glm::vec3& max, float uvPerMeter = 1.0f);
   void ball(const glm::vec3& center, float radius, int segments);

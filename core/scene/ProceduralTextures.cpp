@@ -113,8 +113,16 @@ float brickHeight(float u, float v) {
 
 constexpr int kPlanks = 8;
 
+/// A board that runs along v without end.
+Block plankAt(float u) {
+  const float x = u * kPlanks;
+  const int column = static_cast<int>(std::floor(x));
+  const float fx = x - static_cast<float>(column);
+  return {wrapped(column, kPlanks), 0, std::min(fx, 1 - fx) / kPlanks};
+}
+
 float plankHeight(float u, float v) {
-  const Block plank = blockAt(u, v, kPlanks, 1, 0.0f);
+  const Block plank = plankAt(u);
   return 0.008f * smoothEdge(0.001f, 0.008f, plank.inside) + 0.002f * noise(u, 0.06f * v, 256, plank.column);
 }
 
@@ -134,7 +142,7 @@ SurfaceImages brickImages() {
 
 SurfaceImages plankImages() {
   SceneImage color = paint("planks", [](float u, float v) {
-    const Block plank = blockAt(u, v, kPlanks, 1, 0.0f);
+    const Block plank = plankAt(u);
     const float tone = random(plank.column, 0, 5), fiber = noise(u, 0.06f * v, 256, plank.column);
     const float gap = smoothEdge(0.001f, 0.004f, plank.inside);
     return opaque(glm::vec3(0.92f) * (0.80f + 0.12f * tone + 0.14f * (fiber - 0.5f)) * (0.35f + 0.65f * gap));
@@ -162,6 +170,13 @@ SceneImage grassImage() {
   });
 }
 
+SceneImage gravelImage() {
+  return paint("gravel", [](float u, float v) {
+    const float stone = 0.6f * noise(u, v, 128, 31) + 0.4f * noise(u, v, 256, 32), patch = noise(u, v, 8, 33);
+    return opaque(glm::vec3(0.60f, 0.54f, 0.46f) * (0.55f + 0.6f * stone + 0.2f * patch));
+  });
+}
+
 SceneImage posterImage() {
   return paint("test chart", [](float u, float v) {
     const glm::vec3 paper(0.93f, 0.91f, 0.86f), ink(0.08f, 0.10f, 0.14f), accent(0.85f, 0.33f, 0.16f);
@@ -169,16 +184,17 @@ SceneImage posterImage() {
     if (std::min(std::min(u, 1 - u), std::min(v, 1 - v)) < 0.03f) return opaque(ink);
     constexpr float kPi = std::numbers::pi_v<float>;
     if (v < 0.5f) { // zone plate: rings that get finer outwards
-      const float r2 = (u - 0.5f) * (u - 0.5f) + (v - 0.27f) * (v - 0.27f);
-      return mix(paper, ink, r2 < 0.05f ? 0.5f - 0.5f * std::cos(2 * kPi * 320.0f * r2) : 0.0f);
+      const float dv = kPosterAspect * (v - 0.27f), r2 = (u - 0.5f) * (u - 0.5f) + dv * dv;
+      return mix(paper, ink, r2 < 0.085f ? 0.5f - 0.5f * std::cos(2 * kPi * 260.0f * r2) : 0.0f);
     }
     if (v < 0.72f) { // lines that get finer to the right
       const float x = (u - 0.08f) / 0.84f;
       const bool lined = x > 0.0f && x < 1.0f && v > 0.54f;
       return mix(paper, ink, lined ? 0.5f + 0.5f * std::sin(2 * kPi * (6.0f * x + 34.0f * x * x)) : 0.0f);
     }
-    const float angle = std::atan2(v - 0.86f, u - 0.5f), r = std::hypot(u - 0.5f, v - 0.86f);
-    if (r < 0.105f) return mix(paper, ink, std::sin(36.0f * angle) > 0.0f ? 1.0f : 0.0f); // spokes
+    const float dv = kPosterAspect * (v - 0.85f), angle = std::atan2(dv, u - 0.5f),
+                r = std::hypot(u - 0.5f, dv);
+    if (r < 0.145f) return mix(paper, ink, std::sin(36.0f * angle) > 0.0f ? 1.0f : 0.0f); // spokes
     return mix(paper, accent,
                u < 0.32f || u > 0.68f ? smoothEdge(0.0f, 0.02f, 0.07f - std::abs(v - 0.86f)) : 0.0f);
   });

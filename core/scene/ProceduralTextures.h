@@ -15,7 +15,9 @@ SurfaceImages brickImages();
 SurfaceImages plankImages();
 SceneImage tileImage(); ///< two-colored floor tiles with thin joints
 SceneImage grassImage();
-SceneImage posterImage(); ///< a test chart of lines finer than a pixel; does not tile
-SceneImage netImage();    ///< chain link, alpha 0 between the wires
+SceneImage gravelImage();
+constexpr float kPosterAspect = 4.0f / 3.0f; ///< height over width
+SceneImage posterImage();                    ///< a test chart of lines finer than a pixel; does not tile
+SceneImage netImage();                       ///< chain link, alpha 0 between the wires
 
 } // namespace taa
