@@ -86,8 +86,8 @@ std::vector<int> rootsOf(GltfContext& context) {
   if (!model.scenes.empty()) {
     const std::size_t chosen = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
     if (model.scenes.size() > 1)
-      context.warn("The file has " + std::to_string(model.scenes.size()) + " scenes; number " +
-                   std::to_string(chosen) + " is shown.");
+      context.warn("The file has " + std::to_string(model.scenes.size()) + " scenes; scenes[" +
+                   std::to_string(chosen) + "] is shown.");
     return model.scenes.at(chosen).nodes;
   }
   std::vector<bool> isChild(model.nodes.size(), false);

@@ -33,13 +33,13 @@ void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   primitive_.indices.insert(primitive_.indices.end(), {a, b, c});
 }
 
-void MeshBuilder::gridTriangles(std::uint32_t first, int columns, int rows) {
+void MeshBuilder::gridTriangles(std::uint32_t first, int columns, int rows, bool hasPoles) {
   for (int row = 0; row + 1 < rows; ++row)
     for (int column = 0; column + 1 < columns; ++column) {
       const std::uint32_t a = first + static_cast<std::uint32_t>(row * columns + column);
       const std::uint32_t below = a + static_cast<std::uint32_t>(columns);
-      triangle(a, below, below + 1);
-      triangle(a, below + 1, a + 1);
+      if (!hasPoles || row + 2 < rows) triangle(a, below, below + 1);
+      if (!hasPoles || row > 0) triangle(a, below + 1, a + 1);
     }
 }
 
@@ -86,7 +86,7 @@ void MeshBuilder::ball(const glm::vec3& center, float radius, int segments) {
                              std::sin(down) * std::cos(around));
       vertex(center + radius * normal, normal, {fraction(column, segments), fraction(row, rows - 1)});
     }
-  gridTriangles(first, columns, rows);
+  gridTriangles(first, columns, rows, true);
 }
 
 void MeshBuilder::tube(std::span<const glm::vec3> points, float radius, int sides, bool closed) {

@@ -34,7 +34,8 @@ class MeshBuilder {
  private:
   std::uint32_t vertex(const glm::vec3& position, const glm::vec3& normal, const glm::vec2& uv);
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  void gridTriangles(std::uint32_t first, int columns, int rows);
+  /// `hasPoles`: the first row and the last are single points, where half of the triangles have no area.
+  void gridTriangles(std::uint32_t first, int columns, int rows, bool hasPoles = false);
 
   Primitive primitive_;
 };

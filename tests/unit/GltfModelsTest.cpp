@@ -86,5 +86,93 @@ TEST(GltfModels, AllOpenOrSayWhichExtensionTheyNeed) {
   EXPECT_EQ(refused, 4);
 }
 
+TEST(GltfModels, AreTheSameFromEveryContainer) {
+  const fs::path box = MODEL("Box");
+  const Scene separate = openScene((box / "glTF/Box.gltf").string());
+  ASSERT_EQ(separate.meshes.size(), 1u);
+  const Primitive& expected = separate.meshes[0].primitives.at(0);
+  EXPECT_EQ(expected.vertices.size(), 24u);
+  EXPECT_EQ(expected.indices.size(), 36u);
+  for (const char* other : {"glTF-Binary/Box.glb", "glTF-Embedded/Box.gltf"}) {
+    const Scene scene = openScene((box / other).string());
+    const Primitive& primitive = scene.meshes.at(0).primitives.at(0);
+    EXPECT_EQ(primitive.indices, expected.indices);
+    for (std::size_t i = 0; i < expected.vertices.size(); ++i)
+      EXPECT_EQ(primitive.vertices.at(i).position, expected.vertices[i].position);
+  }
+}
+
+TEST(GltfModels, StandUprightInTheirPoseAtRest) {
+  const fs::path file = MODEL("CesiumMan/glTF-Binary/CesiumMan.glb");
+  const Bounds bounds = openScene(file.string()).bounds;
+  EXPECT_NEAR(bounds.max.y - bounds.min.y, 1.5f, 0.1f) << "a man's height in meters";
+  EXPECT_GT(bounds.max.y - bounds.min.y, bounds.max.z - bounds.min.z);
+}
+
+TEST(GltfModels, ShowOnlyTheDefaultScene) {
+  const fs::path file = MODEL("MultipleScenes/glTF/MultipleScenes.gltf");
+  const Scene scene = openScene(file.string());
+  EXPECT_EQ(scene.nodes.size(), 1u);
+  EXPECT_EQ(scene.warnings, std::vector<std::string>{"The file has 2 scenes; scenes[1] is shown."});
+}
+
+TEST(GltfModels, BringTheirCameras) {
+  const fs::path file = MODEL("Cameras/glTF/Cameras.gltf");
+  const Scene scene = openScene(file.string());
+  ASSERT_EQ(scene.cameras.size(), 2u);
+  EXPECT_FALSE(cameraAt(scene, "gltf:camera0", 0.0, 1.0f).orthographic);
+  EXPECT_TRUE(cameraAt(scene, "gltf:camera1", 0.0, 1.0f).orthographic);
+}
+
+TEST(GltfModels, BringTheirLights) {
+  const fs::path file = MODEL("LightsPunctualLamp/glTF/LightsPunctualLamp.gltf");
+  const Scene scene = openScene(file.string());
+  EXPECT_FALSE(scene.lights.empty());
+  EXPECT_FALSE(scene.sky.sunEnabled);
+}
+
+TEST(GltfModels, DrawEveryInstance) {
+  const fs::path file = MODEL("SimpleInstancing/glTF/SimpleInstancing.gltf");
+  const Scene scene = openScene(file.string());
+  EXPECT_EQ(std::ranges::count_if(scene.nodes, [](const Node& node) { return node.mesh >= 0; }), 125);
+}
+
+TEST(GltfModels, HaveEveryInterpolation) {
+  const fs::path file = MODEL("InterpolationTest/glTF/InterpolationTest.gltf");
+  int counts[3] = {};
+  for (const Animation& animation : openScene(file.string()).animations)
+    for (const AnimationChannel& channel : animation.channels) ++counts[std::size_t(channel.interpolation)];
+  EXPECT_EQ(counts[0], 3);
+  EXPECT_EQ(counts[1], 3);
+  EXPECT_EQ(counts[2], 3);
+}
+
+TEST(GltfModels, GlowAsStronglyAsTheySay) {
+  const fs::path file = MODEL("EmissiveStrengthTest/glTF-Binary/EmissiveStrengthTest.glb");
+  float strongest = 0.0f;
+  for (const Material& material : openScene(file.string()).materials)
+    strongest = std::max({strongest, material.emissive.x, material.emissive.y, material.emissive.z});
+  EXPECT_EQ(strongest, 16.0f * 0.9f) << "strength times factor";
+}
+
+TEST(GltfModels, GetTangentsForTheirNormalMaps) {
+  const fs::path file = MODEL("NormalTangentTest/glTF-Binary/NormalTangentTest.glb");
+  for (const Mesh& mesh : openScene(file.string()).meshes)
+    for (const Primitive& primitive : mesh.primitives)
+      for (const Vertex& vertex : primitive.vertices) {
+        ASSERT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1.0f, 1e-4f);
+        ASSERT_NEAR(glm::dot(glm::vec3(vertex.tangent), vertex.normal), 0.0f, 1e-3f);
+      }
+}
+
+TEST(GltfModels, AreTheSameQuantized) {
+  const fs::path cube = MODEL("AnimatedMorphCube");
+  const Bounds plain = openScene((cube / "glTF/AnimatedMorphCube.gltf").string()).bounds;
+  const Bounds quantized = openScene((cube / "glTF-Quantized/AnimatedMorphCube.gltf").string()).bounds;
+  const float step = 2.0f * plain.radius() / 255.0f; // 8 bits or more across the cube
+  EXPECT_LT(glm::distance(plain.min, quantized.min), step);
+  EXPECT_LT(glm::distance(plain.max, quantized.max), step);
+}
+
 } // namespace
 } // namespace taa
