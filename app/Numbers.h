@@ -1,0 +1,22 @@
+// Numbers as text: exact for copying and probing, short for status lines.
+#pragma once
+
+#include <QString>
+
+#include <span>
+
+namespace taa::app {
+
+/// The shortest decimal that reads back as the same float: "0.18431373", "-1e-05", "nan", "inf".
+QString exactText(float value);
+/// As exactText, with the sign as a minus of the width of a digit.
+QString shownText(float value);
+/// `digits` significant digits, with a typographic minus.
+QString shortText(double value, int digits = 3);
+/// "(0.184, 0.22, 0.305)" or "0.184".
+QString tupleText(std::span<const float> values, int digits = 4);
+/// shownText padded so that `fraction` characters follow the whole part: in a column aligned to the right the
+/// decimal points line up. Padded with spaces that do not break.
+QString alignedText(float value, int fraction);
+
+} // namespace taa::app
