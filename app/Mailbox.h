@@ -1,0 +1,60 @@
+// Results of the render thread on their way to the window: the newest of each kind, posted once.
+#pragma once
+
+#include "core/RenderThread.h"
+
+#include <array>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::app {
+
+inline constexpr int kViewCount = 2;
+
+/// What arrived since the window last looked.
+struct Delivery {
+  std::array<std::optional<ViewResult>, kViewCount> pictures;
+  std::optional<ProbeResult> probe;
+  std::optional<Status> status;
+  std::optional<Work> work;
+  std::vector<std::string> errors;
+};
+
+/// Any number of results between two looks cost one post, so that a busy window is never flooded.
+class Mailbox {
+ public:
+  /// `post` is called from any thread, at most once between two takes.
+  explicit Mailbox(std::function<void()> post) : post_(std::move(post)) {}
+
+  /// Lets `change` write into the delivery.
+  template <class Change>
+  void put(Change change) {
+    {
+      const std::lock_guard lock(mutex_);
+      change(delivery_);
+      if (posted_) return;
+      posted_ = true;
+    }
+    post_();
+  }
+
+  Delivery take() {
+    const std::lock_guard lock(mutex_);
+    posted_ = false;
+    return std::exchange(delivery_, {});
+  }
+
+ private:
+  std::function<void()> post_;
+  std::mutex mutex_;
+  Delivery delivery_;
+  bool posted_ = false;
+};
+
+/// A listener that puts everything into `mailbox`, which must outlive the renderer.
+RenderListener listenerOf(Mailbox& mailbox);
+
+} // namespace taa::app

@@ -1,0 +1,34 @@
+#include "app/Renderer.h"
+
+namespace taa::app {
+
+namespace {
+
+class ThreadRenderer final : public Renderer {
+ public:
+  explicit ThreadRenderer(RenderListener listener) : thread_(std::move(listener)) {}
+
+  void open(const std::string& source) override { thread_.open(source); }
+  void setSize(int width, int height) override { thread_.setSize(width, height); }
+  void setCamera(const std::string& name) override { thread_.setCamera(name); }
+  void setSettings(const Settings& settings) override { thread_.setSettings(settings); }
+  void setPlaying(bool playing) override { thread_.setPlaying(playing); }
+  void setLooping(bool looping) override { thread_.setLooping(looping); }
+  void seek(int frame) override { thread_.seek(frame); }
+  void step(int frames) override { thread_.step(frames); }
+  void setViews(const std::vector<ViewRequest>& views) override { thread_.setViews(views); }
+  void probe(std::optional<glm::ivec2> pixel) override { thread_.probe(pixel); }
+  void reloadShaders() override { thread_.reloadShaders(); }
+  void cancel() override { thread_.cancel(); }
+
+ private:
+  RenderThread thread_;
+};
+
+} // namespace
+
+std::unique_ptr<Renderer> makeRenderThread(RenderListener listener) {
+  return std::make_unique<ThreadRenderer>(std::move(listener));
+}
+
+} // namespace taa::app

@@ -1,0 +1,35 @@
+// What the session asks of the thread that renders; tests put a synthetic one in its place.
+#pragma once
+
+#include "core/RenderThread.h"
+
+#include <memory>
+
+namespace taa::app {
+
+/// As RenderThread: every member returns at once, answers come through the listener on another thread.
+class Renderer {
+ public:
+  Renderer() = default;
+  virtual ~Renderer() = default;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  virtual void open(const std::string& source) = 0;
+  virtual void setSize(int width, int height) = 0;
+  virtual void setCamera(const std::string& name) = 0;
+  virtual void setSettings(const Settings& settings) = 0;
+  virtual void setPlaying(bool playing) = 0;
+  virtual void setLooping(bool looping) = 0;
+  virtual void seek(int frame) = 0;
+  virtual void step(int frames) = 0;
+  virtual void setViews(const std::vector<ViewRequest>& views) = 0;
+  virtual void probe(std::optional<glm::ivec2> pixel) = 0;
+  virtual void reloadShaders() = 0;
+  virtual void cancel() = 0;
+};
+
+/// The real one.
+std::unique_ptr<Renderer> makeRenderThread(RenderListener listener);
+
+} // namespace taa::app

@@ -1,0 +1,185 @@
+#include "app/Session.h"
+
+#include "core/base/Error.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <utility>
+
+namespace taa::app {
+
+Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
+    : QObject(parent),
+      mailbox_([this] { QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection); }) {
+  guarded([&] {
+    const Preset& first = builtinPresets().front();
+    presetId_ = first.id;
+    presetSettings_ = settings_ = first.settings;
+  });
+  guarded([&] { renderer_ = makeRenderer(listenerOf(mailbox_)); });
+}
+
+Session::~Session() {
+  renderer_.reset();
+}
+
+const ViewResult* Session::picture(int view) const {
+  const auto& picture = pictures_.at(static_cast<std::size_t>(view));
+  return picture ? &*picture : nullptr;
+}
+
+bool Session::isPresetChanged() const {
+  return !(settings_ == presetSettings_);
+}
+
+void Session::guarded(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::exception& error) {
+    // Queued, so that a window that is being built has time to listen.
+    QMetaObject::invokeMethod(
+        this, [this, sentence = QString::fromUtf8(error.what())] { Q_EMIT errorOccurred(sentence); },
+        Qt::QueuedConnection);
+  }
+}
+
+void Session::ask(const std::function<void(Renderer&)>& wish) {
+  if (renderer_) guarded([&] { wish(*renderer_); });
+}
+
+void Session::deliver() {
+  Delivery delivery = mailbox_.take();
+  for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
+  if (delivery.status) {
+    const bool isNew = delivery.status->source != status_.source;
+    status_ = std::move(*delivery.status);
+    // Only now: a file that cannot be opened leaves everything as it is, playing or not.
+    if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
+    Q_EMIT statusChanged();
+    if (pick_) setPick(pick_); // the picture may have become smaller
+  }
+  if (delivery.work) {
+    work_ = std::move(*delivery.work);
+    Q_EMIT workChanged();
+  }
+  for (int view = 0; view < kViewCount; ++view)
+    if (auto& picture = delivery.pictures[static_cast<std::size_t>(view)]) {
+      pictures_[static_cast<std::size_t>(view)] = std::move(picture);
+      Q_EMIT pictureArrived(view);
+    }
+  if (delivery.probe && pick_) {
+    probe_ = std::move(delivery.probe);
+    Q_EMIT probeArrived();
+  }
+}
+
+void Session::open(const QString& source, bool plays) {
+  playsWhenOpen_ = plays;
+  ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
+}
+
+void Session::setSize(int width, int height) {
+  ask([&](Renderer& renderer) { renderer.setSize(width, height); });
+}
+
+void Session::setCamera(const QString& name) {
+  ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
+}
+
+void Session::setPlaying(bool playing) {
+  ask([&](Renderer& renderer) { renderer.setPlaying(playing); });
+}
+
+void Session::togglePlaying() {
+  setPlaying(!status_.playing);
+}
+
+void Session::setLooping(bool looping) {
+  looping_ = looping;
+  ask([&](Renderer& renderer) { renderer.setLooping(looping); });
+}
+
+void Session::seek(int frame) {
+  // Before something is open its length is not known; the render thread clamps as well.
+  const int last = isOpen() ? status_.frameCount - 1 : std::numeric_limits<int>::max();
+  ask([&](Renderer& renderer) { renderer.seek(std::clamp(frame, 0, last)); });
+}
+
+void Session::step(int frames) {
+  ask([&](Renderer& renderer) {
+    renderer.setPlaying(false);
+    renderer.step(frames);
+  });
+}
+
+void Session::useSettings(const Settings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
+  ask([&](Renderer& renderer) { renderer.setSettings(settings_); });
+  Q_EMIT settingsChanged();
+}
+
+void Session::setParameter(const QString& path, double value) {
+  guarded([&] {
+    const Parameter& row = parameter(path.toStdString());
+    Settings changed = settings_;
+    row.set(changed, value);
+    if (changed == settings_) return;
+    history_.record(settings_, std::string(row.path));
+    useSettings(changed);
+  });
+}
+
+void Session::setPreset(const QString& idOrPath) {
+  guarded([&] {
+    const Preset chosen = preset(idOrPath.toStdString());
+    history_.record(settings_, "");
+    presetId_ = chosen.id;
+    presetSettings_ = chosen.settings;
+    useSettings(chosen.settings);
+    Q_EMIT settingsChanged(); // the name changes even where no value does
+  });
+}
+
+void Session::undo() {
+  if (history_.canUndo()) useSettings(history_.undo(settings_));
+}
+
+void Session::redo() {
+  if (history_.canRedo()) useSettings(history_.redo(settings_));
+}
+
+void Session::setViews(const std::vector<ViewRequest>& views) {
+  if (views == views_) return;
+  views_ = views;
+  ask([&](Renderer& renderer) { renderer.setViews(views_); });
+}
+
+void Session::setPick(std::optional<glm::ivec2> pixel) {
+  if (pixel && isOpen())
+    pixel = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(status_.width, status_.height) - 1);
+  if (pixel == pick_) return;
+  pick_ = pixel;
+  if (!pick_) probe_.reset();
+  ask([&](Renderer& renderer) { renderer.probe(pick_); });
+  Q_EMIT pickChanged();
+}
+
+void Session::movePick(int dx, int dy) {
+  if (pick_) setPick(*pick_ + glm::ivec2(dx, dy));
+}
+
+void Session::reloadShaders() {
+  ask([&](Renderer& renderer) { renderer.reloadShaders(); });
+}
+
+void Session::cancel() {
+  ask([&](Renderer& renderer) { renderer.cancel(); });
+}
+
+} // namespace taa::app

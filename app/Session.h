@@ -1,0 +1,94 @@
+// What the window works on: wishes go to the render thread, its results arrive here as signals.
+#pragma once
+
+#include "app/Mailbox.h"
+#include "app/Renderer.h"
+#include "app/SettingsHistory.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::app {
+
+/// Lives on the UI thread and never waits. No exception leaves a member: errors become errorOccurred().
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  using MakeRenderer = std::function<std::unique_ptr<Renderer>(RenderListener)>;
+  explicit Session(const MakeRenderer& makeRenderer = makeRenderThread, QObject* parent = nullptr);
+  ~Session() override;
+
+  // State; what has not arrived yet is empty
+  const Status& status() const { return status_; }
+  const Work& work() const { return work_; }
+  const ProbeResult* probe() const { return probe_ ? &*probe_ : nullptr; }
+  const ViewResult* picture(int view) const;
+  /// The settings asked for, which the picture may not show yet.
+  const Settings& settings() const { return settings_; }
+  const std::string& presetId() const { return presetId_; }
+  const Settings& presetSettings() const { return presetSettings_; }
+  bool isPresetChanged() const;
+  std::optional<glm::ivec2> pick() const { return pick_; }
+  bool isLooping() const { return looping_; }
+  bool canUndo() const { return history_.canUndo(); }
+  bool canRedo() const { return history_.canRedo(); }
+  /// Something was opened, and its status has arrived.
+  bool isOpen() const { return status_.frameCount > 0; }
+
+  // Wishes
+  /// Plays once it is open, or waits at frame 0.
+  void open(const QString& source, bool plays = true);
+  void setSize(int width, int height);
+  void setCamera(const QString& name);
+  void setPlaying(bool playing);
+  void togglePlaying();
+  void setLooping(bool looping);
+  void seek(int frame);
+  void step(int frames); ///< pauses
+  void setParameter(const QString& path, double value);
+  void setPreset(const QString& idOrPath);
+  void undo();
+  void redo();
+  void setViews(const std::vector<ViewRequest>& views);
+  void setPick(std::optional<glm::ivec2> pixel);
+  void movePick(int dx, int dy);
+  void reloadShaders();
+  void cancel();
+
+ Q_SIGNALS:
+  void statusChanged();
+  void settingsChanged();
+  void pictureArrived(int view);
+  void probeArrived();
+  void pickChanged();
+  void workChanged();
+  void errorOccurred(const QString& sentence);
+
+ private:
+  void deliver();
+  void useSettings(const Settings& settings);
+  void ask(const std::function<void(Renderer&)>& wish);
+  void guarded(const std::function<void()>& act);
+
+  Mailbox mailbox_;
+  Status status_;
+  Work work_;
+  std::optional<ProbeResult> probe_;
+  std::array<std::optional<ViewResult>, kViewCount> pictures_;
+  Settings settings_, presetSettings_;
+  std::string presetId_;
+  SettingsHistory history_;
+  std::optional<glm::ivec2> pick_;
+  std::vector<ViewRequest> views_;
+  bool looping_ = true, playsWhenOpen_ = false;
+  std::unique_ptr<Renderer> renderer_; ///< last: ends before what its results are put into
+};
+
+} // namespace taa::app
