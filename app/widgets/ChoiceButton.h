@@ -1,0 +1,47 @@
+// A choice of many: a button that shows the present one and opens a menu with an explanation for each.
+#pragma once
+
+#include <QAbstractButton>
+#include <QStringList>
+
+namespace taa::app {
+
+class ChoiceButton : public QAbstractButton {
+  Q_OBJECT
+ public:
+  explicit ChoiceButton(QWidget* parent = nullptr);
+
+  /// Labels, and one explanation each (or none).
+  void setChoices(const QStringList& labels, const QStringList& explanations = {});
+  int current() const { return current_; }
+  /// Shows a choice; emits nothing. −1: none.
+  void setCurrent(int index);
+  /// Shown instead of the present choice's label: "balanced*".
+  void setCaption(const QString& caption);
+  void setFlat(bool flat);
+  /// Without the mark of a list.
+  void setPlain(bool plain);
+  void setDimmed(bool dimmed);
+  QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  void chosen(int index);
+  /// Clicked while there are no choices: somebody else offers them.
+  void requested();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+
+ private:
+  void openMenu();
+  void choose(int index);
+  QString caption() const;
+
+  QStringList labels_, explanations_;
+  QString caption_;
+  int current_ = -1;
+  bool flat_ = false, plain_ = false, dimmed_ = false;
+};
+
+} // namespace taa::app

@@ -1,0 +1,160 @@
+#include "app/widgets/Chooser.h"
+
+#include "app/Icons.h"
+#include "app/Theme.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kEntryRole = Qt::UserRole; ///< number of the entry; none: a heading
+constexpr int kDetailRole = Qt::UserRole + 1;
+
+class EntryDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const ThemeColors& colors = themeColors(option.palette);
+    const bool isHeading = !index.data(kEntryRole).isValid();
+    const bool isCurrent = option.state.testFlag(QStyle::State_Selected);
+    if (isCurrent) painter->fillRect(option.rect, colors.accent);
+    const QRect inside = option.rect.adjusted((isHeading ? 2 : 4) * kUnit, 0, -2 * kUnit, 0);
+    const QString detail = index.data(kDetailRole).toString();
+    painter->setFont(secondaryFont());
+    painter->setPen(isCurrent ? colors.onAccent : colors.secondary);
+    painter->drawText(inside, Qt::AlignVCenter | Qt::AlignRight, detail);
+    const int used = QFontMetrics(secondaryFont()).horizontalAdvance(detail) + 2 * kUnit;
+    const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+    painter->setFont(isHeading ? secondaryFont() : option.font);
+    painter->setPen(isCurrent ? colors.onAccent : isHeading || !isEnabled ? colors.secondary : colors.text);
+    const QString text =
+        painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, inside.width() - used);
+    painter->drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text);
+  }
+
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, kRowHeight}; }
+};
+
+} // namespace
+
+Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,
+                 std::function<void(int)> choose, QWidget* parent)
+    : QFrame(parent, Qt::Popup), entries_(std::move(entries)), choose_(std::move(choose)),
+      field_(new QLineEdit), list_(new QListWidget) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setFrameShape(QFrame::Box);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(kUnit, kUnit, kUnit, kUnit);
+  layout->setSpacing(kUnit);
+  field_->setPlaceholderText(placeholder);
+  field_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  field_->installEventFilter(this);
+  list_->setItemDelegate(new EntryDelegate(list_));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setFocusPolicy(Qt::NoFocus);
+  layout->addWidget(field_);
+  layout->addWidget(list_, 1);
+  setFocusProxy(field_);
+  connect(field_, &QLineEdit::textChanged, this, &Chooser::search);
+  connect(list_, &QListWidget::itemClicked, this, &Chooser::accept);
+}
+
+void Chooser::open(const QRect& anchor, int current) {
+  fill({}, current);
+  QWidget* window = parentWidget()->window();
+  const QPoint corner = parentWidget()->mapTo(window, anchor.bottomLeft() + QPoint(0, 1));
+  const int width = std::min(anchor.width(), window->width() - 2 * kUnit);
+  const int height =
+      std::min(list_->count() * kRowHeight + 12 * kUnit, window->height() - corner.y() - 2 * kUnit);
+  setGeometry(QRect(window->mapToGlobal(corner), QSize(width, height)));
+  show();
+  field_->setFocus();
+}
+
+void Chooser::search(const QString& text) {
+  fill(text.trimmed(), -1);
+}
+
+void Chooser::fill(const QString& wanted, int current) {
+  list_->clear();
+  QString group;
+  QListWidgetItem* chosen = nullptr;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const ChooserEntry& entry = entries_[i];
+    const bool found = (entry.text + QLatin1Char(' ') + entry.group + QLatin1Char(' ') + entry.keywords)
+                           .contains(wanted, Qt::CaseInsensitive);
+    if (!found) continue;
+    if (entry.group != group) {
+      group = entry.group;
+      (new QListWidgetItem(group, list_))->setFlags(Qt::NoItemFlags);
+    }
+    auto* item = new QListWidgetItem(entry.text, list_);
+    item->setData(kEntryRole, static_cast<int>(i));
+    item->setData(kDetailRole, entry.detail);
+    if (!entry.enabled) item->setFlags(Qt::NoItemFlags);
+    if (entry.enabled && (!chosen || static_cast<int>(i) == current)) chosen = item;
+  }
+  list_->setCurrentItem(chosen);
+  if (chosen) list_->scrollToItem(chosen, QAbstractItemView::PositionAtCenter);
+}
+
+void Chooser::accept() {
+  const QListWidgetItem* item = list_->currentItem();
+  if (!item || !item->data(kEntryRole).isValid()) return;
+  const int index = item->data(kEntryRole).toInt();
+  const auto choose = choose_; // outlives this popup
+  close();
+  choose(index);
+}
+
+void Chooser::moveCurrent(int rows) {
+  int row = list_->currentRow();
+  const int direction = rows < 0 ? -1 : 1;
+  for (int left = std::abs(rows); left > 0; --left) {
+    int next = row + direction;
+    while (next >= 0 && next < list_->count() && !list_->item(next)->flags().testFlag(Qt::ItemIsSelectable))
+      next += direction;
+    if (next < 0 || next >= list_->count()) break;
+    row = next;
+  }
+  list_->setCurrentRow(row);
+}
+
+bool Chooser::eventFilter(QObject*, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return false;
+  switch (static_cast<QKeyEvent*>(event)->key()) {
+  case Qt::Key_Up:
+    moveCurrent(-1);
+    return true;
+  case Qt::Key_Down:
+    moveCurrent(1);
+    return true;
+  case Qt::Key_PageUp:
+    moveCurrent(-10);
+    return true;
+  case Qt::Key_PageDown:
+    moveCurrent(10);
+    return true;
+  case Qt::Key_Return:
+  case Qt::Key_Enter:
+    accept();
+    return true;
+  case Qt::Key_Escape:
+    close();
+    return true;
+  default:
+    return false;
+  }
+}
+
+} // namespace taa::app

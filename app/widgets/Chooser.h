@@ -1,0 +1,49 @@
+// A list that is searched by typing: commands, or the intermediates of a view.
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QLineEdit;
+class QListWidget;
+
+namespace taa::app {
+
+struct ChooserEntry {
+  QString text;
+  QString detail;   ///< at the right, in secondary text
+  QString group;    ///< a heading before the first of a group
+  QString keywords; ///< found too, not shown
+  bool enabled = true;
+};
+
+/// A popup that deletes itself when it closes.
+class Chooser : public QFrame {
+  Q_OBJECT
+ public:
+  Chooser(const QString& placeholder, std::vector<ChooserEntry> entries, std::function<void(int)> choose,
+          QWidget* parent);
+
+  /// Below `anchor` (its parent's coordinates), as large as the window allows.
+  void open(const QRect& anchor, int current = -1);
+  /// Shows what matches; the first match becomes current.
+  void search(const QString& text);
+
+ protected:
+  bool eventFilter(QObject*, QEvent*) override;
+
+ private:
+  void fill(const QString& wanted, int current);
+  void accept();
+  void moveCurrent(int rows);
+
+  std::vector<ChooserEntry> entries_;
+  std::function<void(int)> choose_;
+  QLineEdit* field_;
+  QListWidget* list_;
+};
+
+} // namespace taa::app

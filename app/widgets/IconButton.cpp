@@ -1,0 +1,20 @@
+#include "app/widgets/IconButton.h"
+
+#include "app/Icons.h"
+
+namespace taa::app {
+
+IconButton::IconButton(const QString& icon, const QString& toolTip, QWidget* parent) : QToolButton(parent) {
+  setIconName(icon);
+  setIconSize({16, 16});
+  setToolTip(toolTip);
+  setAccessibleName(toolTip);
+  setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+void IconButton::setIconName(const QString& icon) {
+  setIcon(themedIcon(icon));
+}
+
+} // namespace taa::app

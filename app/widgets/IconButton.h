@@ -1,0 +1,18 @@
+// A flat button that is an icon.
+#pragma once
+
+#include <QString>
+#include <QToolButton>
+
+namespace taa::app {
+
+class IconButton : public QToolButton {
+  Q_OBJECT
+ public:
+  IconButton(const QString& icon, const QString& toolTip, QWidget* parent = nullptr);
+  void setIconName(const QString& icon);
+  QSize sizeHint() const override { return {24, 22}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+} // namespace taa::app

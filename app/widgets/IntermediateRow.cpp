@@ -1,0 +1,105 @@
+#include "app/widgets/IntermediateRow.h"
+
+#include "app/Icons.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kIcon = 12;
+constexpr int kLetter = 14;
+
+} // namespace
+
+QString intermediateToolTip(const Intermediate& row) {
+  QStringList channels;
+  for (const std::string& name : channelNames(row)) channels << QString::fromStdString(name);
+  const QString unit = row.unit.empty() ? QString() : QStringLiteral(" · ") + qtext(row.unit).toHtmlEscaped();
+  const QString names =
+      channels.size() > 1 ? QStringLiteral(" · ") + channels.join(QLatin1Char(' ')) : QString();
+  return QStringLiteral("<b>%1</b>%2%3<br>%4<br><br><code>%5</code>")
+      .arg(qtext(row.label), unit, names, qtext(row.description).toHtmlEscaped(), qtext(row.name));
+}
+
+void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool active,
+                     const ThemeColors& colors) {
+  painter.save();
+  painter.setFont(secondaryFont());
+  painter.setPen(active ? colors.accent : colors.secondary);
+  painter.setBrush(active ? QBrush(colors.accent) : QBrush(Qt::NoBrush));
+  painter.drawRect(box.adjusted(0, 0, -1, -1));
+  painter.setPen(active ? colors.onAccent : colors.text);
+  painter.drawText(box, Qt::AlignCenter, letter);
+  painter.restore();
+}
+
+IntermediateRow::IntermediateRow(const Intermediate& row, QWidget* parent)
+    : QAbstractButton(parent), row_(row) {
+  setText(qtext(row.label));
+  setObjectName(qtext(row.name));
+  setToolTip(intermediateToolTip(row));
+  setFocusPolicy(Qt::TabFocus);
+  setAttribute(Qt::WA_Hover);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void IntermediateRow::setShownIn(const QString& letters, QChar active) {
+  if (letters == letters_ && active == active_) return;
+  letters_ = letters;
+  active_ = active;
+  update();
+}
+
+bool IntermediateRow::matches(const QString& wanted) const {
+  for (const std::string_view field : {row_.label, row_.name, row_.description})
+    if (qtext(field).contains(wanted, Qt::CaseInsensitive)) return true;
+  return false;
+}
+
+QSize IntermediateRow::sizeHint() const {
+  return {120, kRowHeight};
+}
+
+void IntermediateRow::paintEvent(QPaintEvent*) {
+  const ThemeColors& colors = themeColors(this);
+  QPainter painter(this);
+  if (underMouse() || !letters_.isEmpty()) painter.fillRect(rect(), colors.hover);
+  if (hasFocus()) {
+    painter.setPen(colors.accent);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+  const int left = 3 * kUnit;
+  painter.drawPixmap(left, (height() - kIcon) / 2,
+                     iconPixmap(QStringLiteral("picture"), colors.secondary, kIcon, devicePixelRatioF()));
+  QRect inside = rect().adjusted(left + kIcon + 2 * kUnit, 0, -2 * kUnit, 0);
+  for (qsizetype i = letters_.size() - 1; i >= 0; --i) {
+    const QRect box(inside.right() - kLetter + 1, (height() - kLetter) / 2, kLetter, kLetter);
+    paintViewLetter(painter, box, letters_[i], letters_[i] == active_, colors);
+    inside.setRight(box.left() - kUnit);
+  }
+  painter.setPen(colors.text);
+  painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft,
+                   fontMetrics().elidedText(text(), Qt::ElideRight, inside.width()));
+}
+
+void IntermediateRow::mouseReleaseEvent(QMouseEvent* event) {
+  setDown(false);
+  if (!rect().contains(event->position().toPoint())) return;
+  const bool other = event->button() != Qt::LeftButton || event->modifiers().testFlag(Qt::ControlModifier);
+  Q_EMIT chosen(row_.id, other);
+}
+
+void IntermediateRow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    Q_EMIT chosen(row_.id, event->modifiers().testFlag(Qt::ControlModifier));
+  else
+    QAbstractButton::keyPressEvent(event);
+}
+
+} // namespace taa::app

@@ -1,0 +1,62 @@
+// One row of the parameter table as a control: label, dot when changed, and the editor its kind asks for.
+#pragma once
+
+#include "core/settings/Parameters.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+
+namespace taa::app {
+
+class ParameterLabel;
+
+class ParameterRow : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ParameterRow(const Parameter& row, QWidget* parent = nullptr);
+
+  const Parameter& row() const { return row_; }
+  QString path() const;
+  /// The control that edits the value.
+  QWidget* editor() const { return editor_; }
+  double value() const { return value_; }
+  /// Shows the row of `settings`; `preset` tells whether it is changed. Emits nothing.
+  void display(const Settings& settings, const Settings& preset);
+  bool isChanged() const;
+  bool isDimmed() const;
+  /// Whether a search for `text` finds it.
+  bool matches(const QString& text) const;
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {80, kLeastHeight}; }
+
+ Q_SIGNALS:
+  void edited(const QString& path, double value);
+
+ protected:
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  static constexpr int kLeastHeight = 22;
+  void makeEditor();
+  void edit(double value);
+  /// Whether label and editor fit side by side.
+  bool fitsInOneLine(int width) const;
+  int editorWidth() const;
+
+  const Parameter& row_;
+  ParameterLabel* label_;
+  QWidget* editor_ = nullptr;
+  std::function<void(double)> showValue_;
+  std::function<void(bool)> dim_;
+  double value_ = 0.0, presetValue_ = 0.0;
+};
+
+/// What it does, the formula, the source, range and default; rich text.
+QString parameterToolTip(const Parameter& row);
+
+} // namespace taa::app

@@ -1,0 +1,129 @@
+#include "app/widgets/SegmentedButtons.h"
+
+#include "app/Theme.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+constexpr int kPadding = 7; ///< beside a label
+} // namespace
+
+SegmentedButtons::SegmentedButtons(const QStringList& labels, QWidget* parent)
+    : QWidget(parent), labels_(labels) {
+  setFont(secondaryFont());
+  setFocusPolicy(Qt::TabFocus);
+  setMouseTracking(true);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void SegmentedButtons::setCurrent(int index) {
+  current_ = index;
+  update();
+}
+
+void SegmentedButtons::setDimmed(bool dimmed) {
+  dimmed_ = dimmed;
+  update();
+}
+
+int SegmentedButtons::widestLabel() const {
+  int widest = 0;
+  for (const QString& label : labels_)
+    widest = std::max(widest, fontMetrics().horizontalAdvance(label) + 2 * kPadding);
+  return widest;
+}
+
+int SegmentedButtons::columns(int width) const {
+  const int count = static_cast<int>(labels_.size());
+  if (width >= widestLabel() * count) return count;
+  return count > 2 && width >= 2 * widestLabel() ? 2 : std::max(1, std::min(count, width / widestLabel()));
+}
+
+QSize SegmentedButtons::sizeHint() const {
+  return {widestLabel() * count(), kRowHeight};
+}
+
+int SegmentedButtons::heightForWidth(int width) const {
+  const int perRow = columns(width);
+  return kRowHeight * ((count() + perRow - 1) / perRow);
+}
+
+QRect SegmentedButtons::segment(int index) const {
+  const int perRow = columns(width());
+  const int column = index % perRow, row = index / perRow;
+  const int left = column * (width() - 1) / perRow, right = (column + 1) * (width() - 1) / perRow;
+  return {left, row * kRowHeight + 1, right - left, kRowHeight - 3};
+}
+
+void SegmentedButtons::paintEvent(QPaintEvent*) {
+  const ThemeColors& colors = themeColors(this);
+  QPainter painter(this);
+  for (int index = 0; index < count(); ++index) {
+    const QRect box = segment(index);
+    const bool isCurrent = index == current_;
+    const QColor fill = isCurrent ? (dimmed_ ? colors.line : colors.accent) : colors.field;
+    painter.fillRect(box, index == hovered_ && !isCurrent ? colors.hover : fill);
+    painter.setPen(hasFocus() && isCurrent ? colors.text : colors.line);
+    painter.drawRect(box);
+    painter.setPen(isCurrent ? (dimmed_ ? colors.text : colors.onAccent)
+                             : (dimmed_ ? colors.secondary : colors.text));
+    painter.drawText(box, Qt::AlignCenter, labels_[index]);
+  }
+}
+
+int SegmentedButtons::indexAt(QPoint position) const {
+  for (int index = 0; index < count(); ++index)
+    if (segment(index).adjusted(0, -1, 1, 1).contains(position)) return index;
+  return -1;
+}
+
+void SegmentedButtons::choose(int index) {
+  if (index < 0 || index >= count() || index == current_) return;
+  setCurrent(index);
+  Q_EMIT chosen(index);
+}
+
+void SegmentedButtons::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) choose(indexAt(event->position().toPoint()));
+}
+
+void SegmentedButtons::mouseMoveEvent(QMouseEvent* event) {
+  hovered_ = indexAt(event->position().toPoint());
+  update();
+}
+
+void SegmentedButtons::leaveEvent(QEvent*) {
+  hovered_ = -1;
+  update();
+}
+
+void SegmentedButtons::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Left) return choose(current_ - 1);
+  if (event->key() == Qt::Key_Right) return choose(current_ + 1);
+  QWidget::keyPressEvent(event);
+}
+
+bool SegmentedButtons::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const int index = indexAt(help->pos());
+    if (index < 0 || index >= explanations_.size()) return QWidget::event(event);
+    QToolTip::showText(help->globalPos(),
+                       QStringLiteral("<b>%1</b>: %2").arg(labels_[index], explanations_[index]), this,
+                       segment(index));
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+} // namespace taa::app

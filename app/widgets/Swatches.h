@@ -1,0 +1,30 @@
+// Three by three pixels of a color, enlarged: the neighborhood of the probe.
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+
+#include <array>
+
+namespace taa::app {
+
+class Swatches : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Swatches(const QString& caption, QWidget* parent = nullptr);
+
+  /// Scene-linear colors, row-major; encoded as the views encode them, without exposure.
+  void setColors(const std::array<std::array<float, 3>, 9>& linear);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  QString caption_;
+  std::array<QColor, 9> colors_;
+};
+
+} // namespace taa::app
