@@ -1,0 +1,145 @@
+#include "app/views/Legend.h"
+
+#include "app/Numbers.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/views/RangeMath.h"
+
+#include "core/inspect/ColorMap.h"
+
+#include <QFontMetrics>
+#include <QImage>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kBarWidth = 96, kBarHeight = 8;
+// Gray as light as the cyclic map, as in shaders/inspect/visual_color.glsl.
+constexpr float kNeutral = kCyclicLightness * kCyclicLightness * kCyclicLightness;
+
+QRgb rgbOf(const std::array<float, 3>& linear) {
+  const auto byte = [](float value) { return static_cast<int>(std::lround(255.0f * srgbEncoded(value))); };
+  return qRgb(byte(linear[0]), byte(linear[1]), byte(linear[2]));
+}
+
+QImage mapBar(ColorMap map) {
+  QImage bar(kBarWidth * 2, 1, QImage::Format_RGB32);
+  for (int x = 0; x < bar.width(); ++x)
+    bar.setPixel(x, 0,
+                 rgbOf(mapColor(map, (static_cast<float>(x) + 0.5f) / static_cast<float>(bar.width()))));
+  return bar;
+}
+
+/// Direction as hue, length as saturation: the key to a motion view.
+QImage hueDisk(int size) {
+  QImage disk(size, size, QImage::Format_ARGB32);
+  disk.fill(Qt::transparent);
+  const float radius = static_cast<float>(size) / 2;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const float dx = (static_cast<float>(x) + 0.5f) / radius - 1,
+                  dy = (static_cast<float>(y) + 0.5f) / radius - 1;
+      const float length = std::hypot(dx, dy);
+      if (length > 1) continue;
+      const float turn = std::atan2(dy, dx) / (2 * std::numbers::pi_v<float>);
+      std::array<float, 3> color = mapColor(ColorMap::Cyclic, turn - std::floor(turn));
+      for (float& channel : color) channel = kNeutral + length * (channel - kNeutral);
+      disk.setPixel(x, y, rgbOf(color));
+    }
+  return disk;
+}
+
+QString channelText(const Intermediate& row, const ViewStyle& style) {
+  if (row.channels == 1) return {};
+  QString shown;
+  const std::vector<std::string> names = channelNames(row);
+  for (int channel = 0; channel < row.channels; ++channel)
+    if (isShown(style, channel)) {
+      if (!shown.isEmpty()) shown += QLatin1Char(' ');
+      shown += QString::fromStdString(names[static_cast<std::size_t>(channel)]);
+    }
+  return shown;
+}
+
+/// Writes from the left and moves on; false when there is no room.
+class Pen {
+ public:
+  Pen(QPainter& painter, const QRect& strip)
+      : painter_(painter), left_(strip.left() + 2 * kUnit), strip_(strip) {}
+
+  void write(const QString& text, const QFont& font, const QColor& color) {
+    const int width = QFontMetrics(font).horizontalAdvance(text);
+    if (text.isEmpty() || left_ + width > strip_.right() - kUnit) return;
+    painter_.setFont(font);
+    painter_.setPen(color);
+    painter_.drawText(QRect(left_, strip_.top(), width + 1, strip_.height()),
+                      Qt::AlignVCenter | Qt::AlignLeft, text);
+    left_ += width + 2 * kUnit;
+  }
+
+  /// Room for a picture of `width`, or an empty rectangle.
+  QRect place(int width, int height) {
+    if (left_ + width > strip_.right() - kUnit) return {};
+    const QRect rect(left_, strip_.center().y() - height / 2 + 1, width, height);
+    left_ += width + 2 * kUnit;
+    return rect;
+  }
+
+ private:
+  QPainter& painter_;
+  int left_;
+  QRect strip_;
+};
+
+void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const ViewStyle& style,
+                const ThemeColors& colors) {
+  const QFont digits = numberFont();
+  if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
+    const int size = kLegendHeight - 4;
+    if (const QRect place = pen.place(size, size); !place.isEmpty())
+      painter.drawImage(place,
+                        hueDisk(size * std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()))));
+    pen.write(QStringLiteral("≤ %1").arg(shortText(style.high)), digits, colors.text);
+  } else if (row.visual == Visual::Index) {
+    const int last = std::min(static_cast<int>(row.high), kCategoryCount - 1);
+    for (int number = 0; number <= last; ++number) {
+      pen.write(QString::number(number), digits, colors.text);
+      if (const QRect swatch = pen.place(kBarHeight, kBarHeight); !swatch.isEmpty())
+        painter.fillRect(swatch, QColor(rgbOf(categoryColor(number))));
+    }
+  } else if (usesColorMap(row, style)) {
+    pen.write(shortText(style.low), digits, colors.text);
+    if (const QRect bar = pen.place(kBarWidth, kBarHeight); !bar.isEmpty())
+      painter.drawImage(bar, mapBar(style.map));
+    pen.write(shortText(style.high), digits, colors.text);
+  } else if (hasRange(row)) {
+    pen.write(QStringLiteral("%1 … %2").arg(shortText(style.low), shortText(style.high)), digits,
+              colors.text);
+  }
+}
+
+} // namespace
+
+void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
+                 const ThemeColors& colors) {
+  QColor ground = colors.panel;
+  ground.setAlpha(232);
+  painter.fillRect(strip, ground);
+  Pen pen(painter, strip);
+  pen.write(qtext(row.label), secondaryFont(), colors.text);
+  paintScale(pen, painter, row, style, colors);
+  pen.write(qtext(row.unit), secondaryFont(), colors.secondary);
+  if (hasExposure(row) && style.exposure != 0)
+    pen.write(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
+                                            shortText(style.exposure)),
+              numberFont(), colors.text);
+  pen.write(channelText(row, style), secondaryFont(), colors.secondary);
+}
+
+} // namespace taa::app

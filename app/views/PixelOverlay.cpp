@@ -1,0 +1,93 @@
+#include "app/views/PixelOverlay.h"
+
+#include "app/Numbers.h"
+#include "app/Theme.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+/// Readable on any color: dark outline, light inside.
+void drawOutlined(QPainter& painter, QPointF baseline, const QFont& font, const QString& text) {
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  painter.strokePath(path, QPen(QColor(0, 0, 0, 220), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(path, QColor(255, 255, 255));
+}
+
+} // namespace
+
+ScreenRect PixelOverlay::pixelRect(glm::ivec2 pixel) const {
+  const glm::dvec2 corner = screenFromPicture(transform_, glm::dvec2(pixel)) / pixelRatio_;
+  return {corner.x, corner.y, texel_, texel_};
+}
+
+void PixelOverlay::paintGrid(QPainter& painter) const {
+  const gl::Rect seen = geometry_.visiblePixels(transform_);
+  const ScreenRect first = pixelRect({seen.x, seen.y});
+  const double right = first.x + seen.width * texel_, bottom = first.y + seen.height * texel_;
+  const double line = 1.0 / pixelRatio_;
+  const QColor color(128, 128, 128, 110);
+  for (int x = 0; x <= seen.width; ++x)
+    painter.fillRect(QRectF(first.x + x * texel_, first.y, line, bottom - first.y), color);
+  for (int y = 0; y <= seen.height; ++y)
+    painter.fillRect(QRectF(first.x, first.y + y * texel_, right - first.x, line), color);
+}
+
+void PixelOverlay::paintValues(QPainter& painter, const ViewResult& result) const {
+  const Image& values = result.values;
+  if (values.empty()) return;
+  const Intermediate& row = intermediate(result.request.id);
+  const int channels = std::min(row.channels, values.channels);
+  QFont font = numberFont();
+  // Larger texels hold more digits, not larger ones.
+  const double advance = QFontMetricsF(font).horizontalAdvance(QLatin1Char('0'));
+  const int fits = static_cast<int>((texel_ - 4) / advance);
+  const int digits = std::clamp(fits - 4, 2, 7); // room for a sign, a point, leading zeros
+  const double lineHeight = std::min(QFontMetricsF(font).height(), (texel_ - 4) / channels);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (int y = 0; y < values.height; ++y)
+    for (int x = 0; x < values.width; ++x) {
+      const ScreenRect cell = pixelRect({result.region.x + x, result.region.y + y});
+      double top = cell.y + (texel_ - lineHeight * channels) / 2;
+      for (int channel = 0; channel < channels; ++channel, top += lineHeight) {
+        const QString text = shortText(values.at(x, y)[channel], digits);
+        const double width = advance * static_cast<double>(text.size());
+        QFont fitting = font;
+        if (width > texel_ - 4)
+          fitting.setPointSizeF(std::max(6.0, font.pointSizeF() * (texel_ - 4) / width));
+        const double used = std::min(width, texel_ - 4);
+        drawOutlined(painter, {cell.x + (texel_ - used) / 2, top + lineHeight * 0.8}, fitting, text);
+      }
+    }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void PixelOverlay::paintPick(QPainter& painter, glm::ivec2 pixel) const {
+  constexpr double kLeastBox = 9, kArm = 8;
+  const ScreenRect cell = pixelRect(pixel);
+  const double x = cell.x + texel_ / 2, y = cell.y + texel_ / 2;
+  const double half = std::max(texel_, kLeastBox) / 2;
+  const QRectF box(x - half, y - half, 2 * half, 2 * half);
+  const QLineF arms[] = {{x - half - kArm, y, x - half, y},
+                         {x + half, y, x + half + kArm, y},
+                         {x, y - half - kArm, x, y - half},
+                         {x, y + half, x, y + half + kArm}};
+  painter.setRenderHint(QPainter::Antialiasing);
+  // On pictures the brighter accent with its outline shows on any color, whatever the theme.
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(darkColors().accent, 1.5)}) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(box);
+    painter.drawLines(arms, 4);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+} // namespace taa::app

@@ -1,0 +1,38 @@
+// What is drawn over a picture at high zoom and at the pick: pixel grid, values in texels, crosshair.
+#pragma once
+
+#include "app/views/ViewportMath.h"
+
+#include "core/RenderThread.h"
+
+#include <optional>
+
+class QPainter;
+
+namespace taa::app {
+
+inline constexpr double kGridZoom = 16.0;  ///< logical pixels a picture pixel from which a grid is drawn
+inline constexpr double kValueZoom = 48.0; ///< and from which values are written
+
+/// Paints in logical pixels for a view that looks through `transform` at `pixelRatio` device pixels each.
+class PixelOverlay {
+ public:
+  PixelOverlay(const ViewGeometry& geometry, const ViewTransform& transform, double pixelRatio)
+      : geometry_(geometry), transform_(transform), pixelRatio_(pixelRatio),
+        texel_(static_cast<double>(transform.zoom) / pixelRatio) {}
+
+  double texelSize() const { return texel_; } ///< logical pixels
+  void paintGrid(QPainter& painter) const;
+  /// Writes the values of the result's region into their texels.
+  void paintValues(QPainter& painter, const ViewResult& result) const;
+  void paintPick(QPainter& painter, glm::ivec2 pixel) const;
+  /// Logical rectangle of a pixel.
+  ScreenRect pixelRect(glm::ivec2 pixel) const;
+
+ private:
+  ViewGeometry geometry_;
+  ViewTransform transform_;
+  double pixelRatio_, texel_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,195 @@
+#include "app/views/ViewHeader.h"
+
+#include "app/Numbers.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/views/RangeMath.h"
+#include "app/widgets/ChannelButtons.h"
+#include "app/widgets/ChoiceButton.h"
+#include "app/widgets/IconButton.h"
+#include "app/widgets/IntermediateRow.h"
+#include "app/widgets/NumberField.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kHeight = 28;
+constexpr int kLetter = 18;
+constexpr int kGap = 4;
+constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
+                              ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
+
+QString zoomText(double zoom) {
+  return zoom >= 1.0 ? QStringLiteral("%1×").arg(shortText(zoom))
+                     : QStringLiteral("%1 %").arg(shortText(zoom * 100));
+}
+
+} // namespace
+
+ViewHeader::ViewHeader(QChar letter, QWidget* parent)
+    : QWidget(parent), letter_(letter), row_(&intermediate(IntermediateId::resolved)) {
+  setFixedHeight(kHeight);
+  makeControls();
+  connectControls();
+}
+
+void ViewHeader::makeControls() {
+  name_ = new ChoiceButton(this);
+  name_->setObjectName(QStringLiteral("name"));
+  name_->setFont(font());
+  name_->setFlat(true);
+  channels_ = new ChannelButtons(this);
+  low_ = new NumberField({}, this);
+  low_->setToolTip(tr("Value drawn as the low end of the range"));
+  high_ = new NumberField({}, this);
+  high_->setToolTip(tr("Value drawn as the high end of the range"));
+  exposure_ = new NumberField({-20, 20, false, 0.5}, this);
+  exposure_->setPrefix(tr("EV"));
+  exposure_->setToolTip(tr("Exposure in stops, before the range (E, Shift+E)"));
+  auto_ = new IconButton(QStringLiteral("auto-range"),
+                         tr("Fit the range to the visible values (N); right click: always"), this);
+  auto_->setContextMenuPolicy(Qt::CustomContextMenu);
+  auto_->setCheckable(true);
+  reset_ = new IconButton(QStringLiteral("reset"), tr("Show it as it opened (R)"), this);
+  map_ = new ChoiceButton(this);
+  map_->setToolTip(tr("Color map (M)"));
+  QStringList maps;
+  for (const ColorMap map : kMaps) maps << qtext(colorMapName(map));
+  map_->setChoices(maps);
+  zoom_ = new ChoiceButton(this);
+  zoom_->setFlat(true);
+  zoom_->setPlain(true);
+  zoom_->setToolTip(tr("Screen pixels for each pixel; a click changes between fit (F) and one to one (1)"));
+}
+
+void ViewHeader::connectControls() {
+  connect(name_, &ChoiceButton::requested, this, &ViewHeader::intermediateRequested);
+  connect(zoom_, &ChoiceButton::requested, this, &ViewHeader::zoomClicked);
+  connect(reset_, &IconButton::clicked, this, &ViewHeader::resetRequested);
+  connect(auto_, &IconButton::clicked, this, &ViewHeader::autoRangeRequested);
+  connect(auto_, &QWidget::customContextMenuRequested, this, &ViewHeader::alwaysAutoToggled);
+  connect(map_, &ChoiceButton::chosen, this, [this](int index) {
+    ViewStyle style = style_;
+    style.map = kMaps[index];
+    editStyle(style);
+  });
+  const auto edits = [this](NumberField* field, float ViewStyle::*member) {
+    connect(field, &NumberField::valueEdited, this, [this, member](double value) {
+      ViewStyle style = style_;
+      style.*member = static_cast<float>(value);
+      editStyle(style);
+    });
+  };
+  edits(low_, &ViewStyle::low);
+  edits(high_, &ViewStyle::high);
+  edits(exposure_, &ViewStyle::exposure);
+  connect(channels_, &ChannelButtons::toggled, this, [this](int channel) {
+    ViewStyle style = style_;
+    setShown(style, channel, !isShown(style, channel));
+    editStyle(style);
+  });
+  connect(channels_, &ChannelButtons::soloed, this, [this](int channel) {
+    ViewStyle style = style_;
+    const bool isAlone = isShown(style, channel) && shownChannels(*row_, style) == 1;
+    for (int other = 0; other < 3; ++other) setShown(style, other, isAlone || other == channel);
+    editStyle(style);
+  });
+}
+
+void ViewHeader::editStyle(const ViewStyle& style) {
+  setContent(*row_, style);
+  Q_EMIT styleEdited(style);
+}
+
+void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style) {
+  row_ = &row;
+  style_ = style;
+  name_->setCaption(qtext(row.label));
+  name_->setToolTip(intermediateToolTip(row));
+  QStringList names;
+  if (row.channels > 1)
+    for (const std::string& name : channelNames(row)) names << QString::fromStdString(name);
+  channels_->setNames(names);
+  channels_->setShown({style.red, style.green, style.blue});
+  low_->setValue(style.low);
+  high_->setValue(style.high);
+  exposure_->setValue(style.exposure);
+  for (int index = 0; index < static_cast<int>(std::size(kMaps)); ++index)
+    if (kMaps[index] == style.map) map_->setCurrent(index);
+  arrange();
+}
+
+void ViewHeader::setZoom(double zoom, bool fit) {
+  zoom_->setCaption(fit ? tr("fit · %1").arg(zoomText(zoom)) : zoomText(zoom));
+  arrange();
+}
+
+void ViewHeader::setActive(bool active) {
+  active_ = active;
+  update();
+}
+
+void ViewHeader::setAlwaysAuto(bool always) {
+  auto_->setChecked(always);
+}
+
+void ViewHeader::arrange() {
+  // From left to right, and how long each holds out when it gets narrow (0: longest).
+  struct Item {
+    QWidget* widget;
+    bool isWanted;
+    int rank;
+    int width = 0;
+    bool isShown = false;
+  };
+  Item items[] = {{name_, true, 0},
+                  {channels_, row_->channels > 1, 2},
+                  {map_, usesColorMap(*row_, style_), 6},
+                  {low_, hasRange(*row_), 4},
+                  {high_, hasRange(*row_), 4},
+                  {auto_, hasRange(*row_), 5},
+                  {exposure_, hasExposure(*row_), 3},
+                  {reset_, true, 7},
+                  {zoom_, true, 1}};
+  int left = 2 * kUnit + kLetter + kGap, room = width() - left - kUnit;
+  for (int rank = 0; rank <= 7; ++rank) {
+    int needed = 0;
+    for (Item& item : items)
+      if (item.rank == rank && item.isWanted) needed += (item.width = item.widget->sizeHint().width()) + kGap;
+    if (rank > 0 && needed > room) continue;
+    for (Item& item : items)
+      if (item.rank == rank && item.isWanted) {
+        item.width = std::min(item.width, std::max(0, room));
+        item.isShown = true;
+      }
+    room -= needed;
+  }
+  for (Item& item : items) {
+    item.widget->setVisible(item.isShown);
+    if (!item.isShown) continue;
+    if (item.widget == zoom_) left = width() - kUnit - item.width; // at the right end
+    item.widget->setGeometry(left, (kHeight - kRowHeight) / 2, item.width, kRowHeight);
+    left += item.width + kGap;
+  }
+}
+
+void ViewHeader::paintEvent(QPaintEvent*) {
+  const ThemeColors& colors = themeColors(this);
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.panel);
+  paintViewLetter(painter, {2 * kUnit, (kHeight - kLetter) / 2, kLetter, kLetter}, letter_, active_, colors);
+}
+
+void ViewHeader::resizeEvent(QResizeEvent*) {
+  arrange();
+}
+
+void ViewHeader::mousePressEvent(QMouseEvent*) {
+  Q_EMIT pressed();
+}
+
+} // namespace taa::app

@@ -1,0 +1,61 @@
+// The line above a view: what it shows and how. Hides its lesser parts where it is narrow.
+#pragma once
+
+#include "core/inspect/Visualizer.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace taa::app {
+
+class ChannelButtons;
+class ChoiceButton;
+class IconButton;
+class NumberField;
+
+class ViewHeader : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewHeader(QChar letter, QWidget* parent = nullptr);
+
+  void setContent(const Intermediate& row, const ViewStyle& style);
+  void setZoom(double zoom, bool fit);
+  void setActive(bool active);
+  void setAlwaysAuto(bool always);
+  QSize sizeHint() const override { return {400, 28}; }
+  QSize minimumSizeHint() const override { return {120, 28}; }
+
+ Q_SIGNALS:
+  void styleEdited(const ViewStyle& style);
+  void intermediateRequested(); ///< a list to choose from is wanted
+  void autoRangeRequested();
+  void alwaysAutoToggled();
+  void resetRequested();
+  void zoomClicked();
+  void pressed();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+
+ private:
+  void makeControls();
+  void connectControls();
+  /// Shows what there is room for, the most important first.
+  void arrange();
+  void editStyle(const ViewStyle& style);
+
+  QChar letter_;
+  bool active_ = false;
+  const Intermediate* row_;
+  ViewStyle style_;
+  ChoiceButton* name_ = nullptr;
+  ChannelButtons* channels_ = nullptr;
+  NumberField *low_ = nullptr, *high_ = nullptr, *exposure_ = nullptr;
+  IconButton *auto_ = nullptr, *reset_ = nullptr;
+  ChoiceButton *map_ = nullptr, *zoom_ = nullptr;
+};
+
+} // namespace taa::app

@@ -1,0 +1,81 @@
+// A picture that can be zoomed, panned and picked. While a sharper one is on its way it moves the last one at
+// once.
+#pragma once
+
+#include "app/views/ViewportMath.h"
+
+#include "core/RenderThread.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <optional>
+
+namespace taa::app {
+
+class Viewport : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+
+  /// Size of what is looked at, px.
+  void setPictureSize(glm::ivec2 size);
+  /// What legend and overlays speak of.
+  void setContent(IntermediateId id, const ViewStyle& style);
+  void setResult(const ViewResult& result);
+  void setPick(std::optional<glm::ivec2> pixel);
+  void setCamera(const ViewCamera& camera);
+
+  const ViewCamera& camera() const { return camera_; }
+  ViewGeometry viewGeometry() const; ///< in device pixels
+  ViewTransform transform() const;   ///< of now, in device pixels
+  double zoom() const { return static_cast<double>(transform().zoom); }
+  /// Whether a texel is large enough to hold its values.
+  bool showsValues() const;
+  std::optional<glm::ivec2> hovered() const { return hovered_; }
+  /// The value at a pixel, when the last result brought it.
+  std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const;
+  const std::optional<ViewResult>& result() const { return result_; }
+
+  void fit();
+  void oneToOne();
+  void zoomBy(double notches);
+  void reveal(glm::ivec2 pixel);
+
+ Q_SIGNALS:
+  void cameraChanged(const ViewCamera& camera); ///< by the user
+  void transformChanged();                      ///< by anything
+  void hoverChanged();
+  void picked(glm::ivec2 pixel);
+  void pickMoved(int dx, int dy);
+  void activated();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  void focusInEvent(QFocusEvent*) override;
+
+ private:
+  glm::dvec2 deviceFrom(QPointF logical) const;
+  void moveCamera(const ViewCamera& camera);
+  void setHovered(std::optional<glm::ivec2> pixel);
+  void paintPicture(QPainter& painter) const;
+
+  glm::ivec2 size_{0};
+  ViewCamera camera_;
+  IntermediateId id_ = IntermediateId::resolved;
+  ViewStyle style_;
+  std::optional<ViewResult> result_;
+  QImage image_;
+  std::optional<glm::ivec2> pick_, hovered_;
+  QPointF cursor_;
+  Qt::MouseButton drag_ = Qt::NoButton;
+};
+
+} // namespace taa::app
