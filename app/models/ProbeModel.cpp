@@ -1,0 +1,133 @@
+#include "app/models/ProbeModel.h"
+
+#include "app/Numbers.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/models/ProbeWords.h"
+
+#include <QFont>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kFraction = 12; ///< characters kept free after the whole part of a value
+
+QString valueText(const Intermediate& row, const glm::vec4& value) {
+  const std::vector<std::string> names = channelNames(row);
+  QStringList lines;
+  for (int channel = 0; channel < row.channels; ++channel) {
+    const QString number = alignedText(value[channel], kFraction);
+    lines << (row.channels == 1 ? number
+                                : QString::fromStdString(names[static_cast<std::size_t>(channel)]) +
+                                      QChar(QChar::Nbsp) + number);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+ProbeModel::ProbeModel(QObject* parent) : QAbstractItemModel(parent) {
+  for (const StageInfo& stage : kStages) {
+    Branch branch{stage.stage, {}};
+    for (const Intermediate& row : kIntermediates)
+      if (row.stage == stage.stage) branch.rows.push_back(row.id);
+    if (!branch.rows.empty()) branches_.push_back(std::move(branch));
+  }
+}
+
+void ProbeModel::setRecord(const std::optional<reference::PixelRecord>& record) {
+  record_ = record;
+  for (int row = 0; row < rowCount(); ++row) {
+    const QModelIndex branch = index(row, 0);
+    Q_EMIT dataChanged(index(0, Value, branch), index(rowCount(branch) - 1, Meaning, branch));
+  }
+}
+
+std::optional<IntermediateId> ProbeModel::idOf(const QModelIndex& index) const {
+  if (!index.isValid() || index.internalId() == 0) return {};
+  return branches_[index.internalId() - 1].rows[static_cast<std::size_t>(index.row())];
+}
+
+QModelIndex ProbeModel::indexOf(IntermediateId id, int column) const {
+  for (std::size_t branch = 0; branch < branches_.size(); ++branch)
+    for (std::size_t row = 0; row < branches_[branch].rows.size(); ++row)
+      if (branches_[branch].rows[row] == id) return createIndex(static_cast<int>(row), column, branch + 1);
+  return {};
+}
+
+// Branches have the internal id 0, their rows the branch's number from 1 on.
+QModelIndex ProbeModel::index(int row, int column, const QModelIndex& parent) const {
+  if (row < 0 || row >= rowCount(parent) || column < 0 || column >= ColumnCount) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);
+}
+
+QModelIndex ProbeModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == 0) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
+}
+
+int ProbeModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(branches_.size());
+  if (parent.internalId() != 0 || parent.column() != 0) return 0;
+  return static_cast<int>(branches_[static_cast<std::size_t>(parent.row())].rows.size());
+}
+
+QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const {
+  if (role == Qt::DisplayRole && column == Name) return qtext(stageInfo(branch.stage).label);
+  if (role == Qt::ToolTipRole) return qtext(stageInfo(branch.stage).description);
+  if (role == Qt::FontRole) {
+    QFont font = secondaryFont();
+    font.setBold(true);
+    return font;
+  }
+  return {};
+}
+
+QString ProbeModel::cell(const Intermediate& row, int column) const {
+  if (column == Name) return qtext(row.label);
+  if (column == Unit) return qtext(row.unit);
+  if (!record_) return {};
+  const glm::vec4 value = reference::at(*record_, row.id);
+  return column == Value ? valueText(row, value) : valueWords(row, value);
+}
+
+QVariant ProbeModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (index.internalId() == 0)
+    return stageData(branches_[static_cast<std::size_t>(index.row())], index.column(), role);
+  const Intermediate& row = intermediate(*idOf(index));
+  switch (role) {
+  case Qt::DisplayRole:
+    return cell(row, index.column());
+  case Qt::ToolTipRole:
+    return QStringLiteral("<b>%1</b><br>%2").arg(qtext(row.label), qtext(row.description).toHtmlEscaped());
+  case Qt::FontRole:
+    return index.column() == Value ? numberFont() : secondaryFont();
+  case Qt::TextAlignmentRole:
+    return QVariant::fromValue(
+        Qt::Alignment(Qt::AlignTop | (index.column() == Value ? Qt::AlignRight : Qt::AlignLeft)));
+  default:
+    return {};
+  }
+}
+
+QVariant ProbeModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return QVariant::fromValue(
+        Qt::Alignment(Qt::AlignVCenter | (section == Value ? Qt::AlignHCenter : Qt::AlignLeft)));
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+  case Name:
+    return tr("Intermediate");
+  case Value:
+    return tr("Value");
+  case Unit:
+    return tr("Unit");
+  default:
+    return tr("Meaning");
+  }
+}
+
+} // namespace taa::app

@@ -1,0 +1,46 @@
+// Everything at one pixel as a table: a branch for each stage, a row for each intermediate.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+#include "core/taa/reference/Reference.h"
+
+#include <QAbstractItemModel>
+
+#include <optional>
+#include <vector>
+
+namespace taa::app {
+
+class ProbeModel : public QAbstractItemModel {
+  Q_OBJECT
+ public:
+  enum Column { Name, Value, Unit, Meaning, ColumnCount };
+
+  explicit ProbeModel(QObject* parent = nullptr);
+
+  void setRecord(const std::optional<reference::PixelRecord>& record);
+  /// The intermediate of a row; nothing for a stage.
+  std::optional<IntermediateId> idOf(const QModelIndex& index) const;
+  QModelIndex indexOf(IntermediateId id, int column = Name) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Branch {
+    Stage stage;
+    std::vector<IntermediateId> rows;
+  };
+  QVariant stageData(const Branch& branch, int column, int role) const;
+  QString cell(const Intermediate& row, int column) const;
+
+  std::vector<Branch> branches_;
+  std::optional<reference::PixelRecord> record_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,23 @@
+// What the values of a probe mean, in words.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+#include "core/taa/reference/Reference.h"
+
+#include <QStringList>
+
+namespace taa::app {
+
+/// A few words for a value that has some ("kept", "sky", "31 % current"); else empty.
+QString valueWords(const Intermediate& row, const glm::vec4& value);
+
+/// The pixel's story in lines: what moved, what was clipped, and how α came about.
+QStringList probeSummary(const reference::PixelRecord& record, const Settings& settings);
+
+/// All rows as text, one a line: name, exact values, unit.
+QString probeText(const reference::PixelRecord& record);
+/// The exact values of one row, separated by spaces.
+QString rowText(const Intermediate& row, const glm::vec4& value);
+
+} // namespace taa::app

@@ -1,0 +1,36 @@
+// What went wrong, and what to know about the source; the newest first, each closed by itself.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+namespace taa::app {
+
+class Strip;
+
+class MessagesBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MessagesBar(QWidget* parent = nullptr);
+
+  void showError(const QString& sentence);
+  /// Warnings of the source that is open; replaces those of the one before.
+  void setWarnings(const QStringList& warnings);
+  /// The hint of the first start; hintClosed() follows when it is closed.
+  void showHint(const QString& text);
+  /// All errors and warnings in sight.
+  QString text() const;
+  void clear();
+
+ Q_SIGNALS:
+  void hintClosed();
+
+ private:
+  void refresh();
+  static QString joined(const QStringList& sentences);
+
+  QStringList errors_, warnings_;
+  Strip *error_, *warning_, *hint_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,201 @@
+#include "app/panels/PipelinePanel.h"
+
+#include "app/Icons.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/widgets/ChoiceButton.h"
+#include "app/widgets/IntermediateRow.h"
+#include "app/widgets/ParameterRow.h"
+#include "app/widgets/SectionHeader.h"
+
+#include "core/settings/Presets.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+/// Stages that are unfolded at the first start: what one changes and looks at most.
+bool startsExpanded(Stage stage) {
+  return stage == Stage::Neighborhood || stage == Stage::RectifyHistory || stage == Stage::BlendWeight ||
+         stage == Stage::Blend;
+}
+
+/// What the settings of a stage come to, for its folded heading: its first relevant choice.
+QString summary(Stage stage, const Settings& settings) {
+  for (const Parameter& row : parameters())
+    if (row.stage == stage && row.kind == ParameterKind::Choice) {
+      const auto index = static_cast<std::size_t>(row.get(settings));
+      return index < row.choices.size() ? qtext(row.choices[index].label) : QString();
+    }
+  return {};
+}
+
+} // namespace
+
+PipelinePanel::PipelinePanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(makeTop());
+
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 2 * kUnit);
+  column->setSpacing(0);
+  for (const StageInfo& stage : kStages) {
+    Section section = makeSection(stage);
+    column->addWidget(section.header);
+    column->addWidget(section.body);
+    sections_.push_back(std::move(section));
+  }
+  column->addStretch(1);
+
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(content);
+  layout->addWidget(scroll, 1);
+  setMinimumWidth(260);
+}
+
+QWidget* PipelinePanel::makeTop() {
+  auto* top = new QWidget;
+  auto* layout = new QVBoxLayout(top);
+  layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
+  layout->setSpacing(kUnit);
+
+  auto* line = new QHBoxLayout;
+  auto* title = new QLabel(tr("Pipeline"));
+  title->setFont(titleFont());
+  presets_ = new ChoiceButton;
+  presets_->setObjectName(QStringLiteral("presets"));
+  presets_->setToolTip(tr("The preset these settings started from; * when some were changed since."));
+  QStringList labels, descriptions;
+  for (const Preset& preset : builtinPresets()) {
+    labels << QString::fromStdString(preset.label);
+    descriptions << QString::fromStdString(preset.description);
+  }
+  presets_->setChoices(labels, descriptions);
+  line->addWidget(title);
+  line->addStretch(1);
+  line->addWidget(presets_);
+  layout->addLayout(line);
+
+  search_ = new QLineEdit;
+  search_->setObjectName(QStringLiteral("search"));
+  search_->setPlaceholderText(tr("Search settings and intermediates"));
+  search_->setClearButtonEnabled(false);
+  search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  layout->addWidget(search_);
+
+  connect(presets_, &ChoiceButton::chosen, this, [this](int index) {
+    Q_EMIT presetChosen(QString::fromStdString(builtinPresets()[static_cast<std::size_t>(index)].id));
+  });
+  connect(search_, &QLineEdit::textChanged, this, &PipelinePanel::applySearch);
+  return top;
+}
+
+PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
+  Section section;
+  section.header = new SectionHeader(qtext(stage.label));
+  section.header->setToolTip(qtext(stage.description));
+  section.header->setObjectName(QStringLiteral("stage.") + qtext(stage.id));
+  section.header->setChecked(startsExpanded(stage.stage));
+  section.body = new QWidget;
+  for (const Parameter& row : parameters())
+    if (row.stage == stage.stage) {
+      auto* control = new ParameterRow(row);
+      connect(control, &ParameterRow::edited, this, &PipelinePanel::parameterEdited);
+      section.parameters.push_back(control);
+      parameterRows_.push_back(control);
+    }
+  for (const Intermediate& row : kIntermediates)
+    if (row.stage == stage.stage) {
+      auto* item = new IntermediateRow(row);
+      connect(item, &IntermediateRow::chosen, this, &PipelinePanel::intermediateChosen);
+      section.intermediates.push_back(item);
+      intermediateRows_.push_back(item);
+    }
+  layOut(section);
+  section.body->setVisible(section.header->isChecked());
+  connect(section.header, &SectionHeader::toggled, this, &PipelinePanel::applySearch);
+  return section;
+}
+
+void PipelinePanel::layOut(const Section& section) {
+  auto* column = new QVBoxLayout(section.body);
+  column->setContentsMargins(0, 0, 0, 2 * kUnit);
+  column->setSpacing(0);
+  auto* settings = new QVBoxLayout;
+  settings->setContentsMargins(2 * kUnit, 0, 2 * kUnit, section.intermediates.empty() ? 0 : kUnit);
+  settings->setSpacing(2);
+  for (ParameterRow* row : section.parameters) settings->addWidget(row);
+  if (!section.parameters.empty()) column->addLayout(settings);
+  for (IntermediateRow* row : section.intermediates) column->addWidget(row);
+}
+
+void PipelinePanel::setSettings(const Settings& settings, const Settings& preset) {
+  for (ParameterRow* row : parameterRows_) row->display(settings, preset);
+  for (std::size_t i = 0; i < sections_.size(); ++i)
+    sections_[i].header->setSummary(summary(kStages[i].stage, settings));
+}
+
+void PipelinePanel::setPreset(const QString& id, bool changed) {
+  const auto& presets = builtinPresets();
+  const auto found = std::ranges::find(presets, id.toStdString(), &Preset::id);
+  const bool isBuiltin = found != presets.end();
+  presets_->setCurrent(isBuiltin ? static_cast<int>(found - presets.begin()) : -1);
+  presets_->setCaption((isBuiltin ? QString::fromStdString(found->label) : id) +
+                       (changed ? QStringLiteral(" *") : QString()));
+}
+
+void PipelinePanel::setShown(const std::vector<IntermediateId>& views, int active) {
+  for (IntermediateRow* row : intermediateRows_) {
+    QString letters;
+    for (std::size_t view = 0; view < views.size(); ++view)
+      if (views[view] == row->id()) letters += QChar(static_cast<char16_t>('A' + view));
+    row->setShownIn(letters, QChar(static_cast<char16_t>('A' + active)));
+  }
+}
+
+void PipelinePanel::focusSearch() {
+  search_->setFocus(Qt::ShortcutFocusReason);
+  search_->selectAll();
+}
+
+void PipelinePanel::setAllExpanded(bool expanded) {
+  for (const Section& section : sections_) section.header->setChecked(expanded);
+}
+
+void PipelinePanel::applySearch() {
+  const QString wanted = search_->text().trimmed();
+  for (const Section& section : sections_) {
+    // A stage that is found by its name shows everything it has.
+    const bool whole = wanted.isEmpty() || section.header->text().contains(wanted, Qt::CaseInsensitive);
+    bool any = whole;
+    const auto filter = [&](const auto& rows) {
+      for (auto* row : rows) {
+        const bool found = whole || row->matches(wanted);
+        row->setVisible(found);
+        any = any || found;
+      }
+    };
+    filter(section.parameters);
+    filter(section.intermediates);
+    section.header->setVisible(any);
+    section.body->setVisible(any && (section.header->isChecked() || !wanted.isEmpty()));
+  }
+}
+
+} // namespace taa::app

@@ -1,0 +1,69 @@
+#include "app/panels/StatusLine.h"
+
+#include "app/Icons.h"
+#include "app/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace taa::app {
+
+StatusLine::StatusLine(QWidget* parent)
+    : QWidget(parent), hover_(new QLabel), driver_(new QLabel), times_(new QLabel), badgeIcon_(new QLabel),
+      badge_(new QLabel) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
+  layout->setSpacing(3 * kUnit);
+  hover_->setFont(numberFont());
+  times_->setFont(numberFont());
+  driver_->setFont(secondaryFont());
+  badge_->setFont(secondaryFont());
+  for (QLabel* label : {hover_, driver_, times_, badge_}) label->setMinimumWidth(0);
+  hover_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(hover_, 1);
+  layout->addWidget(driver_);
+  layout->addWidget(times_);
+  auto* pair = new QHBoxLayout;
+  pair->setSpacing(kUnit);
+  pair->addWidget(badgeIcon_);
+  pair->addWidget(badge_);
+  layout->addLayout(pair);
+  setFixedHeight(24);
+  times_->setToolTip(tr("Time of the last frame: drawing the scene, and the resolve"));
+  badge_->setToolTip(tr("Whether the picture is exactly what these settings give from frame 0 on. "
+                        "After a change the old history is used until it has been made anew."));
+  refreshBadge(true);
+}
+
+void StatusLine::setHover(const QString& text) {
+  hover_->setText(text);
+}
+
+void StatusLine::setStatus(const Status& status) {
+  driver_->setText(status.driver.isSoftware ? tr("software renderer") : QString());
+  driver_->setToolTip(QString::fromStdString(status.driver.renderer));
+  if (status.frameCount > 0)
+    times_->setText(tr("scene %1 ms · resolve %2 ms")
+                        .arg(status.times.scene, 0, 'f', 1)
+                        .arg(status.times.resolve, 0, 'f', 1));
+  if (status.exact != exact_) refreshBadge(status.exact);
+}
+
+void StatusLine::refreshBadge(bool exact) {
+  exact_ = exact;
+  const ThemeColors& colors = themeColors(this);
+  badge_->setText(exact ? tr("history from these settings") : tr("history from old settings"));
+  badgeIcon_->setPixmap(exact
+                            ? iconPixmap(QStringLiteral("right"), colors.right, 14, devicePixelRatioF())
+                            : iconPixmap(QStringLiteral("caution"), colors.caution, 14, devicePixelRatioF()));
+}
+
+QString StatusLine::hover() const {
+  return hover_->text();
+}
+
+bool StatusLine::showsBadge() const {
+  return !exact_;
+}
+
+} // namespace taa::app
