@@ -1,0 +1,95 @@
+#include "app/Arguments.h"
+
+#include "app/views/ViewportMath.h"
+
+#include "core/base/Error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace taa::app {
+
+namespace {
+
+/// "1280x720" or "412,207".
+glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char separator, int least) {
+  glm::ivec2 pair{0};
+  char found = 0, rest = 0;
+  const int count = std::sscanf(text.c_str(), "%d%c%d%c", &pair.x, &found, &pair.y, &rest);
+  if (count != 3 || found != separator || pair.x < least || pair.y < least)
+    throw CLI::ValidationError(option, "wants two whole numbers like " +
+                                           std::string(separator == 'x' ? "1280x720" : "412,207") +
+                                           ", not \"" + text + "\"");
+  return pair;
+}
+
+struct Texts {
+  std::string windowSize, size, pixel, theme;
+  std::vector<std::string> views;
+  int frame = -1;
+  double zoom = 0.0;
+};
+
+void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
+  app.add_option("SOURCE", arguments.source,
+                 "A glTF file (.gltf, .glb) or builtin:NAME; builtin:fan without one");
+  app.add_option("--screenshot", arguments.screenshot,
+                 "Write a picture of the whole window to FILE and end; needs no display")
+      ->type_name("FILE");
+  app.add_option("--window-size", texts.windowSize, "Size of that window, 1600x900 without it")
+      ->type_name("WxH");
+  app.add_option("--frame", texts.frame, "Go to frame N and pause")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--pixel", texts.pixel, "Probe this pixel")->type_name("X,Y");
+  app.add_option("--zoom", texts.zoom, "Screen pixels for each pixel, around the probe")
+      ->type_name("Z")
+      ->check(CLI::Range(kLeastZoom, kGreatestZoom));
+  app.add_option("--view", texts.views, "Show this intermediate; given twice, the second is view B")
+      ->type_name("ID")
+      ->expected(1, 2)
+      ->take_all();
+  app.add_option("--size", texts.size, "Render size")->type_name("WxH");
+  app.add_option("--preset", arguments.preset, "Settings to start with: a preset or a .json file")
+      ->type_name("NAME");
+  app.add_option("--camera", arguments.camera, "Camera or camera path to start with")->type_name("NAME");
+  app.add_option("--theme", texts.theme, "Look of the window: dark, light or system")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"dark", "light", "system"}));
+}
+
+void readTexts(const Texts& texts, Arguments& arguments) {
+  if (!texts.windowSize.empty())
+    arguments.windowSize = parseNumbers("--window-size", texts.windowSize, 'x', 100);
+  if (!texts.size.empty()) arguments.size = parseNumbers("--size", texts.size, 'x', 1);
+  if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
+  if (texts.frame >= 0) arguments.frame = texts.frame;
+  if (texts.zoom > 0) arguments.zoom = texts.zoom;
+  ThemeChoice theme{};
+  if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;
+  for (const std::string& name : texts.views) arguments.views.push_back(intermediateNamed(name));
+}
+
+} // namespace
+
+std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Arguments& arguments) {
+  CLI::App app("Steps temporal anti-aliasing frame by frame and shows everything it computes.",
+               "taa-inspector");
+  app.set_version_flag("--version", TAA_VERSION);
+  Texts texts;
+  addOptions(app, arguments, texts);
+  try {
+    app.parse(argc, argv);
+    readTexts(texts, arguments);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err) == 0 ? 0 : 2;
+    return EarlyEnd{code, out.str() + err.str()};
+  } catch (const Error& error) {
+    return EarlyEnd{2, std::string(error.what()) + "\n"};
+  }
+  return {};
+}
+
+} // namespace taa::app

@@ -1,0 +1,38 @@
+// The command line of taa-inspector.
+#pragma once
+
+#include "app/Theme.h"
+
+#include "core/taa/Intermediates.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::app {
+
+struct Arguments {
+  std::string source = "builtin:fan";
+  std::string screenshot;           ///< file to write a picture of the window to; empty: open a window
+  glm::ivec2 windowSize{1600, 900}; ///< logical pixels; of a screenshot
+  std::optional<glm::ivec2> size;   ///< render size, px
+  std::optional<double> zoom;       ///< screen pixels a pixel, around the probe
+  std::optional<int> frame;         ///< go there and pause
+  std::optional<glm::ivec2> pixel;  ///< probe
+  std::optional<ThemeChoice> theme;
+  std::string camera, preset;        ///< empty: the source's own, "balanced"
+  std::vector<IntermediateId> views; ///< up to two
+};
+
+/// What to do instead of running, with the exit code: help, version, a usage error.
+struct EarlyEnd {
+  int code = 0;
+  std::string text;
+};
+
+/// Fills `arguments`; returns why the program shall end at once, if it shall.
+std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Arguments& arguments);
+
+} // namespace taa::app

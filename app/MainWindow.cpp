@@ -1,0 +1,288 @@
+#include "app/MainWindow.h"
+
+#include "app/Icons.h"
+#include "app/Menus.h"
+#include "app/Numbers.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/panels/StatusLine.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/Line.h"
+#include "app/widgets/WorkBar.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QSplitter>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+constexpr auto kFirstSource = "builtin:fan";
+// Where the fan's blades sweep over the bright wall: history is rejected and clipped there in every turn.
+constexpr glm::dvec2 kFirstPick{0.60, 0.38};
+
+} // namespace
+
+MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
+    : QMainWindow(parent), session_(session), settings_(settings) {
+  setWindowIcon(programIcon());
+  setAcceptDrops(true);
+  makeParts();
+  layOut();
+  menus_ = new Menus(*this);
+  connectPanels();
+  connectViews();
+  connectSession();
+  showSettings();
+  restore();
+  showStatus();
+}
+
+MainWindow::~MainWindow() {
+  // The parts are destroyed after this; what they say on the way is of no interest.
+  disconnect(&session_, nullptr, this, nullptr);
+  disconnect(views_, nullptr, this, nullptr);
+}
+
+void MainWindow::makeParts() {
+  views_ = new ViewArea;
+  pipeline_ = new PipelinePanel;
+  probe_ = new ProbePanel;
+  timeline_ = new TimelinePanel;
+  messages_ = new MessagesBar;
+  statusLine_ = new StatusLine;
+  work_ = new WorkBar(views_);
+  sourceLabel_ = new QLabel;
+  sourceLabel_->setFont(secondaryFont());
+  sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
+  sourceLabel_->setContentsMargins(0, 0, 2 * kUnit, 0);
+  for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {
+    panel->setAutoFillBackground(true);
+    panel->setBackgroundRole(QPalette::AlternateBase);
+  }
+}
+
+void MainWindow::layOut() {
+  columns_ = new QSplitter;
+  columns_->setHandleWidth(1);
+  columns_->setChildrenCollapsible(false);
+  columns_->addWidget(pipeline_);
+  columns_->addWidget(views_);
+  columns_->addWidget(probe_);
+  columns_->setStretchFactor(1, 1);
+
+  auto* content = new QWidget;
+  auto* rows = new QVBoxLayout(content);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(new Line);
+  rows->addWidget(messages_);
+  rows->addWidget(columns_, 1);
+  rows->addWidget(new Line);
+  rows->addWidget(timeline_);
+  rows->addWidget(new Line);
+  rows->addWidget(statusLine_);
+  setCentralWidget(content);
+  menuBar()->setNativeMenuBar(false);
+  menuBar()->setCornerWidget(sourceLabel_);
+}
+
+void MainWindow::connectPanels() {
+  connect(pipeline_, &PipelinePanel::parameterEdited, &session_, &Session::setParameter);
+  connect(pipeline_, &PipelinePanel::presetChosen, &session_, &Session::setPreset);
+  connect(pipeline_, &PipelinePanel::intermediateChosen, this, &MainWindow::showIntermediate);
+  connect(probe_, &ProbePanel::removeRequested, &session_, [this] { session_.setPick({}); });
+  connect(probe_, &ProbePanel::copyRequested, this, &MainWindow::copyAll);
+  connect(probe_, &ProbePanel::intermediateChosen, this,
+          [this](IntermediateId id) { showIntermediate(id, false); });
+  connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
+  connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
+  connect(timeline_, &TimelinePanel::playToggled, &session_, &Session::togglePlaying);
+  connect(timeline_, &TimelinePanel::loopToggled, &session_, &Session::setLooping);
+  connect(work_, &WorkBar::stopRequested, &session_, &Session::cancel);
+  connect(messages_, &MessagesBar::hintClosed, this, [this] {
+    if (settings_) settings_->setValue(QStringLiteral("hintClosed"), true);
+  });
+  timeline_->setLooping(session_.isLooping());
+}
+
+void MainWindow::connectViews() {
+  connect(views_, &ViewArea::requestsChanged, this, [this] { session_.setViews(views_->requests()); });
+  connect(views_, &ViewArea::shownChanged, this, [this] {
+    pipeline_->setShown(views_->shown(), views_->activeIndex());
+    menus_->refresh();
+  });
+  connect(views_, &ViewArea::hoverChanged, this, &MainWindow::showHover);
+  connect(views_, &ViewArea::picked, &session_, [this](glm::ivec2 pixel) { session_.setPick(pixel); });
+  connect(views_, &ViewArea::pickMoved, &session_, [this](int dx, int dy) {
+    session_.movePick(dx, dy);
+    if (session_.pick()) views_->active()->viewport()->reveal(*session_.pick());
+  });
+  connect(views_, &ViewArea::intermediateRequested, this, &MainWindow::chooseIntermediate);
+  pipeline_->setShown(views_->shown(), views_->activeIndex());
+}
+
+void MainWindow::connectSession() {
+  connect(&session_, &Session::statusChanged, this, &MainWindow::showStatus);
+  connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
+  connect(&session_, &Session::pickChanged, this, &MainWindow::showPick);
+  connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
+  connect(&session_, &Session::pictureArrived, this, [this](int view) {
+    if (const ViewResult* result = session_.picture(view)) views_->view(view)->setResult(*result);
+  });
+  connect(&session_, &Session::probeArrived, this, [this] {
+    if (const ProbeResult* result = session_.probe()) probe_->setResult(*result, session_.settings());
+  });
+  connect(&session_, &Session::workChanged, this, [this] {
+    const Work& work = session_.work();
+    work_->setWork(QString::fromStdString(work.what), work.done, work.total);
+  });
+}
+
+void MainWindow::openSource(const QString& source) {
+  session_.open(source);
+}
+
+void MainWindow::showStatus() {
+  const Status& status = session_.status();
+  timeline_->setStatus(status);
+  statusLine_->setStatus(status);
+  if (session_.isOpen()) views_->setPictureSize({status.width, status.height});
+  if (session_.isOpen() && status.source != shownSource_) {
+    shownSource_ = status.source;
+    messages_->clear();
+    QStringList warnings;
+    for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
+    messages_->setWarnings(warnings);
+    if (status.source == kFirstSource && !session_.pick())
+      session_.setPick(glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)));
+  }
+  menus_->refresh();
+  const bool isFile = !status.source.empty() && !status.source.starts_with("builtin:");
+  const QString source = QString::fromStdString(status.source);
+  QStringList parts;
+  if (session_.isOpen()) parts << (isFile ? QFileInfo(source).fileName() : source);
+  parts << QString::fromStdString(session_.presetId()) +
+               (session_.isPresetChanged() ? QStringLiteral("*") : QString());
+  if (session_.isOpen()) parts << QStringLiteral("%1×%2").arg(status.width).arg(status.height);
+  const QString text = parts.join(QStringLiteral(" · "));
+  if (text == sourceLabel_->text()) return;
+  sourceLabel_->setText(text);
+  menuBar()->setCornerWidget(sourceLabel_); // places it anew for its new width
+  setWindowTitle(tr("%1 - TAA Inspector").arg(text));
+}
+
+void MainWindow::showSettings() {
+  pipeline_->setSettings(session_.settings(), session_.presetSettings());
+  pipeline_->setPreset(QString::fromStdString(session_.presetId()), session_.isPresetChanged());
+  showStatus();
+}
+
+void MainWindow::showPick() {
+  views_->setPick(session_.pick());
+  probe_->setPick(session_.pick());
+}
+
+void MainWindow::showHover(int view) {
+  const Viewport* viewport = views_->view(view)->viewport();
+  const auto pixel = viewport->hovered();
+  if (!pixel) return statusLine_->setHover({});
+  QString text =
+      QStringLiteral("%1 (%2, %3)").arg(QChar(static_cast<char16_t>('A' + view))).arg(pixel->x).arg(pixel->y);
+  if (const auto values = viewport->valueAt(*pixel)) {
+    const Intermediate& row = intermediate(views_->view(view)->id());
+    const auto count = std::min(values->size(), static_cast<std::size_t>(row.channels));
+    text += QStringLiteral("  ") + tupleText(std::span(*values).first(count), 5);
+  }
+  statusLine_->setHover(text);
+}
+
+void MainWindow::showIntermediate(IntermediateId id, bool inOtherView) {
+  if (inOtherView) views_->setTwoViews(true);
+  (inOtherView ? views_->other() : views_->active())->setIntermediate(id);
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+  theme_ = choice;
+  applyTheme(*qApp, choice);
+  if (settings_) settings_->setValue(QStringLiteral("theme"), themeName(choice));
+  menus_->refresh();
+}
+
+void MainWindow::setPanelVisible(QWidget* panel, bool visible) {
+  panel->setVisible(visible);
+}
+
+void MainWindow::copyValue() {
+  const QString text = probe_->valueText(views_->active()->id());
+  if (!text.isEmpty()) QApplication::clipboard()->setText(text);
+}
+
+void MainWindow::copyAll() {
+  if (const QString text = probe_->allText(); !text.isEmpty()) QApplication::clipboard()->setText(text);
+}
+
+void MainWindow::restore() {
+  const bool closed = settings_ && settings_->value(QStringLiteral("hintClosed")).toBool();
+  if (!closed)
+    messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
+                           "Press ? for all keys."));
+  resize(1600, 900);
+  if (settings_) restoreGeometry(settings_->value(QStringLiteral("geometry")).toByteArray());
+}
+
+void MainWindow::remember() {
+  if (!settings_) return;
+  settings_->setValue(QStringLiteral("geometry"), saveGeometry());
+  settings_->setValue(QStringLiteral("columns"), columns_->saveState());
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (std::exchange(wasShown_, true)) return;
+  const bool isKnown =
+      settings_ && columns_->restoreState(settings_->value(QStringLiteral("columns")).toByteArray());
+  // The probe's last column, what values mean, shows where the window has room for it.
+  if (!isKnown) columns_->setSizes({292, width(), width() >= 1500 ? 468 : 364});
+  sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
+  menuBar()->setCornerWidget(sourceLabel_);
+  views_->active()->viewport()->setFocus();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  remember();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.isEmpty()) return;
+  event->acceptProposedAction();
+  if (urls.first().isLocalFile())
+    openSource(urls.first().toLocalFile());
+  else
+    messages_->showError(
+        tr("%1 is not a file on this machine; save it first, then open it.").arg(urls.first().toString()));
+}
+
+} // namespace taa::app

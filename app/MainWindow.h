@@ -1,0 +1,97 @@
+// The window: panels around the views, and what connects them to the session.
+#pragma once
+
+#include "app/Session.h"
+#include "app/Theme.h"
+
+#include <QMainWindow>
+
+#include <optional>
+
+class QLabel;
+class QSettings;
+class QSplitter;
+
+namespace taa::app {
+
+class Menus;
+class MessagesBar;
+class PipelinePanel;
+class ProbePanel;
+class StatusLine;
+class TimelinePanel;
+class ViewArea;
+class WorkBar;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// `settings` remembers layout, theme and the hint; null: nothing is remembered.
+  MainWindow(Session& session, QSettings* settings, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Session& session() { return session_; }
+  ViewArea* views() const { return views_; }
+  PipelinePanel* pipeline() const { return pipeline_; }
+  ProbePanel* probe() const { return probe_; }
+  TimelinePanel* timeline() const { return timeline_; }
+  MessagesBar* messages() const { return messages_; }
+  StatusLine* statusLine() const { return statusLine_; }
+
+  /// Opens a file or "builtin:NAME" and plays.
+  void openSource(const QString& source);
+  void setTheme(ThemeChoice choice);
+  ThemeChoice theme() const { return theme_; }
+  /// Shows an intermediate in the active view or the other one.
+  void showIntermediate(IntermediateId id, bool inOtherView);
+  void setPanelVisible(QWidget* panel, bool visible);
+
+  // What menus and keys ask for
+  void askForFile();
+  void askForPixel();
+  void askForFrame();
+  void askForSize();
+  void chooseIntermediate(int view);
+  void showCommands();
+  void showKeys();
+  void copyValue();
+  void copyAll();
+
+ protected:
+  void showEvent(QShowEvent*) override;
+  void closeEvent(QCloseEvent*) override;
+  void dragEnterEvent(QDragEnterEvent*) override;
+  void dropEvent(QDropEvent*) override;
+
+ private:
+  void makeParts();
+  void layOut();
+  void connectPanels();
+  void connectViews();
+  void connectSession();
+  void showStatus();
+  void showSettings();
+  void showPick();
+  void showHover(int view);
+  void pickAtFirstStart();
+  void restore();
+  void remember();
+
+  Session& session_;
+  QSettings* settings_;
+  ThemeChoice theme_ = ThemeChoice::System;
+  bool wasShown_ = false;
+  std::string shownSource_; ///< whose warnings and first pick are shown
+  ViewArea* views_ = nullptr;
+  PipelinePanel* pipeline_ = nullptr;
+  ProbePanel* probe_ = nullptr;
+  TimelinePanel* timeline_ = nullptr;
+  MessagesBar* messages_ = nullptr;
+  StatusLine* statusLine_ = nullptr;
+  WorkBar* work_ = nullptr;
+  QSplitter* columns_ = nullptr;
+  QLabel* sourceLabel_ = nullptr;
+  Menus* menus_ = nullptr;
+};
+
+} // namespace taa::app

@@ -1,0 +1,136 @@
+// What the window asks its user: files, pixels, frames, sizes, intermediates, commands.
+#include "app/MainWindow.h"
+#include "app/Menus.h"
+#include "app/Text.h"
+#include "app/panels/ProbePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/KeysDialog.h"
+#include "app/widgets/Prompt.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QLineEdit>
+
+namespace taa::app {
+
+namespace {
+
+QString withoutMnemonic(QString text) {
+  return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+}
+
+QString keysOf(const QAction* action) {
+  QStringList keys;
+  for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+  return keys.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+void MainWindow::askForFile() {
+  auto* dialog =
+      new QFileDialog(this, tr("Open a scene"), {}, tr("glTF 2.0 scenes (*.gltf *.glb);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openSource);
+  dialog->open();
+}
+
+void MainWindow::askForPixel() {
+  const auto pick = session_.pick();
+  const QString now = pick ? QStringLiteral("%1, %2").arg(pick->x).arg(pick->y) : QString();
+  auto* prompt = new Prompt(
+      tr("Go to pixel (x, y)"), now,
+      [this](const QString& text) {
+        int x = 0, y = 0;
+        if (!parsePair(text, x, y)) return false;
+        session_.setPick(glm::ivec2(x, y));
+        if (session_.pick()) views_->active()->viewport()->reveal(*session_.pick());
+        return true;
+      },
+      this);
+  prompt->open();
+}
+
+void MainWindow::askForFrame() {
+  const Status& status = session_.status();
+  auto* prompt = new Prompt(
+      tr("Go to frame (0 to %1)").arg(status.frameCount - 1), QString::number(status.info.frame),
+      [this](const QString& text) {
+        bool understood = false;
+        const int frame = text.trimmed().toInt(&understood);
+        if (understood) session_.seek(frame);
+        return understood;
+      },
+      this);
+  prompt->open();
+}
+
+void MainWindow::askForSize() {
+  const Status& status = session_.status();
+  auto* prompt = new Prompt(
+      tr("Render size (width × height, px)"), QStringLiteral("%1×%2").arg(status.width).arg(status.height),
+      [this](const QString& text) {
+        int width = 0, height = 0;
+        if (!parsePair(text, width, height)) return false;
+        session_.setSize(width, height);
+        return true;
+      },
+      this);
+  prompt->open();
+}
+
+void MainWindow::chooseIntermediate(int view) {
+  std::vector<ChooserEntry> entries;
+  for (const Intermediate& row : kIntermediates)
+    entries.push_back(
+        {qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), qtext(row.name)});
+  ViewPanel* panel = views_->view(view);
+  auto* chooser = new Chooser(
+      tr("Search intermediates"), std::move(entries),
+      [panel](int index) { panel->setIntermediate(kIntermediates[static_cast<std::size_t>(index)].id); },
+      panel);
+  const QRect header = panel->header()->geometry();
+  chooser->open({header.left() + 2 * kUnit, header.top(), 280, header.height() - 2},
+                static_cast<int>(panel->id()));
+}
+
+void MainWindow::showCommands() {
+  std::vector<ChooserEntry> entries;
+  for (const Menus::Command& command : menus_->commands())
+    entries.push_back({withoutMnemonic(command.action->text()),
+                       keysOf(command.action),
+                       command.menu,
+                       {},
+                       command.action->isEnabled()});
+  auto* chooser = new Chooser(
+      tr("Search commands"), std::move(entries),
+      [this](int index) { menus_->commands()[static_cast<std::size_t>(index)].action->trigger(); }, this);
+  const int left = std::max(0, (width() - 480) / 2);
+  chooser->open({left, 0, 480, 48});
+}
+
+void MainWindow::showKeys() {
+  std::vector<KeyLine> lines;
+  for (const Menus::Command& command : menus_->commands())
+    if (const QString keys = keysOf(command.action); !keys.isEmpty())
+      lines.push_back({command.menu, keys, withoutMnemonic(command.action->text())});
+  const auto mouse = [&](const char* keys, const QString& text) {
+    lines.push_back({tr("In a view"), tr(keys), text});
+  };
+  mouse("Wheel", tr("Zoom at the cursor"));
+  mouse("Left drag", tr("Pan"));
+  mouse("Right click, drag", tr("Probe a pixel; it stays"));
+  mouse("Arrows", tr("Move the probe by 1 px"));
+  mouse("Shift+arrows", tr("Move the probe by 10 px"));
+  lines.push_back({tr("In a number"), tr("Drag, Up, Down, wheel"), tr("Change it (Shift: finer)")});
+  lines.push_back({tr("In a number"), tr("Double-click its label"), tr("Back to the preset's value")});
+  lines.push_back({tr("In the pipeline"), tr("Ctrl+click"), tr("Show an intermediate in the other view")});
+  auto* dialog = new KeysDialog(lines, this);
+  dialog->open();
+}
+
+} // namespace taa::app

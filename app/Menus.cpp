@@ -1,0 +1,300 @@
+#include "app/Menus.h"
+
+#include "app/Icons.h"
+#include "app/MainWindow.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+
+#include "core/scene/SceneSource.h"
+#include "core/settings/Presets.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+QList<QKeySequence> keys(std::initializer_list<const char*> names) {
+  QList<QKeySequence> list;
+  for (const char* name : names) list << QKeySequence(QLatin1String(name));
+  return list;
+}
+
+constexpr glm::ivec2 kSizes[] = {{640, 360}, {960, 540}, {1280, 720}, {1920, 1080}};
+
+} // namespace
+
+Menus::Menus(MainWindow& window) : QObject(&window), window_(window) {
+  makeFile();
+  makeEdit();
+  makeView();
+  makeFrame();
+  makePipeline();
+  makeProbe();
+  makeHelp();
+  refresh();
+}
+
+QAction* Menus::add(QMenu* menu, const QString& text, const QList<QKeySequence>& shortcuts,
+                    std::function<void()> act) {
+  auto* action = new QAction(text, menu);
+  action->setShortcuts(shortcuts);
+  connect(action, &QAction::triggered, this, [act = std::move(act)] { act(); });
+  menu->addAction(action);
+  commands_.push_back({menu->title().remove(QLatin1Char('&')), action});
+  return action;
+}
+
+QAction* Menus::addCheck(QMenu* menu, const QString& text, const QKeySequence& key,
+                         std::function<void(bool)> act) {
+  QAction* action = add(menu, text, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key}, [] {});
+  action->setCheckable(true);
+  connect(action, &QAction::toggled, this, [act = std::move(act)](bool on) { act(on); });
+  return action;
+}
+
+void Menus::makeFile() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&File"));
+  add(menu, tr("&Open…"), keys({"Ctrl+O"}), [this] {
+    window_.askForFile();
+  })->setIcon(themedIcon(QStringLiteral("open")));
+  menu->addSeparator();
+  for (const BuiltinScene& scene : builtinScenes()) {
+    const QString source = QStringLiteral("builtin:") + QString::fromStdString(scene.id);
+    add(menu, QString::fromStdString(scene.label), {}, [this, source] {
+      window_.openSource(source);
+    })->setToolTip(QString::fromStdString(scene.description));
+  }
+  menu->setToolTipsVisible(true);
+  menu->addSeparator();
+  add(menu, tr("&Quit"), keys({"Ctrl+Q"}), [this] { window_.close(); });
+}
+
+void Menus::makeEdit() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Edit"));
+  Session& session = window_.session();
+  undo_ = add(menu, tr("&Undo change of settings"), keys({"Ctrl+Z"}), [&session] { session.undo(); });
+  redo_ = add(menu, tr("&Redo"), keys({"Ctrl+Shift+Z"}), [&session] { session.redo(); });
+  menu->addSeparator();
+  add(menu, tr("&Copy probed value"), keys({"Ctrl+C"}), [this] {
+    window_.copyValue();
+  })->setIcon(themedIcon(QStringLiteral("copy")));
+  add(menu, tr("Copy &all probed values"), keys({"Ctrl+Shift+C"}), [this] { window_.copyAll(); });
+  menu->addSeparator();
+  add(menu, tr("&Search settings and intermediates"), keys({"Ctrl+F"}), [this] {
+    window_.pipeline()->focusSearch();
+  })->setIcon(themedIcon(QStringLiteral("search")));
+  add(menu, tr("&Find a command…"), keys({"Ctrl+Shift+P"}), [this] { window_.showCommands(); });
+}
+
+void Menus::makeView() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&View"));
+  ViewArea* views = window_.views();
+  add(menu, tr("&Intermediate…"), keys({"I"}),
+      [this, views] { window_.chooseIntermediate(views->activeIndex()); });
+  add(menu, tr("Keys act on view A"), keys({"Ctrl+1"}), [views] {
+    views->setActive(0);
+    views->active()->viewport()->setFocus();
+  });
+  add(menu, tr("Keys act on view B"), keys({"Ctrl+2"}), [views] {
+    views->setTwoViews(true);
+    views->setActive(1);
+    views->active()->viewport()->setFocus();
+  });
+  twoViews_ = addCheck(menu, tr("&Two views"), QKeySequence(QStringLiteral("V")),
+                       [views](bool on) { views->setTwoViews(on); });
+  twoViews_->setIcon(themedIcon(QStringLiteral("two-views")));
+  linked_ = addCheck(menu, tr("&Look at the same place in both"), QKeySequence(QStringLiteral("L")),
+                     [views](bool on) { views->setLinked(on); });
+  QMenu* arrangement = menu->addMenu(tr("&Arrangement"));
+  auto* group = new QActionGroup(this);
+  const std::pair<Arrangement, QString> choices[] = {{Arrangement::Automatic, tr("Whichever is larger")},
+                                                     {Arrangement::Beside, tr("Side by side")},
+                                                     {Arrangement::Stacked, tr("One above the other")}};
+  for (const auto& [choice, text] : choices) {
+    QAction* action = add(arrangement, text, {}, [views, choice = choice] { views->setArrangement(choice); });
+    action->setCheckable(true);
+    arrangements_ << group->addAction(action);
+  }
+  menu->addSeparator();
+  add(menu, tr("&Fit"), keys({"F"}), [views] {
+    views->active()->viewport()->fit();
+  })->setIcon(themedIcon(QStringLiteral("fit")));
+  add(menu, tr("&One to one"), keys({"1"}), [views] { views->active()->viewport()->oneToOne(); });
+  add(menu, tr("Zoom in"), keys({"+", "="}), [views] { views->active()->viewport()->zoomBy(1); });
+  add(menu, tr("Zoom out"), keys({"-"}), [views] { views->active()->viewport()->zoomBy(-1); });
+  menu->addSeparator();
+  makePictures(menu->addMenu(tr("&Picture")));
+  menu->addSeparator();
+  QAction* panel = addCheck(menu, tr("Pipeline panel"), QKeySequence(QStringLiteral("F9")),
+                            [this](bool on) { window_.setPanelVisible(window_.pipeline(), on); });
+  panel->setChecked(true);
+  panel = addCheck(menu, tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
+                   [this](bool on) { window_.setPanelVisible(window_.probe(), on); });
+  panel->setChecked(true);
+  QMenu* theme = menu->addMenu(tr("T&heme"));
+  auto* themes = new QActionGroup(this);
+  const std::pair<ThemeChoice, QString> looks[] = {{ThemeChoice::System, tr("As the system")},
+                                                   {ThemeChoice::Dark, tr("Dark")},
+                                                   {ThemeChoice::Light, tr("Light")}};
+  for (const auto& [choice, text] : looks) {
+    QAction* action = add(theme, text, {}, [this, choice = choice] { window_.setTheme(choice); });
+    action->setCheckable(true);
+    themes_ << themes->addAction(action);
+  }
+}
+
+void Menus::makePictures(QMenu* menu) {
+  ViewArea* views = window_.views();
+  add(menu, tr("Brighter by half a stop"), keys({"E"}), [views] { views->active()->changeExposure(0.5f); });
+  add(menu, tr("Darker by half a stop"), keys({"Shift+E"}),
+      [views] { views->active()->changeExposure(-0.5f); });
+  add(menu, tr("&Normalize: fit the range to the visible values"), keys({"N"}), [views] {
+    views->active()->normalize();
+  })->setIcon(themedIcon(QStringLiteral("auto-range")));
+  add(menu, tr("Normalize always"), keys({"Shift+N"}),
+      [views] { views->active()->setAlwaysAuto(!views->active()->isAlwaysAuto()); });
+  add(menu, tr("&Reset"), keys({"R"}), [views] {
+    views->active()->resetStyle();
+  })->setIcon(themedIcon(QStringLiteral("reset")));
+  add(menu, tr("Next color &map"), keys({"M"}), [views] { views->active()->nextColorMap(); });
+  const QString channels[] = {tr("First channel"), tr("Second channel"), tr("Third channel")};
+  for (int channel = 0; channel < 3; ++channel)
+    add(menu, channels[channel], {QKeySequence(QStringLiteral("Alt+%1").arg(channel + 1))},
+        [views, channel] { views->active()->toggleChannel(channel); });
+  marks_ = addCheck(menu, tr("Mark NaN red, infinite green, negative blue"),
+                    QKeySequence(QStringLiteral("X")), [views](bool on) {
+                      if (views->active()->style().markInvalid != on) views->active()->toggleMarks();
+                    });
+}
+
+void Menus::makeFrame() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("F&rame"));
+  Session& session = window_.session();
+  play_ = add(menu, tr("&Play"), keys({"Space"}), [&session] { session.togglePlaying(); });
+  add(menu, tr("Step &back"), keys({","}), [&session] {
+    session.step(-1);
+  })->setIcon(themedIcon(QStringLiteral("previous")));
+  add(menu, tr("Step &forward"), keys({"."}), [&session] {
+    session.step(1);
+  })->setIcon(themedIcon(QStringLiteral("next")));
+  add(menu, tr("Ten back"), keys({"Shift+,"}), [&session] { session.step(-10); });
+  add(menu, tr("Ten forward"), keys({"Shift+."}), [&session] { session.step(10); });
+  add(menu, tr("First frame"), keys({"Home"}), [&session] {
+    session.seek(0);
+  })->setIcon(themedIcon(QStringLiteral("first")));
+  add(menu, tr("Last frame"), keys({"End"}), [&session] {
+    session.seek(session.status().frameCount - 1);
+  })->setIcon(themedIcon(QStringLiteral("last")));
+  add(menu, tr("&Go to frame…"), keys({"G"}), [this] { window_.askForFrame(); });
+  looping_ =
+      addCheck(menu, tr("Start again at the end"), QKeySequence(QStringLiteral("Ctrl+L")), [this](bool on) {
+        window_.session().setLooping(on);
+        window_.timeline()->setLooping(on);
+      });
+  add(menu, tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
+    session.cancel();
+  })->setIcon(themedIcon(QStringLiteral("stop")));
+  menu->addSeparator();
+  cameras_ = menu->addMenu(tr("&Camera"));
+  QMenu* sizes = menu->addMenu(tr("Render si&ze"));
+  for (const glm::ivec2 size : kSizes)
+    add(sizes, QStringLiteral("%1×%2").arg(size.x).arg(size.y), {},
+        [&session, size] { session.setSize(size.x, size.y); });
+  add(sizes, tr("Other…"), {}, [this] { window_.askForSize(); });
+}
+
+void Menus::makePipeline() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Pipeline"));
+  menu->setToolTipsVisible(true);
+  Session& session = window_.session();
+  int number = 0;
+  for (const Preset& preset : builtinPresets()) {
+    const QString id = QString::fromStdString(preset.id);
+    const QList<QKeySequence> key =
+        ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
+                      : QList<QKeySequence>();
+    add(menu, tr("Preset: %1").arg(QString::fromStdString(preset.label)), key, [&session, id] {
+      session.setPreset(id);
+    })->setToolTip(QString::fromStdString(preset.description));
+  }
+  add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}),
+      [&session] { session.setPreset(QString::fromStdString(session.presetId())); });
+  menu->addSeparator();
+  add(menu, tr("&Unfold all stages"), keys({"Ctrl+Down"}),
+      [this] { window_.pipeline()->setAllExpanded(true); });
+  add(menu, tr("&Fold all stages"), keys({"Ctrl+Up"}), [this] { window_.pipeline()->setAllExpanded(false); });
+  menu->addSeparator();
+  add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
+}
+
+void Menus::makeProbe() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("Pr&obe"));
+  add(menu, tr("&Go to pixel…"), keys({"Ctrl+G"}), [this] {
+    window_.askForPixel();
+  })->setIcon(themedIcon(QStringLiteral("probe")));
+  add(menu, tr("Go to the probe"), keys({"P"}), [this] {
+    if (const auto pick = window_.session().pick()) window_.views()->active()->viewport()->reveal(*pick);
+  });
+  add(menu, tr("&Remove the probe"), keys({"Esc"}), [this] { window_.session().setPick({}); });
+}
+
+void Menus::makeHelp() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Help"));
+  add(menu, tr("&Keys"), keys({"?"}), [this] {
+    window_.showKeys();
+  })->setIcon(themedIcon(QStringLiteral("keyboard")));
+  add(menu, tr("&About TAA Inspector"), {}, [this] {
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, tr("About TAA Inspector"),
+        tr("TAA Inspector %1\n\nSteps temporal anti-aliasing frame by frame and shows everything it "
+           "computes.\n\nDriver: %2\nQt %3")
+            .arg(QStringLiteral(TAA_VERSION),
+                 QString::fromStdString(window_.session().status().driver.renderer),
+                 QString::fromLatin1(qVersion())),
+        QMessageBox::Close, &window_);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+}
+
+void Menus::makeCameras() {
+  const Status& status = window_.session().status();
+  if (status.cameras != cameraNames_) {
+    cameraNames_ = status.cameras;
+    cameras_->clear();
+    for (const std::string& name : cameraNames_) {
+      const QString text = QString::fromStdString(name);
+      cameras_->addAction(text, &window_.session(), [this, text] { window_.session().setCamera(text); })
+          ->setCheckable(true);
+    }
+  }
+  for (QAction* action : cameras_->actions())
+    action->setChecked(action->text().toStdString() == status.camera);
+}
+
+void Menus::refresh() {
+  const Session& session = window_.session();
+  const ViewArea* views = window_.views();
+  twoViews_->setChecked(views->showsTwo());
+  linked_->setChecked(views->areLinked());
+  looping_->setChecked(session.isLooping());
+  marks_->setChecked(views->active()->style().markInvalid);
+  play_->setText(session.status().playing ? tr("&Pause") : tr("&Play"));
+  undo_->setEnabled(session.canUndo());
+  redo_->setEnabled(session.canRedo());
+  themes_[static_cast<int>(window_.theme())]->setChecked(true);
+  arrangements_[static_cast<int>(views->arrangement())]->setChecked(true);
+  makeCameras();
+}
+
+} // namespace taa::app

@@ -1,0 +1,38 @@
+// A picture of the whole window, taken when everything in it has arrived.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <functional>
+
+namespace taa::app {
+
+class MainWindow;
+
+/// Waits for frame, views and probe, writes the picture, and calls `done` with an exit code and what to say.
+class Screenshot : public QObject {
+  Q_OBJECT
+ public:
+  using Done = std::function<void(int code, const QString& text)>;
+  /// `frame` is clamped to the shot.
+  Screenshot(MainWindow& window, const QString& file, int frame, Done done);
+
+ private:
+  /// Asks for the frame once the source is open, and takes the picture once all is there.
+  void look();
+  bool isComplete() const;
+  void finish(int code, const QString& text);
+
+  MainWindow& window_;
+  QString file_;
+  int frame_;
+  Done done_;
+  bool asked_ = false;
+  int quiet_ = 0; ///< polls since all was there
+  QTimer poll_, limit_;
+  QString lastError_;
+};
+
+} // namespace taa::app

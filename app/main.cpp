@@ -1,0 +1,105 @@
+// Starts taa-inspector: a window, or a picture of one.
+#include "app/Arguments.h"
+#include "app/Icons.h"
+#include "app/MainWindow.h"
+#include "app/Screenshot.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+
+#include <QApplication>
+#include <QSettings>
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+namespace {
+
+using namespace taa::app;
+
+constexpr int kScreenshotFrame = 40; ///< the history has filled up, and the scene has moved
+
+/// Without a display Qt draws into memory; a picture of the window never needs one.
+void choosePlatform(bool screenshot) {
+  const bool hasDisplay =
+      !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && (screenshot || !hasDisplay))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+/// Qt's own remarks about platforms without windows are of no use to anybody here.
+void printMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (message.startsWith(QLatin1String("This plugin does not support")) ||
+      message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR")))
+    return;
+  if (type != QtDebugMsg && type != QtInfoMsg) std::fprintf(stderr, "%s\n", qPrintable(message));
+}
+
+void begin(MainWindow& window, const Arguments& arguments) {
+  Session& session = window.session();
+  if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
+  if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
+  if (!arguments.views.empty()) {
+    window.views()->view(0)->setIntermediate(arguments.views[0]);
+    window.views()->setTwoViews(arguments.views.size() > 1);
+    if (arguments.views.size() > 1) window.views()->view(1)->setIntermediate(arguments.views[1]);
+  }
+  if (arguments.pixel) session.setPick(*arguments.pixel);
+  const bool plays = arguments.screenshot.empty() && !arguments.frame;
+  session.open(QString::fromStdString(arguments.source), plays);
+  if (arguments.zoom) {
+    const glm::dvec2 center = arguments.pixel ? glm::dvec2(*arguments.pixel) + 0.5 : glm::dvec2(0.0);
+    for (int view = 0; view < kViewCount; ++view)
+      window.views()->view(view)->viewport()->setCamera({false, *arguments.zoom, center});
+  }
+  if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
+}
+
+int run(QApplication& application, const Arguments& arguments) {
+  const bool isScreenshot = !arguments.screenshot.empty();
+  QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
+  ThemeChoice theme = ThemeChoice::System;
+  // A picture of the window looks the same whoever takes it.
+  if (isScreenshot)
+    theme = ThemeChoice::Dark;
+  else
+    parseTheme(settings.value(QStringLiteral("theme")).toString(), theme);
+  applyTheme(application, arguments.theme.value_or(theme));
+
+  Session session;
+  MainWindow window(session, isScreenshot ? nullptr : &settings);
+  window.setTheme(arguments.theme.value_or(theme));
+  if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
+  window.show();
+  begin(window, arguments);
+  if (isScreenshot) {
+    new Screenshot(window, QString::fromStdString(arguments.screenshot),
+                   arguments.frame.value_or(kScreenshotFrame), [](int code, const QString& text) {
+                     if (!text.isEmpty()) std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
+                     QApplication::exit(code);
+                   });
+  } else if (arguments.frame) {
+    session.seek(*arguments.frame);
+  }
+  return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    Arguments arguments;
+    if (const auto end = parseArguments(argc, argv, arguments)) {
+      std::fputs(end->text.c_str(), end->code == 0 ? stdout : stderr);
+      return end->code;
+    }
+    qInstallMessageHandler(printMessage);
+    choosePlatform(!arguments.screenshot.empty());
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("TAA Inspector"));
+    return run(application, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "taa-inspector: %s\n", error.what());
+    return 1;
+  }
+}
