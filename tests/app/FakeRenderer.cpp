@@ -1,0 +1,97 @@
+#include "tests/app/FakeRenderer.h"
+
+#include <algorithm>
+
+namespace taa::app::test {
+
+void FakeRenderer::open(const std::string& source) {
+  if (!source.starts_with("builtin:")) {
+    listener_.onError("cannot open " + source + ": there is no such file");
+    return;
+  }
+  status.source = source;
+  status.cameras = {"still", "pan"};
+  status.camera = "still";
+  status.frameCount = 240;
+  status.width = 64;
+  status.height = 36;
+  status.jitterPeriod = 16;
+  status.info = {};
+  deliver();
+}
+
+void FakeRenderer::setSize(int width, int height) {
+  status.width = width;
+  status.height = height;
+  deliver();
+}
+
+void FakeRenderer::setCamera(const std::string& name) {
+  status.camera = name;
+  deliver();
+}
+
+void FakeRenderer::setSettings(const Settings& settings) {
+  ++settingsSent;
+  status.settings = settings;
+  deliver();
+}
+
+void FakeRenderer::setPlaying(bool playing) {
+  status.playing = playing;
+  deliver();
+}
+
+void FakeRenderer::seek(int frame) {
+  status.info.frame = std::clamp(frame, 0, std::max(0, status.frameCount - 1));
+  status.info.jitterIndex = status.info.frame % 16;
+  status.info.time = status.info.frame / 60.0;
+  deliver();
+}
+
+void FakeRenderer::setViews(const std::vector<ViewRequest>& wanted) {
+  views = wanted;
+  deliver();
+}
+
+void FakeRenderer::probe(std::optional<glm::ivec2> wanted) {
+  pixel = wanted;
+  deliver();
+}
+
+ViewResult FakeRenderer::draw(int view) const {
+  ViewResult result;
+  result.view = view;
+  result.request = views[static_cast<std::size_t>(view)];
+  result.frame = status.info.frame;
+  const ViewRequest& request = result.request;
+  result.picture.width = request.width;
+  result.picture.height = request.height;
+  result.picture.rgba.assign(static_cast<std::size_t>(request.width) * request.height * 4, 160);
+  if (!request.withValues) return result;
+  result.region = {0, 0, status.width, status.height};
+  result.values = Image(status.width, status.height, intermediate(request.id).channels);
+  for (int y = 0; y < status.height; ++y)
+    for (int x = 0; x < status.width; ++x)
+      std::fill_n(result.values.at(x, y), result.values.channels, valueAt(x, y, status.info.frame));
+  return result;
+}
+
+void FakeRenderer::deliver() {
+  listener_.onStatus(status);
+  if (status.frameCount == 0) return;
+  for (std::size_t view = 0; view < views.size(); ++view)
+    if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
+  if (!pixel) return;
+  ProbeResult result{.x = pixel->x, .y = pixel->y, .frame = status.info.frame, .around = {}};
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) {
+      PixelRecord record;
+      record.fill(glm::vec4(valueAt(pixel->x + x, pixel->y + y, status.info.frame)));
+      reference::at(record, IntermediateId::rejectReason) = glm::vec4(0);
+      result.around.push_back(record);
+    }
+  listener_.onProbe(result);
+}
+
+} // namespace taa::app::test

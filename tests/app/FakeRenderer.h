@@ -1,0 +1,42 @@
+// A renderer without GL for tests of the window: answers at once with values that can be predicted.
+#pragma once
+
+#include "app/Renderer.h"
+
+namespace taa::app::test {
+
+/// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n.
+class FakeRenderer final : public Renderer {
+ public:
+  explicit FakeRenderer(RenderListener listener) : listener_(std::move(listener)) {}
+
+  static float valueAt(int x, int y, int frame) { return static_cast<float>(x + 100 * y + frame); }
+
+  void open(const std::string& source) override;
+  void setSize(int width, int height) override;
+  void setCamera(const std::string& name) override;
+  void setSettings(const Settings& settings) override;
+  void setPlaying(bool playing) override;
+  void setLooping(bool looping) override { isLooping = looping; }
+  void seek(int frame) override;
+  void step(int frames) override { seek(status.info.frame + frames); }
+  void setViews(const std::vector<ViewRequest>& wanted) override;
+  void probe(std::optional<glm::ivec2> pixel) override;
+  void reloadShaders() override { ++reloads; }
+  void cancel() override { ++cancels; }
+
+  Status status;
+  std::vector<ViewRequest> views;
+  std::optional<glm::ivec2> pixel;
+  bool isLooping = true;
+  int reloads = 0, cancels = 0, settingsSent = 0;
+  const RenderListener& listener() const { return listener_; }
+
+ private:
+  void deliver();
+  ViewResult draw(int view) const;
+
+  RenderListener listener_;
+};
+
+} // namespace taa::app::test

@@ -1,0 +1,248 @@
+// Keys, mouse and menus of the window, on a synthetic renderer.
+#include "app/MainWindow.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/StatusLine.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/views/Timeline.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/ChannelButtons.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/KeysDialog.h"
+#include "app/widgets/Prompt.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QUrl>
+#include <QWheelEvent>
+
+#include <cmath>
+
+using namespace taa;
+using namespace taa::app;
+using Window = test::FakeWindow;
+
+namespace {
+
+void wheel(QWidget* widget, QPointF position, int notches) {
+  QWheelEvent event(position, widget->mapToGlobal(position), {}, {0, 120 * notches}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(widget, &event);
+}
+
+/// Where a pixel's center lies in a viewport, logical px.
+QPoint placeOf(const Viewport* viewport, glm::ivec2 pixel) {
+  const glm::dvec2 place =
+      screenFromPicture(viewport->transform(), glm::dvec2(pixel) + 0.5) / viewport->devicePixelRatioF();
+  return {static_cast<int>(place.x), static_cast<int>(place.y)};
+}
+
+} // namespace
+
+TEST_F(Window, KeysPlayStepAndSeek) {
+  key(Qt::Key_Space);
+  EXPECT_TRUE(renderer->status.playing);
+  key(Qt::Key_Space);
+  EXPECT_FALSE(renderer->status.playing);
+  session.seek(20);
+  key(Qt::Key_Period);
+  EXPECT_EQ(renderer->status.info.frame, 21);
+  key(Qt::Key_Comma);
+  key(Qt::Key_Comma);
+  EXPECT_EQ(renderer->status.info.frame, 19);
+  key(Qt::Key_Comma, Qt::ShiftModifier);
+  EXPECT_EQ(renderer->status.info.frame, 9);
+  key(Qt::Key_Period, Qt::ShiftModifier);
+  EXPECT_EQ(renderer->status.info.frame, 19);
+  key(Qt::Key_End);
+  EXPECT_EQ(renderer->status.info.frame, 239);
+  key(Qt::Key_Home);
+  EXPECT_EQ(renderer->status.info.frame, 0);
+}
+
+TEST_F(Window, TheTimelineSaysWhereInTimeTheFrameLies) {
+  session.seek(42);
+  settle();
+  const QString readout = window.timeline()->readout();
+  EXPECT_TRUE(readout.contains("frame 42 of 240")) << readout.toStdString();
+  EXPECT_TRUE(readout.contains("jitter 10 of 16")) << readout.toStdString();
+  EXPECT_TRUE(readout.contains("t = 0.700 s")) << readout.toStdString();
+}
+
+TEST_F(Window, AClickOnTheTimelineSeeks) {
+  Timeline* timeline = window.timeline()->timeline();
+  const auto x = static_cast<int>(std::lround(timeline->scale().position(120)));
+  QTest::mouseClick(timeline, Qt::LeftButton, {}, {x, 20});
+  EXPECT_EQ(renderer->status.info.frame, timeline->scale().frameAt(x));
+  EXPECT_NEAR(renderer->status.info.frame, 120, 1);
+}
+
+TEST_F(Window, TheWheelKeepsThePicturePositionUnderTheCursor) {
+  Viewport* viewport = window.views()->view(0)->viewport();
+  const QPoint cursor(viewport->width() / 3, viewport->height() / 2);
+  for (const int notches : {1, 1, 3, -2, 1}) {
+    const glm::dvec2 before = pictureFromScreen(viewport->transform(), {cursor.x(), cursor.y()});
+    wheel(viewport, cursor, notches);
+    const glm::dvec2 after = screenFromPicture(viewport->transform(), before);
+    // The picture's corner lies on whole screen pixels before and after: half of one each, scaled by the
+    // zoom.
+    const double tolerance = 0.5 + 0.5 * wheelFactor(std::abs(notches)) + 1e-3;
+    EXPECT_NEAR(after.x, cursor.x(), tolerance);
+    EXPECT_NEAR(after.y, cursor.y(), tolerance);
+  }
+  EXPECT_FALSE(viewport->camera().fit);
+  EXPECT_EQ(window.views()->view(1)->viewport()->camera(), viewport->camera()) << "views are linked";
+  key(Qt::Key_F);
+  EXPECT_TRUE(viewport->camera().fit);
+  key(Qt::Key_1);
+  EXPECT_EQ(viewport->zoom(), 1.0);
+}
+
+TEST_F(Window, ALeftDragPans) {
+  Viewport* viewport = window.views()->view(0)->viewport();
+  key(Qt::Key_1);
+  const glm::vec2 before = viewport->transform().origin;
+  QTest::mousePress(viewport, Qt::LeftButton, {}, {200, 100});
+  QTest::mouseMove(viewport, {190, 105});
+  QTest::mouseRelease(viewport, Qt::LeftButton, {}, {190, 105});
+  EXPECT_EQ(viewport->transform().origin, before + glm::vec2(10, -5));
+  EXPECT_EQ(renderer->views[0].transform, viewport->transform()) << "a picture of the new place is asked for";
+}
+
+TEST_F(Window, ARightClickPicksAndArrowsMoveThePick) {
+  Viewport* viewport = window.views()->view(0)->viewport();
+  QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
+  EXPECT_EQ(session.pick(), glm::ivec2(30, 12));
+  EXPECT_EQ(renderer->pixel, glm::ivec2(30, 12));
+  viewport->setFocus();
+  QTest::keyClick(viewport, Qt::Key_Right);
+  QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_EQ(session.pick(), glm::ivec2(31, 2));
+  QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_EQ(session.pick(), glm::ivec2(31, 0)) << "the border holds";
+}
+
+TEST_F(Window, HoverShowsPositionAndValue) {
+  Viewport* viewport = window.views()->view(0)->viewport();
+  QTest::mouseMove(viewport, placeOf(viewport, {10, 3}));
+  settle();
+  EXPECT_TRUE(renderer->views[0].withValues);
+  EXPECT_EQ(window.statusLine()->hover().toStdString(), "A (10, 3)  (310, 310, 310)");
+}
+
+TEST_F(Window, GoToPixelTakesTwoNumbers) {
+  key(Qt::Key_G, Qt::ControlModifier);
+  auto* prompt = window.findChild<Prompt*>();
+  ASSERT_TRUE(prompt);
+  prompt->field()->setText("41, 17");
+  QTest::keyClick(prompt->field(), Qt::Key_Return);
+  EXPECT_EQ(session.pick(), glm::ivec2(41, 17));
+}
+
+TEST_F(Window, KeysChangeHowThePictureLooks) {
+  ViewPanel* view = window.views()->view(0);
+  key(Qt::Key_E);
+  EXPECT_EQ(renderer->views[0].style.exposure, 0.5f);
+  key(Qt::Key_E, Qt::ShiftModifier);
+  key(Qt::Key_E, Qt::ShiftModifier);
+  EXPECT_EQ(renderer->views[0].style.exposure, -0.5f);
+  key(Qt::Key_R);
+  EXPECT_EQ(renderer->views[0].style, defaultStyle(intermediate(IntermediateId::resolved)));
+  key(Qt::Key_N);
+  EXPECT_EQ(view->style().low, test::FakeRenderer::valueAt(0, 0, 0));
+  EXPECT_EQ(view->style().high, test::FakeRenderer::valueAt(63, 35, 0));
+  key(Qt::Key_X);
+  EXPECT_FALSE(renderer->views[0].style.markInvalid);
+  key(Qt::Key_2, Qt::AltModifier);
+  EXPECT_FALSE(renderer->views[0].style.green);
+}
+
+TEST_F(Window, EachIntermediateRemembersItsStyle) {
+  key(Qt::Key_E);
+  window.showIntermediate(IntermediateId::motion, false);
+  EXPECT_EQ(window.views()->view(0)->style(), defaultStyle(intermediate(IntermediateId::motion)));
+  window.showIntermediate(IntermediateId::resolved, false);
+  EXPECT_EQ(window.views()->view(0)->style().exposure, 0.5f);
+}
+
+TEST_F(Window, ChannelButtonsToggleAndSolo) {
+  auto* buttons = window.views()->view(0)->header()->findChild<ChannelButtons*>();
+  QTest::mouseClick(buttons, Qt::LeftButton, {}, buttons->button(1).center());
+  EXPECT_FALSE(renderer->views[0].style.green);
+  QTest::mouseClick(buttons, Qt::RightButton, {}, buttons->button(2).center());
+  EXPECT_FALSE(renderer->views[0].style.red);
+  EXPECT_TRUE(renderer->views[0].style.blue);
+  QTest::mouseClick(buttons, Qt::RightButton, {}, buttons->button(2).center());
+  EXPECT_TRUE(renderer->views[0].style.red && renderer->views[0].style.green);
+}
+
+TEST_F(Window, TheSecondViewCanBeHiddenAndCostsNothingThen) {
+  EXPECT_EQ(renderer->views.size(), 2u);
+  key(Qt::Key_V);
+  EXPECT_EQ(renderer->views.size(), 1u);
+  key(Qt::Key_V);
+  EXPECT_EQ(renderer->views.size(), 2u);
+}
+
+TEST_F(Window, ABrokenFileIsToldAndKeepsThePicture) {
+  const QImage before = window.views()->view(0)->viewport()->grab().toImage();
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile("/nowhere/broken.glb")});
+  QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &drop);
+  settle();
+  EXPECT_TRUE(window.messages()->text().contains("/nowhere/broken.glb"))
+      << window.messages()->text().toStdString();
+  EXPECT_EQ(session.status().source, "builtin:fan");
+  EXPECT_FALSE(session.status().playing);
+  // The strip takes room from the views; the picture itself is still there.
+  EXPECT_TRUE(window.views()->view(0)->viewport()->result().has_value());
+  EXPECT_FALSE(before.isNull());
+}
+
+TEST_F(Window, TheBadgeShowsWhileHistoryIsFromOldSettings) {
+  EXPECT_FALSE(window.statusLine()->showsBadge());
+  renderer->status.exact = false;
+  renderer->setPlaying(false);
+  settle();
+  EXPECT_TRUE(window.statusLine()->showsBadge());
+}
+
+TEST_F(Window, KeysAreListedAndCommandsAreFound) {
+  key(Qt::Key_Question);
+  auto* dialog = window.findChild<KeysDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  dialog->close();
+  window.showCommands();
+  auto* chooser = window.findChild<Chooser*>();
+  ASSERT_TRUE(chooser);
+  auto* field = chooser->findChild<QLineEdit*>();
+  QTest::keyClicks(field, "reload");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(renderer->reloads, 1);
+}
+
+TEST_F(Window, F5ReloadsShadersAndTypingDoesNotTriggerKeys) {
+  key(Qt::Key_F5);
+  EXPECT_EQ(renderer->reloads, 1);
+  key(Qt::Key_F, Qt::ControlModifier);
+  const int frame = renderer->status.info.frame;
+  QTest::keyClicks(QApplication::focusWidget(), "v.,");
+  EXPECT_EQ(renderer->views.size(), 2u);
+  EXPECT_EQ(renderer->status.info.frame, frame);
+}
+
+TEST_F(Window, UndoTakesBackAChangeOfSettings) {
+  session.setParameter("rectify.method", 0);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::ClipToFiltered);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::None);
+}

@@ -1,0 +1,161 @@
+// Every row of the parameter table has a control that sends settings; every intermediate can be reached.
+#include "app/panels/PipelinePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/ChoiceButton.h"
+#include "app/widgets/IntermediateRow.h"
+#include "app/widgets/NumberField.h"
+#include "app/widgets/ParameterLabel.h"
+#include "app/widgets/ParameterRow.h"
+#include "app/widgets/SectionHeader.h"
+#include "app/widgets/SegmentedButtons.h"
+#include "app/widgets/Toggle.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QLineEdit>
+
+#include <algorithm>
+
+using namespace taa;
+using namespace taa::app;
+using ParameterPanel = test::FakeWindow;
+using IntermediateList = test::FakeWindow;
+
+namespace {
+
+/// Changes the value of a row with real events.
+void change(ParameterRow& row) {
+  QWidget* editor = row.editor();
+  if (auto* buttons = qobject_cast<SegmentedButtons*>(editor)) {
+    const int wanted = buttons->current() == 0 ? 1 : 0;
+    QTest::mouseClick(buttons, Qt::LeftButton, {}, buttons->segment(wanted).center());
+  } else if (qobject_cast<Toggle*>(editor)) {
+    QTest::mouseClick(editor, Qt::LeftButton);
+  } else {
+    const double middle = (row.row().minimum + row.row().maximum) / 2;
+    QTest::mouseClick(editor, Qt::LeftButton);
+    auto* line = editor->findChild<QLineEdit*>();
+    ASSERT_TRUE(line);
+    line->clear();
+    QTest::keyClicks(line, QString::number(middle == row.value() ? row.row().maximum : middle));
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+}
+
+ParameterRow* rowOf(PipelinePanel* panel, const QString& path) {
+  for (ParameterRow* row : panel->parameterRows())
+    if (row->path() == path) return row;
+  return nullptr;
+}
+
+} // namespace
+
+TEST_F(ParameterPanel, HasOneControlForEveryRowOfTheTable) {
+  std::vector<std::string_view> paths;
+  for (const ParameterRow* row : window.pipeline()->parameterRows()) {
+    ASSERT_TRUE(row->editor()) << row->path().toStdString();
+    paths.push_back(row->row().path);
+  }
+  ASSERT_EQ(paths.size(), parameters().size());
+  for (const Parameter& row : parameters()) EXPECT_EQ(std::ranges::count(paths, row.path), 1) << row.path;
+}
+
+TEST_F(ParameterPanel, EditingAnyControlSendsExactlyThatSetting) {
+  window.pipeline()->setAllExpanded(true);
+  for (ParameterRow* row : window.pipeline()->parameterRows()) {
+    const Settings before = session.settings();
+    const int sent = renderer->settingsSent;
+    change(*row);
+    EXPECT_EQ(renderer->settingsSent, sent + 1) << row->path().toStdString();
+    for (const Parameter& parameter : parameters()) {
+      const bool isEdited = parameter.path == row->row().path;
+      EXPECT_EQ(parameter.get(renderer->status.settings) != parameter.get(before), isEdited)
+          << parameter.path << " after an edit of " << row->path().toStdString();
+    }
+  }
+}
+
+TEST_F(ParameterPanel, AChangedRowHasADotAndADoubleClickOnItsLabelResetsIt) {
+  window.pipeline()->setAllExpanded(true);
+  ParameterRow* row = rowOf(window.pipeline(), "neighborhood.gamma");
+  EXPECT_FALSE(row->isChanged());
+  change(*row);
+  EXPECT_TRUE(row->isChanged());
+  EXPECT_TRUE(session.isPresetChanged());
+  QTest::mouseDClick(row->findChild<ParameterLabel*>(), Qt::LeftButton);
+  EXPECT_FALSE(row->isChanged());
+  EXPECT_FALSE(session.isPresetChanged());
+  EXPECT_EQ(row->value(), 1.0);
+}
+
+TEST_F(ParameterPanel, RowsWithoutEffectAreDimmed) {
+  EXPECT_TRUE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
+  session.setParameter("weight.source", 0);
+  EXPECT_FALSE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
+  EXPECT_TRUE(rowOf(window.pipeline(), "weight.minimum")->isDimmed());
+}
+
+TEST_F(ParameterPanel, ToolTipsTellSentenceFormulaSourceRangeAndDefault) {
+  const Parameter& gamma = parameter("neighborhood.gamma");
+  const QString tip = parameterToolTip(gamma);
+  for (const std::string_view part : {gamma.tooltip, gamma.formula, gamma.source})
+    EXPECT_TRUE(
+        tip.contains(QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size())).toHtmlEscaped()))
+        << part;
+  EXPECT_TRUE(tip.contains("range 0 to 4")) << tip.toStdString();
+  EXPECT_TRUE(tip.contains("default 1")) << tip.toStdString();
+}
+
+TEST_F(ParameterPanel, NumbersAreDraggedSteppedAndScrolled) {
+  window.pipeline()->setAllExpanded(true);
+  auto* field = qobject_cast<NumberField*>(rowOf(window.pipeline(), "neighborhood.gamma")->editor());
+  QTest::mousePress(field, Qt::LeftButton, {}, {20, 10});
+  QTest::mouseMove(field, {45, 10});
+  QTest::mouseRelease(field, Qt::LeftButton, {}, {45, 10});
+  EXPECT_NEAR(session.settings().neighborhood.gamma, 1.4f,
+              0.021f); // 25 px of 250 across 0…4, one step of rounding
+  const float dragged = session.settings().neighborhood.gamma;
+  field->setFocus();
+  QTest::keyClick(field, Qt::Key_Up);
+  EXPECT_GT(session.settings().neighborhood.gamma, dragged);
+  session.undo();
+  EXPECT_EQ(session.settings().neighborhood.gamma, 1.0f) << "a drag and its steps are one change";
+}
+
+TEST_F(ParameterPanel, PresetsReplaceAllSettings) {
+  session.setPreset("minimal");
+  settle();
+  EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::Clamp);
+  EXPECT_TRUE(window.windowTitle().contains("minimal")) << window.windowTitle().toStdString();
+  EXPECT_FALSE(window.windowTitle().contains('*'));
+  session.setParameter("rectify.method", 0);
+  EXPECT_TRUE(window.windowTitle().contains("minimal*"));
+}
+
+TEST_F(ParameterPanel, SearchFindsSettingsInFoldedStages) {
+  window.pipeline()->setAllExpanded(false);
+  ParameterRow* row = rowOf(window.pipeline(), "jitter.period");
+  EXPECT_FALSE(row->isVisible());
+  QTest::keyClicks(window.pipeline()->searchField(), "period");
+  EXPECT_TRUE(row->isVisible());
+  EXPECT_FALSE(rowOf(window.pipeline(), "rectify.method")->isVisible());
+}
+
+TEST_F(IntermediateList, EveryRowIsReachedByAClick) {
+  window.pipeline()->setAllExpanded(true);
+  ASSERT_EQ(window.pipeline()->intermediateRows().size(), kIntermediateCount);
+  for (IntermediateRow* row : window.pipeline()->intermediateRows()) {
+    QTest::mouseClick(row, Qt::LeftButton);
+    EXPECT_EQ(window.views()->view(0)->id(), row->id());
+    EXPECT_TRUE(row->shownIn().contains('A'));
+    EXPECT_EQ(renderer->views.at(0).id, row->id());
+  }
+}
+
+TEST_F(IntermediateList, AControlClickShowsItInTheOtherView) {
+  window.pipeline()->setAllExpanded(true);
+  IntermediateRow* row = window.pipeline()->intermediateRows().front();
+  QTest::mouseClick(row, Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_EQ(window.views()->view(0)->id(), IntermediateId::resolved);
+  EXPECT_EQ(window.views()->view(1)->id(), row->id());
+  EXPECT_EQ(row->shownIn(), "B");
+}

@@ -1,0 +1,105 @@
+// The probe table: every intermediate, exact values, words.
+#include "app/panels/ProbePanel.h"
+#include "app/Numbers.h"
+#include "app/models/ProbeModel.h"
+#include "app/models/ProbeWords.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QClipboard>
+#include <QTreeView>
+
+using namespace taa;
+using namespace taa::app;
+using ProbeTable = test::FakeWindow;
+
+namespace {
+
+QString cell(const ProbeModel* model, IntermediateId id, int column) {
+  return model->data(model->indexOf(id, column), Qt::DisplayRole).toString();
+}
+
+} // namespace
+
+TEST(ProbeWords, SayWhyHistoryWasRejected) {
+  const Intermediate& row = intermediate(IntermediateId::rejectReason);
+  EXPECT_EQ(valueWords(row, glm::vec4(0)).toStdString(), rejectReasonText(0));
+  EXPECT_EQ(valueWords(row, glm::vec4(3)).toStdString(), rejectReasonText(3));
+  EXPECT_EQ(valueWords(intermediate(IntermediateId::depth), glm::vec4(0)), "sky");
+  EXPECT_EQ(valueWords(intermediate(IntermediateId::motion), glm::vec4(65504)), "no previous");
+}
+
+TEST(ProbeWords, TellHowAlphaCameAbout) {
+  reference::PixelRecord record;
+  record.fill(glm::vec4(0));
+  reference::at(record, IntermediateId::historyRawLength).x = 7;
+  reference::at(record, IntermediateId::alphaFloor).x = 0.1f;
+  reference::at(record, IntermediateId::alpha).x = 0.125f;
+  const QString lines = probeSummary(record, {}).join('\n');
+  EXPECT_TRUE(lines.contains(QStringLiteral("N = 7 → α = max(1/(7 + 1), 0.1) = 0.125")))
+      << lines.toStdString();
+  reference::at(record, IntermediateId::rejectReason).x = 4;
+  EXPECT_TRUE(
+      probeSummary(record, {}).join('\n').contains(QString::fromStdString(std::string(rejectReasonText(4)))));
+}
+
+TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
+  ProbeModel model;
+  std::size_t rows = 0;
+  for (int branch = 0; branch < model.rowCount(); ++branch) {
+    const QModelIndex stage = model.index(branch, 0);
+    for (int row = 0; row < model.rowCount(stage); ++row, ++rows) {
+      const QModelIndex index = model.index(row, ProbeModel::Name, stage);
+      EXPECT_EQ(model.parent(index), stage);
+      ASSERT_TRUE(model.idOf(index));
+      EXPECT_EQ(model.indexOf(*model.idOf(index)), index);
+    }
+  }
+  EXPECT_EQ(rows, kIntermediateCount);
+}
+
+TEST(ProbeModel, ValuesReadBackAsTheSameFloats) {
+  ProbeModel model;
+  reference::PixelRecord record;
+  record.fill(glm::vec4(0.1f, -1.0f / 3.0f, 12345.678f, 0));
+  model.setRecord(record);
+  const QStringList lines = cell(&model, IntermediateId::color, ProbeModel::Value).split('\n');
+  ASSERT_EQ(lines.size(), 3);
+  for (int channel = 0; channel < 3; ++channel) {
+    QString number = lines[channel].mid(1).trimmed(); // without the channel's letter
+    number.replace(QChar(0x2212), '-');
+    EXPECT_EQ(number.toFloat(), record[0][channel]) << lines[channel].toStdString();
+  }
+}
+
+TEST_F(ProbeTable, ShowsTheValuesAtThePick) {
+  session.setPick(glm::ivec2(12, 7));
+  settle();
+  const QString value = cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed();
+  EXPECT_EQ(value.toFloat(), test::FakeRenderer::valueAt(12, 7, 0));
+  session.seek(5);
+  settle();
+  EXPECT_EQ(cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed().toFloat(),
+            test::FakeRenderer::valueAt(12, 7, 5))
+      << "the pick stays and follows the frame";
+}
+
+TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
+  session.setPick(glm::ivec2(3, 2));
+  settle();
+  key(Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(), "203 203 203");
+  key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+  const QString all = QApplication::clipboard()->text();
+  for (const Intermediate& row : kIntermediates)
+    EXPECT_TRUE(all.contains(QString::fromStdString("\n" + std::string(row.name) + " "))) << row.name;
+}
+
+TEST_F(ProbeTable, GoesAwayWithEscape) {
+  session.setPick(glm::ivec2(3, 2));
+  settle();
+  EXPECT_TRUE(window.probe()->table()->isVisible());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(session.pick());
+  EXPECT_FALSE(renderer->pixel);
+  EXPECT_FALSE(window.probe()->table()->isVisible());
+}

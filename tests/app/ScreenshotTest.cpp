@@ -1,0 +1,120 @@
+// The --screenshot command, and the window on the real renderer.
+#include "app/models/ProbeModel.h"
+#include "app/models/ProbeWords.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/ProbePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "tests/app/WindowFixture.h"
+#include "tests/support/Paths.h"
+
+#include <QImage>
+#include <QProcess>
+
+#include <set>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  QString err;
+};
+
+Outcome run(const QStringList& arguments) {
+  QProcess process;
+  process.start(QString::fromStdString(taa::test::binary("taa-inspector").string()), arguments);
+  if (!process.waitForFinished(280000)) process.kill();
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          process.readAllStandardError()};
+}
+
+QString fileName(const char* name) {
+  return QString::fromStdString((taa::test::temporaryFolder() / name).string());
+}
+
+} // namespace
+
+TEST(Screenshot, WritesAPictureOfTheWholeWindow) {
+  const QString file = fileName("window.png");
+  const Outcome outcome = run(
+      {"--screenshot", file, "--window-size", "1280x800", "--size", "160x90", "--frame", "5", "builtin:fan"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err.toStdString();
+  EXPECT_EQ(outcome.err, "");
+  const QImage image(file);
+  ASSERT_EQ(image.size(), QSize(1280, 800));
+  // A blank window, or one without pictures, has a handful of grays.
+  std::set<QRgb> colors;
+  for (int y = 0; y < image.height(); y += 4)
+    for (int x = 0; x < image.width(); x += 4) colors.insert(image.pixel(x, y));
+  EXPECT_GT(colors.size(), 1000u);
+}
+
+TEST(Screenshot, AFileThatCannotBeOpenedIsNamed) {
+  const Outcome outcome = run({"--screenshot", fileName("none.png"), "/nowhere/none.glb"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(outcome.err.contains("/nowhere/none.glb")) << outcome.err.toStdString();
+}
+
+TEST(Screenshot, WrongUsageEndsWithTwo) {
+  EXPECT_EQ(run({"--size", "huge"}).code, 2);
+  EXPECT_EQ(run({"--view", "nothing"}).code, 2);
+  EXPECT_EQ(run({"--no-such-option"}).code, 2);
+  EXPECT_EQ(run({"--help"}).code, 0);
+}
+
+TEST(RealWindow, ProbesWhatTheInspectorProbes) {
+  applyTheme(*qApp, ThemeChoice::Dark);
+  Session session;
+  MainWindow window(session, nullptr);
+  window.resize(1280, 800);
+  window.show();
+  session.setSize(96, 54);
+  session.open("builtin:fan", false);
+  session.seek(6);
+  const glm::ivec2 pixel(60, 20);
+  ASSERT_TRUE(taa::app::test::waitFor([&] {
+    return session.isOpen() && session.status().info.frame == 6 && session.status().exact;
+  })) << window.messages()->text().toStdString();
+  Viewport* viewport = window.views()->view(0)->viewport();
+  const glm::dvec2 place = screenFromPicture(viewport->transform(), glm::dvec2(pixel) + 0.5);
+  QTest::mouseClick(viewport, Qt::RightButton, {},
+                    QPoint(static_cast<int>(place.x), static_cast<int>(place.y)));
+  ASSERT_TRUE(taa::app::test::waitFor(
+      [&] { return session.probe() && session.probe()->frame == 6 && session.probe()->x == 60; }));
+
+  Inspector inspector;
+  inspector.open("builtin:fan");
+  inspector.setSize(96, 54);
+  inspector.seek(6);
+  const PixelRecord record = inspector.probe(pixel.x, pixel.y);
+  EXPECT_TRUE(window.probe()->allText().endsWith(probeText(record)))
+      << window.probe()->allText().toStdString() << "\n"
+      << probeText(record).toStdString();
+}
+
+TEST(RealWindow, StepsBackToTheSamePicture) {
+  applyTheme(*qApp, ThemeChoice::Dark);
+  Session session;
+  MainWindow window(session, nullptr);
+  window.resize(1280, 800);
+  window.show();
+  session.setSize(96, 54);
+  session.open("builtin:fan", false);
+  const auto pictureOf = [&](int frame) {
+    EXPECT_TRUE(taa::app::test::waitFor([&] {
+      const ViewResult* result = session.picture(0);
+      return session.isOpen() && result && result->frame == frame && result->exact &&
+             result->request == window.views()->requests()[0];
+    })) << frame;
+    return session.picture(0)->picture.rgba;
+  };
+  session.seek(4);
+  const auto before = pictureOf(4);
+  session.step(1);
+  EXPECT_NE(pictureOf(5), before);
+  session.step(-1);
+  EXPECT_EQ(pictureOf(4), before);
+}

@@ -1,0 +1,52 @@
+// A window on a fake or a real renderer, and ways to wait for it.
+#pragma once
+
+#include "app/MainWindow.h"
+#include "tests/app/FakeRenderer.h"
+
+#include <QApplication>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace taa::app::test {
+
+/// Lets events run until `condition` holds; false after `limit` ms.
+template <class Condition>
+bool waitFor(Condition condition, int limit = 120000) {
+  return QTest::qWaitFor([&] { return condition(); }, limit);
+}
+
+/// The window on a synthetic renderer with "builtin:fan" of 64×36 pixels open.
+class FakeWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    applyTheme(*qApp, ThemeChoice::Dark);
+    window.resize(1280, 800);
+    window.show();
+    window.openSource("builtin:fan");
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.status().playing; }));
+    session.setPlaying(false);
+    settle();
+  }
+
+  /// Lets all results arrive.
+  void settle() { QTest::qWait(30); }
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyClick(&window, key, modifiers);
+    settle();
+  }
+
+  FakeRenderer* renderer = nullptr; ///< owned by the session
+  Session session{[this](RenderListener listener) {
+    auto made = std::make_unique<FakeRenderer>(std::move(listener));
+    renderer = made.get();
+    return made;
+  }};
+  MainWindow window{session, nullptr};
+};
+
+} // namespace taa::app::test
