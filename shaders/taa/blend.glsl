@@ -20,10 +20,20 @@ float blendFactor(float alpha, float currentWeight, float historyWeight) {
   return alpha >= 1.0 ? 1.0 : factor;
 }
 
+/// The nearest half float, ties to even, of a value from 0 to 65504: unpackHalf2x16(packHalf2x16(x)), which costs
+/// llvmpipe ten times as much.
+float nearestHalf(float x) {
+  uint bits = floatBitsToUint(x);
+  float normal = uintBitsToFloat((bits + 0xFFFu + ((bits >> 13u) & 1u)) & 0xFFFFE000u); // 11 significant bits
+  precise float shifted = x + 0.5; // below 2⁻¹⁴ halves are multiples of 2⁻²⁴, as floats from ½ to 1 are
+  precise float subnormal = shifted - 0.5;
+  return x < 6.103515625e-5 ? subnormal : normal;
+}
+
 /// The nearest half floats where history is stored as such: drivers may truncate instead.
 vec3 asStored(vec3 color) {
   if (kHistoryPrecision != kHistoryPrecision_half) return color;
-  return vec3(unpackHalf2x16(packHalf2x16(color.rg)), unpackHalf2x16(packHalf2x16(vec2(color.b, 0.0))).x);
+  return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
 }
 
 Blended blend(vec3 current, vec3 history, float alpha, float historyFrames) {

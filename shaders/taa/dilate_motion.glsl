@@ -9,13 +9,13 @@ struct DilatedMotion {
 
 DilatedMotion dilateMotion(ivec2 pixel) {
   ivec2 chosen = pixel;
-  float closest = texelFetch(u_depth, pixel, 0).r;
+  float closest = texelAt(u_depth, pixel).r;
   if (kDilateMethod == kDilateMethod_closest3x3) {
     // Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself.
     for (int k = 0; k < 9; ++k) {
       if (k == 4) continue;
       ivec2 neighbor = clamped(pixel + ivec2(k % 3 - 1, k / 3 - 1));
-      float depth = texelFetch(u_depth, neighbor, 0).r;
+      float depth = texelAt(u_depth, neighbor).r;
       if (depth > closest) {
         closest = depth;
         chosen = neighbor;
@@ -25,7 +25,7 @@ DilatedMotion dilateMotion(ivec2 pixel) {
   DilatedMotion result;
   result.offset = vec2(chosen - pixel);
   result.depth = closest;
-  result.motion = texelFetch(u_motion, chosen, 0).rg;
+  result.motion = texelAt(u_motion, chosen).rg;
   expose_dilatedOffset(result.offset);
   expose_dilatedDepth(result.depth);
   expose_dilatedMotion(result.motion);

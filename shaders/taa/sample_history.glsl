@@ -14,11 +14,10 @@ vec3 historyBilinear(vec2 x) {
   precise vec2 base = floor(u);
   precise vec2 f = u - base;
   ivec2 first = ivec2(base);
-  ivec2 last = min(first + 1, ivec2(resolveBlock.sizePx) - 1);
-  precise vec3 topLeft = texelFetch(u_historyColor, first, 0).rgb;
-  precise vec3 topRight = texelFetch(u_historyColor, ivec2(last.x, first.y), 0).rgb;
-  precise vec3 bottomLeft = texelFetch(u_historyColor, ivec2(first.x, last.y), 0).rgb;
-  precise vec3 bottomRight = texelFetch(u_historyColor, last, 0).rgb;
+  precise vec3 topLeft = texelAt(u_historyColor, first).rgb;
+  precise vec3 topRight = texelAt(u_historyColor, first + ivec2(1, 0)).rgb;
+  precise vec3 bottomLeft = texelAt(u_historyColor, first + ivec2(0, 1)).rgb;
+  precise vec3 bottomRight = texelAt(u_historyColor, first + 1).rgb;
   precise vec3 top = topLeft + f.x * (topRight - topLeft);
   precise vec3 bottom = bottomLeft + f.x * (bottomRight - bottomLeft);
   precise vec3 result = top + f.y * (bottom - top);
@@ -27,8 +26,8 @@ vec3 historyBilinear(vec2 x) {
 
 /// Mixed color of two texels of the history.
 vec3 historyPair(ivec2 first, ivec2 second, float share) {
-  precise vec3 a = texelFetch(u_historyColor, clamped(first), 0).rgb;
-  precise vec3 b = texelFetch(u_historyColor, clamped(second), 0).rgb;
+  precise vec3 a = texelAt(u_historyColor, first).rgb;
+  precise vec3 b = texelAt(u_historyColor, second).rgb;
   precise vec3 result = a + share * (b - a);
   return result;
 }
@@ -80,7 +79,7 @@ HistorySample readHistory(vec2 position) {
   ivec2 nearest = ivec2(floor(position)) - first;
   for (int k = 0; k < 4; ++k) {
     ivec2 offset = ivec2(k % 2, k / 2);
-    vec2 surface = texelFetch(u_historySurface, clamped(first + offset), 0).rg;
+    vec2 surface = texelAt(u_historySurface, first + offset).rg;
     if (k == 0 || offset == nearest) result.frames = surface.r;
     result.depths[k] = surface.g;
   }

@@ -30,7 +30,7 @@ DepthMatch bestMatch(float expected, float depths[4]) {
 }
 
 int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
-  float expected = texelFetch(u_previousDepth, pixel + ivec2(dilated.offset), 0).r;
+  float expected = texelAt(u_previousDepth, pixel + ivec2(dilated.offset)).r;
   DepthMatch match = DepthMatch(0.0, 0.0);
   if (hasHistory()) match = bestMatch(expected, history.depths);
 
