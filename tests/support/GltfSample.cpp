@@ -117,7 +117,7 @@ std::string base64(const std::string& bytes) {
 }
 
 std::filesystem::path writeTemporary(const std::string& name, const std::string& bytes) {
-  const std::filesystem::path path = temporaryFolder() / name;
+  std::filesystem::path path = temporaryFolder() / name;
   std::filesystem::create_directories(path.parent_path());
   writeFile(path, bytes);
   return path;
