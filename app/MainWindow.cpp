@@ -9,6 +9,7 @@
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/WorkBar.h"
@@ -35,7 +36,7 @@ namespace {
 
 constexpr auto kFirstSource = "builtin:fan";
 // Where the fan's blades sweep over the bright wall: history is rejected and clipped there in every turn.
-constexpr glm::dvec2 kFirstPick{0.60, 0.38};
+constexpr glm::dvec2 kFirstPick{0.64, 0.40};
 
 } // namespace
 
@@ -67,7 +68,7 @@ void MainWindow::makeParts() {
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
-  work_ = new WorkBar(views_);
+  work_ = new WorkBar(views_, ViewHeader::kHeight);
   sourceLabel_ = new QLabel;
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);

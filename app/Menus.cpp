@@ -112,7 +112,6 @@ void Menus::makeView() {
   });
   twoViews_ = addCheck(menu, tr("&Two views"), QKeySequence(QStringLiteral("V")),
                        [views](bool on) { views->setTwoViews(on); });
-  twoViews_->setIcon(themedIcon(QStringLiteral("two-views")));
   linked_ = addCheck(menu, tr("&Look at the same place in both"), QKeySequence(QStringLiteral("L")),
                      [views](bool on) { views->setLinked(on); });
   QMenu* arrangement = menu->addMenu(tr("&Arrangement"));
@@ -133,14 +132,14 @@ void Menus::makeView() {
   add(menu, tr("Zoom in"), keys({"+", "="}), [views] { views->active()->viewport()->zoomBy(1); });
   add(menu, tr("Zoom out"), keys({"-"}), [views] { views->active()->viewport()->zoomBy(-1); });
   menu->addSeparator();
-  makePictures(menu->addMenu(tr("&Picture")));
-  menu->addSeparator();
   QAction* panel = addCheck(menu, tr("Pipeline panel"), QKeySequence(QStringLiteral("F9")),
                             [this](bool on) { window_.setPanelVisible(window_.pipeline(), on); });
   panel->setChecked(true);
   panel = addCheck(menu, tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
                    [this](bool on) { window_.setPanelVisible(window_.probe(), on); });
   panel->setChecked(true);
+  menu->addSeparator();
+  makePictures(menu->addMenu(tr("&Picture")));
   QMenu* theme = menu->addMenu(tr("T&heme"));
   auto* themes = new QActionGroup(this);
   const std::pair<ThemeChoice, QString> looks[] = {{ThemeChoice::System, tr("As the system")},

@@ -50,6 +50,7 @@ QScrollBar::handle:hover { background: @secondary; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QSplitter::handle { background: @line; }
+QFrame#popup { background: @panel; border: 1px solid @line; }
 QTreeView, QListWidget { background: @panel; alternate-background-color: @panel; color: @text; border: none;
   outline: none; }
 QTreeView::item { padding: 2px 4px; border: none; }

@@ -9,6 +9,7 @@
 
 #include <QFontMetrics>
 #include <QImage>
+#include <QObject>
 #include <QPainter>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ class Pen {
   QRect place(int width, int height) {
     if (left_ + width > strip_.right() - kUnit) return {};
     const QRect rect(left_, strip_.center().y() - height / 2 + 1, width, height);
-    left_ += width + 2 * kUnit;
+    left_ += width + kUnit + 2;
     return rect;
   }
 
@@ -109,9 +110,11 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
   } else if (row.visual == Visual::Index) {
     const int last = std::min(static_cast<int>(row.high), kCategoryCount - 1);
     for (int number = 0; number <= last; ++number) {
-      pen.write(QString::number(number), digits, colors.text);
       if (const QRect swatch = pen.place(kBarHeight, kBarHeight); !swatch.isEmpty())
         painter.fillRect(swatch, QColor(rgbOf(categoryColor(number))));
+      pen.write(row.id == IntermediateId::rejectReason ? qtext(rejectReasonText(number))
+                                                       : QString::number(number),
+                row.id == IntermediateId::rejectReason ? secondaryFont() : digits, colors.text);
     }
   } else if (usesColorMap(row, style)) {
     pen.write(shortText(style.low), digits, colors.text);
@@ -119,7 +122,7 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
       painter.drawImage(bar, mapBar(style.map));
     pen.write(shortText(style.high), digits, colors.text);
   } else if (hasRange(row)) {
-    pen.write(QStringLiteral("%1 … %2").arg(shortText(style.low), shortText(style.high)), digits,
+    pen.write(QObject::tr("range %1 … %2").arg(shortText(style.low), shortText(style.high)), digits,
               colors.text);
   }
 }
@@ -135,6 +138,7 @@ void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row,
   pen.write(qtext(row.label), secondaryFont(), colors.text);
   paintScale(pen, painter, row, style, colors);
   pen.write(qtext(row.unit), secondaryFont(), colors.secondary);
+  if (row.visual == Visual::Depth) pen.write(QObject::tr("logarithmic"), secondaryFont(), colors.secondary);
   if (hasExposure(row) && style.exposure != 0)
     pen.write(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
                                             shortText(style.exposure)),

@@ -1,5 +1,6 @@
 #include "app/views/ViewArea.h"
 
+#include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 
 #include <QSplitter>
@@ -8,10 +9,6 @@
 #include <algorithm>
 
 namespace taa::app {
-
-namespace {
-constexpr int kHeaderHeight = 28;
-} // namespace
 
 ViewArea::ViewArea(QWidget* parent) : QWidget(parent), splitter_(new QSplitter) {
   auto* layout = new QVBoxLayout(this);
@@ -83,8 +80,8 @@ void ViewArea::setPick(std::optional<glm::ivec2> pixel) {
 void ViewArea::arrange() {
   const double aspect = static_cast<double>(std::max(1, pictureSize_.x)) / std::max(1, pictureSize_.y);
   const auto pictureWidth = [&](double width, double height) { return std::min(width, height * aspect); };
-  const bool stackedIsLarger = pictureWidth(width(), height() / 2.0 - kHeaderHeight) >
-                               pictureWidth(width() / 2.0, height() - kHeaderHeight);
+  const bool stackedIsLarger = pictureWidth(width(), height() / 2.0 - ViewHeader::kHeight) >
+                               pictureWidth(width() / 2.0, height() - ViewHeader::kHeight);
   const bool stacked =
       arrangement_ == Arrangement::Stacked || (arrangement_ == Arrangement::Automatic && stackedIsLarger);
   const Qt::Orientation orientation = stacked ? Qt::Vertical : Qt::Horizontal;

@@ -17,7 +17,6 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kHeight = 28;
 constexpr int kLetter = 18;
 constexpr int kGap = 4;
 constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,

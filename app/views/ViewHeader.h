@@ -17,14 +17,16 @@ class NumberField;
 class ViewHeader : public QWidget {
   Q_OBJECT
  public:
+  static constexpr int kHeight = 28;
+
   explicit ViewHeader(QChar letter, QWidget* parent = nullptr);
 
   void setContent(const Intermediate& row, const ViewStyle& style);
   void setZoom(double zoom, bool fit);
   void setActive(bool active);
   void setAlwaysAuto(bool always);
-  QSize sizeHint() const override { return {400, 28}; }
-  QSize minimumSizeHint() const override { return {120, 28}; }
+  QSize sizeHint() const override { return {400, kHeight}; }
+  QSize minimumSizeHint() const override { return {120, kHeight}; }
 
  Q_SIGNALS:
   void styleEdited(const ViewStyle& style);

@@ -52,7 +52,7 @@ Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,
     : QFrame(parent, Qt::Popup), entries_(std::move(entries)), choose_(std::move(choose)),
       field_(new QLineEdit), list_(new QListWidget) {
   setAttribute(Qt::WA_DeleteOnClose);
-  setFrameShape(QFrame::Box);
+  setObjectName(QStringLiteral("popup"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(kUnit, kUnit, kUnit, kUnit);
   layout->setSpacing(kUnit);

@@ -14,7 +14,7 @@ Prompt::Prompt(const QString& question, const QString& text, std::function<bool(
                QWidget* parent)
     : QFrame(parent, Qt::Popup), accept_(std::move(accept)), field_(new QLineEdit(text)) {
   setAttribute(Qt::WA_DeleteOnClose);
-  setFrameShape(QFrame::Box);
+  setObjectName(QStringLiteral("popup"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
   layout->setSpacing(kUnit);

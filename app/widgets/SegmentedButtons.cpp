@@ -36,21 +36,25 @@ void SegmentedButtons::setDimmed(bool dimmed) {
   update();
 }
 
-int SegmentedButtons::widestLabel() const {
-  int widest = 0;
-  for (const QString& label : labels_)
-    widest = std::max(widest, fontMetrics().horizontalAdvance(label) + 2 * kPadding);
-  return widest;
+int SegmentedButtons::labelWidth(int index) const {
+  return fontMetrics().horizontalAdvance(labels_[index]) + 2 * kPadding;
+}
+
+int SegmentedButtons::allLabels() const {
+  int sum = 1;
+  for (int index = 0; index < count(); ++index) sum += labelWidth(index);
+  return sum;
 }
 
 int SegmentedButtons::columns(int width) const {
-  const int count = static_cast<int>(labels_.size());
-  if (width >= widestLabel() * count) return count;
-  return count > 2 && width >= 2 * widestLabel() ? 2 : std::max(1, std::min(count, width / widestLabel()));
+  if (width >= allLabels()) return count();
+  int widest = 0;
+  for (int index = 0; index < count(); ++index) widest = std::max(widest, labelWidth(index));
+  return count() > 2 && width >= 2 * widest ? 2 : 1;
 }
 
 QSize SegmentedButtons::sizeHint() const {
-  return {widestLabel() * count(), kRowHeight};
+  return {allLabels(), kRowHeight};
 }
 
 int SegmentedButtons::heightForWidth(int width) const {
@@ -60,8 +64,15 @@ int SegmentedButtons::heightForWidth(int width) const {
 
 QRect SegmentedButtons::segment(int index) const {
   const int perRow = columns(width());
-  const int column = index % perRow, row = index / perRow;
-  const int left = column * (width() - 1) / perRow, right = (column + 1) * (width() - 1) / perRow;
+  const int column = index % perRow, row = index / perRow, room = width() - 1;
+  int left = column * room / perRow, right = (column + 1) * room / perRow;
+  if (perRow == count()) {
+    // In one row each is as wide as its label needs, and what is left is shared out.
+    const int spare = width() - allLabels();
+    left = column * spare / perRow;
+    for (int before = 0; before < index; ++before) left += labelWidth(before);
+    right = left + labelWidth(index) + (column + 1) * spare / perRow - column * spare / perRow;
+  }
   return {left, row * kRowHeight + 1, right - left, kRowHeight - 3};
 }
 

@@ -41,7 +41,8 @@ class SegmentedButtons : public QWidget {
  private:
   void choose(int index);
   int indexAt(QPoint position) const;
-  int widestLabel() const;
+  int labelWidth(int index) const;
+  int allLabels() const; ///< in one row
   int columns(int width) const;
 
   QStringList labels_, explanations_;

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QRegion>
 
 #include <algorithm>
 
@@ -14,17 +15,19 @@ namespace taa::app {
 
 namespace {
 constexpr int kBar = 3;
+constexpr int kGap = 8;     ///< around the words
 constexpr int kDelay = 300; ///< ms until work counts as long
 } // namespace
 
-WorkBar::WorkBar(QWidget* over) : QWidget(over), label_(new QLabel) {
+WorkBar::WorkBar(QWidget* over, int top) : QWidget(over), top_(top), label_(new QLabel) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * kUnit, kBar, kUnit, 0);
+  layout->setContentsMargins(2 * kUnit, kBar + kGap, kGap + 2, 0);
+  layout->addStretch(1);
   layout->setSpacing(2 * kUnit);
   label_->setFont(secondaryFont());
   auto* stop = new IconButton(QStringLiteral("stop"), tr("Stop"));
   stop->setObjectName(QStringLiteral("stop"));
-  layout->addWidget(label_, 1);
+  layout->addWidget(label_);
   layout->addWidget(stop);
   connect(stop, &IconButton::clicked, this, &WorkBar::stopRequested);
   delay_.setSingleShot(true);
@@ -47,6 +50,7 @@ void WorkBar::setWork(const QString& what, int done, int total) {
   fraction_ = total > 0 ? std::clamp(static_cast<double>(done) / total, 0.0, 1.0) : 0.0;
   label_->setText(total > 0 ? tr("%1: %2 of %3").arg(what).arg(done).arg(total) : what);
   if (isHidden() && !delay_.isActive()) delay_.start();
+  if (isVisible()) place();
   update();
 }
 
@@ -54,17 +58,25 @@ QString WorkBar::text() const {
   return label_->text();
 }
 
+QRect WorkBar::words() const {
+  const int wordsWidth = layout()->sizeHint().width();
+  return {width() - wordsWidth - kGap + 2 * kUnit, kBar + kGap, wordsWidth - 2 * kUnit, kRowHeight + 2};
+}
+
 void WorkBar::place() {
-  setGeometry(0, 0, parentWidget()->width(), kRowHeight + kBar + 1);
+  setGeometry(0, top_, parentWidget()->width(), kBar + kGap + kRowHeight + 2);
+  // Only the bar and the words take room from what is below.
+  setMask(QRegion(0, 0, width(), kBar) + words());
 }
 
 void WorkBar::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
-  painter.fillRect(rect(), colors.panel);
-  painter.fillRect(0, height() - 1, width(), 1, colors.line);
   painter.fillRect(QRectF(0, 0, width(), kBar), colors.line);
   painter.fillRect(QRectF(0, 0, width() * fraction_, kBar), colors.accent);
+  painter.setPen(colors.line);
+  painter.setBrush(colors.panel);
+  painter.drawRect(words().adjusted(0, 0, -1, -1));
 }
 
 bool WorkBar::eventFilter(QObject*, QEvent* event) {

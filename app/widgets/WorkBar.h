@@ -13,8 +13,8 @@ namespace taa::app {
 class WorkBar : public QWidget {
   Q_OBJECT
  public:
-  /// Lies over the upper edge of `over`.
-  explicit WorkBar(QWidget* over);
+  /// Lies over `over`, `top` px below its upper edge.
+  WorkBar(QWidget* over, int top);
 
   /// `what` empty: nothing is under way. Short work never shows.
   void setWork(const QString& what, int done, int total);
@@ -29,7 +29,9 @@ class WorkBar : public QWidget {
 
  private:
   void place();
+  QRect words() const; ///< what label and button lie on
 
+  int top_;
   QLabel* label_;
   QTimer delay_;
   double fraction_ = 0.0;
