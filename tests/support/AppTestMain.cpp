@@ -8,7 +8,8 @@ int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   std::filesystem::current_path(taa::test::rootFolder());
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
-  qputenv("QT_QPA_PLATFORM", "offscreen");
+  // QT_QPA_PLATFORM=xcb runs them on a screen, for example below xvfb-run.
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

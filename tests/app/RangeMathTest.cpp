@@ -1,0 +1,59 @@
+// Which range shows the values at hand.
+#include "app/views/RangeMath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+Image valuesOf(int channels, std::vector<float> pixels) {
+  Image image(static_cast<int>(pixels.size()) / channels, 1, channels);
+  image.pixels = std::move(pixels);
+  return image;
+}
+
+const Intermediate& kAlpha = intermediate(IntermediateId::alpha);
+const Intermediate& kColor = intermediate(IntermediateId::color);
+const Intermediate& kMotion = intermediate(IntermediateId::motion);
+
+} // namespace
+
+TEST(RangeMath, TakesTheLeastAndGreatestFiniteValue) {
+  const Image values = valuesOf(1, {0.5f, NAN, 0.25f, INFINITY, -INFINITY, 0.75f});
+  EXPECT_EQ(autoRange(values, kAlpha, {}), (ValueRange{0.25f, 0.75f}));
+}
+
+TEST(RangeMath, HasNoAnswerWithoutValues) {
+  EXPECT_FALSE(autoRange(valuesOf(1, {NAN, INFINITY}), kAlpha, {}));
+  EXPECT_FALSE(autoRange({}, kAlpha, {}));
+}
+
+TEST(RangeMath, CountsShownChannelsOnly) {
+  ViewStyle style;
+  style.green = style.blue = false;
+  EXPECT_EQ(autoRange(valuesOf(3, {1, 50, 60, 2, 70, 80}), kColor, style), (ValueRange{1, 2}));
+}
+
+TEST(RangeMath, IsSymmetricForVectorsAndSkipsWhatHasNoPrevious) {
+  EXPECT_EQ(autoRange(valuesOf(2, {-3, 1, 65504, 65504, 2, 0}), kMotion, {}), (ValueRange{-3, 3}));
+}
+
+TEST(RangeMath, IsNeverEmpty) {
+  EXPECT_EQ(autoRange(valuesOf(1, {2, 2}), kAlpha, {}), (ValueRange{2, 3}));
+}
+
+TEST(RangeMath, ColorMapsAreForSingleChannels) {
+  ViewStyle style;
+  EXPECT_TRUE(usesColorMap(kAlpha, style));
+  EXPECT_FALSE(usesColorMap(kColor, style));
+  setShown(style, 0, false);
+  setShown(style, 2, false);
+  EXPECT_TRUE(usesColorMap(kColor, style));
+  EXPECT_FALSE(hasRange(intermediate(IntermediateId::rejectReason)));
+  EXPECT_TRUE(hasExposure(kColor));
+  EXPECT_FALSE(hasExposure(kAlpha));
+}

@@ -1,0 +1,100 @@
+// What lies between the window and the render thread: mailbox, undo, command line.
+#include "app/Session.h"
+#include "app/Arguments.h"
+#include "app/Mailbox.h"
+#include "app/SettingsHistory.h"
+
+#include "core/base/Error.h"
+
+#include <QCoreApplication>
+#include <gtest/gtest.h>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+std::optional<EarlyEnd> parse(std::vector<const char*> words, Arguments& arguments) {
+  words.insert(words.begin(), "taa-inspector");
+  return parseArguments(static_cast<int>(words.size()), words.data(), arguments);
+}
+
+} // namespace
+
+TEST(Mailbox, PostsOnceForAnyNumberOfResultsAndKeepsTheNewest) {
+  int posts = 0;
+  Mailbox mailbox([&] { ++posts; });
+  const RenderListener listener = listenerOf(mailbox);
+  for (int frame = 0; frame < 5; ++frame) {
+    ViewResult result;
+    result.view = 1;
+    result.frame = frame;
+    listener.onPicture(result);
+    listener.onError("error " + std::to_string(frame));
+  }
+  EXPECT_EQ(posts, 1);
+  const Delivery delivery = mailbox.take();
+  EXPECT_FALSE(delivery.pictures[0]);
+  EXPECT_EQ(delivery.pictures[1]->frame, 4);
+  EXPECT_EQ(delivery.errors.size(), 5u) << "no error is lost";
+  listener.onWork({});
+  EXPECT_EQ(posts, 2);
+}
+
+TEST(SettingsHistory, UndoneChangesCanBeMadeAgainUntilSomethingElseChanges) {
+  SettingsHistory history;
+  Settings first, second, third;
+  second.weight.alpha = 0.2f;
+  third.weight.alpha = 0.3f;
+  history.record(first, "weight.alpha");
+  history.record(second, "weight.alpha"); // the same drag
+  EXPECT_EQ(history.undo(third).weight.alpha, first.weight.alpha);
+  EXPECT_FALSE(history.canUndo());
+  EXPECT_EQ(history.redo(first).weight.alpha, 0.3f);
+  history.record(third, "rectify.method");
+  EXPECT_FALSE(history.canRedo());
+  EXPECT_TRUE(history.canUndo());
+}
+
+TEST(Session, TellsWhyThereIsNoRendererAndStaysUsable) {
+  Session session([](const RenderListener&) -> std::unique_ptr<Renderer> { throw Error("no GL 4.5 here"); });
+  QString told;
+  QObject::connect(&session, &Session::errorOccurred, [&](const QString& sentence) { told = sentence; });
+  session.open("builtin:fan");
+  session.seek(3);
+  session.setParameter("no.such.row", 1);
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(session.isOpen());
+  EXPECT_TRUE(told.contains("no.such.row")) << told.toStdString();
+}
+
+TEST(Arguments, ReadEverythingTheWindowStartsWith) {
+  Arguments arguments;
+  ASSERT_FALSE(
+      parse({"--frame", "7", "--size", "320x180", "--pixel", "4,5", "--view", "motion", "--view", "alpha",
+             "--theme", "light", "--zoom", "8", "--preset", "minimal", "--window-size", "1280x800", "a.glb"},
+            arguments));
+  EXPECT_EQ(arguments.frame, 7);
+  EXPECT_EQ(arguments.size, glm::ivec2(320, 180));
+  EXPECT_EQ(arguments.pixel, glm::ivec2(4, 5));
+  EXPECT_EQ(arguments.views, (std::vector{IntermediateId::motion, IntermediateId::alpha}));
+  EXPECT_EQ(arguments.theme, ThemeChoice::Light);
+  EXPECT_EQ(arguments.zoom, 8.0);
+  EXPECT_EQ(arguments.source, "a.glb");
+  EXPECT_EQ(arguments.windowSize, glm::ivec2(1280, 800));
+}
+
+TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
+  Arguments arguments;
+  for (const std::vector<const char*>& words : {std::vector<const char*>{"--size", "12"},
+                                                {"--size", "0x4"},
+                                                {"--pixel", "4;5"},
+                                                {"--frame", "-1"},
+                                                {"--view", "nothing"},
+                                                {"--theme", "pink"}})
+    EXPECT_EQ(parse(words, arguments).value_or(EarlyEnd{}).code, 2) << words[1];
+  const auto help = parse({"--help"}, arguments);
+  ASSERT_TRUE(help);
+  EXPECT_EQ(help->code, 0);
+  EXPECT_NE(help->text.find("--screenshot"), std::string::npos);
+}
