@@ -130,7 +130,13 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
   keepShown();
 }
 
-Inspector::Inspector() : parts_(std::make_unique<Parts>()) {}
+Inspector::Inspector() : parts_(std::make_unique<Parts>()) {
+  // Without a GPU 720p plays at half the rate of this.
+  if (driver().isSoftware) {
+    parts_->subject.width = 960;
+    parts_->subject.height = 540;
+  }
+}
 Inspector::~Inspector() = default;
 
 const gl::Driver& Inspector::driver() const {

@@ -38,7 +38,6 @@ class Inspector {
   const gl::Driver& driver() const;
 
   // What is looked at; all but settings, lanes and size expect that something is open
-  // -------------------------------------------------------------------------------------------------
   /// A glTF file or "builtin:NAME". Goes to frame 0 with the scene's own camera.
   void open(const std::string& source, const Progress& progress = {});
   const std::string& source() const; ///< empty: nothing is open yet
@@ -48,14 +47,14 @@ class Inspector {
   /// Stays at the frame, which is drawn anew without history: isExact() is false until refine() or a seek,
   /// unless no frame before it counts. Throws Error naming the paths there are.
   void setCamera(const std::string& name);
-  /// As setCamera. Throws Error when the size is out of the driver's limits or memory (4 to maxTextureSize a
-  /// side).
+  /// At first 1280 × 720, or 960 × 540 where the driver rasterizes in software.
+  /// As setCamera. Throws Error when the size is out of the driver's limits (4 to maxTextureSize a side) or
+  /// memory.
   void setSize(int width, int height);
   int width() const;
   int height() const;
 
   // Lanes: one to four (settings, history) pairs on the same inputs
-  // -----------------------------------------------------
   void setLanes(const std::vector<Settings>& lanes);
   int laneCount() const;
   const Settings& settings(int lane = 0) const;
@@ -64,7 +63,6 @@ class Inspector {
   void setSettings(const Settings& settings, int lane = 0);
 
   // Time
-  // --------------------------------------------------------------------------------------------------------------
   int frameCount() const;
   int frame() const;
   FrameInfo info(int lane = 0) const; ///< jitter is the lane's
@@ -83,7 +81,6 @@ class Inspector {
   void setCheckpointBudget(std::size_t bytes);
 
   // Looking: changes nothing that is looked at
-  // -------------------------------------------------------------------------
   /// Intermediates that each new frame exposes in its own resolve. Others are exposed on demand by running it
   /// again.
   void watch(const std::vector<IntermediateId>& ids);
