@@ -48,8 +48,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->check(CLI::Range(kLeastZoom, kGreatestZoom));
   app.add_option("--view", texts.views, "Show this intermediate; given twice, the second is view B")
       ->type_name("ID")
-      ->expected(1, 2)
-      ->take_all();
+      ->allow_extra_args(false); // else it would take the source, too
   app.add_option("--size", texts.size, "Render size")->type_name("WxH");
   app.add_option("--preset", arguments.preset, "Settings to start with: a preset or a .json file")
       ->type_name("NAME");
@@ -68,6 +67,7 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (texts.zoom > 0) arguments.zoom = texts.zoom;
   ThemeChoice theme{};
   if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;
+  if (texts.views.size() > 2) throw taa::Error("--view: there are two views, A and B");
   for (const std::string& name : texts.views) arguments.views.push_back(intermediateNamed(name));
 }
 

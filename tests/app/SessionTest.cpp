@@ -84,6 +84,13 @@ TEST(Arguments, ReadEverythingTheWindowStartsWith) {
   EXPECT_EQ(arguments.windowSize, glm::ivec2(1280, 800));
 }
 
+TEST(Arguments, TakeTheSourceBehindAnyOption) {
+  Arguments arguments;
+  ASSERT_FALSE(parse({"--view", "motion", "builtin:fence"}, arguments));
+  EXPECT_EQ(arguments.views, std::vector{IntermediateId::motion});
+  EXPECT_EQ(arguments.source, "builtin:fence");
+}
+
 TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
   Arguments arguments;
   for (const std::vector<const char*>& words : {std::vector<const char*>{"--size", "12"},
@@ -91,6 +98,7 @@ TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
                                                 {"--pixel", "4;5"},
                                                 {"--frame", "-1"},
                                                 {"--view", "nothing"},
+                                                {"--view", "color", "--view", "color", "--view", "color"},
                                                 {"--theme", "pink"}})
     EXPECT_EQ(parse(words, arguments).value_or(EarlyEnd{}).code, 2) << words[1];
   const auto help = parse({"--help"}, arguments);
