@@ -67,7 +67,6 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
   case Id::depthView:
   case Id::dilatedDepth:
   case Id::depthExpected:
-    return x == 0 ? tr("sky") : QString();
   case Id::objectId:
     return x == 0 ? tr("sky") : QString();
   case Id::dilatedOffset:

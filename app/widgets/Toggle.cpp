@@ -27,7 +27,7 @@ void Toggle::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF track(0.5, (height() - 14) / 2 + 0.5, 28, 13);
+  const QRectF track(0.5, (height() - 13) / 2.0, 28, 13);
   const bool on = isChecked();
   painter.setPen(hasFocus() ? colors.text : on && !dimmed_ ? colors.accent : colors.secondary);
   painter.setBrush(on ? (dimmed_ ? colors.line : colors.accent) : underMouse() ? colors.hover : colors.field);

@@ -1,0 +1,82 @@
+// No text is cut off and nothing overlaps at the sizes the window is made for.
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/widgets/ChoiceButton.h"
+#include "app/widgets/ParameterLabel.h"
+#include "app/widgets/SegmentedButtons.h"
+#include "app/widgets/WorkBar.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QLabel>
+#include <QSplitterHandle>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+std::string nameOf(const QWidget* widget) {
+  const auto* label = qobject_cast<const QLabel*>(widget);
+  return std::string(widget->metaObject()->className()) + " " + widget->objectName().toStdString() +
+         (label ? " \"" + label->text().toStdString() + "\"" : "");
+}
+
+/// The width a widget needs for its text; 0: any will do.
+int neededWidth(const QWidget* widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(widget))
+    return label->wordWrap() ? 0 : label->fontMetrics().horizontalAdvance(label->text());
+  if (qobject_cast<const ChoiceButton*>(widget) || qobject_cast<const ParameterLabel*>(widget))
+    return widget->sizeHint().width();
+  return 0;
+}
+
+void expectNothingIsCut(const QWidget& window) {
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible()) continue;
+    EXPECT_GE(widget->width(), neededWidth(widget)) << nameOf(widget);
+    if (const auto* label = qobject_cast<const QLabel*>(widget); label && label->wordWrap()) {
+      EXPECT_GE(label->height(), label->heightForWidth(label->width())) << nameOf(widget);
+    }
+    if (const auto* buttons = qobject_cast<const SegmentedButtons*>(widget)) {
+      EXPECT_GE(buttons->height(), buttons->heightForWidth(buttons->width())) << nameOf(widget);
+    }
+    if (widget->parentWidget() == &window || !widget->parentWidget()->inherits("taa::app::ParameterRow"))
+      continue;
+    EXPECT_LE(widget->geometry().right(), widget->parentWidget()->width()) << nameOf(widget);
+  }
+}
+
+void expectNoOverlap(const QWidget& window) {
+  for (const QWidget* parent : window.findChildren<QWidget*>()) {
+    if (!parent->isVisible()) continue;
+    const auto children = parent->findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    for (const QWidget* a : children)
+      for (const QWidget* b : children) {
+        const auto counts = [](const QWidget* widget) {
+          return widget->isVisible() && !widget->isWindow() && !qobject_cast<const WorkBar*>(widget) &&
+                 !qobject_cast<const QSplitterHandle*>(widget);
+        };
+        if (a >= b || !counts(a) || !counts(b)) continue;
+        EXPECT_FALSE(a->geometry().intersects(b->geometry()))
+            << nameOf(a) << " and " << nameOf(b) << " in " << nameOf(parent);
+      }
+  }
+}
+
+class Layout : public test::FakeWindow, public testing::WithParamInterface<std::pair<int, int>> {};
+
+} // namespace
+
+TEST_P(Layout, CutsNoTextAndOverlapsNothing) {
+  window.resize(GetParam().first, GetParam().second);
+  window.pipeline()->setAllExpanded(true);
+  session.setPick(glm::ivec2(12, 7));
+  settle();
+  settle();
+  expectNothingIsCut(window);
+  expectNoOverlap(window);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
+                         testing::Values(std::pair(1280, 800), std::pair(1920, 1080), std::pair(1600, 900)),
+                         [](const auto& size) { return std::to_string(size.param.first); });
