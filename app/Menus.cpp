@@ -7,7 +7,7 @@
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-
+#include "app/widgets/ReferenceDialog.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Presets.h"
 
@@ -252,6 +252,10 @@ void Menus::makeHelp() {
   add(menu, tr("&Keys"), keys({"?"}), [this] {
     window_.showKeys();
   })->setIcon(themedIcon(QStringLiteral("keyboard")));
+  add(menu, tr("&Reference of parameters and intermediates"), keys({"F1"}), [this] {
+    auto* dialog = new ReferenceDialog(&window_);
+    dialog->open();
+  });
   add(menu, tr("&About TAA Inspector"), {}, [this] {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, tr("About TAA Inspector"),

@@ -11,12 +11,15 @@
 #include "app/widgets/Chooser.h"
 #include "app/widgets/KeysDialog.h"
 #include "app/widgets/Prompt.h"
+#include "app/widgets/ReferenceDialog.h"
+#include "core/settings/Parameters.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QTextBrowser>
 #include <QUrl>
 #include <QWheelEvent>
 
@@ -227,6 +230,22 @@ TEST_F(Window, KeysAreListedAndCommandsAreFound) {
   QTest::keyClicks(field, "reload");
   QTest::keyClick(field, Qt::Key_Return);
   EXPECT_EQ(renderer->reloads, 1);
+}
+
+TEST_F(Window, TheReferencePageHoldsBothTablesAndFindsWords) {
+  key(Qt::Key_F1);
+  auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  auto* page = dialog->findChild<QTextBrowser*>();
+  const QString text = page->toPlainText();
+  for (const Parameter& row : parameters())
+    EXPECT_TRUE(text.contains(QString::fromUtf8(row.path.data(), static_cast<int>(row.path.size()))))
+        << row.path;
+  for (const Intermediate& row : kIntermediates)
+    EXPECT_TRUE(text.contains(QString::fromUtf8(row.name.data(), static_cast<int>(row.name.size()))))
+        << row.name;
+  QTest::keyClicks(dialog->findChild<QLineEdit*>(), "clipToFiltered");
+  EXPECT_EQ(page->textCursor().selectedText(), "clipToFiltered");
 }
 
 TEST_F(Window, F5ReloadsShadersAndTypingDoesNotTriggerKeys) {
