@@ -22,7 +22,7 @@ struct Row {
 };
 
 constexpr std::array<Row, 7> kRows{{
-    {"firstPicture", "Start of a fresh process to its first picture, shaders not cached", "s", 3.0, 2},
+    {"firstPicture", "From the start of the program to its whole window, no shader cached", "s", 3.0, 2},
     {"scene", "Drawing the scene of a frame", "ms", 0.0, 1},
     {"resolve", "Resolving a frame, nothing watched", "ms", 0.0, 1},
     {"watchOne", "The same while one intermediate is watched", "×", 1.15, 2},
@@ -61,7 +61,7 @@ std::string today() {
 
 std::string figuresTable(const Figures& figures, const std::string& driver) {
   std::ostringstream text;
-  text << "| builtin:fan, 1280×720, preset balanced | measured | wanted |\n|---|---|---|\n";
+  text << "| builtin:fan at 1280×720, preset balanced | measured | wanted |\n|---|---|---|\n";
   for (const Row& row : kRows) {
     const auto figure = figures.find(std::string(row.id));
     if (figure == figures.end()) continue;

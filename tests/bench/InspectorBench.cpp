@@ -106,10 +106,11 @@ void stepBack(benchmark::State& state) {
   state.counters["stepBack"] = median(ratios);
 }
 
-/// The window's first picture where there is a window, else the batch tool's.
+/// The window with all that it shows at the start; the batch tool's picture where there is no window.
 void firstPicture(benchmark::State& state) {
-  const std::string picture = (taa::test::temporaryFolder() / "first.png").string();
-  std::vector<std::string> command = {taa::test::binary("taa-inspector").string(), "--screenshot", picture};
+  const std::string folder = taa::test::temporaryFolder().string();
+  std::vector<std::string> command = {taa::test::binary("taa-inspector").string(), "--screenshot",
+                                      folder + "/window.png", "--frame", "0"};
   if (!std::filesystem::exists(command[0]))
     command = {taa::test::binary("taa-batch").string(),
                "render",
@@ -119,7 +120,7 @@ void firstPicture(benchmark::State& state) {
                "--format",
                "png",
                "--out",
-               taa::test::temporaryFolder().string()};
+               folder};
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   std::vector<double> times;
   for (auto _ : state) {
