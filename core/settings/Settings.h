@@ -69,6 +69,7 @@ struct ValidateSettings {
   Switch offScreen = Switch::On;
   Switch depth = Switch::On;
   float depthTolerance = 0.03f; ///< τ, relative to the expected view depth
+  float slopeAllowance = 2.0f;  ///< px along the depth slope of the surface that count as the same depth
 };
 
 enum class AlphaSource : std::int32_t { Constant, HistoryLength };

@@ -78,7 +78,9 @@ enum class Visual : std::uint8_t {
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
       "Depth stored with the history, the best match of the four texels around; 0: the sky.")                \
   ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                         \
-      "Relative difference of expected and stored depth; above the tolerance history is rejected.")          \
+      "Relative difference of expected and stored depth; above what is allowed history is rejected.")        \
+  ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
+      "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
   ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 4, Index, 0,                                 \
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth.")      \
   ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "Constant α, or 1/(N+1).")                \

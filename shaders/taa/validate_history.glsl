@@ -29,19 +29,42 @@ DepthMatch bestMatch(float expected, float depths[4]) {
   return best;
 }
 
+/// Change of view depth, m, to that of two opposite neighbors which is on the same surface; 0 when both are sky.
+float smallerStep(float center, float a, float b) {
+  precise float toA = abs(a - center);
+  precise float toB = abs(b - center);
+  if (a == 0.0) return b == 0.0 ? 0.0 : toB;
+  return b == 0.0 ? toA : lesser(toA, toB);
+}
+
+float viewDepthAt(ivec2 pixel) { return viewDepth(texelAt(u_depth, pixel).r); }
+
+/// Mismatch that still counts as the same surface: jitter and dilation move a sample along its slope.
+float allowedMismatch(ivec2 pixel, float expected) {
+  float center = viewDepthAt(pixel);
+  float x = smallerStep(center, viewDepthAt(pixel - ivec2(1, 0)), viewDepthAt(pixel + ivec2(1, 0)));
+  float y = smallerStep(center, viewDepthAt(pixel - ivec2(0, 1)), viewDepthAt(pixel + ivec2(0, 1)));
+  precise float slope = x + y;
+  precise float sloped = settings.validateDepthTolerance + (settings.validateSlopeAllowance * slope) / expected;
+  return expected == 0.0 || center == 0.0 ? settings.validateDepthTolerance : sloped;
+}
+
 int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
   float expected = texelAt(u_previousDepth, pixel + ivec2(dilated.offset)).r;
   DepthMatch match = DepthMatch(0.0, 0.0);
   if (hasHistory()) match = bestMatch(expected, history.depths);
 
+  float allowed = allowedMismatch(pixel, expected);
+
   int reason = kRejectReason_kept;
-  if (kValidateDepth && match.mismatch > settings.validateDepthTolerance) reason = kRejectReason_depth;
+  if (kValidateDepth && match.mismatch > allowed) reason = kRejectReason_depth;
   if (kValidateOffScreen && reprojection.onScreen == 0.0) reason = kRejectReason_offScreen;
   if (!reprojection.hasPrevious) reason = kRejectReason_noPrevious;
   if (!hasHistory()) reason = kRejectReason_noHistory;
   expose_depthExpected(expected);
   expose_historyDepth(match.depth);
   expose_depthMismatch(match.mismatch);
+  expose_depthAllowed(allowed);
   expose_rejectReason(float(reason));
   return reason;
 }

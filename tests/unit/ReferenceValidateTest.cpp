@@ -8,7 +8,7 @@
 namespace taa::reference {
 namespace {
 
-constexpr ValidateSettings kOn{Switch::On, Switch::On, 0.03f};
+constexpr ValidateSettings kOn{Switch::On, Switch::On, 0.03f, 0.0f};
 
 Inputs withHistory(float expected, float stored) {
   Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
@@ -30,7 +30,38 @@ TEST(ReferenceValidate, ComparesDepthsRelativeToWhatIsExpected) {
   EXPECT_EQ(validate(withHistory(4.0f, 5.0f)).depthMismatch, 0.25f);
   EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).reason, RejectReason::Depth);
   EXPECT_EQ(validate(withHistory(64.0f, 63.0f)).reason, RejectReason::Kept); // 1/64 < τ
-  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {Switch::On, Switch::Off, 0.03f}).reason, RejectReason::Kept);
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {Switch::On, Switch::Off, 0.03f, 0.0f}).reason,
+            RejectReason::Kept);
+}
+
+// Rows at view depths 2, 4, 6, … m, as ground that recedes; depth terms of a near plane at 1 m: z = 1/d.
+Inputs receding() {
+  Inputs inputs = withHistory(4.0f, 5.0f);
+  inputs.depthTerms = {0.0f, 1.0f, -1.0f, 0.0f};
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) inputs.depth.at(x, y)[0] = 1.0f / (2.0f * static_cast<float>(y + 1));
+  }
+  return inputs;
+}
+
+TEST(ReferenceValidate, AllowsMoreWhereTheSurfaceRecedes) {
+  ValidateSettings settings = kOn;
+  EXPECT_EQ(validate(receding(), settings).depthAllowed, 0.03f);
+  EXPECT_EQ(validate(receding(), settings).reason, RejectReason::Depth);
+  settings.slopeAllowance = 2.0f;
+  EXPECT_FLOAT_EQ(validate(receding(), settings).depthAllowed, 0.03f + 2.0f * 2.0f / 4.0f); // 1/d rounds 6 m
+  EXPECT_EQ(validate(receding(), settings).reason, RejectReason::Kept);
+}
+
+TEST(ReferenceValidate, TakesTheSlopeFromTheSideWithoutASilhouette) {
+  ValidateSettings settings = kOn;
+  settings.slopeAllowance = 2.0f;
+  Inputs inputs = receding();
+  for (int x = 0; x < 4; ++x) inputs.depth.at(x, 0)[0] = 1.0f; // something 3 m before row 1
+  EXPECT_FLOAT_EQ(validate(inputs, settings).depthAllowed, 0.03f + 2.0f * 2.0f / 4.0f);
+  for (int x = 0; x < 4; ++x)
+    inputs.depth.at(x, 0)[0] = inputs.depth.at(x, 2)[0] = 0.0f; // sky above and below
+  EXPECT_EQ(validate(inputs, settings).depthAllowed, 0.03f);
 }
 
 TEST(ReferenceValidate, TheSkyMatchesOnlyTheSky) {
@@ -60,8 +91,8 @@ TEST(ReferenceValidate, GivesTheFirstReasonThatApplies) {
   };
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoPrevious);
   EXPECT_EQ(reason(off, kOn), RejectReason::OffScreen);
-  EXPECT_EQ(reason(off, {Switch::Off, Switch::On, 0.03f}), RejectReason::Depth);
-  EXPECT_EQ(reason(off, {Switch::Off, Switch::Off, 0.03f}), RejectReason::Kept);
+  EXPECT_EQ(reason(off, {Switch::Off, Switch::On, 0.03f, 0.0f}), RejectReason::Depth);
+  EXPECT_EQ(reason(off, {Switch::Off, Switch::Off, 0.03f, 0.0f}), RejectReason::Kept);
   inputs.historyColor = {};
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoHistory);
 }

@@ -41,6 +41,7 @@ void recordValidation(PixelRecord& record, const Validated& validated) {
   set(record, IntermediateId::depthExpected, validated.depthExpected);
   set(record, IntermediateId::historyDepth, validated.historyDepth);
   set(record, IntermediateId::depthMismatch, validated.depthMismatch);
+  set(record, IntermediateId::depthAllowed, validated.depthAllowed);
   set(record, IntermediateId::rejectReason, static_cast<float>(validated.reason));
 }
 

@@ -77,6 +77,7 @@ struct Validated {
   float depthExpected = 0.0f; ///< m
   float historyDepth = 0.0f;  ///< m
   float depthMismatch = 0.0f; ///< relative to depthExpected
+  float depthAllowed = 0.0f;  ///< the largest mismatch that is kept
   RejectReason reason = RejectReason::Kept;
 };
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,

@@ -29,6 +29,29 @@ void compareDepth(const Inputs& inputs, const glm::vec2& position, Validated& re
   }
 }
 
+/// |dz| to the neighbors at ± step: the smaller one, since a silhouette is on one side only; the sky is no
+/// neighbor.
+float depthStep(const Inputs& inputs, const glm::ivec2& pixel, const glm::ivec2& step, float center) {
+  float smallest = -1.0f;
+  for (const glm::ivec2& neighbor : {pixel - step, pixel + step}) {
+    const glm::ivec2 texel = clampedToPicture(neighbor, inputs);
+    const float depth = viewDepth(inputs.depth.texel(texel.x, texel.y).x, inputs.depthTerms);
+    if (depth == 0.0f) continue;
+    const float difference = std::fabs(depth - center);
+    if (smallest < 0.0f || difference < smallest) smallest = difference;
+  }
+  return smallest < 0.0f ? 0.0f : smallest;
+}
+
+/// τ and the share of the surface's slope (catalogue 12.1: grazing surfaces need a slope term).
+float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, const glm::ivec2& pixel,
+                      float expected) {
+  const float center = viewDepth(inputs.depth.texel(pixel.x, pixel.y).x, inputs.depthTerms);
+  if (expected == 0.0f || center == 0.0f) return settings.depthTolerance;
+  const float slope = depthStep(inputs, pixel, {1, 0}, center) + depthStep(inputs, pixel, {0, 1}, center);
+  return settings.depthTolerance + (settings.slopeAllowance * slope) / expected;
+}
+
 } // namespace
 
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
@@ -37,6 +60,7 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
   Validated result;
   const glm::ivec2 chosen = pixel + dilated.offset;
   result.depthExpected = inputs.previousDepth.texel(chosen.x, chosen.y).x;
+  result.depthAllowed = allowedMismatch(inputs, settings, pixel, result.depthExpected);
   if (inputs.historyColor.empty()) {
     result.reason = RejectReason::NoHistory;
     return result;
@@ -46,7 +70,7 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
     result.reason = RejectReason::NoPrevious;
   } else if (settings.offScreen == Switch::On && !reprojected.onScreen) {
     result.reason = RejectReason::OffScreen;
-  } else if (settings.depth == Switch::On && result.depthMismatch > settings.depthTolerance) {
+  } else if (settings.depth == Switch::On && result.depthMismatch > result.depthAllowed) {
     result.reason = RejectReason::Depth;
   }
   return result;
