@@ -252,7 +252,9 @@ TEST(GltfLoader, NamesARequiredExtensionThatIsMissing) {
 
 TEST(GltfLoader, RefusesDamagedBinaryContainers) {
   const std::string good = test::joinGlb(GltfSample().json.dump(), GltfSample().buffer);
-  const auto refused = [](const std::string& bytes) { return refusal(test::writeTemporary("damaged.glb", bytes)); };
+  const auto refused = [](const std::string& bytes) {
+    return refusal(test::writeTemporary("damaged.glb", bytes));
+  };
   EXPECT_EQ(refused(good.substr(0, 10)), "header: the file ends after 10 bytes");
   EXPECT_TRUE(refused(good.substr(0, good.size() - 4)).starts_with("header: the file has "));
   std::string wrong = good;
