@@ -260,7 +260,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   const bool isKnown =
       settings_ && columns_->restoreState(settings_->value(QStringLiteral("columns")).toByteArray());
   // The probe's last column, what values mean, shows where the window has room for it.
-  if (!isKnown) columns_->setSizes({292, width(), width() >= 1500 ? 468 : 364});
+  if (!isKnown) columns_->setSizes({292, width(), width() >= 1500 ? 468 : 388});
   sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
   menuBar()->setCornerWidget(sourceLabel_);
   views_->active()->viewport()->setFocus();

@@ -135,9 +135,9 @@ void ProbePanel::fitColumns() {
   for (const Intermediate& row : kIntermediates)
     name = std::max(name, small.horizontalAdvance(qtext(row.label)));
   const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + 2 * kUnit;
-  const int unitWidth = small.horizontalAdvance(QStringLiteral("frames")) + 4 * kUnit;
+  const int unitWidth = small.horizontalAdvance(QStringLiteral("frames")) + 2 * kUnit;
   const int room = width() - table_->verticalScrollBar()->sizeHint().width() - valueWidth - unitWidth;
-  const int nameWidth = std::min(room, name + table_->indentation() + 5 * kUnit);
+  const int nameWidth = std::min(room, name + table_->indentation() + 3 * kUnit);
   table_->setColumnWidth(ProbeModel::Name, nameWidth);
   table_->setColumnWidth(ProbeModel::Value, valueWidth);
   table_->setColumnWidth(ProbeModel::Unit, unitWidth);
