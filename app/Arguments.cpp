@@ -56,6 +56,8 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--theme", texts.theme, "Look of the window: dark, light or system")
       ->type_name("NAME")
       ->check(CLI::IsMember({"dark", "light", "system"}));
+  app.add_flag("--timing", arguments.timing,
+               "Say on stderr how long after the start the first picture was there");
 }
 
 void readTexts(const Texts& texts, Arguments& arguments) {

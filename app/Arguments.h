@@ -24,6 +24,7 @@ struct Arguments {
   std::optional<ThemeChoice> theme;
   std::string camera, preset;        ///< empty: the source's own, "balanced"
   std::vector<IntermediateId> views; ///< up to two
+  bool timing = false;               ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

@@ -6,12 +6,18 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
+#include "core/base/Files.h"
+
 #include <QApplication>
 #include <QSettings>
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <memory>
+#include <sstream>
 
 namespace {
 
@@ -33,6 +39,30 @@ void printMessage(QtMsgType type, const QMessageLogContext&, const QString& mess
       message.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR")))
     return;
   if (type != QtDebugMsg && type != QtInfoMsg) std::fprintf(stderr, "%s\n", qPrintable(message));
+}
+
+/// Seconds since the system started this process, the loading of its libraries included.
+double secondsSinceStart() {
+  std::string fields = taa::readFile("/proc/self/stat");
+  fields.erase(0, fields.rfind(')') + 1); // the name may hold spaces
+  std::istringstream words(fields);
+  std::string skipped;
+  for (int field = 3; field < 22; ++field) words >> skipped;
+  double startTicks = 0.0; // after the boot
+  words >> startTicks;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
+         startTicks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+void sayWhenPictureArrives(Session& session) {
+  auto* once = new QObject(&session);
+  QObject::connect(&session, &Session::pictureArrived, once, [&session, once] {
+    std::fprintf(stderr, "first picture after %.2f s\n", secondsSinceStart());
+    session.disconnect(once);
+    once->deleteLater();
+  });
 }
 
 void begin(MainWindow& window, const Arguments& arguments) {
@@ -67,6 +97,7 @@ int run(QApplication& application, const Arguments& arguments) {
   applyTheme(application, arguments.theme.value_or(theme));
 
   Session session;
+  if (arguments.timing) sayWhenPictureArrives(session);
   MainWindow window(session, isScreenshot ? nullptr : &settings);
   window.setTheme(arguments.theme.value_or(theme));
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);

@@ -85,8 +85,7 @@ void RenderWorker::apply(const Wishes& wishes) {
     refinementStopped_ = true;
   }
   if (wishes.looping) looping_ = *wishes.looping;
-  applySource(wishes);
-  applyTime(wishes);
+  // Before the source, so that its first frame exposes what is shown and the resolve is compiled once.
   if (wishes.views) {
     views_ = *wishes.views;
     delivered_.resize(views_.size());
@@ -95,6 +94,8 @@ void RenderWorker::apply(const Wishes& wishes) {
       if (view.width > 0 && view.height > 0) ids.push_back(view.id);
     inspector_.watch(ids);
   }
+  applySource(wishes);
+  applyTime(wishes);
   if (wishes.probe) {
     probe_ = *wishes.probe;
     probeDelivered_ = 0;
