@@ -11,10 +11,26 @@ namespace taa {
 
 enum class Switch : std::int32_t { Off, On };
 
-enum class JitterSequence : std::int32_t { None, Halton };
+enum class JitterSequence : std::int32_t {
+  None,
+  Still,
+  Uniform2,
+  Uniform4,
+  Helix,
+  DoubleHelix,
+  Butterfly,
+  RotatedGrid,
+  Pentagram,
+  Halton,
+  R2,
+  Hammersley,
+  GradientNoise,
+  Msaa8,
+  WhiteNoise,
+};
 struct JitterSettings {
   JitterSequence sequence = JitterSequence::Halton;
-  std::int32_t period = 16;    ///< frames until the pattern repeats, 1 to 1024
+  std::int32_t period = 16;    ///< frames until the pattern repeats, 1 to 1024; fixed patterns have their own
   std::int32_t firstIndex = 1; ///< index of the sequence at frame 0; index 0 is the corner (−½, −½)
   float scale = 1.0f;          ///< of the offsets, 0 to 1
 };
@@ -26,62 +42,140 @@ struct InputSettings {
   MotionSource motion = MotionSource::Objects;
 };
 
-enum class DilateMethod : std::int32_t { None, Closest3x3 };
+enum class DilateMethod : std::int32_t {
+  None,
+  Closest3x3,
+  ClosestCross,
+  ClosestX,
+  ClosestX2,
+  Longest3x3,
+  LongestCross,
+  Closest3x3AsPrinted,
+};
 struct DilateSettings {
   DilateMethod method = DilateMethod::Closest3x3;
 };
 
-enum class HistoryFilter : std::int32_t { Bilinear, CatmullRom5 };
+enum class HistoryFilter : std::int32_t {
+  Point,
+  Bilinear,
+  CatmullRom5,
+  CatmullRom9,
+  CatmullRom16,
+  Cubic,
+  Mitchell,
+  Lanczos,
+  CatmullRom5AsPrinted,
+};
 struct HistorySettings {
   HistoryFilter filter = HistoryFilter::CatmullRom5;
-  Switch dering = Switch::On;            ///< clamp to the filter's own taps; Catmull-Rom only
+  Switch dering = Switch::On;            ///< clamp to the filter's own taps; cubics and Lanczos
   Precision precision = Precision::Half; ///< of the stored history
+  float sharpness = 0.5f;                ///< c of the tunable cubic, 0 to 1; 0.5 is Catmull-Rom
 };
 
-enum class CurrentFilter : std::int32_t { Center, Gaussian };
+enum class CurrentFilter : std::int32_t {
+  Center,
+  Gaussian,
+  Unjitter,
+  Tent,
+  Box,
+  Mitchell,
+  CatmullRom,
+  BlackmanHarris,
+  Lanczos,
+  DistanceAsPrinted,
+  MitchellAsPrinted,
+  BlackmanHarrisAsPrinted,
+};
 struct CurrentSettings {
   CurrentFilter filter = CurrentFilter::Gaussian;
-  float variance = 0.22f; ///< σ² of the Gaussian, px²
+  float variance = 0.22f;            ///< σ² of the Gaussian, px²
+  Switch jitterAware = Switch::On;   ///< distances from where the samples really lie
+  Switch lumaWeighted = Switch::Off; ///< samples also weighted by 1/(1 + luma)
+  Switch dering = Switch::Off;       ///< clamp to the nine samples
 };
 
-enum class ColorSpace : std::int32_t { Rgb, YCoCg };
-enum class ToneSpace : std::int32_t { Linear, ReinhardLuma };
+enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr };
+enum class ToneSpace : std::int32_t { Linear, ReinhardLuma, ReinhardChannel, MaxChannel };
 struct SpaceSettings {
   ColorSpace color = ColorSpace::YCoCg;
   ToneSpace tone = ToneSpace::ReinhardLuma;
 };
 
-enum class NeighborhoodShape : std::int32_t { Cross, Square3x3 };
+enum class NeighborhoodShape : std::int32_t { Cross, Square3x3, X, Rounded, Alternate };
+enum class MomentWeights : std::int32_t { Equal, Luma, Distance };
 enum class BoxKind : std::int32_t { MinMax, Variance, Intersection };
 struct NeighborhoodSettings {
   NeighborhoodShape shape = NeighborhoodShape::Square3x3;
   BoxKind box = BoxKind::Intersection;
   float gamma = 1.0f;                  ///< deviations from the mean to the wall of a variance box
   Switch includeFiltered = Switch::On; ///< grow the box to hold the filtered current color
+  Switch motionGamma = Switch::Off;    ///< γ shrinks with speed
+  float gammaMoving = 0.75f;           ///< γ at full speed
+  float gammaSpeed = 128.0f;           ///< px a frame that count as full speed
+  Switch contrastGamma = Switch::Off;  ///< γ grows where current and history differ in luma
+  float contrastGrowth = 1.75f;        ///< most that is added to γ
+  Switch chromaShrink = Switch::Off;   ///< chroma no wider than an eighth of the luma range
+  MomentWeights weights = MomentWeights::Equal;
 };
 
-enum class RectifyMethod : std::int32_t { None, Clamp, ClipToCenter, ClipToFiltered };
+enum class RectifyMethod : std::int32_t {
+  None,
+  Clamp,
+  ClipToCenter,
+  ClipToFiltered,
+  ShrinkAxes,
+  ClampThenClip,
+  RayToCurrent,
+};
 struct RectifySettings {
   RectifyMethod method = RectifyMethod::ClipToFiltered;
+  float mostSteps = 10.0f;          ///< T of RayToCurrent: hits farther than this along the ray do not count
+  Switch relaxAtRest = Switch::Off; ///< only a part of the correction where little moves
+  float leastStrength = 0.25f;      ///< that part at rest
+  float restSpeed = 1.0f;           ///< px a frame from which on all of it is applied
 };
 
+enum class OffScreen : std::int32_t { Keep, Reject, Margin, OneSided };
 struct ValidateSettings {
-  Switch offScreen = Switch::On;
+  OffScreen offScreen = OffScreen::Reject;
   Switch depth = Switch::On;
   float depthTolerance = 0.03f; ///< τ, relative to the expected view depth
   float slopeAllowance = 2.0f;  ///< px along the depth slope of the surface that count as the same depth
+  Switch speed = Switch::Off;   ///< reject what moves faster than the limit
+  float speedLimit = 128.0f;    ///< px a frame
 };
 
-enum class AlphaSource : std::int32_t { Constant, HistoryLength };
+enum class AlphaSource : std::int32_t {
+  Constant,
+  HistoryLength,
+  LumaDifference,
+  Contrast,
+  Depth,
+  LumaDifferenceAsPrinted,
+};
+enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted };
 struct WeightSettings {
   AlphaSource source = AlphaSource::HistoryLength;
-  float alpha = 0.1f;   ///< weight of the current frame when constant
-  float minimum = 0.1f; ///< floor of 1/(N+1)
+  float alpha = 0.1f;               ///< weight of the current frame when constant
+  float minimum = 0.1f;             ///< floor of 1/(N+1)
+  float most = 0.12f;               ///< weight of the current frame where its luma differs most from history
+  float least = 0.03f;              ///< and where it is the same
+  Switch lumaFlicker = Switch::Off; ///< less where luma differs
+  Switch nearClamp = Switch::Off;   ///< less where history is near a wall of the box
+  Switch historyContrast = Switch::Off; ///< less where the box is large against history
+  MotionAlpha motion = MotionAlpha::None;
+  float motionSpeed = 64.0f; ///< px a frame from which on only the current frame counts
 };
 
-enum class ToneWeight : std::int32_t { None, Luma };
+enum class ToneWeight : std::int32_t { None, Luma, ReinhardChannel, MaxChannel, LumaAsPrinted };
+enum class Restart : std::int32_t { Filtered, Blurred };
+enum class LengthRule : std::int32_t { Variance, Count, VarianceAsPrinted };
 struct BlendSettings {
   ToneWeight tone = ToneWeight::Luma;
+  Restart restart = Restart::Filtered;
+  LengthRule length = LengthRule::Variance;
 };
 
 /// One lane's choices. Defaults are the preset "balanced".

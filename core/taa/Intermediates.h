@@ -51,6 +51,7 @@ enum class Visual : std::uint8_t {
       "Where this pixel was in the previous frame: pixel center minus dilated motion.")                      \
   ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask, 0,                                                \
       "1 where the history position lies inside the picture.")                                               \
+  ROW(speed, "Speed", Reproject, 1, "px", 0, 16, Scalar, 1e-3, "Length of the dilated motion.")              \
   ROW(historyRaw, "History", SampleHistory, 3, "", 0, 1, Color, 1e-3,                                        \
       "The accumulated color at the history position.")                                                      \
   ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
@@ -65,6 +66,8 @@ enum class Visual : std::uint8_t {
       "Smallest of each channel, box space.")                                                                \
   ROW(neighborhoodMax, "Maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                      \
       "Largest of each channel, box space.")                                                                 \
+  ROW(boxGamma, "γ used", Neighborhood, 1, "σ", 0, 4, Scalar, 1e-3,                                          \
+      "Deviations from the mean to the wall of the box, after motion and contrast.")                         \
   ROW(boxMin, "Box minimum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
       "Lower corner of the box history must lie in.")                                                        \
   ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
@@ -73,6 +76,8 @@ enum class Visual : std::uint8_t {
       "History after it was pulled into the box.")                                                           \
   ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                  \
       "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
+  ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                        \
+      "Part of the correction that is applied.")                                                             \
   ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
       "View depth this surface had in the previous frame.")                                                  \
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
@@ -81,14 +86,23 @@ enum class Visual : std::uint8_t {
       "Relative difference of expected and stored depth; above what is allowed history is rejected.")        \
   ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
       "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
-  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 4, Index, 0,                                 \
-      "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth.")      \
-  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "Constant α, or 1/(N+1).")                \
+  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 5, Index, 0,                                 \
+      "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
+      "too fast.")                                                                                           \
+  ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "α of the chosen source.")                \
   ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
+  ROW(alphaLumaFlicker, "α calm luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
+      "Factor on α where luma differs from history; 1 when off.")                                            \
+  ROW(alphaNearClamp, "α calm near clamp", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                           \
+      "Factor on α by the distance of history to the box's walls; 1 when off.")                              \
+  ROW(alphaHistoryContrast, "α calm contrast", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                       \
+      "Factor on α by the size of the box; 1 when off.")                                                     \
+  ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 0,                                        \
       "1 where history was rejected, else 0.")                                                               \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
-      "Weight of the current frame: the largest of base, floor and invalid.")                                \
+      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, 1 "   \
+      "where invalid.")                                                                                      \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \

@@ -41,7 +41,7 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   block.currentWeights0 = glm::vec4(w[0], w[1], w[2], 0.0f);
   block.currentWeights1 = glm::vec4(w[3], w[4], w[5], 0.0f);
   block.currentWeights2 = glm::vec4(w[6], w[7], w[8], 0.0f);
-  block.state = glm::ivec4(hasHistory ? 1 : 0, region.x, region.y, 0);
+  block.state = glm::ivec4(hasHistory ? 1 : 0, region.x, region.y, inputs.info.frame);
   return block;
 }
 

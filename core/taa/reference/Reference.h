@@ -24,6 +24,7 @@ struct Inputs {
   Image previousDepth;  ///< 1
   Image historyColor;   ///< 4; empty: no history
   Image historySurface; ///< 2: N, view depth
+  int frame = 0;        ///< its number
   glm::vec2 jitterPx{0.0f};
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
   int width() const { return color.width; }

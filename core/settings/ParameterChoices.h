@@ -1,0 +1,178 @@
+// The choices of the parameter table, in the order of their enumerators: what each is and where it comes
+// from. "As printed" is said of a defect of a well-known source, kept beside the corrected form.
+#pragma once
+
+#include "core/settings/Parameters.h"
+
+namespace taa {
+
+inline constexpr Choice kJitterSequences[] = {
+    {"none", "None", "No jitter: the picture stays aliased (catalogue J0)."},
+    {"still", "Still", "Always (½, ½): a shift, no pattern (catalogue J0, Playdead)."},
+    {"uniform2", "Uniform 2", "Two points on the diagonal (catalogue J1)."},
+    {"uniform4", "Uniform 4", "The centers of four quarters, in raster order (catalogue J2)."},
+    {"helix", "Helix 4", "The same four, each step across the center (catalogue J3)."},
+    {"doubleHelix", "Double helix 8", "The same four in an order of eight (catalogue J4)."},
+    {"butterfly", "Skew butterfly", "Two far points and two near ones (catalogue J5)."},
+    {"rotatedGrid", "Rotated grid", "RGSS: four points, each alone in its row and column (catalogue J6)."},
+    {"pentagram", "Pentagram", "Five points of a star, each step across it (catalogue J8)."},
+    {"halton", "Halton", "Halton(2, 3): low discrepancy, the usual choice (catalogue J9)."},
+    {"r2", "R2", "Roberts' plastic number sequence: evenly spread at any length (catalogue J11)."},
+    {"hammersley", "Hammersley", "Exact in x, radical inverse in y; wants its period known (catalogue J12)."},
+    {"gradientNoise", "Gradient noise",
+     "Interleaved gradient noise along time: x and y hang together, so it covers badly (catalogue J13)."},
+    {"msaa8", "MSAA 8", "The standard pattern of 8×MSAA; its mean is exactly 0 (catalogue J14)."},
+    {"whiteNoise", "White noise",
+     "Hashed random points: what the others are measured against (catalogue J16)."},
+};
+inline constexpr Choice kPrecisions[] = {
+    {"half", "16-bit", "Half floats, as engines store it."},
+    {"full", "32-bit", "Full floats, for reference runs."},
+};
+inline constexpr Choice kMotionSources[] = {
+    {"objects", "Objects", "Each object's own motion, the camera's included (catalogue 3.2, 3.3)."},
+    {"cameraFromDepth", "Camera from depth", "Camera motion only, reprojected from depth (catalogue 3.1)."},
+};
+inline constexpr Choice kDilateMethods[] = {
+    {"none", "None", "The pixel's own motion (catalogue 4.0)."},
+    {"closest3x3", "Closest 3×3", "Motion of the nearest surface among nine (catalogue 4.1)."},
+    {"closestCross", "Closest +", "Of the pixel and its four neighbors (catalogue 4.2)."},
+    {"closestX", "Closest ×", "Of the pixel and its four diagonal neighbors (catalogue 4.3)."},
+    {"closestX2", "Closest × at 2 px", "Wider; misses what is one pixel thin (catalogue 4.4, Karis 2014)."},
+    {"longest3x3", "Longest 3×3",
+     "The fastest of nine; needs no depth, and fast backgrounds bleed (catalogue 4.5)."},
+    {"longestCross", "Longest +", "The fastest of five (catalogue 4.6)."},
+    {"closest3x3AsPrinted", "Closest 3×3, as printed",
+     "As printed in Raptor's chapter 11: where all nine are sky the motion of pixel (0, 0) is taken, because "
+     "the search starts from there and finds nothing nearer (catalogue §26, D4)."},
+};
+inline constexpr Choice kHistoryFilters[] = {
+    {"point", "Point", "The nearest texel: no blur, but half a pixel of error (catalogue 6.0)."},
+    {"bilinear", "Bilinear", "One tap; blurs a little in every moving frame (catalogue 6.1)."},
+    {"catmullRom5", "Catmull-Rom 5", "Five taps, normalized; stays sharp (catalogue 6.4, Jimenez 2016)."},
+    {"catmullRom9", "Catmull-Rom 9", "Nine bilinear taps: the same as sixteen (catalogue 6.3)."},
+    {"catmullRom16", "Catmull-Rom 16", "All sixteen texels; reproduces parabolas (catalogue 6.2)."},
+    {"cubic", "Cubic", "Sixteen texels with a sharpness to choose (catalogue 6.5)."},
+    {"mitchell", "Mitchell",
+     "B = C = ⅓: a little blur, little ringing (catalogue 6.6, Mitchell and Netravali 1988)."},
+    {"lanczos", "Lanczos 2", "The polynomial form of FSR2 and Filament (catalogue 6.7)."},
+    {"catmullRom5AsPrinted", "Catmull-Rom 5, as printed",
+     "As in Bevy: not divided by the sum of its weights, so that moving pictures darken (catalogue 6.4b, "
+     "D15)."},
+};
+inline constexpr Choice kCurrentFilters[] = {
+    {"center", "Center", "The pixel's own sample (catalogue 7.0)."},
+    {"gaussian", "Gaussian",
+     "Samples weighted by their distance to the pixel's center, jitter included (catalogue 7.4)."},
+    {"unjitter", "Unjitter tap",
+     "One bilinear tap where the pixel's center landed (catalogue 7.1, Playdead)."},
+    {"tent", "4-2-1", "Weights 4, 2 and 1 of sixteen, whatever the jitter (catalogue 7.2)."},
+    {"box", "Box", "All nine alike: blurs (catalogue 7.3)."},
+    {"mitchell", "Mitchell", "Cubic of the distance, B = C = ⅓ (catalogue 7.5)."},
+    {"catmullRom", "Catmull-Rom", "Cubic of the distance, sharper (catalogue 7.5)."},
+    {"blackmanHarris", "Blackman-Harris", "The window itself over 3 px (catalogue 7.5)."},
+    {"lanczos", "Lanczos 2", "Separable, jitter included, as in Filament (catalogue 7.6)."},
+    {"distanceAsPrinted", "None, as printed",
+     "As printed in Raptor's chapter 11: the weight is the distance, so the pixel itself counts nothing and "
+     "its ring is averaged (catalogue §26, D2)."},
+    {"mitchellAsPrinted", "Mitchell, as printed",
+     "As printed in Raptor's chapter 11: of twice the distance and without jitter, so all neighbors weigh 0 "
+     "or less than nothing and the filter does nothing (catalogue §26, D3)."},
+    {"blackmanHarrisAsPrinted", "Blackman-Harris, as printed",
+     "As printed in Raptor's chapter 11: of twice the distance, which makes it a box of five "
+     "(catalogue §26, D3)."},
+};
+inline constexpr Choice kColorSpaces[] = {
+    {"rgb", "RGB", "Box in red, green, blue (catalogue 9.1)."},
+    {"yCoCg", "YCoCg", "Box in luma and chroma, tighter around the colors (catalogue 9.2)."},
+    {"yCoCgLifting", "YCoCg lifting",
+     "The same axes by lifting steps, chroma twice as large (catalogue 9.3)."},
+    {"yCbCr", "YCbCr", "Rec. 709 luma and two differences (catalogue 9.4)."},
+};
+inline constexpr Choice kToneSpaces[] = {
+    {"linear", "Linear", "Box of scene-linear colors; a highlight opens it wide."},
+    {"reinhardLuma", "Reinhard luma",
+     "Box of colors divided by 1 + luma; highlights stay bounded (catalogue 15.2)."},
+    {"reinhardChannel", "Reinhard", "Each channel by itself: bounded, and hues shift (catalogue 15.3)."},
+    {"maxChannel", "Largest channel",
+     "Colors divided by 1 + their largest channel (catalogue 15.4, Filament)."},
+};
+inline constexpr Choice kNeighborhoodShapes[] = {
+    {"cross", "Cross", "Five samples: tighter box, more flicker (catalogue 8.1)."},
+    {"square3x3", "3×3", "Nine samples (catalogue 8.2)."},
+    {"x", "×", "The pixel and its diagonals (catalogue 8.3)."},
+    {"rounded", "Rounded", "The middle between the bounds of nine and of five (catalogue 8.4, Playdead)."},
+    {"alternate", "Alternating", "+ in even frames, × in odd ones (catalogue 8.6, Intel)."},
+};
+inline constexpr Choice kMomentWeights[] = {
+    {"equal", "Equal", "Every sample counts alike."},
+    {"luma", "Luma", "Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7, Godot)."},
+    {"distance", "Distance", "exp(−¾ r²): near samples count more (catalogue 10.7, DiligentFX)."},
+};
+inline constexpr Choice kBoxKinds[] = {
+    {"minMax", "Min-max", "From the smallest to the largest sample (catalogue 10.1)."},
+    {"variance", "Variance", "Mean ± γ deviations (catalogue 10.2, Salvi 2016)."},
+    {"intersection", "Both", "Variance box inside the min-max box (catalogue 10.3)."},
+};
+inline constexpr Choice kRectifyMethods[] = {
+    {"none", "None", "History is taken as it is: everything ghosts (catalogue 11.0)."},
+    {"clamp", "Clamp", "Nearest point of the box (catalogue 11.1)."},
+    {"clipToCenter", "To center", "Clip towards the middle of the box (catalogue 11.2, Playdead)."},
+    {"clipToFiltered", "To filtered",
+     "Clip towards the filtered current color (catalogue 11.3, Karis 2014)."},
+    {"shrinkAxes", "Shrink axes", "Towards the mean, one axis after the other (catalogue 11.5, Godot)."},
+    {"clampThenClip", "Clamp, then clip",
+     "Clamp to the min-max box, then clip to the center of this one (catalogue 10.5, Raptor)."},
+    {"rayToCurrent", "Ray to current",
+     "Along the ray to the current color, unless the box is hit too late (catalogue 11.4, DiligentFX)."},
+};
+inline constexpr Choice kOffScreens[] = {
+    {"keep", "Keep", "Border pixels streak into the picture (catalogue 5.0)."},
+    {"reject", "Reject", "Outside the picture there is no history (catalogue 5.1)."},
+    {"margin", "With margin", "Half a pixel earlier, so that no filter reads beyond (catalogue 5.3, HDRP)."},
+    {"oneSided", "One-sided, as printed",
+     "As in the first listing of source 002: only the left edge is tested, the others streak "
+     "(catalogue 5.7, D9)."},
+};
+inline constexpr Choice kAlphaSources[] = {
+    {"constant", "Constant", "The same α everywhere (catalogue 13.1)."},
+    {"historyLength", "History length",
+     "1/(N+1): the exact mean until the floor is reached (catalogue 13.3)."},
+    {"lumaDifference", "Luma difference",
+     "More of the current frame where its luma differs from history: against ghosts (catalogue 13.10, "
+     "Lottes)."},
+    {"contrast", "Contrast", "Less of it where the box is large against the pixel's luma (catalogue 13.14)."},
+    {"depth", "Depth", "More history far away; none for the sky (catalogue 13.8)."},
+    {"lumaDifferenceAsPrinted", "Luma difference, as printed",
+     "As printed in Raptor's chapter 11: the weights are swapped, so that equal luma takes only the current "
+     "frame and nothing is averaged (catalogue 13.12, D1)."},
+};
+inline constexpr Choice kMotionAlphas[] = {
+    {"none", "None", "Motion does not matter."},
+    {"linear", "Linear", "‖v‖/v₀ (catalogue 13.5, 13.6)."},
+    {"squared", "Squared", "(‖v‖/v₀)² with pixels (catalogue 13.4)."},
+    {"squaredAsPrinted", "Squared, as printed",
+     "As printed in source 000: the square of a length in fractions of the picture, which stays near 0 "
+     "(catalogue 13.4, D11)."},
+};
+inline constexpr Choice kToneWeights[] = {
+    {"none", "None", "Plain blend: a firefly counts as much as it shines (catalogue 15.0)."},
+    {"luma", "Luma", "Colors weighted by 1/(1 + luma) (catalogue 15.1, Karis 2014)."},
+    {"reinhardChannel", "Reinhard", "Mixed after c/(1 + c), each channel by itself (catalogue 15.3)."},
+    {"maxChannel", "Largest channel", "Mixed after c/(1 + largest channel) (catalogue 15.4, Filament)."},
+    {"lumaAsPrinted", "Luma, as printed",
+     "As printed in Raptor's chapter 11: the luma of the compressed color, so that weights only span 1 to ½ "
+     "and fireflies stay (catalogue §26, D19)."},
+};
+inline constexpr Choice kRestarts[] = {
+    {"filtered", "Filtered", "Pixels without history show the filtered current color (catalogue 5.2)."},
+    {"blurred", "Blurred", "They show the mean of the pixel and its diagonals (catalogue 5.6, 7.8, Intel)."},
+};
+inline constexpr Choice kLengthRules[] = {
+    {"variance", "Variance", "The inverse of the variance that is left (catalogue §16, eq. 2.4 corrected)."},
+    {"count", "Count", "N + 1, as if every frame counted alike (catalogue §16, eq. 2.3)."},
+    {"varianceAsPrinted", "Variance, as printed",
+     "As printed in source 004: without the inverse, so that N falls to 0.618 (catalogue §26, D12)."},
+};
+
+} // namespace taa
