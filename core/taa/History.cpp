@@ -1,7 +1,5 @@
-// What the resolve writes: the history textures, and the weights that depend on a frame's jitter.
+// What the resolve writes: the history textures.
 #include "core/taa/TaaPass.h"
-
-#include <cmath>
 
 namespace taa {
 
@@ -16,23 +14,6 @@ void fitHistory(History& history, int width, int height, Precision precision) {
   surface.clear(0.0f, 0.0f, 0.0f, 0.0f);
   history.color = std::move(color);
   history.surface = std::move(surface);
-}
-
-std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx) {
-  std::array<float, 9> weights{};
-  if (settings.filter == CurrentFilter::Center) {
-    weights[4] = 1.0f;
-    return weights;
-  }
-  // The pixel's own scene sample lies at −jitter from its center, so a neighbor's lies at offset − jitter.
-  for (int k = 0; k < 9; ++k) {
-    const int column = k % 3 - 1, row = k / 3 - 1;
-    const double dx = column - static_cast<double>(jitterPx.x);
-    const double dy = row - static_cast<double>(jitterPx.y);
-    const double twoVariances = 2.0 * static_cast<double>(settings.variance);
-    weights[k] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / twoVariances));
-  }
-  return weights;
 }
 
 } // namespace taa

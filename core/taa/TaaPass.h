@@ -75,7 +75,7 @@ class TaaPass {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Weights of the current filter over 3×3, row-major, not normalized (catalogue 7.0, 7.4).
+/// Weights of the current filter over 3×3, row-major, not normalized (catalogue §7).
 std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx);
 
 } // namespace taa

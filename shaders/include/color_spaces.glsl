@@ -19,35 +19,108 @@ vec3 sanitized(vec3 c) {
   return vec3(isSane(c.r) ? c.r : 0.0, isSane(c.g) ? c.g : 0.0, isSane(c.b) ? c.b : 0.0);
 }
 
-/// Scene-linear to box space: Reinhard by luma (15.2), then YCoCg (9.2), each if chosen.
+const bool kIsRgb = kSpaceColor == kSpaceColor_rgb;
+
+float largestChannel(vec3 c) { return greater(greater(c.r, c.g), c.b); }
+
+/// Divisor of the inverse of c/(1 + x): brightness 1 is infinitely bright.
+float inverseDivisor(float brightness) {
+  precise float difference = 1.0 - brightness;
+  return difference > 1e-5 ? difference : 1e-5;
+}
+
+/// Each channel by itself (15.3).
+vec3 reinhardChannel(vec3 c) {
+  precise vec3 result = c / (1.0 + c);
+  return result;
+}
+
+vec3 inverseReinhardChannel(vec3 c) {
+  precise vec3 result = c / vec3(inverseDivisor(c.r), inverseDivisor(c.g), inverseDivisor(c.b));
+  return result;
+}
+
+/// By the largest channel (15.4).
+vec3 compressMax(vec3 c) {
+  precise float divisor = 1.0 + largestChannel(c);
+  precise vec3 result = c / divisor;
+  return result;
+}
+
+vec3 inverseCompressMax(vec3 c) {
+  precise vec3 result = c / inverseDivisor(largestChannel(c));
+  return result;
+}
+
+/// The chosen axes (§9).
+vec3 toAxes(vec3 color) {
+  precise vec3 c = color;
+  if (kSpaceColor == kSpaceColor_yCoCg) {
+    precise float y = (0.25 * c.r + 0.5 * c.g) + 0.25 * c.b;
+    precise float co = 0.5 * c.r - 0.5 * c.b;
+    precise float cg = (-0.25 * c.r + 0.5 * c.g) - 0.25 * c.b;
+    return vec3(y, co, cg);
+  }
+  if (kSpaceColor == kSpaceColor_yCoCgLifting) {
+    precise float co = c.r - c.b;
+    precise float t = c.b + 0.5 * co;
+    precise float cg = c.g - t;
+    precise float y = t + 0.5 * cg;
+    return vec3(y, co, cg);
+  }
+  if (kSpaceColor == kSpaceColor_yCbCr) {
+    precise float y = luma(c);
+    precise float cb = (c.b - y) / 1.8556;
+    precise float cr = (c.r - y) / 1.5748;
+    return vec3(y, cb, cr);
+  }
+  return c;
+}
+
+vec3 fromAxes(vec3 axes) {
+  precise vec3 c = axes;
+  if (kSpaceColor == kSpaceColor_yCoCg) {
+    precise float r = (c.x + c.y) - c.z;
+    precise float g = c.x + c.z;
+    precise float b = (c.x - c.y) - c.z;
+    return vec3(r, g, b);
+  }
+  if (kSpaceColor == kSpaceColor_yCoCgLifting) {
+    precise float t = c.x - 0.5 * c.z;
+    precise float g = c.z + t;
+    precise float b = t - 0.5 * c.y;
+    precise float r = b + c.y;
+    return vec3(r, g, b);
+  }
+  if (kSpaceColor == kSpaceColor_yCbCr) {
+    precise float r = c.x + 1.5748 * c.z;
+    precise float b = c.x + 1.8556 * c.y;
+    precise float g = ((c.x - 0.2126 * r) - 0.0722 * b) / 0.7152;
+    return vec3(r, g, b);
+  }
+  return c;
+}
+
+/// Luma of a color in box space.
+float boxLuma(vec3 box) { return kIsRgb ? luma(box) : box.x; }
+
+/// Scene-linear to box space: compressed (§15), then in the chosen axes, each if chosen.
 vec3 toBox(vec3 color) {
   precise vec3 c = color;
   if (kSpaceTone == kSpaceTone_reinhardLuma) {
     precise float divisor = 1.0 + luma(c);
     c = c / divisor;
   }
-  if (kSpaceColor == kSpaceColor_yCoCg) {
-    precise float y = (0.25 * c.r + 0.5 * c.g) + 0.25 * c.b;
-    precise float co = 0.5 * c.r - 0.5 * c.b;
-    precise float cg = (-0.25 * c.r + 0.5 * c.g) - 0.25 * c.b;
-    c = vec3(y, co, cg);
-  }
-  return c;
+  if (kSpaceTone == kSpaceTone_reinhardChannel) c = reinhardChannel(c);
+  if (kSpaceTone == kSpaceTone_maxChannel) c = compressMax(c);
+  return toAxes(c);
 }
 
 /// The inverse of toBox. May leave the gamut, so what comes out wants to be sanitized.
 vec3 fromBox(vec3 box) {
-  precise vec3 c = box;
-  if (kSpaceColor == kSpaceColor_yCoCg) {
-    precise float r = (c.x + c.y) - c.z;
-    precise float g = c.x + c.z;
-    precise float b = (c.x - c.y) - c.z;
-    c = vec3(r, g, b);
-  }
-  if (kSpaceTone == kSpaceTone_reinhardLuma) {
-    precise float difference = 1.0 - luma(c);
-    precise float divisor = difference > 1e-5 ? difference : 1e-5; // luma 1 is infinitely bright
-    c = c / divisor;
-  }
+  precise vec3 c = fromAxes(box);
+  if (kSpaceTone == kSpaceTone_reinhardLuma) c = c / inverseDivisor(luma(c));
+  if (kSpaceTone == kSpaceTone_reinhardChannel) c = inverseReinhardChannel(c);
+  if (kSpaceTone == kSpaceTone_maxChannel) c = inverseCompressMax(c);
   return c;
 }

@@ -4,6 +4,9 @@
 float lesser(float a, float b) { return a < b ? a : b; }
 float greater(float a, float b) { return a > b ? a : b; }
 
+/// x within [0, 1]; NaN becomes 0.
+float saturated(float x) { return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0; }
+
 vec3 lesser(vec3 a, vec3 b) { return vec3(lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z)); }
 vec3 greater(vec3 a, vec3 b) { return vec3(greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z)); }
 

@@ -1,4 +1,5 @@
-// Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, history length N. Out: the
+// Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, history length N,
+// reject reason. Out: the
 // resolved color as it will be stored, and N after this frame.
 
 struct Blended {
@@ -6,18 +7,59 @@ struct Blended {
   float frames; // N
 };
 
-/// Bright colors count less (15.1, Karis 2014).
+const bool kWeighsByLuma = kBlendTone == kBlendTone_luma || kBlendTone == kBlendTone_lumaAsPrinted;
+const bool kMixesCompressed = kBlendTone == kBlendTone_reinhardChannel || kBlendTone == kBlendTone_maxChannel;
+
+/// Bright colors count less (15.1, Karis 2014); as printed by the luma of the compressed color (§26, D19).
 float toneWeight(vec3 color) {
-  precise float weight = 1.0 / (1.0 + luma(color));
-  return kBlendTone == kBlendTone_luma ? weight : 1.0;
+  precise vec3 measured = color;
+  if (kBlendTone == kBlendTone_lumaAsPrinted) measured = compressMax(color);
+  precise float weight = 1.0 / (1.0 + luma(measured));
+  return kWeighsByLuma ? weight : 1.0;
 }
 
 /// Share of the current color once both are weighted.
 float blendFactor(float alpha, float currentWeight, float historyWeight) {
   precise float current = alpha * currentWeight;
   precise float factor = current / (current + (1.0 - alpha) * historyWeight);
-  if (kBlendTone == kBlendTone_none) factor = alpha;
+  if (!kWeighsByLuma) factor = alpha;
   return alpha >= 1.0 ? 1.0 : factor;
+}
+
+vec3 compressed(vec3 color) {
+  return kBlendTone == kBlendTone_reinhardChannel ? reinhardChannel(color) : compressMax(color);
+}
+
+vec3 decompressed(vec3 color) {
+  return kBlendTone == kBlendTone_reinhardChannel ? inverseReinhardChannel(color) : inverseCompressMax(color);
+}
+
+/// history + factor · (current − history), of compressed colors where they are mixed so (15.3, 15.4).
+vec3 mixed(vec3 current, vec3 history, float factor) {
+  precise vec3 plain = history + factor * (current - history);
+  if (factor >= 1.0) return current;
+  if (!kMixesCompressed) return plain;
+  precise vec3 from = compressed(history);
+  precise vec3 to = compressed(current);
+  precise vec3 between = from + factor * (to - from);
+  return current == history ? history : decompressed(between);
+}
+
+/// Mean of the pixel and its diagonals, for pixels without history (5.6).
+vec3 blurredRestart(Samples samples) {
+  precise vec3 c = samples.color[4];
+  precise vec3 sum = (((samples.color[0] - c) + (samples.color[2] - c)) + (samples.color[6] - c)) + (samples.color[8] - c);
+  precise vec3 result = c + sum / 5.0;
+  return result;
+}
+
+/// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise.
+float framesAfter(float alpha, float framesBefore) {
+  precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / framesBefore;
+  precise float frames = 1.0 / variance;
+  if (kBlendLength == kBlendLength_count) frames = framesBefore + 1.0;
+  if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
+  return alpha >= 1.0 ? 1.0 : frames;
 }
 
 /// The nearest half float, ties to even, of a value from 0 to 65504: unpackHalf2x16(packHalf2x16(x)), which costs
@@ -36,19 +78,16 @@ vec3 asStored(vec3 color) {
   return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
 }
 
-Blended blend(vec3 current, vec3 history, float alpha, float historyFrames) {
+Blended blend(Samples samples, vec3 filteredColor, vec3 history, float alpha, float historyFrames, int rejectReason) {
+  bool isRestarted = kBlendRestart == kBlendRestart_blurred && rejectReason != kRejectReason_kept;
+  precise vec3 current = isRestarted ? blurredRestart(samples) : filteredColor;
   precise float currentWeight = toneWeight(current);
   precise float historyWeight = toneWeight(history);
   precise float factor = blendFactor(alpha, currentWeight, historyWeight);
-  precise vec3 mixed = history + factor * (current - history);
-  mixed = factor >= 1.0 ? current : mixed;
-  precise vec3 sane = vec3(isSane(mixed.r) ? mixed.r : current.r, isSane(mixed.g) ? mixed.g : current.g,
-                           isSane(mixed.b) ? mixed.b : current.b);
-  // Samples' worth of averaging: the inverse of the variance that is left (§16).
-  precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / historyFrames;
-  precise float frames = alpha >= 1.0 ? 1.0 : 1.0 / variance;
-
-  Blended result = Blended(asStored(sane), frames);
+  precise vec3 color = mixed(current, history, factor);
+  precise vec3 sane = vec3(isSane(color.r) ? color.r : current.r, isSane(color.g) ? color.g : current.g,
+                           isSane(color.b) ? color.b : current.b);
+  Blended result = Blended(asStored(sane), framesAfter(alpha, historyFrames));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);
   expose_blendFactor(factor);

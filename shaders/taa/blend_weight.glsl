@@ -1,17 +1,123 @@
-// Decides α, the weight of the current frame: the largest of its terms (catalogue §13). In: history length N at
-// the place history was read, reject reason. Out: α, 0 to 1.
+// Decides α, the weight of the current frame, from its terms (catalogue §13): a base, calming factors, a floor, motion
+// joined to it, and 1 where history is invalid. In: what the stages before found. Out: α, 0 to 1.
 
-float blendWeight(float historyFrames, int rejectReason) {
+/// What the terms look at.
+struct WeightInputs {
+  vec3 current; // scene-linear, filtered
+  vec3 history; // scene-linear, rectified
+  vec3 rawHistory;
+  Box box;
+  DilatedMotion dilated;
+  float speed;  // px
+  float frames; // N where history was read
+};
+
+const bool kUsesLumaDifference = kWeightSource == kWeightSource_lumaDifference ||
+                                 kWeightSource == kWeightSource_lumaDifferenceAsPrinted;
+
+/// 1 where current and history have the same luma, squared (13.10).
+float lumaLikeness(WeightInputs x) {
+  precise float current = luma(x.current);
+  precise float history = luma(x.history);
+  float largest = greater(greater(current, history), 0.2);
+  precise float likeness = 1.0 - abs(current - history) / largest;
+  precise float squared = likeness * likeness;
+  return squared;
+}
+
+/// Weight of the current frame by the size of the box against the pixel's luma (13.14).
+float contrastWeight(WeightInputs x) {
+  float divisor = greater(boxLuma(toBox(x.current)), 1e-5);
+  precise float contrast = abs(boxLuma(x.box.hi) - boxLuma(x.box.lo)) / divisor;
+  precise float weight = 1.0 - (0.25 + 0.6 * saturated(contrast));
+  return weight;
+}
+
+float baseWeight(WeightInputs x) {
   precise float base = settings.weightAlpha;
-  precise float least = 0.0;
-  if (kWeightSource == kWeightSource_historyLength) {
-    base = 1.0 / (historyFrames + 1.0);
-    least = settings.weightMinimum;
+  if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.frames + 1.0);
+  if (kWeightSource == kWeightSource_lumaDifference)
+    base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
+  if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // §26, D1
+  if (kWeightSource == kWeightSource_contrast) base = contrastWeight(x);
+  if (kWeightSource == kWeightSource_depth) { // 13.8
+    base = 0.025 + (settings.weightAlpha - 0.025) * sqrt(x.dilated.depth);
+    base = x.dilated.depth == 0.0 ? 1.0 : base;
   }
-  precise float invalid = rejectReason != kRejectReason_kept ? 1.0 : 0.0;
-  precise float alpha = greater(greater(base, least), invalid);
+  return base;
+}
+
+/// Least that is left of α: no more than a source gives by itself, but 1/(N+1) is raised to it.
+float leastWeight(float base) {
+  if (kWeightSource == kWeightSource_historyLength) return settings.weightMinimum;
+  return lesser(base, settings.weightMinimum);
+}
+
+/// Less where luma differs (13.11).
+float lumaFlickerFactor(WeightInputs x) {
+  precise float current = luma(x.current);
+  precise float history = luma(x.history);
+  precise float rest = 1.0 - abs(current - history) / (0.001 + greater(current, history));
+  precise float factor = rest * rest;
+  return kWeightLumaFlicker && hasHistory() ? factor : 1.0;
+}
+
+float boxWidth(Box box) {
+  precise float width = boxLuma(box.hi) - boxLuma(box.lo);
+  return width > 0.0 ? width : 0.0;
+}
+
+/// Less where history, before it is rectified, lies near a wall of the box (13.13, Karis 2014).
+float nearClampFactor(WeightInputs x) {
+  float history = boxLuma(toBox(x.rawHistory));
+  precise float toLow = abs(history - boxLuma(x.box.lo));
+  precise float toHigh = abs(history - boxLuma(x.box.hi));
+  float toWall = lesser(toLow, toHigh);
+  precise float sum = toWall + boxWidth(x.box);
+  precise float factor = sum > 0.0 ? toWall / sum : 1.0;
+  return kWeightNearClamp && hasHistory() ? factor : 1.0;
+}
+
+/// Less where the box is large against history (13.15).
+float historyContrastFactor(WeightInputs x) {
+  float history = boxLuma(toBox(x.history));
+  precise float factor = history > 0.0 ? 1.0 / (1.0 + boxWidth(x.box) / history) : 1.0;
+  return kWeightHistoryContrast && hasHistory() ? factor : 1.0;
+}
+
+/// What motion adds (13.4 to 13.6).
+float motionWeight(WeightInputs x) {
+  precise float share = saturated(x.speed / settings.weightMotionSpeed);
+  precise float squared = share * share;
+  precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
+  precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: §26, D11
+  if (kWeightMotion == kWeightMotion_linear) return share;
+  if (kWeightMotion == kWeightMotion_squared) return squared;
+  return kWeightMotion == kWeightMotion_squaredAsPrinted ? saturated(asPrinted) : 0.0;
+}
+
+float blendWeight(WeightInputs x, int rejectReason) {
+  float base = baseWeight(x);
+  float least = leastWeight(base);
+  float lumaFlicker = lumaFlickerFactor(x);
+  float nearClamp = nearClampFactor(x);
+  float historyContrast = historyContrastFactor(x);
+  float motion = motionWeight(x);
+  precise float calmed = base * lumaFlicker;
+  calmed = calmed * nearClamp;
+  calmed = calmed * historyContrast;
+  calmed = greater(calmed, least);
+  calmed = calmed < 1.0 ? calmed : 1.0;
+  precise float joined = 1.0 - (1.0 - calmed) * (1.0 - motion);
+  if (kWeightMotion == kWeightMotion_none) joined = calmed;
+  float invalid = rejectReason != kRejectReason_kept ? 1.0 : 0.0;
+  float alpha = greater(joined, invalid);
   expose_alphaBase(base);
   expose_alphaFloor(least);
+  expose_alphaLumaFlicker(lumaFlicker);
+  expose_alphaNearClamp(nearClamp);
+  expose_alphaHistoryContrast(historyContrast);
+  expose_alphaMotion(motion);
   expose_alphaInvalid(invalid);
   expose_alpha(alpha);
   return alpha;

@@ -7,16 +7,60 @@ float currentWeight(int k) {
   return (k < 3 ? resolveBlock.currentWeights0 : lastRows)[k % 3];
 }
 
+/// Filters that only weigh the nine samples.
+const bool kIsWeighted = kCurrentFilter != kCurrentFilter_center && kCurrentFilter != kCurrentFilter_unjitter;
+/// Filters with negative weights.
+const bool kMayRing = kCurrentFilter == kCurrentFilter_mitchell || kCurrentFilter == kCurrentFilter_catmullRom ||
+                      kCurrentFilter == kCurrentFilter_lanczos;
+
+/// Weight of sample k for its color: bright ones may count less (7.2).
+float sampleWeight(Samples samples, int k) {
+  precise float weight = currentWeight(k);
+  if (kCurrentLumaWeighted) weight = weight / (1.0 + luma(samples.color[k]));
+  return weight;
+}
+
+vec3 weightedSamples(Samples samples) {
+  precise float total = sampleWeight(samples, 0);
+  for (int k = 1; k < 9; ++k) total = total + sampleWeight(samples, k);
+  // Differences to the center, so that a constant stays exactly constant.
+  precise vec3 sum = sampleWeight(samples, 0) * (samples.color[0] - samples.color[4]);
+  for (int k = 1; k < 9; ++k)
+    if (k != 4) sum = sum + sampleWeight(samples, k) * (samples.color[k] - samples.color[4]);
+  precise vec3 result = samples.color[4] + sum / total;
+  return abs(total) > 1e-4 ? result : samples.color[4];
+}
+
+/// One bilinear tap at the place where the pixel's unjittered center landed (7.1).
+vec3 unjitteredTap(Samples samples) {
+  ivec2 way = ivec2(resolveBlock.jitterPx.x < 0.0 ? -1 : 1, resolveBlock.jitterPx.y < 0.0 ? -1 : 1);
+  vec2 f = abs(resolveBlock.jitterPx);
+  precise vec3 center = samples.color[4];
+  precise vec3 beside = samples.color[4 + way.x];
+  precise vec3 over = samples.color[4 + 3 * way.y];
+  precise vec3 across = samples.color[4 + way.x + 3 * way.y];
+  precise vec3 top = center + f.x * (beside - center);
+  precise vec3 bottom = over + f.x * (across - over);
+  precise vec3 result = top + f.y * (bottom - top);
+  return result;
+}
+
+vec3 boundedBySamples(vec3 color, Samples samples) {
+  vec3 lowest = samples.color[0];
+  vec3 highest = samples.color[0];
+  for (int k = 1; k < 9; ++k) {
+    lowest = lesser(lowest, samples.color[k]);
+    highest = greater(highest, samples.color[k]);
+  }
+  return bounded(color, lowest, highest);
+}
+
 vec3 filterCurrent(Samples samples) {
   precise vec3 result = samples.color[4];
-  if (kCurrentFilter == kCurrentFilter_gaussian) {
-    precise float total = currentWeight(0);
-    for (int k = 1; k < 9; ++k) total = total + currentWeight(k);
-    // Differences to the center, so that a constant stays exactly constant.
-    precise vec3 sum = currentWeight(0) * (samples.color[0] - samples.color[4]);
-    for (int k = 1; k < 9; ++k)
-      if (k != 4) sum = sum + currentWeight(k) * (samples.color[k] - samples.color[4]);
-    result = samples.color[4] + sum / total;
+  if (kCurrentFilter == kCurrentFilter_unjitter) result = unjitteredTap(samples);
+  if (kIsWeighted) {
+    result = weightedSamples(samples);
+    if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
     result = vec3(result.r >= 0.0 ? result.r : 0.0, result.g >= 0.0 ? result.g : 0.0,
                   result.b >= 0.0 ? result.b : 0.0);
   }

@@ -1,5 +1,5 @@
 // Pulls history that lies outside the box back to it (catalogue §11). In: scene-linear history and filtered
-// color, box in box space. Out: scene-linear; history inside the box comes out untouched, bit for bit.
+// color, neighborhood in box space, speed in px. Out: scene-linear; history inside the box comes out untouched, bit for bit.
 
 struct Rectified {
   vec3 color;   // box space
@@ -53,18 +53,105 @@ Rectified clipToFiltered(vec3 history, Box box, vec3 currentFiltered) {
   return Rectified(color, amount);
 }
 
-vec3 rectifyHistory(vec3 historyColor, Box box, vec3 currentFiltered) {
-  precise vec3 history = toBox(historyColor);
-  Rectified rectified = Rectified(history, 0.0);
-  if (kRectifyMethod == kRectifyMethod_clamp) rectified = clampHistory(history, box);
-  if (kRectifyMethod == kRectifyMethod_clipToCenter) rectified = clipToCenter(history, box);
-  if (kRectifyMethod == kRectifyMethod_clipToFiltered)
-    rectified = clipToFiltered(history, box, currentFiltered);
+/// |value − history| against the way to `target`.
+float shareOfWay(vec3 value, vec3 history, vec3 target) {
+  precise vec3 change = value - history;
+  precise vec3 way = target - history;
+  precise float wayLength = lengthOf(way);
+  precise float amount = wayLength == 0.0 ? 0.0 : lengthOf(change) / wayLength;
+  return amount;
+}
 
-  bool isKept = !hasHistory() || kRectifyMethod == kRectifyMethod_none || isInside(history, box.lo, box.hi) ||
-                (kRectifyMethod == kRectifyMethod_clipToCenter && rectified.amount == 0.0);
-  precise vec3 result = isKept ? historyColor : sanitized(fromBox(rectified.color));
+/// Towards the mean, scaled to fit one axis after the other (11.5).
+Rectified shrinkAxes(vec3 history, Box box, vec3 mean) {
+  precise vec3 target = bounded(mean, box.lo, box.hi);
+  precise vec3 rest = history - target;
+  for (int axis = 0; axis < 3; ++axis) {
+    precise float high = box.hi[axis] - target[axis];
+    precise float low = box.lo[axis] - target[axis];
+    if (rest[axis] > high) {
+      rest = rest * (high / rest[axis]);
+    } else if (rest[axis] < low) {
+      rest = rest * (low / rest[axis]);
+    }
+  }
+  precise vec3 color = target + rest;
+  return Rectified(color, shareOfWay(color, history, target));
+}
+
+/// The min-max box first, then towards the middle of the other (10.5). Amount 0: not moved.
+Rectified clampThenClip(vec3 history, Box box, Moments moments) {
+  precise vec3 color = bounded(history, moments.lowest, moments.highest);
+  Rectified clipped = clipToCenter(color, box);
+  bool isKept = clipped.amount == 0.0;
+  if (!isKept) color = clipped.color;
+  precise vec3 center = 0.5 * (box.lo + box.hi);
+  float amount = shareOfWay(color, history, center);
+  return Rectified(color, amount);
+}
+
+/// Where the ray from history to the current color enters the box, unless that is too far (11.4).
+Rectified rayToCurrent(vec3 history, Box box, vec3 currentFiltered) {
+  precise vec3 way = toBox(currentFiltered) - history;
+  precise vec3 center = 0.5 * (box.lo + box.hi);
+  precise vec3 extent = 0.5 * (box.hi - box.lo);
+  precise float nearest = 1e9;
+  for (int axis = 0; axis < 3; ++axis) {
+    precise float wall = center[axis] - (way[axis] > 0.0 ? extent[axis] : -extent[axis]);
+    precise float hit = (wall - history[axis]) / way[axis];
+    if (way[axis] != 0.0 && hit >= 0.0 && hit < nearest) nearest = hit;
+  }
+  precise vec3 color = history + way * nearest;
+  if (nearest > settings.rectifyMostSteps) return Rectified(history, 0.0);
+  return Rectified(color, lesser(nearest, 1.0));
+}
+
+const bool kIsClampThenClip = kRectifyMethod == kRectifyMethod_clampThenClip;
+
+Rectified rectifiedByMethod(vec3 history, Neighborhood around, vec3 currentFiltered) {
+  Box box = around.box;
+  if (kRectifyMethod == kRectifyMethod_clamp) return clampHistory(history, box);
+  if (kRectifyMethod == kRectifyMethod_clipToCenter) return clipToCenter(history, box);
+  if (kRectifyMethod == kRectifyMethod_clipToFiltered) return clipToFiltered(history, box, currentFiltered);
+  if (kRectifyMethod == kRectifyMethod_shrinkAxes) return shrinkAxes(history, box, around.moments.mean);
+  if (kIsClampThenClip) return clampThenClip(history, box, around.moments);
+  if (kRectifyMethod == kRectifyMethod_rayToCurrent) return rayToCurrent(history, box, currentFiltered);
+  return Rectified(history, 0.0);
+}
+
+/// Whether history stays as it is, bit for bit.
+bool isKept(vec3 history, Neighborhood around, Rectified rectified) {
+  if (!hasHistory() || kRectifyMethod == kRectifyMethod_none) return true;
+  if (kIsClampThenClip)
+    return isInside(history, around.moments.lowest, around.moments.highest) && rectified.color == history;
+  if (kRectifyMethod == kRectifyMethod_clipToCenter && rectified.amount == 0.0) return true;
+  if (kRectifyMethod == kRectifyMethod_rayToCurrent && rectified.color == history) return true;
+  return isInside(history, around.box.lo, around.box.hi);
+}
+
+/// Part of the correction that is applied (11.6, 17.2).
+float rectifyStrength(float speed) {
+  precise float share = speed / settings.rectifyRestSpeed;
+  precise float strength =
+      settings.rectifyLeastStrength + (1.0 - settings.rectifyLeastStrength) * saturated(share * share);
+  if (kRectifyMethod == kRectifyMethod_none) return 0.0;
+  return kRectifyRelaxAtRest ? strength : 1.0;
+}
+
+vec3 rectifyHistory(vec3 historyColor, Neighborhood around, vec3 currentFiltered, float speed) {
+  precise vec3 history = toBox(historyColor);
+  Rectified rectified = rectifiedByMethod(history, around, currentFiltered);
+  float strength = rectifyStrength(speed);
+  bool kept = isKept(history, around, rectified);
+  precise vec3 corrected = sanitized(fromBox(rectified.color));
+  precise float amount = rectified.amount;
+  if (kRectifyRelaxAtRest) {
+    corrected = historyColor + strength * (corrected - historyColor);
+    amount = amount * strength;
+  }
+  precise vec3 result = kept ? historyColor : corrected;
   expose_historyRectified(result);
-  expose_clipAmount(isKept ? 0.0 : rectified.amount);
+  expose_clipAmount(kept ? 0.0 : amount);
+  expose_rectifyStrength(strength);
   return result;
 }

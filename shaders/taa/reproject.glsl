@@ -1,5 +1,5 @@
 // Where the pixel was in the previous frame (catalogue §5). In: the pixel, its motion in px. Out: position in px
-// of the previous picture, whether there is one, and whether it lies inside.
+// of the previous picture, whether there is one, whether it lies inside, and the speed.
 
 /// Motion that says there is no previous position: the largest half float.
 const float kNoPreviousPosition = 65504.0;
@@ -8,7 +8,25 @@ struct Reprojection {
   vec2 position; // px
   bool hasPrevious;
   float onScreen; // 1 or 0
+  bool isOutside; // by the rule of validate.offScreen
+  float speed;    // px a frame
 };
+
+/// Length of a motion; NaN counts as the fastest.
+float speedOf(vec2 motion) {
+  precise float speed = sqrt(motion.x * motion.x + motion.y * motion.y);
+  return speed <= kNoPreviousPosition ? speed : kNoPreviousPosition;
+}
+
+/// Whether the history position lies outside for the chosen rule. Written so that NaN does.
+bool isOutside(vec2 position) {
+  float margin = kValidateOffScreen == kValidateOffScreen_margin ? 0.5 : 0.0; // what a filter reads beyond (5.3)
+  precise vec2 last = resolveBlock.sizePx - margin;
+  bool isWithin = position.x >= margin && position.x <= last.x && position.y >= margin && position.y <= last.y;
+  if (kValidateOffScreen == kValidateOffScreen_keep) return false;
+  if (kValidateOffScreen == kValidateOffScreen_oneSided) return !(position.x > 0.0); // §26, D9
+  return !isWithin;
+}
 
 Reprojection reproject(ivec2 pixel, vec2 motion) {
   precise vec2 position = (vec2(pixel) + 0.5) - motion;
@@ -19,7 +37,10 @@ Reprojection reproject(ivec2 pixel, vec2 motion) {
   bool isOnScreen = position.x >= 0.0 && position.x <= resolveBlock.sizePx.x && position.y >= 0.0 &&
                     position.y <= resolveBlock.sizePx.y;
   result.onScreen = isOnScreen ? 1.0 : 0.0;
+  result.isOutside = isOutside(position);
+  result.speed = speedOf(motion);
   expose_historyPosition(result.position);
   expose_onScreen(result.onScreen);
+  expose_speed(result.speed);
   return result;
 }

@@ -22,11 +22,13 @@ void main() {
   Reprojection reprojection = reproject(pixel, dilated.motion);
   HistorySample history = sampleHistory(pixel, reprojection.position);
   vec3 current = filterCurrent(samples);
-  Box box = boundNeighborhood(samples, current);
-  vec3 rectified = rectifyHistory(history.color, box, current);
+  Neighborhood around = boundNeighborhood(samples, current, history.color, reprojection.speed);
+  vec3 rectified = rectifyHistory(history.color, around, current, reprojection.speed);
   int reason = validateHistory(pixel, dilated, reprojection, history);
-  float alpha = blendWeight(history.frames, reason);
-  Blended blended = blend(current, rectified, alpha, history.frames);
+  WeightInputs weighed = WeightInputs(current, rectified, history.color, around.box, dilated, reprojection.speed,
+                                      history.frames);
+  float alpha = blendWeight(weighed, reason);
+  Blended blended = blend(samples, current, rectified, alpha, history.frames, reason);
   o_color = vec4(blended.color, 1.0);
   o_surface = vec2(blended.frames, viewDepth(dilated.depth));
 }

@@ -32,48 +32,183 @@ vec3 historyPair(ivec2 first, ivec2 second, float share) {
   return result;
 }
 
-/// Catmull-Rom from five bilinear taps, corners left out, divided by the sum of weights (6.4, Jimenez 2016). The
-/// taps share twelve texels.
-vec3 historyCatmullRom5(vec2 x) {
-  precise vec2 corner = floor(x - 0.5);
-  precise vec2 f = x - (corner + 0.5);
+/// Weights of the four texels of an axis at fraction f between the middle two.
+struct CubicWeights {
+  vec2 w0, w1, w2, w3;
+};
+
+CubicWeights catmullRomWeights(vec2 f) { // 6.2
   precise vec2 w0 = f * (-0.5 + f * (1.0 - 0.5 * f));
   precise vec2 w1 = 1.0 + (f * f) * (-2.5 + 1.5 * f);
   precise vec2 w2 = f * (0.5 + f * (2.0 - 1.5 * f));
   precise vec2 w3 = (f * f) * (-0.5 + 0.5 * f);
-  precise vec2 w12 = w1 + w2;
-  precise vec2 share = w2 / w12;
-  ivec2 t = ivec2(corner);
+  return CubicWeights(w0, w1, w2, w3);
+}
+
+CubicWeights sharpnessWeights(vec2 f) { // 6.5
+  float c = settings.historySharpness;
+  precise vec2 w0 = ((-c * f + 2.0 * c) * f - c) * f;
+  precise vec2 w1 = ((2.0 - c) * f - (3.0 - c)) * (f * f) + 1.0;
+  precise vec2 w2 = ((-(2.0 - c) * f + (3.0 - 2.0 * c)) * f + c) * f;
+  precise vec2 w3 = (c * f - c) * (f * f);
+  return CubicWeights(w0, w1, w2, w3);
+}
+
+vec2 mitchellNear(vec2 x) {
+  precise vec2 result = ((7.0 * x - 12.0) * (x * x) + 16.0 / 3.0) / 6.0;
+  return result;
+}
+
+vec2 mitchellFar(vec2 x) {
+  precise vec2 cubic = (((-7.0 / 3.0) * x + 12.0) * x - 20.0) * x;
+  precise vec2 result = (cubic + 32.0 / 3.0) / 6.0;
+  return result;
+}
+
+/// (x² − 1)(x² − 4)³/64, the polynomial near Lanczos 2 of FSR2 and Filament (6.7).
+vec2 lanczos(vec2 x) {
+  precise vec2 squared = x * x;
+  squared = vec2(lesser(squared.x, 4.0), lesser(squared.y, 4.0));
+  precise vec2 a = squared - 1.0;
+  precise vec2 b = squared - 4.0;
+  precise vec2 result = ((a * b) * (b * b)) / 64.0;
+  return result;
+}
+
+CubicWeights historyWeights(vec2 f) {
+  precise vec2 x0 = 1.0 + f;
+  precise vec2 x2 = 1.0 - f;
+  precise vec2 x3 = 2.0 - f;
+  if (kHistoryFilter == kHistoryFilter_cubic) return sharpnessWeights(f);
+  if (kHistoryFilter == kHistoryFilter_mitchell)
+    return CubicWeights(mitchellFar(x0), mitchellNear(f), mitchellNear(x2), mitchellFar(x3));
+  if (kHistoryFilter == kHistoryFilter_lanczos)
+    return CubicWeights(lanczos(x0), lanczos(f), lanczos(x2), lanczos(x3));
+  return catmullRomWeights(f);
+}
+
+/// Five or nine bilinear taps in place of sixteen texels: the middle two of each axis are one tap.
+const bool kIsCatmullRom5 = kHistoryFilter == kHistoryFilter_catmullRom5;
+const bool kIsCatmullRom9 = kHistoryFilter == kHistoryFilter_catmullRom9;
+const bool kIsCatmullRom5AsPrinted = kHistoryFilter == kHistoryFilter_catmullRom5AsPrinted;
+
+struct Taps {
+  vec3 above, left, middle, right, below;
+};
+
+Taps historyTaps(ivec2 t, vec2 share) {
   precise vec3 top = historyPair(t, t + ivec2(1, 0), share.x);
   precise vec3 bottom = historyPair(t + ivec2(0, 1), t + ivec2(1, 1), share.x);
   precise vec3 middle = top + share.y * (bottom - top);
-  middle = sanitized(middle);
-  precise vec3 above = sanitized(historyPair(t + ivec2(0, -1), t + ivec2(1, -1), share.x));
-  precise vec3 left = sanitized(historyPair(t + ivec2(-1, 0), t + ivec2(-1, 1), share.y));
-  precise vec3 right = sanitized(historyPair(t + ivec2(2, 0), t + ivec2(2, 1), share.y));
-  precise vec3 below = sanitized(historyPair(t + ivec2(0, 2), t + ivec2(1, 2), share.x));
-  precise float wAbove = w12.x * w0.y;
-  precise float wLeft = w0.x * w12.y;
+  return Taps(sanitized(historyPair(t + ivec2(0, -1), t + ivec2(1, -1), share.x)),
+              sanitized(historyPair(t + ivec2(-1, 0), t + ivec2(-1, 1), share.y)), sanitized(middle),
+              sanitized(historyPair(t + ivec2(2, 0), t + ivec2(2, 1), share.y)),
+              sanitized(historyPair(t + ivec2(0, 2), t + ivec2(1, 2), share.x)));
+}
+
+vec3 historyTexel(ivec2 texel) { return sanitized(texelAt(u_historyColor, texel).rgb); }
+
+/// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b).
+vec3 historyCatmullRom5(vec2 x) {
+  precise vec2 corner = floor(x - 0.5);
+  precise vec2 f = x - (corner + 0.5);
+  CubicWeights w = catmullRomWeights(f);
+  precise vec2 w12 = w.w1 + w.w2;
+  precise vec2 share = w.w2 / w12;
+  Taps taps = historyTaps(ivec2(corner), share);
+  precise float wAbove = w12.x * w.w0.y;
+  precise float wLeft = w.w0.x * w12.y;
   precise float wMiddle = w12.x * w12.y;
-  precise float wRight = w3.x * w12.y;
-  precise float wBelow = w12.x * w3.y;
+  precise float wRight = w.w3.x * w12.y;
+  precise float wBelow = w12.x * w.w3.y;
   precise float sum = (((wAbove + wLeft) + wMiddle) + wRight) + wBelow;
   // Differences to the middle, so that a constant stays exactly constant.
-  precise vec3 weighted = (((above - middle) * wAbove + (left - middle) * wLeft) + (right - middle) * wRight) +
-                          (below - middle) * wBelow;
-  precise vec3 result = middle + weighted / sum;
+  precise vec3 weighted = (((taps.above - taps.middle) * wAbove + (taps.left - taps.middle) * wLeft) +
+                           (taps.right - taps.middle) * wRight) +
+                          (taps.below - taps.middle) * wBelow;
+  precise vec3 result = taps.middle + weighted / sum;
+  if (kIsCatmullRom5AsPrinted) {
+    precise vec3 asPrinted = taps.middle * sum + weighted;
+    result = asPrinted;
+  }
   if (kHistoryDering) { // 6.9
-    precise vec3 lowest = lesser(lesser(lesser(lesser(above, left), middle), right), below);
-    precise vec3 highest = greater(greater(greater(greater(above, left), middle), right), below);
+    vec3 lowest = lesser(lesser(lesser(lesser(taps.above, taps.left), taps.middle), taps.right), taps.below);
+    vec3 highest = greater(greater(greater(greater(taps.above, taps.left), taps.middle), taps.right), taps.below);
     result = bounded(result, lowest, highest);
   }
   return sanitized(result); // negative lobes would never recover (6.10)
 }
 
+/// The corners too: equal to sixteen texels (6.3).
+vec3 historyCatmullRom9(vec2 x) {
+  precise vec2 corner = floor(x - 0.5);
+  precise vec2 f = x - (corner + 0.5);
+  CubicWeights w = catmullRomWeights(f);
+  precise vec2 w12 = w.w1 + w.w2;
+  precise vec2 share = w.w2 / w12;
+  ivec2 t = ivec2(corner);
+  Taps taps = historyTaps(t, share);
+  vec3 colors[9] = vec3[9](historyTexel(t - 1), taps.above, historyTexel(t + ivec2(2, -1)), taps.left, taps.middle,
+                           taps.right, historyTexel(t + ivec2(-1, 2)), taps.below, historyTexel(t + 2));
+  float wx[3] = float[3](w.w0.x, w12.x, w.w3.x);
+  float wy[3] = float[3](w.w0.y, w12.y, w.w3.y);
+  precise float sum = 0.0;
+  precise vec3 weighted = vec3(0.0);
+  vec3 lowest = colors[0];
+  vec3 highest = colors[0];
+  for (int k = 0; k < 9; ++k) {
+    precise float weight = wx[k % 3] * wy[k / 3];
+    sum = sum + weight;
+    weighted = weighted + (colors[k] - taps.middle) * weight;
+    lowest = lesser(lowest, colors[k]);
+    highest = greater(highest, colors[k]);
+  }
+  precise vec3 result = taps.middle + weighted / sum;
+  if (kHistoryDering) result = bounded(result, lowest, highest);
+  return sanitized(result);
+}
+
+/// Sixteen texels with the weights of the chosen kernel (6.2, 6.5 to 6.7).
+vec3 historySixteen(vec2 x) {
+  precise vec2 corner = floor(x - 0.5);
+  precise vec2 f = x - (corner + 0.5);
+  CubicWeights w = historyWeights(f);
+  float wx[4] = float[4](w.w0.x, w.w1.x, w.w2.x, w.w3.x);
+  float wy[4] = float[4](w.w0.y, w.w1.y, w.w2.y, w.w3.y);
+  ivec2 t = ivec2(corner);
+  precise vec3 middle = historyTexel(t);
+  precise float sum = 0.0;
+  precise vec3 weighted = vec3(0.0);
+  vec3 lowest = middle;
+  vec3 highest = middle;
+  for (int k = 0; k < 16; ++k) {
+    ivec2 cell = ivec2(k % 4, k / 4);
+    precise vec3 color = historyTexel(t + cell - 1);
+    precise float weight = wx[cell.x] * wy[cell.y];
+    sum = sum + weight;
+    weighted = weighted + (color - middle) * weight;
+    // Lanczos keeps within the nearest four, as FSR2 does.
+    bool isNearest = (cell.x == 1 || cell.x == 2) && (cell.y == 1 || cell.y == 2);
+    if (kHistoryFilter == kHistoryFilter_lanczos && !isNearest) continue;
+    lowest = lesser(lowest, color);
+    highest = greater(highest, color);
+  }
+  precise vec3 result = middle + weighted / sum;
+  if (kHistoryDering) result = bounded(result, lowest, highest);
+  return sanitized(result);
+}
+
+vec3 historyColor(vec2 x) {
+  if (kHistoryFilter == kHistoryFilter_point) return historyTexel(ivec2(floor(x)));
+  if (kHistoryFilter == kHistoryFilter_bilinear) return historyBilinear(x);
+  if (kIsCatmullRom5 || kIsCatmullRom5AsPrinted) return historyCatmullRom5(x);
+  if (kIsCatmullRom9) return historyCatmullRom9(x);
+  return historySixteen(x);
+}
+
 HistorySample readHistory(vec2 position) {
   HistorySample result;
-  if (kHistoryFilter == kHistoryFilter_bilinear) result.color = historyBilinear(position);
-  if (kHistoryFilter == kHistoryFilter_catmullRom5) result.color = historyCatmullRom5(position);
+  result.color = historyColor(position);
   precise vec2 corner = floor(position - 0.5);
   ivec2 first = ivec2(corner);
   ivec2 nearest = ivec2(floor(position)) - first;

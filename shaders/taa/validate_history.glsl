@@ -6,6 +6,7 @@ const int kRejectReason_noHistory = 1;
 const int kRejectReason_noPrevious = 2;
 const int kRejectReason_offScreen = 3;
 const int kRejectReason_depth = 4;
+const int kRejectReason_speed = 5;
 
 /// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
 float depthMismatch(float expected, float stored) {
@@ -57,8 +58,9 @@ int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojectio
   float allowed = allowedMismatch(pixel, expected);
 
   int reason = kRejectReason_kept;
+  if (kValidateSpeed && reprojection.speed > settings.validateSpeedLimit) reason = kRejectReason_speed;
   if (kValidateDepth && match.mismatch > allowed) reason = kRejectReason_depth;
-  if (kValidateOffScreen && reprojection.onScreen == 0.0) reason = kRejectReason_offScreen;
+  if (reprojection.isOutside) reason = kRejectReason_offScreen;
   if (!reprojection.hasPrevious) reason = kRejectReason_noPrevious;
   if (!hasHistory()) reason = kRejectReason_noHistory;
   expose_depthExpected(expected);

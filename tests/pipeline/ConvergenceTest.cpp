@@ -23,7 +23,7 @@ Settings averaging(int period) {
   settings.history = {HistoryFilter::Bilinear, Switch::Off, Precision::Full};
   settings.current.filter = CurrentFilter::Center;
   settings.rectify.method = RectifyMethod::None;
-  settings.validate = {Switch::Off, Switch::Off, 0.03f, 0.0f};
+  settings.validate = {OffScreen::Keep, Switch::Off, 0.03f, 0.0f};
   settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
   settings.blend.tone = ToneWeight::None;
   return settings;

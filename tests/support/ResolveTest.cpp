@@ -61,7 +61,7 @@ Settings bareSettings() {
   settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
   settings.neighborhood.includeFiltered = Switch::Off;
   settings.rectify.method = RectifyMethod::None;
-  settings.validate.offScreen = Switch::Off;
+  settings.validate.offScreen = OffScreen::Keep;
   settings.validate.depth = Switch::Off;
   settings.weight.source = AlphaSource::Constant;
   settings.blend.tone = ToneWeight::None;

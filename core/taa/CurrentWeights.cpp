@@ -1,0 +1,86 @@
+// The weights of the current filter: kernels of the distance between a pixel's center and where its samples
+// lie.
+#include "core/taa/TaaPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace taa {
+
+namespace {
+
+/// The cubic of Mitchell and Netravali (1988) at distance r px, support 2.
+double cubic(double r, double b, double c) {
+  const double r2 = r * r, r3 = r2 * r;
+  if (r < 1.0)
+    return ((12.0 - 9.0 * b - 6.0 * c) * r3 + (12.0 * b + 6.0 * c - 18.0) * r2 + 6.0 - 2.0 * b) / 6.0;
+  if (r >= 2.0) return 0.0;
+  return ((-b - 6.0 * c) * r3 + (6.0 * b + 30.0 * c) * r2 + (-12.0 * b - 48.0 * c) * r + 8.0 * b + 24.0 * c) /
+         6.0;
+}
+
+double mitchell(double r) {
+  return cubic(r, 1.0 / 3.0, 1.0 / 3.0);
+}
+
+/// The four-term window of Harris (1978), 3 px wide.
+double blackmanHarris(double r) {
+  if (r >= 1.5) return 0.0;
+  const double angle = 2.0 * std::numbers::pi * (r / 3.0 + 0.5);
+  return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
+         0.01168 * std::cos(3.0 * angle);
+}
+
+/// The polynomial of FSR2 and Filament near Lanczos 2 (catalogue 6.7).
+double lanczos(double x) {
+  const double x2 = std::min(x * x, 4.0);
+  return (x2 - 1.0) * std::pow(x2 - 4.0, 3.0) / 64.0;
+}
+
+/// Kernels that know only the neighbor's place, not the jitter.
+double weightOfPlace(CurrentFilter filter, double distance) {
+  const bool isCorner = distance > 1.0, isCenter = distance == 0.0;
+  if (filter == CurrentFilter::Tent) return isCenter ? 4.0 : (isCorner ? 1.0 : 2.0);
+  if (filter == CurrentFilter::DistanceAsPrinted) return distance;
+  if (filter == CurrentFilter::MitchellAsPrinted) return mitchell(2.0 * distance);
+  if (filter == CurrentFilter::BlackmanHarrisAsPrinted) return isCorner ? 0.0 : 1.0;
+  return 1.0; // box
+}
+
+double weight(const CurrentSettings& settings, double column, double row, glm::dvec2 jitterPx) {
+  const double dx = column - jitterPx.x, dy = row - jitterPx.y;
+  const double distance = std::sqrt(dx * dx + dy * dy);
+  switch (settings.filter) {
+  case CurrentFilter::Gaussian:
+    return std::exp(-(dx * dx + dy * dy) / (2.0 * static_cast<double>(settings.variance)));
+  case CurrentFilter::Mitchell:
+    return mitchell(distance);
+  case CurrentFilter::CatmullRom:
+    return cubic(distance, 0.0, 0.5);
+  case CurrentFilter::BlackmanHarris:
+    return blackmanHarris(distance);
+  case CurrentFilter::Lanczos:
+    return lanczos(dx) * lanczos(dy);
+  default:
+    return weightOfPlace(settings.filter, std::sqrt(column * column + row * row));
+  }
+}
+
+} // namespace
+
+std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx) {
+  constexpr std::array<float, 9> kCenter{0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+  if (settings.filter == CurrentFilter::Center || settings.filter == CurrentFilter::Unjitter) return kCenter;
+  // The pixel's own scene sample lies at −jitter from its center, so a neighbor's lies at offset − jitter.
+  const glm::dvec2 shift = settings.jitterAware == Switch::On ? glm::dvec2(jitterPx) : glm::dvec2(0.0);
+  std::array<float, 9> weights{};
+  float sum = 0.0f;
+  for (int k = 0; k < 9; ++k) {
+    weights[k] = static_cast<float>(weight(settings, k % 3 - 1, k / 3 - 1, shift));
+    sum += weights[k];
+  }
+  return std::abs(sum) > 1e-4f ? weights : kCenter;
+}
+
+} // namespace taa
