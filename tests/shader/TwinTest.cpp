@@ -56,14 +56,21 @@ class TwinTest : public taa::test::ResolveTest {
   }
 };
 
-TEST_F(TwinTest, AgreesWithEachChoiceAlone) {
-  std::uint32_t seed = 1;
-  for (const Variant& variant : taa::test::presetsAndChoices()) expectTwin(variant, seed++);
+class TwinOfVariants : public TwinTest, public testing::WithParamInterface<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Part, TwinOfVariants, testing::Range(std::size_t{0}, taa::test::kParts));
+
+TEST_P(TwinOfVariants, AgreesWithEachChoiceAlone) {
+  auto seed = static_cast<std::uint32_t>(GetParam());
+  for (const Variant& variant : taa::test::partOf(taa::test::presetsAndChoices(), GetParam()))
+    expectTwin(variant, ++seed);
 }
 
-TEST_F(TwinTest, AgreesWithRandomCombinations) {
-  for (std::uint32_t seed = 100; seed < 164; ++seed) {
+TEST_P(TwinOfVariants, AgreesWithRandomCombinations) {
+  std::vector<Variant> combinations;
+  for (std::uint32_t seed = 100; seed < 300; ++seed) {
     const taa::Settings settings = taa::test::randomSettings(seed);
-    expectTwin({taa::test::flags(settings), settings}, seed);
+    combinations.push_back({taa::test::flags(settings), settings});
   }
+  std::uint32_t seed = 100;
+  for (const Variant& variant : taa::test::partOf(combinations, GetParam())) expectTwin(variant, ++seed);
 }

@@ -55,7 +55,7 @@ Settings plainSettings() {
   settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
   settings.neighborhood = {NeighborhoodShape::Square3x3, BoxKind::MinMax, 1.0f, Switch::Off};
   settings.rectify.method = RectifyMethod::None;
-  settings.validate = {Switch::Off, Switch::Off, 0.03f, 0.0f};
+  settings.validate = {OffScreen::Keep, Switch::Off, 0.03f, 0.0f};
   settings.weight = {AlphaSource::Constant, 0.1f, 0.0f};
   settings.blend.tone = ToneWeight::None;
   return settings;

@@ -147,6 +147,7 @@ reference::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool 
   if (wild) maker.makeWild(made);
   quantize(made.color, colorFormat(shape.inputs));
   quantize(made.motion, motionFormat(shape.inputs));
+  made.frame = static_cast<int>(seed % 7);
   made.jitterPx = glm::vec2(maker.uniform(-0.5f, 0.5f), maker.uniform(-0.5f, 0.5f));
   return made;
 }
@@ -159,6 +160,7 @@ reference::Inputs stillFrame(const FrameShape& shape, std::uint32_t seed) {
 
 FrameInputs upload(const reference::Inputs& images, const FrameShape& shape) {
   FrameInputs made;
+  made.info.frame = images.frame;
   made.info.jitterPx = images.jitterPx;
   made.block.depthTerms = images.depthTerms;
   made.color = texture(images.color, colorFormat(shape.inputs));

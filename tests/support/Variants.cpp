@@ -54,6 +54,12 @@ std::vector<Variant> presetsAndChoices() {
   return variants;
 }
 
+std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t part) {
+  std::vector<Variant> some;
+  for (std::size_t index = part; index < variants.size(); index += kParts) some.push_back(variants[index]);
+  return some;
+}
+
 Settings randomSettings(std::uint32_t seed) {
   std::mt19937 random(seed);
   Settings settings;

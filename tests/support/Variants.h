@@ -4,6 +4,7 @@
 
 #include "core/settings/Settings.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ std::vector<Variant> eachChoice();
 
 /// The built-in presets, then eachChoice().
 std::vector<Variant> presetsAndChoices();
+
+/// Tests over many variants run in so many parts, side by side.
+inline constexpr std::size_t kParts = 6;
+/// Every kParts-th of them from number `part` on.
+std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t part);
 
 /// All choices and numbers of the resolve drawn at random.
 Settings randomSettings(std::uint32_t seed);
