@@ -96,7 +96,8 @@ TEST_F(ResolveTest, IsFiniteAndNotNegativeWhateverComesIn) {
         const float frames = frame.historySurface.at(x, y)[0];
         // As printed N is a variance, which is below 1.
         const bool isPrinted = variant.settings.blend.length == taa::LengthRule::VarianceAsPrinted;
-        ASSERT_TRUE(frames >= (isPrinted ? 1e-9f : 1.0f) && frames < 1e9f) << frames << " with " << variant.name;
+        ASSERT_TRUE(frames >= (isPrinted ? 1e-9f : 1.0f) && frames < 1e9f)
+            << frames << " with " << variant.name;
       }
   }
 }

@@ -44,6 +44,7 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
     twin.historyColor = previous->color.download();
     twin.historySurface = previous->surface.download();
   }
+  twin.frame = inputs.info.frame;
   twin.jitterPx = inputs.block.jitterPx;
   twin.depthTerms = inputs.block.depthTerms;
   return twin;

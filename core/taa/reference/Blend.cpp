@@ -8,9 +8,37 @@ namespace {
 
 float blendFactor(float alpha, float toneWeightCurrent, float toneWeightHistory, ToneWeight tone) {
   if (alpha >= 1.0f) return 1.0f;
-  if (tone == ToneWeight::None) return alpha;
+  if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return alpha;
   const float current = alpha * toneWeightCurrent;
   return current / (current + (1.0f - alpha) * toneWeightHistory);
+}
+
+/// 1/(1 + L); as printed (D19) of the color divided by 1 + its largest channel.
+float toneWeight(const glm::vec3& color, ToneWeight tone) {
+  if (tone == ToneWeight::Luma) return 1.0f / (1.0f + luma(color));
+  if (tone == ToneWeight::LumaAsPrinted) return 1.0f / (1.0f + luma(compress(color, ToneSpace::MaxChannel)));
+  return 1.0f;
+}
+
+/// The mix itself, of compressed colors where the choice says so (catalogue 15.3, 15.4).
+glm::vec3 mix(const glm::vec3& current, const glm::vec3& history, float k, ToneWeight tone) {
+  if (k >= 1.0f) return current;
+  if (tone != ToneWeight::ReinhardChannel && tone != ToneWeight::MaxChannel)
+    return history + k * (current - history);
+  if (current == history) return history;
+  const ToneSpace space =
+      tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel : ToneSpace::MaxChannel;
+  const glm::vec3 from = compress(history, space);
+  return decompress(from + k * (compress(current, space) - from), space);
+}
+
+/// N after the frame (catalogue §16).
+float lengthAfter(float alpha, float before, LengthRule rule) {
+  if (alpha >= 1.0f) return 1.0f;
+  if (rule == LengthRule::Count) return before + 1.0f;
+  const float rest = 1.0f - alpha;
+  const float variance = alpha * alpha + (rest * rest) / before;
+  return rule == LengthRule::VarianceAsPrinted ? variance : 1.0f / variance;
 }
 
 } // namespace
@@ -18,19 +46,15 @@ float blendFactor(float alpha, float toneWeightCurrent, float toneWeightHistory,
 Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
               float historyLength) {
   Blended result;
-  if (settings.blend.tone == ToneWeight::Luma) {
-    result.toneWeightCurrent = 1.0f / (1.0f + luma(current));
-    result.toneWeightHistory = 1.0f / (1.0f + luma(history));
-  }
+  result.toneWeightCurrent = toneWeight(current, settings.blend.tone);
+  result.toneWeightHistory = toneWeight(history, settings.blend.tone);
   result.factor = blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, settings.blend.tone);
-  const float k = result.factor;
-  const glm::vec3 mixed = k >= 1.0f ? current : history + k * (current - history);
+  const glm::vec3 mixed = mix(current, history, result.factor, settings.blend.tone);
   for (int i = 0; i < 3; ++i) {
     const float channel = isBad(mixed[i]) ? current[i] : mixed[i];
     result.resolved[i] = settings.history.precision == Precision::Half ? roundedToHalf(channel) : channel;
   }
-  const float rest = 1.0f - alpha;
-  result.historyLength = alpha >= 1.0f ? 1.0f : 1.0f / (alpha * alpha + (rest * rest) / historyLength);
+  result.historyLength = lengthAfter(alpha, historyLength, settings.blend.length);
   return result;
 }
 

@@ -1,6 +1,8 @@
 // Color arithmetic of the CPU twin; order of operations as in the definition of the resolve.
 #include "core/taa/reference/Color.h"
 
+#include <array>
+
 namespace taa::reference {
 namespace {
 
@@ -8,6 +10,11 @@ constexpr float kLargestHalf = 65504.0f;
 
 /// Least denominator of the inverse tone curve: caps the result at 10⁵ times the box color.
 constexpr float kLeastToneDenominator = 1e-5f;
+
+float largest(const glm::vec3& c) {
+  const float redGreen = c.x > c.y ? c.x : c.y;
+  return redGreen > c.z ? redGreen : c.z;
+}
 
 } // namespace
 
@@ -25,27 +32,94 @@ float luma(const glm::vec3& color) {
   return (0.2126f * color.x + 0.7152f * color.y) + 0.0722f * color.z;
 }
 
+float saturated(float x) {
+  return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
+  switch (tone) {
+  case ToneSpace::Linear:
+    return c;
+  case ToneSpace::ReinhardLuma:
+    return c / (1.0f + luma(c));
+  case ToneSpace::ReinhardChannel:
+    return c / (1.0f + c);
+  case ToneSpace::MaxChannel:
+    return c / (1.0f + largest(c));
+  }
+  return c;
+}
+
+glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
+  const auto divisor = [](float brightness) {
+    const float rest = 1.0f - brightness;
+    return rest > kLeastToneDenominator ? rest : kLeastToneDenominator;
+  };
+  switch (tone) {
+  case ToneSpace::Linear:
+    return y;
+  case ToneSpace::ReinhardLuma:
+    return y / divisor(luma(y));
+  case ToneSpace::ReinhardChannel:
+    return {y.x / divisor(y.x), y.y / divisor(y.y), y.z / divisor(y.z)};
+  case ToneSpace::MaxChannel:
+    return y / divisor(largest(y));
+  }
+  return y;
+}
+
 glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
-  const glm::vec3 c = space.tone == ToneSpace::ReinhardLuma ? color / (1.0f + luma(color)) : color;
-  if (space.color == ColorSpace::Rgb) return c;
-  const float y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
-  const float co = 0.5f * c.x - 0.5f * c.z;
-  const float cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
-  return {y, co, cg};
+  const glm::vec3 c = compress(color, space.tone);
+  switch (space.color) {
+  case ColorSpace::Rgb:
+    return c;
+  case ColorSpace::YCoCg: {
+    const float y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
+    const float co = 0.5f * c.x - 0.5f * c.z;
+    const float cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
+    return {y, co, cg};
+  }
+  case ColorSpace::YCoCgLifting: {
+    const float co = c.x - c.z;
+    const float t = c.z + 0.5f * co;
+    const float cg = c.y - t;
+    return {t + 0.5f * cg, co, cg};
+  }
+  case ColorSpace::YCbCr: {
+    const float y = luma(c);
+    return {y, (c.z - y) / 1.8556f, (c.x - y) / 1.5748f};
+  }
+  }
+  return c;
 }
 
 glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
+  const auto& [y, first, second] = std::array{box.x, box.y, box.z};
   glm::vec3 c = box;
-  if (space.color == ColorSpace::YCoCg) {
-    const float y = box[0];
-    const float co = box[1];
-    const float cg = box[2];
-    c = {(y + co) - cg, y + cg, (y - co) - cg};
+  switch (space.color) {
+  case ColorSpace::Rgb:
+    break;
+  case ColorSpace::YCoCg:
+    c = {(y + first) - second, y + second, (y - first) - second};
+    break;
+  case ColorSpace::YCoCgLifting: {
+    const float t = y - 0.5f * second;
+    const float blue = t - 0.5f * first;
+    c = {blue + first, second + t, blue};
+    break;
   }
-  if (space.tone == ToneSpace::Linear) return c;
-  float denominator = 1.0f - luma(c);
-  if (!(denominator > kLeastToneDenominator)) denominator = kLeastToneDenominator;
-  return c / denominator;
+  case ColorSpace::YCbCr: {
+    const float red = y + 1.5748f * second;
+    const float blue = y + 1.8556f * first;
+    c = {red, ((y - 0.2126f * red) - 0.0722f * blue) / 0.7152f, blue};
+    break;
+  }
+  }
+  return decompress(c, space.tone);
+}
+
+float boxLuma(const glm::vec3& box, const SpaceSettings& space) {
+  return space.color == ColorSpace::Rgb ? luma(box) : box.x;
 }
 
 glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b) {

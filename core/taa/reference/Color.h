@@ -17,9 +17,18 @@ glm::vec3 sanitized(const glm::vec3& color);
 /// Rec. 709 luma of scene-linear color.
 float luma(const glm::vec3& color);
 
-/// Scene-linear color in the space the box is built in (catalogue 9.2, 15.2), and back.
+/// Within 0 and 1; NaN becomes 0.
+float saturated(float x);
+
+/// Highlights bounded (catalogue §15), and back.
+glm::vec3 compress(const glm::vec3& color, ToneSpace tone);
+glm::vec3 decompress(const glm::vec3& color, ToneSpace tone);
+
+/// Scene-linear color in the space the box is built in (catalogue §9, §15), and back.
 glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space);
 glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space);
+/// Luma of a color of that space.
+float boxLuma(const glm::vec3& box, const SpaceSettings& space);
 
 // Channel by channel, by comparisons, so that what NaN does is defined.
 glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b);

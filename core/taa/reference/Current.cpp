@@ -3,41 +3,146 @@
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace taa::reference {
 
-std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) {
-  std::array<float, 9> weights{};
-  std::size_t k = 0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      // Pixel o of this frame holds what belongs to o − j of the picture at rest.
-      const double dx = x - static_cast<double>(jitterPx.x);
-      const double dy = y - static_cast<double>(jitterPx.y);
-      weights[k++] = static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2.0 * variance)));
-    }
-  }
-  return weights;
+namespace {
+
+/// Mitchell and Netravali's family at distance r, as two polynomials.
+double mitchell(double r) {
+  if (r < 1.0) return ((7.0 * r - 12.0) * r * r + 16.0 / 3.0) / 6.0;
+  return r < 2.0 ? ((-7.0 / 3.0 * r + 12.0) * r * r - 20.0 * r + 32.0 / 3.0) / 6.0 : 0.0;
 }
 
-glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+double catmullRom(double r) {
+  if (r < 1.0) return (1.5 * r - 2.5) * r * r + 1.0;
+  return r < 2.0 ? (-0.5 * r + 2.5) * r * r - 4.0 * r + 2.0 : 0.0;
+}
+
+double blackmanHarris(double r) {
+  if (r >= 1.5) return 0.0;
+  const double x = 2.0 * std::numbers::pi * (r / 3.0 + 0.5);
+  return 0.35875 - 0.48829 * std::cos(x) + 0.14128 * std::cos(2.0 * x) - 0.01168 * std::cos(3.0 * x);
+}
+
+double lanczos(double x) {
+  const double x2 = x * x < 4.0 ? x * x : 4.0;
+  return (x2 - 1.0) * (x2 - 4.0) * (x2 - 4.0) * (x2 - 4.0) / 64.0;
+}
+
+/// Weight of the sample at step (x, y), px, its content displaced by `shift`.
+double kernelWeight(const CurrentSettings& settings, double x, double y, const glm::dvec2& shift) {
+  const double dx = x - shift.x, dy = y - shift.y;
+  const double r = std::sqrt(dx * dx + dy * dy), place = std::sqrt(x * x + y * y);
+  switch (settings.filter) {
+  case CurrentFilter::Gaussian:
+    return std::exp(-(dx * dx + dy * dy) / (2.0 * settings.variance));
+  case CurrentFilter::Tent:
+    return place == 0.0 ? 4.0 : place == 1.0 ? 2.0 : 1.0;
+  case CurrentFilter::Box:
+    return 1.0;
+  case CurrentFilter::Mitchell:
+    return mitchell(r);
+  case CurrentFilter::CatmullRom:
+    return catmullRom(r);
+  case CurrentFilter::BlackmanHarris:
+    return blackmanHarris(r);
+  case CurrentFilter::Lanczos:
+    return lanczos(dx) * lanczos(dy);
+  case CurrentFilter::DistanceAsPrinted:
+    return place;
+  case CurrentFilter::MitchellAsPrinted:
+    return mitchell(2.0 * place);
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+    return place > 1.0 ? 0.0 : 1.0;
+  case CurrentFilter::Center:
+  case CurrentFilter::Unjitter:
+    break;
+  }
+  return place == 0.0 ? 1.0 : 0.0;
+}
+
+glm::vec3 mixed(const glm::vec3& a, const glm::vec3& b, float share) {
+  return a + share * (b - a);
+}
+
+/// A bilinear tap where the pixel's center landed (7.1).
+glm::vec3 unjittered(const Inputs& inputs, const glm::ivec2& pixel) {
+  const glm::ivec2 x(inputs.jitterPx.x < 0.0f ? -1 : 1, 0);
+  const glm::ivec2 y(0, inputs.jitterPx.y < 0.0f ? -1 : 1);
+  const float fx = std::fabs(inputs.jitterPx.x), fy = std::fabs(inputs.jitterPx.y);
+  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
+  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
+  return mixed(near, far, fy);
+}
+
+glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+  const std::array<float, 9> weights = currentWeights(settings, inputs.jitterPx);
   const glm::vec3 center = currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Center) return center;
-  const std::array<float, 9> weights = gaussianWeights(settings.variance, inputs.jitterPx);
-  constexpr int kCenter = 4;
   float sum = 0.0f;
   glm::vec3 difference(0.0f);
   for (int k = 0; k < 9; ++k) {
-    const float weight = weights[static_cast<std::size_t>(k)];
+    const glm::vec3 color = currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    float weight = weights[static_cast<std::size_t>(k)];
+    if (settings.lumaWeighted == Switch::On) weight = weight / (1.0f + luma(color));
     sum = sum + weight;
-    if (k == kCenter) continue;
-    const glm::ivec2 offset(k % 3 - 1, k / 3 - 1);
-    difference = difference + weight * (currentColor(inputs, pixel + offset) - center);
+    if (k != 4) difference = difference + weight * (color - center);
   }
-  const glm::vec3 filtered = center + difference / sum; // differences, so that a constant stays itself
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) result[i] = filtered[i] >= 0.0f ? filtered[i] : 0.0f;
-  return result;
+  // Differences, so that a constant stays itself.
+  return std::fabs(sum) > 1e-4f ? center + difference / sum : center;
+}
+
+glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& pixel, const glm::vec3& color) {
+  glm::vec3 low = currentColor(inputs, pixel), high = low;
+  for (int k = 0; k < 9; ++k) {
+    const glm::vec3 sample = currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    low = smaller(low, sample);
+    high = larger(high, sample);
+  }
+  return clamped(color, low, high);
+}
+
+} // namespace
+
+std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx) {
+  // Pixel o of this frame holds what belongs to o − j of the picture at rest.
+  const glm::dvec2 shift = settings.jitterAware == Switch::On ? glm::dvec2(jitterPx) : glm::dvec2(0.0);
+  std::array<float, 9> weights{};
+  float sum = 0.0f;
+  for (int k = 0; k < 9; ++k) {
+    const auto weight = static_cast<float>(kernelWeight(settings, k % 3 - 1, k / 3 - 1, shift));
+    weights[static_cast<std::size_t>(k)] = weight;
+    sum += weight;
+  }
+  if (std::fabs(sum) > 1e-4f) return weights;
+  weights.fill(0.0f);
+  weights[4] = 1.0f;
+  return weights;
+}
+
+std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) {
+  return currentWeights({.filter = CurrentFilter::Gaussian, .variance = variance}, jitterPx);
+}
+
+glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
+  if (settings.filter == CurrentFilter::Unjitter) return unjittered(inputs, pixel);
+  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
+                       settings.filter == CurrentFilter::CatmullRom ||
+                       settings.filter == CurrentFilter::Lanczos;
+  glm::vec3 color = weighted(inputs, settings, pixel);
+  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
+  for (int i = 0; i < 3; ++i) color[i] = color[i] >= 0.0f ? color[i] : 0.0f;
+  return color;
+}
+
+glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {
+  const glm::vec3 center = currentColor(inputs, pixel);
+  glm::vec3 sum = currentColor(inputs, pixel + glm::ivec2(-1, -1)) - center;
+  for (const glm::ivec2& step : {glm::ivec2(1, -1), glm::ivec2(-1, 1), glm::ivec2(1, 1)})
+    sum = sum + (currentColor(inputs, pixel + step) - center);
+  return center + sum / 5.0f;
 }
 
 } // namespace taa::reference

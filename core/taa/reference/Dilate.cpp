@@ -1,6 +1,9 @@
-// Stage 1, dilate motion: the nearest neighbor's motion, so that silhouettes move with what is in front.
+// Stage 1, dilate motion: whose motion a pixel follows, so that silhouettes move with what is in front.
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
+
+#include <cstdlib>
+#include <vector>
 
 namespace taa::reference {
 
@@ -9,20 +12,73 @@ float viewDepth(float depth, const glm::vec4& depthTerms) {
   return depth == 0.0f ? 0.0f : (depth * p33 - p32) / (depth * p23 - p22);
 }
 
+namespace {
+
+/// Steps to the neighbors that are asked, in the order in which a tie is decided.
+std::vector<glm::ivec2> candidates(DilateMethod method) {
+  if (method == DilateMethod::ClosestX2) return {{-2, -2}, {2, -2}, {-2, 2}, {2, 2}};
+  const bool isCross = method == DilateMethod::ClosestCross || method == DilateMethod::LongestCross;
+  std::vector<glm::ivec2> steps;
+  for (int dy = -1; dy <= 1; ++dy) {
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int distance = std::abs(dx) + std::abs(dy);
+      if (isCross && distance > 1) continue;
+      if (method == DilateMethod::ClosestX && distance == 1) continue;
+      steps.emplace_back(dx, dy);
+    }
+  }
+  return steps;
+}
+
+/// The nearest of them, 4.1 to 4.4. Reversed depth: larger is nearer; a tie keeps what came first.
+void findClosest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
+  for (const glm::ivec2& step : candidates(method)) {
+    const glm::ivec2 neighbor = clampedToPicture(pixel + step, inputs);
+    const float depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
+    if (depth > result.depth) {
+      result.depth = depth;
+      result.offset = neighbor - pixel;
+    }
+  }
+}
+
+/// The fastest of them, 4.5 and 4.6.
+void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
+  const auto squaredLength = [&inputs](const glm::ivec2& p) {
+    const glm::vec4 motion = inputs.motion.texel(p.x, p.y);
+    return motion.x * motion.x + motion.y * motion.y;
+  };
+  float longest = squaredLength(pixel);
+  for (const glm::ivec2& step : candidates(method)) {
+    const glm::ivec2 neighbor = clampedToPicture(pixel + step, inputs);
+    const float length = squaredLength(neighbor);
+    if (length > longest) {
+      longest = length;
+      result.offset = neighbor - pixel;
+      result.depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
+    }
+  }
+}
+
+} // namespace
+
 Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel) {
   Dilated result;
   result.depth = inputs.depth.texel(pixel.x, pixel.y).x;
-  if (settings.method == DilateMethod::Closest3x3) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const glm::ivec2 neighbor = clampedToPicture(pixel + glm::ivec2(dx, dy), inputs);
-        const float depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
-        if (depth > result.depth) { // reversed: larger is nearer; a tie keeps what came first
-          result.depth = depth;
-          result.offset = neighbor - pixel;
-        }
-      }
-    }
+  switch (settings.method) {
+  case DilateMethod::None:
+    break;
+  case DilateMethod::Longest3x3:
+  case DilateMethod::LongestCross:
+    findLongest(inputs, settings.method, pixel, result);
+    break;
+  case DilateMethod::Closest3x3AsPrinted: // starts from nothing at pixel (0, 0): D4
+    result.depth = 0.0f;
+    result.offset = -pixel;
+    findClosest(inputs, settings.method, pixel, result);
+    break;
+  default:
+    findClosest(inputs, settings.method, pixel, result);
   }
   const glm::ivec2 chosen = pixel + result.offset;
   result.motion = glm::vec2(inputs.motion.texel(chosen.x, chosen.y));

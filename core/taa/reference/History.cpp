@@ -3,6 +3,8 @@
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace taa::reference {
 namespace {
@@ -36,8 +38,9 @@ glm::vec3 bilinear(const Inputs& inputs, const Place& x, const Place& y) {
   return lerp(upper, lower, y.fraction);
 }
 
-/// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4).
-glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, Switch dering) {
+/// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4) unless
+/// as printed (6.4b).
+glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const Place x = placeAt(position.x);
   const Place y = placeAt(position.y);
   const std::array<float, 4> wx = catmullRomWeights(x.fraction);
@@ -71,8 +74,89 @@ glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, Switch de
     low = smaller(low, colors[i]);
     high = larger(high, colors[i]);
   }
-  const glm::vec3 result = c + difference / sum;
+  const bool isPrinted = settings.filter == HistoryFilter::CatmullRom5AsPrinted;
+  const glm::vec3 result = isPrinted ? c * sum + difference : c + difference / sum;
+  return settings.dering == Switch::On ? clamped(result, low, high) : result;
+}
+
+/// A color of a weighted set, and whether it bounds the result.
+struct Weighted {
+  glm::vec3 color;
+  float weight;
+  bool bounds;
+};
+
+/// Σwc/Σw about `middle`, within the colors that bound it when deringed.
+glm::vec3 weightedMean(std::span<const Weighted> set, const glm::vec3& middle, Switch dering) {
+  float sum = 0.0f;
+  glm::vec3 difference(0.0f);
+  glm::vec3 low = middle;
+  glm::vec3 high = middle;
+  for (const Weighted& one : set) {
+    sum = sum + one.weight;
+    difference = difference + (one.color - middle) * one.weight;
+    if (!one.bounds) continue;
+    low = smaller(low, one.color);
+    high = larger(high, one.color);
+  }
+  const glm::vec3 result = middle + difference / sum;
   return dering == Switch::On ? clamped(result, low, high) : result;
+}
+
+/// Nine bilinear taps: equal to sixteen texels (catalogue 6.3).
+glm::vec3 catmullRom9(const Inputs& inputs, const glm::vec2& position, Switch dering) {
+  const Place px = placeAt(position.x);
+  const Place py = placeAt(position.y);
+  const auto taps = [](const Place& place) {
+    const std::array<float, 4> w = catmullRomWeights(place.fraction);
+    const float both = w[1] + w[2];
+    return std::array<std::pair<Place, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
+                                                   {{place.texel, w[2] / both}, both},
+                                                   {{place.texel + 2, 0.0f}, w[3]}}};
+  };
+  std::array<Weighted, 9> set{};
+  std::size_t k = 0;
+  for (const auto& [y, wy] : taps(py))
+    for (const auto& [x, wx] : taps(px)) set[k++] = {sanitized(bilinear(inputs, x, y)), wx * wy, true};
+  return weightedMean(set, set[4].color, dering);
+}
+
+/// Sixteen texels with the kernel's weights (catalogue 6.2, 6.5 to 6.7).
+glm::vec3 sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
+  const Place x = placeAt(position.x);
+  const Place y = placeAt(position.y);
+  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
+  const bool isLanczos = settings.filter == HistoryFilter::Lanczos;
+  std::array<Weighted, 16> set{};
+  for (int k = 0; k < 16; ++k) {
+    const int i = k % 4, j = k / 4;
+    const glm::ivec2 texel = clampedToPicture({x.texel + i - 1, y.texel + j - 1}, inputs);
+    const bool isNear = (i == 1 || i == 2) && (j == 1 || j == 2);
+    set[static_cast<std::size_t>(k)] = {sanitized(glm::vec3(inputs.historyColor.texel(texel.x, texel.y))),
+                                        wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)],
+                                        isNear || !isLanczos};
+  }
+  return weightedMean(set, set[5].color, settings.dering);
+}
+
+glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
+  switch (settings.filter) {
+  case HistoryFilter::Point: {
+    const glm::ivec2 texel =
+        clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
+    return glm::vec3(inputs.historyColor.texel(texel.x, texel.y));
+  }
+  case HistoryFilter::Bilinear:
+    return bilinearHistory(inputs, q);
+  case HistoryFilter::CatmullRom5:
+  case HistoryFilter::CatmullRom5AsPrinted:
+    return catmullRom5(inputs, q, settings);
+  case HistoryFilter::CatmullRom9:
+    return catmullRom9(inputs, q, settings.dering);
+  default:
+    return sixteen(inputs, q, settings);
+  }
 }
 
 } // namespace
@@ -80,6 +164,30 @@ glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, Switch de
 std::array<float, 4> catmullRomWeights(float f) {
   return {f * (-0.5f + f * (1.0f - 0.5f * f)), 1.0f + (f * f) * (-2.5f + 1.5f * f),
           f * (0.5f + f * (2.0f - 1.5f * f)), (f * f) * (-0.5f + 0.5f * f)};
+}
+
+std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
+  const float c = settings.sharpness;
+  const auto near = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
+  const auto far = [](float x) {
+    return ((((-7.0f / 3.0f) * x + 12.0f) * x - 20.0f) * x + 32.0f / 3.0f) / 6.0f;
+  };
+  const auto lanczos = [](float x) {
+    const float x2 = x * x < 4.0f ? x * x : 4.0f;
+    const float a = x2 - 1.0f, b = x2 - 4.0f;
+    return ((a * b) * (b * b)) / 64.0f;
+  };
+  switch (settings.filter) {
+  case HistoryFilter::Cubic:
+    return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
+            ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
+  case HistoryFilter::Mitchell:
+    return {far(1.0f + f), near(f), near(1.0f - f), far(2.0f - f)};
+  case HistoryFilter::Lanczos:
+    return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
+  default:
+    return catmullRomWeights(f);
+  }
 }
 
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx) {
@@ -93,10 +201,7 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   result.position = isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
   if (inputs.historyColor.empty()) return result;
   const glm::vec2& q = result.position;
-  const glm::vec3 color = settings.filter == HistoryFilter::CatmullRom5
-                              ? catmullRom5(inputs, q, settings.dering)
-                              : bilinearHistory(inputs, q);
-  result.color = sanitized(color); // a filter with negative lobes can go below 0
+  result.color = sanitized(filtered(inputs, settings, q)); // a filter with negative lobes can go below 0
   const glm::ivec2 nearest =
       clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
   result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;

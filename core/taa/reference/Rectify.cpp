@@ -70,22 +70,97 @@ Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& targ
     return clipToCenter(value, boxMin, boxMax);
   case RectifyMethod::ClipToFiltered:
     return clipToColor(value, target, boxMin, boxMax);
-  case RectifyMethod::None:
+  default:
     break;
   }
   assert(false);
   return {value, 0.0f};
 }
 
+namespace {
+
+/// How far `value` is from h, against the way from h to `target`.
+float share(const glm::vec3& value, const glm::vec3& h, const glm::vec3& target) {
+  const float whole = magnitude(target - h);
+  return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
+}
+
+/// Towards the mean, made to fit axis by axis (catalogue 11.5).
+Clipped shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
+  if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
+  const glm::vec3 mean = clamped(n.mean, n.boxMin, n.boxMax);
+  glm::vec3 r = h - mean;
+  for (int i = 0; i < 3; ++i) {
+    const float high = n.boxMax[i] - mean[i];
+    const float low = n.boxMin[i] - mean[i];
+    if (r[i] > high) {
+      r = r * (high / r[i]);
+    } else if (r[i] < low) {
+      r = r * (low / r[i]);
+    }
+  }
+  const glm::vec3 value = mean + r;
+  return {value, share(value, h, mean)};
+}
+
+/// One box after the other (catalogue 10.5).
+Clipped clampThenClip(const glm::vec3& h, const Neighborhood& n) {
+  const Clipped second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
+  return {second.value, share(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
+}
+
+/// Where the ray to the current color meets the box, if that is not too far (catalogue 11.4).
+Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
+  if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
+  const glm::vec3 d = current - h;
+  const glm::vec3 b = 0.5f * (n.boxMin + n.boxMax);
+  const glm::vec3 e = 0.5f * (n.boxMax - n.boxMin);
+  float t = 1e9f;
+  for (int i = 0; i < 3; ++i) {
+    if (d[i] == 0.0f) continue;
+    const float hit = ((b[i] - (d[i] > 0.0f ? e[i] : -e[i])) - h[i]) / d[i];
+    if (hit >= 0.0f && hit < t) t = hit;
+  }
+  if (t > farthest) return {h, 0.0f};
+  return {h + d * t, t < 1.0f ? t : 1.0f};
+}
+
+Clipped rectified(const RectifySettings& settings, const glm::vec3& h, const glm::vec3& current,
+                  const Neighborhood& n) {
+  switch (settings.method) {
+  case RectifyMethod::ShrinkAxes:
+    return shrinkAxes(h, n);
+  case RectifyMethod::ClampThenClip:
+    return clampThenClip(h, n);
+  case RectifyMethod::RayToCurrent:
+    return rayToCurrent(h, current, n, settings.mostSteps);
+  default:
+    return clip(settings.method, h, current, n.boxMin, n.boxMax);
+  }
+}
+
+/// Part of the correction that is applied (catalogue 11.6).
+float strengthAt(const RectifySettings& settings, float speed) {
+  if (settings.method == RectifyMethod::None) return 0.0f;
+  if (settings.relaxAtRest == Switch::Off) return 1.0f;
+  const float q = speed / settings.restSpeed;
+  return settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q);
+}
+
+} // namespace
+
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood) {
-  if (inputs.historyColor.empty()) return {historyRaw, 0.0f};
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood, float speed) {
+  const float strength = strengthAt(settings.rectify, speed);
+  if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
   const glm::vec3 h = toBox(historyRaw, settings.space);
-  const Clipped clipped = clip(settings.rectify.method, h, toBox(currentFiltered, settings.space),
-                               neighborhood.boxMin, neighborhood.boxMax);
+  const Clipped clipped =
+      rectified(settings.rectify, h, toBox(currentFiltered, settings.space), neighborhood);
   // Kept history is kept exactly: no way there and back through the box's space.
-  const bool isKept = clipped.value == h && clipped.amount == 0.0f;
-  return {isKept ? historyRaw : sanitized(fromBox(clipped.value, settings.space)), clipped.amount};
+  if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f, strength};
+  const glm::vec3 color = sanitized(fromBox(clipped.value, settings.space));
+  if (settings.rectify.relaxAtRest == Switch::Off) return {color, clipped.amount, strength};
+  return {historyRaw + strength * (color - historyRaw), clipped.amount * strength, strength};
 }
 
 } // namespace taa::reference

@@ -1,6 +1,7 @@
 // Chains the stages and writes down everything they say.
 #include "core/taa/reference/Reference.h"
 
+#include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
 
 #include <glm/vec3.hpp>
@@ -33,6 +34,7 @@ void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
   set(record, IntermediateId::neighborhoodDeviation, neighborhood.deviation);
   set(record, IntermediateId::neighborhoodMin, neighborhood.min);
   set(record, IntermediateId::neighborhoodMax, neighborhood.max);
+  set(record, IntermediateId::boxGamma, neighborhood.gamma);
   set(record, IntermediateId::boxMin, neighborhood.boxMin);
   set(record, IntermediateId::boxMax, neighborhood.boxMax);
 }
@@ -48,6 +50,10 @@ void recordValidation(PixelRecord& record, const Validated& validated) {
 void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaBase, weights.base);
   set(record, IntermediateId::alphaFloor, weights.floor);
+  set(record, IntermediateId::alphaLumaFlicker, weights.lumaFlicker);
+  set(record, IntermediateId::alphaNearClamp, weights.nearClamp);
+  set(record, IntermediateId::alphaHistoryContrast, weights.historyContrast);
+  set(record, IntermediateId::alphaMotion, weights.motion);
   set(record, IntermediateId::alphaInvalid, weights.invalid);
   set(record, IntermediateId::alpha, weights.alpha);
 }
@@ -58,6 +64,21 @@ void recordBlend(PixelRecord& record, const Blended& blended) {
   set(record, IntermediateId::blendFactor, blended.factor);
   set(record, IntermediateId::historyLength, blended.historyLength);
   set(record, IntermediateId::resolved, blended.resolved);
+}
+
+Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
+            const glm::vec3& historyRaw, const glm::vec3& history, const Neighborhood& n) {
+  const auto boxed = [&space](const glm::vec3& color) { return boxLuma(toBox(color, space), space); };
+  Seen seen;
+  seen.hasHistory = !inputs.historyColor.empty();
+  seen.lumaCurrent = luma(current);
+  seen.lumaHistory = luma(history);
+  seen.boxCurrent = boxed(current);
+  seen.boxHistoryRaw = boxed(historyRaw);
+  seen.boxHistory = boxed(history);
+  seen.boxLow = boxLuma(n.boxMin, space);
+  seen.boxHigh = boxLuma(n.boxMax, space);
+  return seen;
 }
 
 } // namespace
@@ -74,6 +95,7 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
 
   const Reprojected reprojected = reproject(inputs, dilated.motion, p);
   set(record, IntermediateId::historyPosition, reprojected.position);
+  set(record, IntermediateId::speed, reprojected.speed);
   set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
 
   const HistorySample history = sampleHistory(inputs, settings.history, reprojected.position, p);
@@ -83,20 +105,29 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   const glm::vec3 current = filterCurrent(inputs, settings.current, p);
   set(record, IntermediateId::currentFiltered, current);
 
-  const Neighborhood neighborhood = measureNeighborhood(inputs, settings, current, p);
+  const Neighborhood neighborhood =
+      measureNeighborhood(inputs, settings, current, p, {history.color, reprojected.speed});
   recordNeighborhood(record, neighborhood);
 
-  const Clipped rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood);
+  const Clipped rectified =
+      rectifyHistory(inputs, settings, history.color, current, neighborhood, reprojected.speed);
   set(record, IntermediateId::historyRectified, rectified.value);
   set(record, IntermediateId::clipAmount, rectified.amount);
+  set(record, IntermediateId::rectifyStrength, rectified.strength);
 
   const Validated validated =
       validateHistory(inputs, settings.validate, dilated, reprojected, history.position, p);
   recordValidation(record, validated);
 
-  const Weights weights = weigh(settings.weight, history.length, validated.reason);
+  Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
+  seen.depth = dilated.depth;
+  seen.speed = reprojected.speed;
+  seen.motionUv = dilated.motion / glm::vec2(inputs.width(), inputs.height());
+  const Weights weights = weigh(settings.weight, history.length, validated.reason, seen);
   recordWeights(record, weights);
-  recordBlend(record, blend(settings, current, rectified.value, weights.alpha, history.length));
+  const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.reason != RejectReason::Kept;
+  const glm::vec3 shown = isBlurred ? blurredRestart(inputs, p) : current;
+  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, history.length));
   return record;
 }
 

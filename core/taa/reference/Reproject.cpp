@@ -1,6 +1,8 @@
 // Stage 2, reproject: pixel center minus motion.
 #include "core/taa/reference/Stages.h"
 
+#include <cmath>
+
 namespace taa::reference {
 namespace {
 
@@ -16,6 +18,8 @@ Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm
   result.position = q;
   result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.width()) && q.y >= 0.0f &&
                     q.y <= static_cast<float>(inputs.height()); // NaN is off the screen
+  const float speed = std::sqrt(motionPx.x * motionPx.x + motionPx.y * motionPx.y);
+  result.speed = speed <= kNoPreviousPosition ? speed : kNoPreviousPosition; // NaN is the fastest
   return result;
 }
 

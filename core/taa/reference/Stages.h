@@ -16,7 +16,7 @@ float viewDepth(float depth, const glm::vec4& depthTerms);
 
 /// Whose motion the pixel follows (catalogue §4).
 struct Dilated {
-  glm::ivec2 offset{0}; ///< px, −1 to 1
+  glm::ivec2 offset{0}; ///< px
   float depth = 0.0f;   ///< device
   glm::vec2 motion{0.0f};
 };
@@ -27,11 +27,14 @@ struct Reprojected {
   glm::vec2 position{0.0f}; ///< px in the previous frame
   bool onScreen = false;
   bool noPrevious = false; ///< it was behind the previous camera
+  float speed = 0.0f;      ///< px a frame
 };
 Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm::ivec2& pixel);
 
 /// Weights of a cubic's four taps at fraction f of a texel (catalogue 6.2, Catmull-Rom).
 std::array<float, 4> catmullRomWeights(float fraction);
+/// Weights of the four texels of an axis for the filters of sixteen texels (catalogue 6.2, 6.5 to 6.7).
+std::array<float, 4> cubicWeights(const HistorySettings& settings, float fraction);
 /// The stored color at `positionPx` by bilinear interpolation, clamped to the edge.
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx);
 /// What was accumulated there (catalogue §6).
@@ -45,6 +48,10 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
 
 /// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (catalogue 7.4).
 std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
+/// Weights of the chosen filter, likewise (catalogue §7).
+std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx);
+/// Mean of the pixel and its diagonals (catalogue 5.6).
+glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel);
 /// This frame's color at the pixel's center (catalogue §7).
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 
@@ -54,25 +61,36 @@ struct Neighborhood {
   glm::vec3 deviation{0.0f};
   glm::vec3 min{0.0f};
   glm::vec3 max{0.0f};
+  float gamma = 0.0f; ///< the one used
   glm::vec3 boxMin{0.0f};
   glm::vec3 boxMax{0.0f};
 };
+/// What γ may depend on.
+struct Moved {
+  glm::vec3 history{0.0f}; ///< scene-linear, as it was read
+  float speed = 0.0f;      ///< px a frame
+};
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
-                                 const glm::vec3& currentFiltered, const glm::ivec2& pixel);
+                                 const glm::vec3& currentFiltered, const glm::ivec2& pixel,
+                                 const Moved& moved = {});
 
-/// A point moved into a box, box space, and how far on its way: 0 kept, 1 all the way.
+/// A point moved into a box, box space, how far on its way (0 kept, 1 all the way), and which part of that is
+/// applied.
 struct Clipped {
   glm::vec3 value{0.0f};
   float amount = 0.0f;
+  float strength = 1.0f;
 };
+/// Of the methods that need no more than the box (11.1 to 11.3).
 Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
              const glm::vec3& boxMax);
 /// History pulled into the box, scene-linear (catalogue §11).
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood);
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                       float speed = 0.0f);
 
-enum class RejectReason : int { Kept, NoHistory, NoPrevious, OffScreen, Depth };
-/// Whether the history belongs to this surface (catalogue 5.1, 12.1).
+enum class RejectReason : int { Kept, NoHistory, NoPrevious, OffScreen, Depth, Speed };
+/// Whether the history belongs to this surface (catalogue §5, 12.1, 12.6).
 struct Validated {
   float depthExpected = 0.0f; ///< m
   float historyDepth = 0.0f;  ///< m
@@ -84,14 +102,26 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
                           const Reprojected& reprojected, const glm::vec2& readPosition,
                           const glm::ivec2& pixel);
 
+/// What the terms of α look at: luma of scene-linear colors, luma of box space, and motion.
+struct Seen {
+  bool hasHistory = false;
+  float lumaCurrent = 0.0f, lumaHistory = 0.0f; ///< filtered; rectified
+  float boxCurrent = 0.0f, boxHistoryRaw = 0.0f, boxHistory = 0.0f, boxLow = 0.0f, boxHigh = 0.0f;
+  float depth = 0.0f; ///< device
+  float speed = 0.0f; ///< px a frame
+  glm::vec2 motionUv{0.0f};
+};
 /// Terms of α, the weight of the current frame (catalogue §13).
 struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
+  float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f; ///< factors
+  float motion = 0.0f;
   float invalid = 0.0f;
-  float alpha = 0.0f; ///< the largest
+  float alpha = 0.0f; ///< composed
 };
-Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason);
+Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason,
+              const Seen& seen = {});
 
 /// The output (catalogue §14–16).
 struct Blended {

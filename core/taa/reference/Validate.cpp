@@ -52,6 +52,15 @@ float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, co
   return settings.depthTolerance + (settings.slopeAllowance * slope) / expected;
 }
 
+/// By the chosen rule (catalogue 5.0, 5.1, 5.3, 5.7); NaN is outside.
+bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
+  if (rule == OffScreen::Keep) return false;
+  if (rule == OffScreen::OneSided) return !(q.x > 0.0f);
+  const float margin = rule == OffScreen::Margin ? 0.5f : 0.0f;
+  return !(q.x >= margin && q.x <= static_cast<float>(inputs.width()) - margin && q.y >= margin &&
+           q.y <= static_cast<float>(inputs.height()) - margin);
+}
+
 } // namespace
 
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
@@ -68,10 +77,12 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
   compareDepth(inputs, readPosition, result);
   if (reprojected.noPrevious) {
     result.reason = RejectReason::NoPrevious;
-  } else if (settings.offScreen == Switch::On && !reprojected.onScreen) {
+  } else if (isOutside(inputs, settings.offScreen, reprojected.position)) {
     result.reason = RejectReason::OffScreen;
   } else if (settings.depth == Switch::On && result.depthMismatch > result.depthAllowed) {
     result.reason = RejectReason::Depth;
+  } else if (settings.speed == Switch::On && reprojected.speed > settings.speedLimit) {
+    result.reason = RejectReason::Speed;
   }
   return result;
 }
