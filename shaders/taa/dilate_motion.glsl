@@ -73,7 +73,7 @@ ivec2 closestAsPrinted(ivec2 pixel, out float closest) {
 
 float squaredLength(vec2 motion) {
   precise float result = motion.x * motion.x + motion.y * motion.y;
-  return result;
+  return result >= 0.0 ? result : 0.0; // NaN is no motion
 }
 
 /// The fastest (4.5); ties keep the pixel itself.

@@ -61,8 +61,8 @@ vec3 filterCurrent(Samples samples) {
   if (kIsWeighted) {
     result = weightedSamples(samples);
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
-    result = vec3(result.r >= 0.0 ? result.r : 0.0, result.g >= 0.0 ? result.g : 0.0,
-                  result.b >= 0.0 ? result.b : 0.0);
+    // Negative weights overshoot both ways.
+    result = bounded(result, vec3(0.0), vec3(kBrightest));
   }
   expose_currentFiltered(result);
   return result;

@@ -36,7 +36,7 @@ std::vector<Settings> combinations(int count) {
                       toggle()};
     s.rectify.method = pick(random, {RectifyMethod::None, RectifyMethod::Clamp, RectifyMethod::ClipToCenter,
                                      RectifyMethod::ClipToFiltered});
-    s.validate = {toggle(), toggle(), 0.03f, 2.0f};
+    s.validate = {pick(random, {OffScreen::Keep, OffScreen::Reject}), toggle(), 0.03f, 2.0f};
     s.weight.source = pick(random, {AlphaSource::Constant, AlphaSource::HistoryLength});
     s.blend.tone = pick(random, {ToneWeight::None, ToneWeight::Luma});
     all.push_back(s);

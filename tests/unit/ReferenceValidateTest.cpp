@@ -8,7 +8,7 @@
 namespace taa::reference {
 namespace {
 
-constexpr ValidateSettings kOn{Switch::On, Switch::On, 0.03f, 0.0f};
+constexpr ValidateSettings kOn{OffScreen::Reject, Switch::On, 0.03f, 0.0f};
 
 Inputs withHistory(float expected, float stored) {
   Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
@@ -30,7 +30,7 @@ TEST(ReferenceValidate, ComparesDepthsRelativeToWhatIsExpected) {
   EXPECT_EQ(validate(withHistory(4.0f, 5.0f)).depthMismatch, 0.25f);
   EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).reason, RejectReason::Depth);
   EXPECT_EQ(validate(withHistory(64.0f, 63.0f)).reason, RejectReason::Kept); // 1/64 < τ
-  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {Switch::On, Switch::Off, 0.03f, 0.0f}).reason,
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {OffScreen::Reject, Switch::Off, 0.03f, 0.0f}).reason,
             RejectReason::Kept);
 }
 
@@ -91,8 +91,8 @@ TEST(ReferenceValidate, GivesTheFirstReasonThatApplies) {
   };
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoPrevious);
   EXPECT_EQ(reason(off, kOn), RejectReason::OffScreen);
-  EXPECT_EQ(reason(off, {Switch::Off, Switch::On, 0.03f, 0.0f}), RejectReason::Depth);
-  EXPECT_EQ(reason(off, {Switch::Off, Switch::Off, 0.03f, 0.0f}), RejectReason::Kept);
+  EXPECT_EQ(reason(off, {OffScreen::Keep, Switch::On, 0.03f, 0.0f}), RejectReason::Depth);
+  EXPECT_EQ(reason(off, {OffScreen::Keep, Switch::Off, 0.03f, 0.0f}), RejectReason::Kept);
   inputs.historyColor = {};
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoHistory);
 }

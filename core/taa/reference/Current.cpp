@@ -133,8 +133,7 @@ glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, c
                        settings.filter == CurrentFilter::Lanczos;
   glm::vec3 color = weighted(inputs, settings, pixel);
   if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
-  for (int i = 0; i < 3; ++i) color[i] = color[i] >= 0.0f ? color[i] : 0.0f;
-  return color;
+  return clamped(color, glm::vec3(0.0f), glm::vec3(65504.0f)); // negative weights overshoot both ways
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {

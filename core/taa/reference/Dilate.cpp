@@ -46,7 +46,8 @@ void findClosest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
 void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
   const auto squaredLength = [&inputs](const glm::ivec2& p) {
     const glm::vec4 motion = inputs.motion.texel(p.x, p.y);
-    return motion.x * motion.x + motion.y * motion.y;
+    const float squared = motion.x * motion.x + motion.y * motion.y;
+    return squared >= 0.0f ? squared : 0.0f; // NaN is no motion
   };
   float longest = squaredLength(pixel);
   for (const glm::ivec2& step : candidates(method)) {
