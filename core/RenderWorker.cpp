@@ -1,5 +1,6 @@
 #include "core/RenderWorker.h"
 
+#include "core/render/Jitter.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -19,10 +20,6 @@ gl::Rect visiblePixels(const ViewRequest& view, int width, int height) {
   const glm::vec2 to = from + glm::vec2(view.width, view.height) / view.transform.zoom;
   const int left = edge(std::floor(from.x), width), top = edge(std::floor(from.y), height);
   return {left, top, edge(std::ceil(to.x), width) - left, edge(std::ceil(to.y), height) - top};
-}
-
-int jitterPeriod(const JitterSettings& jitter) {
-  return jitter.sequence == JitterSequence::None ? 1 : jitter.period;
 }
 
 bool stopsOpening(const Wishes& wishes) {

@@ -15,6 +15,7 @@ inline constexpr Choice kJitterSequences[] = {
     {"doubleHelix", "Double helix 8", "The same four in an order of eight (catalogue J4)."},
     {"butterfly", "Skew butterfly", "Two far points and two near ones (catalogue J5)."},
     {"rotatedGrid", "Rotated grid", "RGSS: four points, each alone in its row and column (catalogue J6)."},
+    {"poisson10", "Poisson 10", "Ten points of a disc of radius ¼ px, none near another (catalogue J7)."},
     {"pentagram", "Pentagram", "Five points of a star, each step across it (catalogue J8)."},
     {"halton", "Halton", "Halton(2, 3): low discrepancy, the usual choice (catalogue J9)."},
     {"r2", "R2", "Roberts' plastic number sequence: evenly spread at any length (catalogue J11)."},
@@ -22,6 +23,7 @@ inline constexpr Choice kJitterSequences[] = {
     {"gradientNoise", "Gradient noise",
      "Interleaved gradient noise along time: x and y hang together, so it covers badly (catalogue J13)."},
     {"msaa8", "MSAA 8", "The standard pattern of 8×MSAA; its mean is exactly 0 (catalogue J14)."},
+    {"blueNoise16", "Blue noise 16", "Sixteen points, each alone in its row and column (catalogue J15)."},
     {"whiteNoise", "White noise",
      "Hashed random points: what the others are measured against (catalogue J16)."},
 };

@@ -16,7 +16,7 @@ using K = ParameterKind;
 // path, label, stage, kind, effect, unit, minimum, maximum, choices, tooltip, formula, source, relevantWhen,
 // field
 const Parameter kParameters[] = {
-    {"jitter.sequence", "Sequence", Stage::Jitter, K::Choice, Effect::Inputs, "", 0, 14, kJitterSequences,
+    {"jitter.sequence", "Sequence", Stage::Jitter, K::Choice, Effect::Inputs, "", 0, 16, kJitterSequences,
      "Pattern of sub-pixel offsets the picture is drawn with.", "j = (Φ₂(i) − ½, Φ₃(i) − ½)",
      "catalogue §2.2", "", FIELD(jitter.sequence)},
     {"jitter.period",
@@ -45,8 +45,9 @@ const Parameter kParameters[] = {
      "Index of the sequence at frame 0. Index 0 is the corner (−½, −½).",
      "i = first + n mod P",
      "catalogue J9",
-     "jitter.sequence=uniform2|uniform4|helix|doubleHelix|butterfly|rotatedGrid|pentagram|halton|r2|"
-     "hammersley|gradientNoise|msaa8|whiteNoise",
+     "jitter.sequence=uniform2|uniform4|helix|doubleHelix|butterfly|rotatedGrid|poisson10|pentagram|halton|"
+     "r2|"
+     "hammersley|gradientNoise|msaa8|blueNoise16|whiteNoise",
      FIELD(jitter.firstIndex)},
     {"jitter.scale",
      "Scale",

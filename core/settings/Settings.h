@@ -20,12 +20,14 @@ enum class JitterSequence : std::int32_t {
   DoubleHelix,
   Butterfly,
   RotatedGrid,
+  Poisson10,
   Pentagram,
   Halton,
   R2,
   Hammersley,
   GradientNoise,
   Msaa8,
+  BlueNoise16,
   WhiteNoise,
 };
 struct JitterSettings {

@@ -7,6 +7,9 @@
 
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace taa {
 namespace {
@@ -48,16 +51,117 @@ TEST(Jitter, HasTheMeanOfItsPeriod) {
   }
 }
 
+std::vector<JitterSequence> allSequences() {
+  std::vector<JitterSequence> all;
+  for (int i = 0; i <= static_cast<int>(JitterSequence::WhiteNoise); ++i)
+    all.push_back(static_cast<JitterSequence>(i));
+  return all;
+}
+
 TEST(Jitter, StaysInsideThePixelTimesTheScale) {
-  for (const float scale : {0.0f, 0.25f, 1.0f}) {
-    JitterSettings settings = halton(1024, 0);
-    settings.scale = scale;
-    for (int frame = 0; frame < 1024; ++frame) {
-      const glm::vec2 jitter = jitterPx(settings, frame);
-      EXPECT_LE(std::abs(jitter.x), 0.5f * scale);
-      EXPECT_LE(std::abs(jitter.y), 0.5f * scale);
+  for (const JitterSequence sequence : allSequences())
+    for (const float scale : {0.0f, 0.25f, 1.0f})
+      for (int frame = 0; frame < 1024; ++frame) {
+        const glm::vec2 jitter = jitterPx({sequence, 1024, 0, scale}, frame);
+        EXPECT_LE(std::abs(jitter.x), 0.5f * scale) << static_cast<int>(sequence) << " at " << frame;
+        EXPECT_LE(std::abs(jitter.y), 0.5f * scale) << static_cast<int>(sequence) << " at " << frame;
+      }
+}
+
+TEST(Jitter, HasAPeriodOfItsOwnWhereItIsAListOfPoints) {
+  const auto period = [](JitterSequence sequence) { return jitterPeriod({sequence, 12, 1, 1.0f}); };
+  EXPECT_EQ(period(JitterSequence::None), 1);
+  EXPECT_EQ(period(JitterSequence::Uniform2), 2);
+  EXPECT_EQ(period(JitterSequence::DoubleHelix), 8);
+  EXPECT_EQ(period(JitterSequence::Pentagram), 5);
+  EXPECT_EQ(period(JitterSequence::Poisson10), 10);
+  EXPECT_EQ(period(JitterSequence::BlueNoise16), 16);
+  EXPECT_EQ(period(JitterSequence::R2), 12);
+  for (const JitterSequence sequence : allSequences())
+    for (int frame = 0; frame < 40; ++frame) {
+      const JitterSettings settings{sequence, 12, 1, 1.0f};
+      EXPECT_EQ(jitterPx(settings, frame), jitterPx(settings, frame + period(sequence)));
     }
+}
+
+// Invariant 3: these points are binary fractions, so that their sums are exact.
+TEST(Jitter, SumsToZeroWhereThePatternIsSymmetric) {
+  for (const JitterSequence sequence :
+       {JitterSequence::Uniform2, JitterSequence::Uniform4, JitterSequence::Helix,
+        JitterSequence::DoubleHelix, JitterSequence::Butterfly, JitterSequence::RotatedGrid,
+        JitterSequence::Poisson10, JitterSequence::Msaa8, JitterSequence::BlueNoise16}) {
+    const JitterSettings settings{sequence, 16, 1, 1.0f};
+    glm::vec2 sum(0.0f);
+    for (int frame = 0; frame < jitterPeriod(settings); ++frame) sum += jitterPx(settings, frame);
+    EXPECT_EQ(sum, glm::vec2(0.0f)) << static_cast<int>(sequence);
   }
+}
+
+// The four orders of J2 to J4 visit the same points.
+TEST(Jitter, VisitsTheSameFourPointsInEveryOrder) {
+  const auto pointsOf = [](JitterSequence sequence) {
+    std::set<std::pair<float, float>> points;
+    for (int frame = 0; frame < 8; ++frame) {
+      const glm::vec2 jitter = jitterPx({sequence, 8, 0, 1.0f}, frame);
+      points.insert({jitter.x, jitter.y});
+    }
+    return points;
+  };
+  const std::set<std::pair<float, float>> quarters = pointsOf(JitterSequence::Uniform4);
+  EXPECT_EQ(quarters.size(), 4u);
+  EXPECT_EQ(pointsOf(JitterSequence::Helix), quarters);
+  EXPECT_EQ(pointsOf(JitterSequence::DoubleHelix), quarters);
+}
+
+// Each of the sixteen rows and columns, eight of 8×MSAA and four of the rotated grid holds one point.
+TEST(Jitter, HoldsOnePointInEachRowAndColumn) {
+  for (const JitterSequence sequence :
+       {JitterSequence::BlueNoise16, JitterSequence::Msaa8, JitterSequence::RotatedGrid}) {
+    const JitterSettings settings{sequence, 1, 0, 1.0f};
+    const int count = jitterPeriod(settings);
+    std::set<int> columns, rows;
+    for (int frame = 0; frame < count; ++frame) {
+      const glm::vec2 cell = (jitterPx(settings, frame) + 0.5f) * static_cast<float>(count);
+      columns.insert(static_cast<int>(std::floor(cell.x)));
+      rows.insert(static_cast<int>(std::floor(cell.y)));
+    }
+    EXPECT_EQ(columns.size(), static_cast<std::size_t>(count)) << static_cast<int>(sequence);
+    EXPECT_EQ(rows.size(), static_cast<std::size_t>(count)) << static_cast<int>(sequence);
+  }
+}
+
+// Invariant 4; the expectations have five and six digits.
+TEST(Jitter, FollowsThePublishedFormulas) {
+  const JitterSettings r2{JitterSequence::R2, 16, 0, 1.0f};
+  EXPECT_EQ(jitterPx(r2, 0), glm::vec2(0.0f));
+  EXPECT_NEAR(jitterPx(r2, 1).x, -0.24512f, 5e-6f);
+  EXPECT_NEAR(jitterPx(r2, 1).y, -0.43016f, 5e-6f);
+  EXPECT_NEAR(jitterPx(r2, 2).x, -0.49024f, 5e-6f);
+  EXPECT_NEAR(jitterPx(r2, 2).y, 0.13968f, 5e-6f);
+  for (int frame = 0; frame < 8; ++frame) {
+    const glm::vec2 jitter = jitterPx({JitterSequence::Hammersley, 8, 0, 1.0f}, frame);
+    EXPECT_EQ(jitter.x, static_cast<float>(frame) / 8.0f - 0.5f);
+    EXPECT_EQ(jitter.y, radicalInverse(frame, 2) - 0.5f);
+  }
+  EXPECT_NEAR(gradientNoise(1, 0, 0), 0.555713, 5e-7);
+  EXPECT_NEAR(gradientNoise(0, 1, 0), 0.309269, 5e-7);
+  EXPECT_NEAR(gradientNoise(1, 1, 0), 0.864983, 5e-7);
+  const glm::vec2 noise = jitterPx({JitterSequence::GradientNoise, 16, 0, 1.0f}, 0);
+  EXPECT_NEAR(noise.x, 0.864983f - 0.5f, 5e-7f);
+}
+
+// One tenth of a pixel is 17 standard errors of the mean of 1024 uniform points.
+TEST(Jitter, SpreadsWhiteNoiseOverThePixel) {
+  std::array<int, 16> cells{};
+  glm::vec2 mean(0.0f);
+  for (int frame = 0; frame < 1024; ++frame) {
+    const glm::vec2 unit = jitterPx({JitterSequence::WhiteNoise, 1024, 0, 1.0f}, frame) + 0.5f;
+    mean += unit / 1024.0f;
+    ++cells[static_cast<std::size_t>(unit.x * 4.0f) + 4 * static_cast<std::size_t>(unit.y * 4.0f)];
+  }
+  EXPECT_NEAR(mean.x, 0.5f, 0.1f);
+  EXPECT_NEAR(mean.y, 0.5f, 0.1f);
+  for (const int count : cells) EXPECT_NEAR(count, 64, 40); // five standard deviations of 64 in 1024
 }
 
 TEST(Jitter, RepeatsAfterThePeriod) {

@@ -15,8 +15,12 @@ namespace {
 
 // A value of the row that differs from `value`.
 double otherValue(const Parameter& row, double value) {
-  if (row.kind == ParameterKind::Number)
-    return static_cast<double>(static_cast<float>(value == 0.25 ? 0.75 : 0.25));
+  if (row.kind == ParameterKind::Number) {
+    const auto between = [&row](double part) {
+      return static_cast<double>(static_cast<float>(row.minimum + part * (row.maximum - row.minimum)));
+    };
+    return value == between(0.25) ? between(0.75) : between(0.25);
+  }
   return value == row.minimum ? row.minimum + 1 : row.minimum;
 }
 
