@@ -216,13 +216,18 @@ void Menus::makePipeline() {
   QMenu* menu = window_.menuBar()->addMenu(tr("&Pipeline"));
   menu->setToolTipsVisible(true);
   Session& session = window_.session();
+  QMenu* presets = menu->addMenu(tr("&Preset"));
+  presets->setToolTipsVisible(true);
   int number = 0;
+  std::string group = builtinPresets().front().group;
   for (const Preset& preset : builtinPresets()) {
+    if (preset.group != group) presets->addSeparator();
+    group = preset.group;
     const QString id = QString::fromStdString(preset.id);
     const QList<QKeySequence> key =
         ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
                       : QList<QKeySequence>();
-    add(menu, tr("Preset: %1").arg(QString::fromStdString(preset.label)), key, [&session, id] {
+    add(presets, QString::fromStdString(preset.label), key, [&session, id] {
       session.setPreset(id);
     })->setToolTip(QString::fromStdString(preset.description));
   }

@@ -82,11 +82,16 @@ QWidget* PipelinePanel::makeTop() {
   presets_->setObjectName(QStringLiteral("presets"));
   presets_->setToolTip(tr("The preset these settings started from; * when some were changed since."));
   QStringList labels, descriptions;
+  std::vector<int> separators;
+  std::string_view group = builtinPresets().front().group;
   for (const Preset& preset : builtinPresets()) {
+    if (preset.group != group) separators.push_back(static_cast<int>(labels.size()));
+    group = preset.group;
     labels << QString::fromStdString(preset.label);
     descriptions << QString::fromStdString(preset.description);
   }
   presets_->setChoices(labels, descriptions);
+  presets_->setSeparators(separators);
   line->addWidget(title);
   line->addStretch(1);
   line->addWidget(presets_);

@@ -97,6 +97,7 @@ void ChoiceButton::openMenu() {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
   for (int index = 0; index < labels_.size(); ++index) {
+    if (std::ranges::binary_search(separators_, index)) menu->addSeparator();
     QAction* action = menu->addAction(labels_[index], this, [this, index] { choose(index); });
     action->setCheckable(true);
     action->setChecked(index == current_);

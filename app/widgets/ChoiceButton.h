@@ -4,6 +4,8 @@
 #include <QAbstractButton>
 #include <QStringList>
 
+#include <vector>
+
 namespace taa::app {
 
 class ChoiceButton : public QAbstractButton {
@@ -13,6 +15,8 @@ class ChoiceButton : public QAbstractButton {
 
   /// Labels, and one explanation each (or none).
   void setChoices(const QStringList& labels, const QStringList& explanations = {});
+  /// Draws a line above each of these choices, ascending.
+  void setSeparators(const std::vector<int>& above) { separators_ = above; }
   int current() const { return current_; }
   /// Shows a choice; emits nothing. −1: none.
   void setCurrent(int index);
@@ -40,6 +44,7 @@ class ChoiceButton : public QAbstractButton {
 
   QStringList labels_, explanations_;
   QString caption_;
+  std::vector<int> separators_;
   int current_ = -1;
   bool flat_ = false, plain_ = false, dimmed_ = false;
 };

@@ -55,6 +55,7 @@ Listing listPresets() {
     list.rows.push_back({row.id, row.label, row.description});
     list.json.push_back({{"id", row.id},
                          {"label", row.label},
+                         {"group", row.group},
                          {"description", row.description},
                          {"settings", toJson(row.settings)}});
   }

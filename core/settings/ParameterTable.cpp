@@ -61,8 +61,8 @@ const Parameter kParameters[] = {
      "Size of the offsets. 0 turns anti-aliasing off, less than 1 flickers less and aliases more.",
      "j·s",
      "catalogue §2.2",
-     "jitter.sequence=still|uniform2|uniform4|helix|doubleHelix|butterfly|rotatedGrid|pentagram|halton|r2|"
-     "hammersley|gradientNoise|msaa8|whiteNoise",
+     "jitter.sequence=still|uniform2|uniform4|helix|doubleHelix|butterfly|rotatedGrid|poisson10|pentagram|"
+     "halton|r2|hammersley|gradientNoise|msaa8|blueNoise16|whiteNoise",
      FIELD(jitter.scale)},
     {"inputs.precision", "Precision", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kPrecisions,
      "Storage of color and motion.", "", "catalogue §3", "", FIELD(inputs.precision)},

@@ -7,18 +7,21 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 namespace taa {
 
 namespace {
 
 constexpr int kFormat = 1;
+constexpr std::string_view kFields[] = {"format", "id", "label", "group", "order", "description", "settings"};
 
 std::vector<Preset> loadBuiltinPresets() {
   std::vector<Preset> presets;
   for (const std::string& path : embeddedPaths("resources/presets/"))
     presets.push_back(presetFromText(embeddedText(path), path));
-  std::ranges::stable_partition(presets, [](const Preset& row) { return row.id == "balanced"; });
+  std::ranges::sort(presets, {}, &Preset::order);
   return presets;
 }
 
@@ -44,12 +47,17 @@ Preset presetFromText(const std::string& text, const std::string& place) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     for (const auto& [key, value] : json.items())
-      if (key != "format" && key != "id" && key != "label" && key != "description" && key != "settings")
+      if (std::ranges::find(kFields, key) == std::end(kFields))
         throw Error("there is no preset field \"" + key + "\"");
     if (json.at("format") != kFormat)
       throw Error("its format is " + json.at("format").dump() + ", this program reads " +
                   std::to_string(kFormat));
-    Preset row{json.at("id"), json.at("label"), json.value("description", ""), {}};
+    Preset row{json.at("id"),
+               json.at("label"),
+               json.value("group", ""),
+               json.value("order", 0),
+               json.value("description", ""),
+               {}};
     fromJson(json.at("settings"), row.settings);
     return row;
   } catch (const nlohmann::json::exception& error) {
@@ -64,6 +72,10 @@ std::string presetToText(const Preset& row) {
   json["format"] = kFormat;
   json["id"] = row.id;
   json["label"] = row.label;
+  if (!row.group.empty()) {
+    json["group"] = row.group;
+    json["order"] = row.order;
+  }
   json["description"] = row.description;
   json["settings"] = toJson(row.settings);
   return json.dump(2) + "\n";

@@ -30,6 +30,8 @@ void change(ParameterRow& row) {
     QTest::mouseClick(buttons, Qt::LeftButton, {}, buttons->segment(wanted).center());
   } else if (qobject_cast<Toggle*>(editor)) {
     QTest::mouseClick(editor, Qt::LeftButton);
+  } else if (auto* choices = qobject_cast<ChoiceButton*>(editor)) {
+    QTest::keyClick(choices, choices->current() == 0 ? Qt::Key_Down : Qt::Key_Up);
   } else {
     const double middle = (row.row().minimum + row.row().maximum) / 2;
     QTest::mouseClick(editor, Qt::LeftButton);
@@ -91,7 +93,7 @@ TEST_F(ParameterPanel, RowsWithoutEffectAreDimmed) {
   EXPECT_TRUE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
   session.setParameter("weight.source", 0);
   EXPECT_FALSE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
-  EXPECT_TRUE(rowOf(window.pipeline(), "weight.minimum")->isDimmed());
+  EXPECT_TRUE(rowOf(window.pipeline(), "weight.most")->isDimmed());
 }
 
 TEST_F(ParameterPanel, ToolTipsTellSentenceFormulaSourceRangeAndDefault) {

@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace taa {
 namespace {
@@ -144,6 +147,104 @@ TEST(Presets, OpenWithTheDefaultsAsBalanced) {
   EXPECT_EQ(builtinPresets().front().id, "balanced");
   EXPECT_TRUE(builtinPresets().front().settings == Settings{})
       << ::testing::PrintToString(differences(builtinPresets().front().settings, Settings{}));
+}
+
+// What presets.md says of each peer, where the renderer has it.
+TEST(Presets, ChooseWhatTheirPeersChoose) {
+  const std::vector<std::pair<const char*, std::vector<const char*>>> peers{
+      {"playdead",
+       {"jitter.period=16", "dilate.method=closest3x3", "history.filter=bilinear", "current.filter=unjitter",
+        "neighborhood.shape=rounded", "neighborhood.box=minMax", "space.color=rgb",
+        "rectify.method=clipToCenter", "validate.offScreen=keep", "weight.source=lumaDifference",
+        "weight.most=0.12", "weight.least=0.03", "blend.tone=none"}},
+      {"ue4",
+       {"jitter.period=8", "dilate.method=closestX2", "current.variance=0.22", "neighborhood.shape=rounded",
+        "space.color=yCoCg", "rectify.method=clipToFiltered", "weight.alpha=0.04", "weight.nearClamp=on",
+        "blend.tone=luma"}},
+      {"raptor",
+       {"jitter.period=2", "jitter.firstIndex=0", "inputs.motion=cameraFromDepth",
+        "dilate.method=closest3x3AsPrinted", "history.filter=catmullRom9", "current.filter=mitchellAsPrinted",
+        "rectify.method=clampThenClip", "space.color=rgb", "weight.source=lumaDifferenceAsPrinted"}},
+      {"urp-verylow",
+       {"dilate.method=none", "history.filter=bilinear", "neighborhood.shape=cross", "space.color=rgb",
+        "rectify.method=clamp", "validate.offScreen=keep", "weight.alpha=0.1"}},
+      {"urp-low", {"dilate.method=closestCross", "neighborhood.shape=cross", "validate.offScreen=reject"}},
+      {"urp-medium",
+       {"dilate.method=closest3x3", "history.filter=bilinear", "space.color=yCoCg",
+        "neighborhood.box=intersection", "neighborhood.gamma=0.9", "rectify.method=clamp"}},
+      {"urp-high", {"history.filter=catmullRom5", "current.filter=center", "rectify.method=clamp"}},
+      {"urp-veryhigh",
+       {"current.filter=gaussian", "current.variance=0.22", "current.jitterAware=on",
+        "rectify.method=clipToCenter"}},
+      {"hdrp-low",
+       {"jitter.period=8", "dilate.method=closestX", "space.color=rgb", "neighborhood.shape=cross",
+        "neighborhood.box=minMax", "validate.offScreen=margin", "weight.alpha=0.125"}},
+      {"hdrp-medium",
+       {"history.filter=cubic", "history.sharpness=0.35", "neighborhood.shape=cross",
+        "neighborhood.gamma=1.5", "neighborhood.contrastGrowth=1.75", "neighborhood.gammaMoving=0.75",
+        "neighborhood.gammaSpeed=50", "rectify.method=clipToCenter"}},
+      {"hdrp-high", {"neighborhood.shape=square3x3", "current.filter=gaussian", "current.variance=0.22"}},
+      {"filament",
+       {"jitter.firstIndex=0", "inputs.motion=cameraFromDepth", "history.filter=catmullRom5",
+        "history.dering=on", "current.filter=lanczos", "current.dering=on", "space.color=rgb",
+        "neighborhood.shape=rounded", "rectify.method=clipToFiltered", "weight.alpha=0.12",
+        "blend.tone=maxChannel"}},
+      {"donut",
+       {"jitter.sequence=msaa8", "dilate.method=longest3x3", "history.filter=catmullRom9",
+        "neighborhood.box=variance", "neighborhood.gamma=1", "rectify.method=clamp", "weight.alpha=0.1"}},
+      {"intel",
+       {"jitter.firstIndex=0", "dilate.method=longest3x3", "history.filter=catmullRom5",
+        "neighborhood.gamma=2", "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=128",
+        "validate.depth=on", "validate.speedLimit=128", "rectify.method=clamp", "blend.restart=blurred",
+        "weight.source=historyLength"}},
+      {"miniengine",
+       {"jitter.period=8", "jitter.firstIndex=0", "dilate.method=closestCross", "rectify.method=clipToCenter",
+        "validate.depth=on", "validate.speedLimit=64", "space.color=rgb"}},
+      {"diligent",
+       {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom5", "space.color=rgb",
+        "rectify.method=rayToCurrent", "rectify.mostSteps=10", "neighborhood.gamma=2.5",
+        "neighborhood.gammaMoving=0.75", "weight.minimum=0.0625"}},
+      {"godot",
+       {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom9",
+        "space.tone=reinhardChannel", "space.color=yCoCg", "neighborhood.weights=luma",
+        "neighborhood.gammaMoving=0.4", "rectify.method=shrinkAxes", "weight.lumaFlicker=on"}},
+      {"bevy",
+       {"jitter.period=8", "dilate.method=closestX2", "history.filter=catmullRom5AsPrinted",
+        "space.tone=maxChannel", "space.color=yCoCg", "rectify.method=clipToCenter", "weight.minimum=0.015"}},
+      {"falcor",
+       {"dilate.method=longest3x3", "history.filter=catmullRom9", "space.color=yCoCg",
+        "neighborhood.box=variance", "rectify.method=clamp", "weight.alpha=0.1", "weight.nearClamp=on"}},
+      {"source000",
+       {"jitter.period=16", "history.filter=catmullRom5", "current.lumaWeighted=on",
+        "neighborhood.gamma=1.25", "rectify.method=clipToFiltered", "weight.alpha=0.1", "blend.tone=luma"}},
+      {"source001",
+       {"dilate.method=none", "history.filter=bilinear", "rectify.method=none", "weight.alpha=0.1"}},
+      {"source002",
+       {"dilate.method=closestX", "history.precision=full", "current.filter=unjitter", "space.color=yCoCg",
+        "neighborhood.box=minMax", "rectify.method=clipToCenter", "weight.alpha=0.05",
+        "weight.motion=linear"}},
+      {"source004",
+       {"jitter.sequence=whiteNoise", "history.filter=bilinear", "rectify.method=none", "validate.depth=on",
+        "weight.source=historyLength", "blend.length=variance"}}};
+  for (const auto& [id, assignments] : peers)
+    for (const char* assignment : assignments) {
+      Settings wanted = preset(id).settings;
+      applyAssignment(wanted, assignment);
+      EXPECT_TRUE(wanted == preset(id).settings) << id << " wants " << assignment;
+    }
+  EXPECT_EQ(std::ranges::count(builtinPresets(), "ours", &Preset::group), 6);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(builtinPresets(), "ours", &Preset::group)) +
+                peers.size(),
+            builtinPresets().size());
+}
+
+TEST(Presets, DifferFromEachOtherAndSayWhatTheyAre) {
+  for (const Preset& row : builtinPresets()) {
+    EXPECT_TRUE(row.group == "ours" || row.group == "engines" || row.group == "sources") << row.id;
+    EXPECT_TRUE(row.description.ends_with('.')) << row.id;
+    for (const Preset& other : builtinPresets())
+      EXPECT_TRUE(&row == &other || !(row.settings == other.settings)) << row.id << " = " << other.id;
+  }
 }
 
 TEST(Presets, ReadBackFromTheirText) {
