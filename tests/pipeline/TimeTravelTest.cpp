@@ -1,8 +1,9 @@
 // Frame n is a function: however it is reached and however much is looked at, the same bits, with every
-// preset, in both built-in scenes (design §2.1–3).
+// preset (design §2.1–3).
 #include "core/Inspector.h"
 
 #include "core/base/Error.h"
+#include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/reference/Stages.h"
 #include "tests/support/CompareImages.h"
@@ -12,6 +13,8 @@
 #include "tests/support/ResolveTest.h"
 
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -21,10 +24,19 @@ constexpr int kWidth = 80;
 constexpr int kHeight = 45;
 constexpr int kFrame = 13; // not a round number: between checkpoints, whatever their distance
 
-std::vector<Settings> presetLanes() {
+constexpr int kLanes = 4;
+
+/// The presets in lots of as many as run beside each other.
+std::vector<Settings> presetLanes(int lot) {
   std::vector<Settings> lanes;
-  for (const Preset& preset : builtinPresets()) lanes.push_back(preset.settings);
+  const std::vector<Preset>& presets = builtinPresets();
+  for (std::size_t i = 0; i < presets.size(); ++i)
+    if (static_cast<int>(i) / kLanes == lot) lanes.push_back(presets[i].settings);
   return lanes;
+}
+
+int lotCount() {
+  return (static_cast<int>(builtinPresets().size()) + kLanes - 1) / kLanes;
 }
 
 /// Every intermediate of every lane; resolved, history length and dilated depth are the next frame's history.
@@ -53,17 +65,19 @@ void play(Inspector& inspector, int frame) {
   while (inspector.frame() < frame) inspector.seek(inspector.frame() + 1);
 }
 
-/// Parameter: a built-in scene. One Inspector at a time, for each brings its own context.
-class TimeTravelTest : public test::GlTest, public testing::WithParamInterface<const char*> {
+/// One Inspector at a time, for each brings its own context.
+class TimeTravel : public test::GlTest {
  protected:
-  static void open(Inspector& inspector, const std::vector<Settings>& lanes) {
+  explicit TimeTravel(std::string scene) : scene_(std::move(scene)) {}
+
+  void open(Inspector& inspector, const std::vector<Settings>& lanes) const {
     inspector.setSize(kWidth, kHeight);
-    inspector.open(std::string("builtin:") + GetParam());
+    inspector.open("builtin:" + scene_);
     inspector.setLanes(lanes);
   }
 
   /// All of a frame, from an inspector that keeps nothing and went straight there.
-  static std::vector<Image> soughtAtOnce(const std::vector<Settings>& lanes, int frame) {
+  std::vector<Image> soughtAtOnce(const std::vector<Settings>& lanes, int frame) const {
     Inspector inspector;
     inspector.setCheckpointBudget(0);
     open(inspector, lanes);
@@ -71,15 +85,32 @@ class TimeTravelTest : public test::GlTest, public testing::WithParamInterface<c
     EXPECT_TRUE(inspector.isExact());
     return everything(inspector);
   }
+
+ private:
+  std::string scene_;
 };
 
-TEST_P(TimeTravelTest, PlayingSeekingAndSteppingBackGiveTheSameBitsInEveryLane) {
-  const std::vector<Image> expected = soughtAtOnce(presetLanes(), kFrame);
-  const std::vector<Image> next = soughtAtOnce(presetLanes(), kFrame + 1);
+/// Parameter: a built-in scene.
+class TimeTravelTest : public TimeTravel, public testing::WithParamInterface<const char*> {
+ protected:
+  TimeTravelTest() : TimeTravel(GetParam()) {}
+};
+
+/// Parameters: a built-in scene and a lot of presets.
+class TimeTravelOfPresetsTest : public TimeTravel,
+                                public testing::WithParamInterface<std::tuple<std::string, int>> {
+ protected:
+  TimeTravelOfPresetsTest() : TimeTravel(std::get<0>(GetParam())) {}
+  const std::vector<Settings> lanes = presetLanes(std::get<1>(GetParam()));
+};
+
+TEST_P(TimeTravelOfPresetsTest, PlayingSeekingAndSteppingBackGiveTheSameBitsInEveryLane) {
+  const std::vector<Image> expected = soughtAtOnce(lanes, kFrame);
+  const std::vector<Image> next = soughtAtOnce(lanes, kFrame + 1);
   EXPECT_NE(difference(expected, next), ""); // frames differ at all
   Inspector inspector;
-  open(inspector, presetLanes());
-  EXPECT_EQ(inspector.laneCount(), 4);
+  open(inspector, lanes);
+  EXPECT_EQ(inspector.laneCount(), static_cast<int>(lanes.size()));
   play(inspector, kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "played";
   play(inspector, kFrame + 5);
@@ -95,46 +126,48 @@ TEST_P(TimeTravelTest, PlayingSeekingAndSteppingBackGiveTheSameBitsInEveryLane) 
   EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from the start";
 }
 
-TEST_P(TimeTravelTest, ALaneIsWhatItIsAlone) {
-  const std::vector<Image> together = soughtAtOnce(presetLanes(), kFrame);
+TEST_P(TimeTravelOfPresetsTest, ALaneIsWhatItIsAlone) {
+  const std::vector<Image> together = soughtAtOnce(lanes, kFrame);
   std::vector<Image> alone;
-  for (const Settings& settings : presetLanes()) {
+  for (const Settings& settings : lanes) {
     for (Image& picture : soughtAtOnce({settings}, kFrame)) alone.push_back(std::move(picture));
   }
   EXPECT_EQ(difference(together, alone), "");
 }
 
-TEST_P(TimeTravelTest, AfterNewSettingsRefiningAndSeekingMakeItExact) {
+TEST_P(TimeTravelOfPresetsTest, AfterNewSettingsRefiningAndSeekingMakeItExact) {
   const std::vector<Image> balanced = soughtAtOnce({preset("balanced").settings}, kFrame);
-  for (const Preset& other : builtinPresets()) {
-    if (other.id == "balanced") continue;
-    const std::vector<Image> refined = soughtAtOnce({other.settings}, kFrame);
+  for (const Settings& other : lanes) {
+    if (other == preset("balanced").settings) continue;
+    const std::vector<Image> refined = soughtAtOnce({other}, kFrame);
     Inspector inspector;
     open(inspector, {preset("balanced").settings});
     inspector.seek(kFrame);
-    inspector.setSettings(other.settings);
+    inspector.setSettings(other);
     EXPECT_FALSE(inspector.isExact());
     EXPECT_NE(difference(everything(inspector), refined), ""); // new settings on old history
     inspector.refine();
     EXPECT_TRUE(inspector.isExact());
-    EXPECT_EQ(difference(everything(inspector), refined), "") << other.id << ", refined";
+    EXPECT_EQ(difference(everything(inspector), refined), "")
+        << ::testing::PrintToString(differences(other, {})) << ", refined";
     inspector.setSettings(preset("balanced").settings);
     inspector.refine();
     inspector.seek(kFrame - 3); // checkpoints of other settings must not be used
     inspector.seek(kFrame);
     EXPECT_TRUE(inspector.isExact());
-    EXPECT_EQ(difference(everything(inspector), balanced), "") << other.id << " and back";
+    EXPECT_EQ(difference(everything(inspector), balanced), "")
+        << ::testing::PrintToString(differences(other, {})) << " and back";
   }
 }
 
-TEST_P(TimeTravelTest, LookingChangesNothingOverThirtyTwoFramesOfEveryPreset) {
+TEST_P(TimeTravelOfPresetsTest, LookingChangesNothingOverThirtyTwoFramesOfEveryPreset) {
   const std::vector<IntermediateId> history{IntermediateId::resolved, IntermediateId::historyLength,
                                             IntermediateId::dilatedDepth};
   // Plays 32 frames; what is left as history after each, when asked to look, and everything at the end.
   const auto playWatching = [&](const std::vector<IntermediateId>& watched, bool looks) {
     std::vector<Image> seen;
     Inspector inspector;
-    open(inspector, presetLanes());
+    open(inspector, lanes);
     inspector.watch(watched);
     for (int frame = 0; frame < 32; ++frame) {
       inspector.seek(frame);
@@ -201,6 +234,11 @@ TEST_P(TimeTravelTest, ProbeIsPictureIsTwin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TimeTravelTest, testing::Values("fan", "fence"));
+INSTANTIATE_TEST_SUITE_P(Fan, TimeTravelOfPresetsTest,
+                         testing::Combine(testing::Values(std::string("fan")),
+                                          testing::Range(0, lotCount())));
+INSTANTIATE_TEST_SUITE_P(Fence, TimeTravelOfPresetsTest,
+                         testing::Combine(testing::Values(std::string("fence")), testing::Values(0)));
 
 } // namespace
 } // namespace taa
