@@ -1,6 +1,6 @@
 #include "core/render/GBufferPass.h"
 
-#include "shaders/shared/DrawBlock.h"
+#include "core/scene/Deform.h"
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -55,7 +55,7 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
     const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
     for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
       const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
-      const Variant variant = variantFor(primitive, scene);
+      const Variant variant = variantFor(primitive, scene.nodes[static_cast<std::size_t>(node)], scene);
       items_.push_back({node, mesh, index, primitive.material, variant});
       if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
     }
@@ -65,25 +65,46 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
   staging_.resize(drawStride_ * items_.size());
   mirrored_.resize(items_.size());
   if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
+  for (const Skin& skin : scene.skins) {
+    firstJoints_.push_back(jointCount_);
+    jointCount_ += static_cast<int>(skin.joints.size());
+  }
+  if (jointCount_ > 0)
+    joints_ = gl::Buffer(2 * static_cast<std::size_t>(jointCount_) * sizeof(glm::mat4), nullptr, "joints");
+  if (!scene.morphWeights.empty())
+    morphWeights_ = gl::Buffer(2 * scene.morphWeights.size() * sizeof(float), nullptr, "morph weights");
 }
 
-GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Scene& scene) {
+GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Node& node,
+                                             const Scene& scene) {
   const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
   // Lines and points have no side that could face a light.
   const bool lit = !material.unlit && primitive.topology == Topology::Triangles;
-  return {textureMask(material), material.alphaMode != AlphaMode::Opaque, lit};
+  return {textureMask(material),
+          material.alphaMode != AlphaMode::Opaque,
+          lit,
+          node.skin >= 0 ? primitive.influenceSets : 0,
+          node.firstWeight >= 0 && !primitive.targets.empty(),
+          primitive.cache.frames > 0,
+          material.wind.amplitude != 0.0f};
 }
 
 gl::Program GBufferPass::compile(const Variant& variant) const {
   const auto line = [](const char* name, int value) {
     return std::string("const int ") + name + " = " + std::to_string(value) + ";\n";
   };
+  const auto flag = [](const char* name, bool value) {
+    return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
+  };
   const std::string prelude = line("kTextures", static_cast<int>(variant.textures)) +
                               line("kDirectionalLights", lights_.directional) +
-                              line("kNearLights", lights_.near) +
-                              "const bool kMasked = " + (variant.masked ? "true" : "false") +
-                              ";\nconst bool kLit = " + (variant.lit ? "true" : "false") + ";\n";
-  return {gl::ShaderSource("scene/mesh.vert"), gl::ShaderSource("scene/mesh.frag", prelude), "GBufferPass"};
+                              line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
+                              flag("kLit", variant.lit);
+  const std::string deform = line("kInfluenceSets", variant.influenceSets) +
+                             flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
+                             flag("kWind", variant.wind);
+  return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
+          "GBufferPass"};
 }
 
 void GBufferPass::reloadShaders() {
@@ -92,28 +113,63 @@ void GBufferPass::reloadShaders() {
   programs_.swap(programs);
 }
 
+void GBufferPass::prepareDeformation(const Scene& scene, const View& view) {
+  jointMatrices_.clear();
+  for (const Pose* pose : {&view.pose, &view.previousPose})
+    for (const Skin& skin : scene.skins)
+      for (const glm::mat4& matrix : jointMatrices(scene, skin, *pose)) jointMatrices_.push_back(matrix);
+  if (!jointMatrices_.empty())
+    joints_.update(0, jointMatrices_.data(), jointMatrices_.size() * sizeof(glm::mat4));
+  const std::size_t bytes = scene.morphWeights.size() * sizeof(float);
+  if (bytes == 0) return;
+  morphWeights_.update(0, view.pose.morphWeights.data(), bytes);
+  morphWeights_.update(bytes, view.previousPose.morphWeights.data(), bytes);
+}
+
+shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, std::size_t index) const {
+  const Item& item = items_[index];
+  const Node& node = scene.nodes[static_cast<std::size_t>(item.node)];
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  const bool isSkinned = item.variant.influenceSets > 0;
+  const int firstJoint = isSkinned ? firstJoints_[static_cast<std::size_t>(node.skin)] : 0;
+  // Joints lead to the world; glTF ignores the transform of a skinned node.
+  const glm::mat4 world =
+      isSkinned ? glm::mat4(1.0f) : view.pose.worldFromNode[static_cast<std::size_t>(item.node)];
+  const glm::mat4 previousWorld =
+      isSkinned ? glm::mat4(1.0f) : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
+  shared::DrawBlock block{};
+  block.worldFromModel = world;
+  block.clipFromModel = view.block.clipFromWorld * world;
+  block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
+  block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
+  const glm::mat3 turns(isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoint)] : world);
+  const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
+  block.normalFromModel = normalMatrix(glm::mat3(world), sign);
+  block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
+  const double back = view.pose.time - view.previousPose.time;
+  block.moments = {static_cast<float>(view.pose.time), static_cast<float>(view.previousPose.time),
+                   static_cast<float>(back), 0.0f};
+  block.deform = {firstJoint, std::max(node.firstWeight, 0), cacheFrame(primitive.cache, view.pose.time), 0};
+  block.deformCounts = {static_cast<int>(primitive.targets.size()),
+                        static_cast<int>(primitive.vertices.size()), jointCount_,
+                        static_cast<int>(scene.morphWeights.size())};
+  return block;
+}
+
 void GBufferPass::prepare(const Scene& scene, const View& view) {
   visible_.clear();
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
-    const auto node = static_cast<std::size_t>(item.node);
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
                                      .primitives[static_cast<std::size_t>(item.primitive)];
-    const glm::mat4& world = view.pose.worldFromNode[node];
-    const glm::mat4& previousWorld = view.previousPose.worldFromNode[node];
-    shared::DrawBlock block;
-    block.worldFromModel = world;
-    block.clipFromModel = view.block.clipFromWorld * world;
-    block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
-    block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
-    mirrored_[index] = glm::determinant(glm::mat3(world)) < 0.0f;
-    const float sign = mirrored_[index] ? -1.0f : 1.0f;
-    block.normalFromModel = normalMatrix(glm::mat3(world), sign);
-    block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
+    const shared::DrawBlock block = drawBlock(scene, view, index);
+    mirrored_[index] = block.drawTerms.y < 0.0f;
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     if (primitive.indices.empty()) continue;
-    if (const auto distance = farthestPoint(primitive.bounds, block.clipFromModel, view.block.sizePx))
-      visible_.push_back({items_[index].variant.masked, *distance, index});
+    if (const auto distance = farthestPoint(item.variant.deforms() ? Bounds() : primitive.bounds,
+                                            block.clipFromModel, view.block.sizePx))
+      visible_.push_back({item.variant.masked, *distance, index});
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
@@ -123,17 +179,21 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
 void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,
                        const gl::Buffer& frame, const gl::Framebuffer& target) {
   if (items_.empty()) return;
+  prepareDeformation(scene, view);
   prepare(scene, view);
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lightBlock_);
+  if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
+  if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
   for (const Visible& visible : visible_) {
     const Item& item = items_[visible.item];
     pass.program(programs_.at(item.variant));
     pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));
     resources.bindMaterial(pass, item.material);
+    if (item.variant.deforms()) resources.bindDeformation(pass, item.mesh, item.primitive);
     pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
                  mirrored_[visible.item]);
     pass.draw(resources.mesh(item.mesh, item.primitive));

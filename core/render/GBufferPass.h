@@ -5,7 +5,9 @@
 #include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
+#include "shaders/shared/DrawBlock.h"
 
+#include <compare>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -30,16 +32,17 @@ class GBufferPass {
     unsigned textures = 0; ///< textureMask()
     bool masked = false;
     bool lit = true;
-    bool operator<(const Variant& other) const {
-      return std::tie(textures, masked, lit) < std::tie(other.textures, other.masked, other.lit);
-    }
+    int influenceSets = 0;
+    bool morphed = false, cached = false, wind = false;
+    auto operator<=>(const Variant&) const = default;
+    bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
   };
   /// One primitive at one node.
   struct Item {
     int node = 0, mesh = 0, primitive = 0, material = 0;
     Variant variant;
   };
-  static Variant variantFor(const Primitive& primitive, const Scene& scene);
+  static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
   gl::Program compile(const Variant& variant) const;
   /// An item that may be seen; drawn in their order, front to back.
   struct Visible {
@@ -52,6 +55,9 @@ class GBufferPass {
   };
   /// Fills the blocks of all items, and `visible_`.
   void prepare(const Scene& scene, const View& view);
+  /// Fills joint matrices and morph weights of both frames.
+  void prepareDeformation(const Scene& scene, const View& view);
+  shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
 
   LightCounts lights_;
   std::vector<Item> items_; ///< object id − 1 is the index
@@ -61,6 +67,10 @@ class GBufferPass {
   std::size_t drawStride_ = 0; ///< bytes
   std::vector<std::byte> staging_;
   std::vector<bool> mirrored_;
+  std::vector<int> firstJoints_;         ///< of each skin among all joints
+  int jointCount_ = 0;                   ///< of all skins
+  std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
+  gl::Buffer joints_, morphWeights_;
   std::vector<Visible> visible_;
 };
 

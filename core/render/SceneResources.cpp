@@ -56,7 +56,45 @@ shared::MaterialBlock materialBlock(const Material& material) {
     block.uvRows[2 * index] = glm::vec4(rows[0], static_cast<float>(slot.uvSet));
     block.uvRows[2 * index + 1] = glm::vec4(rows[1], 0.0f);
   }
+  const Wind& wind = material.wind;
+  block.wind = {wind.amplitude, wind.waveNumber, wind.frequency, 0.0f};
+  block.windDirection = glm::vec4(wind.direction, 0.0f);
   return block;
+}
+
+/// Four floats for each vector, as a storage block of the shader has them.
+gl::Buffer vectorBuffer(const std::vector<glm::vec4>& vectors, const std::string& label) {
+  return vectors.empty() ? gl::Buffer()
+                         : gl::Buffer(vectors.size() * sizeof(glm::vec4), vectors.data(), label);
+}
+
+gl::Buffer influenceBuffer(const Primitive& primitive) {
+  std::vector<glm::vec4> vectors;
+  for (const Influence& influence : primitive.influences) {
+    vectors.push_back(influence.joints);
+    vectors.push_back(influence.weights);
+  }
+  return vectorBuffer(vectors, "influences");
+}
+
+gl::Buffer deltaBuffer(const Primitive& primitive) {
+  std::vector<glm::vec4> vectors;
+  for (const std::vector<MorphDelta>& target : primitive.targets)
+    for (const MorphDelta& delta : target) {
+      vectors.emplace_back(delta.position, 0.0f);
+      vectors.emplace_back(delta.normal, 0.0f);
+    }
+  return vectorBuffer(vectors, "morph deltas");
+}
+
+gl::Buffer cacheBuffer(const Primitive& primitive) {
+  std::vector<glm::vec4> vectors;
+  for (const VertexCache::Entry& entry : primitive.cache.entries) {
+    vectors.emplace_back(entry.position, 0.0f);
+    vectors.emplace_back(entry.normal, 0.0f);
+    vectors.emplace_back(entry.velocity, 0.0f);
+  }
+  return vectorBuffer(vectors, "vertex cache");
 }
 
 } // namespace
@@ -91,9 +129,12 @@ SceneResources::SceneResources(const Scene& scene, const Progress& progress) {
 
 void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) {
   meshes_.resize(scene.meshes.size());
+  deformations_.resize(scene.meshes.size());
   for (std::size_t index = 0; index < scene.meshes.size(); ++index) {
     report(progress, "uploading meshes", static_cast<int>(index), static_cast<int>(scene.meshes.size()));
     for (const Primitive& primitive : scene.meshes[index].primitives) {
+      deformations_[index].push_back(
+          {influenceBuffer(primitive), deltaBuffer(primitive), cacheBuffer(primitive)});
       const bool isEmpty = primitive.vertices.empty() || primitive.indices.empty();
       meshes_[index].push_back(
           isEmpty ? gl::Mesh()
@@ -148,6 +189,14 @@ const gl::Sampler& SceneResources::sampler(const SamplerSettings& settings) {
   state.wrapU = textureWrap(settings.wrapU);
   state.wrapV = textureWrap(settings.wrapV);
   return *samplers_.emplace_back(settings, std::make_unique<gl::Sampler>(state)).second;
+}
+
+void SceneResources::bindDeformation(gl::RenderPass& pass, int mesh, int primitive) const {
+  const Deformation& deformation =
+      deformations_[static_cast<std::size_t>(mesh)][static_cast<std::size_t>(primitive)];
+  if (deformation.influences.bytes() > 0) pass.storageBlock(0, deformation.influences);
+  if (deformation.deltas.bytes() > 0) pass.storageBlock(1, deformation.deltas);
+  if (deformation.cache.bytes() > 0) pass.storageBlock(2, deformation.cache);
 }
 
 void SceneResources::bindMaterial(gl::RenderPass& pass, int material) const {

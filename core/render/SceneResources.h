@@ -30,6 +30,8 @@ class SceneResources {
   const gl::Mesh& mesh(int mesh, int primitive) const {
     return meshes_[static_cast<std::size_t>(mesh)][static_cast<std::size_t>(primitive)];
   }
+  /// Binds what deforms a primitive's vertices, for those that have such.
+  void bindDeformation(gl::RenderPass& pass, int mesh, int primitive) const;
   /// Binds factors and textures of `material` for the mesh program.
   void bindMaterial(gl::RenderPass& pass, int material) const;
 
@@ -43,7 +45,12 @@ class SceneResources {
   void uploadMeshes(const Scene& scene, const Progress& progress);
   void uploadMaterials(const Scene& scene, const Progress& progress);
 
+  struct Deformation {
+    gl::Buffer influences, deltas, cache;
+  };
+
   std::vector<std::vector<gl::Mesh>> meshes_;
+  std::vector<std::vector<Deformation>> deformations_;
   std::map<std::pair<int, bool>, gl::Texture>
       textures_; ///< by image and whether it is sRGB; stable addresses
   std::vector<std::pair<SamplerSettings, std::unique_ptr<gl::Sampler>>> samplers_;

@@ -11,7 +11,7 @@ struct FrameRequest;
 
 struct View {
   FrameInfo info;
-  Pose pose, previousPose;    ///< the same where history starts
+  Pose pose, previousPose;    ///< the same where history starts; with their times
   shared::FrameBlock block{}; ///< of this frame and, where it says so, of the previous one
   shared::LightBlock lights{};
 };

@@ -1,5 +1,6 @@
 #include "core/scene/Geometry.h"
 
+#include "core/scene/Deform.h"
 #include "core/scene/Pose.h"
 
 #include <cmath>
@@ -36,6 +37,19 @@ UvAxes uvAxes(const Vertex& a, const Vertex& b, const Vertex& c, const TextureSl
   return {weight * normalizedOr(u, glm::vec3(0.0f)), -weight * normalizedOr(v, glm::vec3(0.0f))};
 }
 
+/// For each index in turn its `perVertex` elements, in each of `frames` lists of `count` vertices.
+template <class T>
+std::vector<T> taken(const std::vector<T>& from, const std::vector<std::uint32_t>& indices, int frames = 1,
+                     std::size_t count = 0, int perVertex = 1) {
+  const auto size = static_cast<std::size_t>(perVertex);
+  std::vector<T> result;
+  result.reserve(static_cast<std::size_t>(frames) * indices.size() * size);
+  for (std::size_t frame = 0; frame < static_cast<std::size_t>(frames); ++frame)
+    for (const std::uint32_t index : indices)
+      for (std::size_t i = 0; i < size; ++i) result.push_back(from[(frame * count + index) * size + i]);
+  return result;
+}
+
 } // namespace
 
 void makeFlatNormals(Primitive& primitive) {
@@ -43,9 +57,12 @@ void makeFlatNormals(Primitive& primitive) {
     for (Vertex& vertex : primitive.vertices) vertex.normal = {0.0f, 1.0f, 0.0f};
     return;
   }
-  std::vector<Vertex> flat;
-  flat.reserve(primitive.indices.size());
-  for (const std::uint32_t index : primitive.indices) flat.push_back(primitive.vertices[index]);
+  std::vector<Vertex> flat = taken(primitive.vertices, primitive.indices);
+  const std::size_t count = primitive.vertices.size();
+  if (primitive.influenceSets > 0)
+    primitive.influences = taken(primitive.influences, primitive.indices, 1, count, primitive.influenceSets);
+  for (std::vector<MorphDelta>& target : primitive.targets) target = taken(target, primitive.indices);
+  primitive.cache.entries = taken(primitive.cache.entries, primitive.indices, primitive.cache.frames, count);
   for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
     const glm::vec3 normal = normalizedOr(
         glm::cross(flat[i + 1].position - flat[i].position, flat[i + 2].position - flat[i].position),
@@ -84,16 +101,31 @@ void updateBounds(Primitive& primitive) {
   for (const Vertex& vertex : primitive.vertices) primitive.bounds.add(vertex.position);
 }
 
+namespace {
+
+void addDeformed(Bounds& bounds, const Scene& scene, int node, const Primitive& primitive, const Pose& pose) {
+  const Deformer deformer(scene, node, primitive, pose, 0.0);
+  for (std::size_t vertex = 0; vertex < primitive.vertices.size(); ++vertex)
+    bounds.add(deformer.position(vertex));
+}
+
+} // namespace
+
 Bounds restBounds(const Scene& scene) {
   Scene atRest;
   atRest.nodes = scene.nodes;
-  const Pose pose = poseAt(atRest, 0.0);
+  Pose pose = poseAt(atRest, 0.0);
+  pose.morphWeights = scene.morphWeights;
   Bounds bounds;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     if (scene.nodes[i].mesh < 0) continue;
     for (const Primitive& primitive :
          scene.meshes[static_cast<std::size_t>(scene.nodes[i].mesh)].primitives) {
       if (primitive.bounds.isEmpty()) continue;
+      if (isDeformed(scene, scene.nodes[i], primitive)) {
+        addDeformed(bounds, scene, static_cast<int>(i), primitive, pose);
+        continue;
+      }
       for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 point(corner & 1 ? primitive.bounds.max.x : primitive.bounds.min.x,
                               corner & 2 ? primitive.bounds.max.y : primitive.bounds.min.y,

@@ -7,6 +7,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 
 namespace taa {
@@ -19,6 +20,7 @@ std::optional<AnimationPath> pathOf(const std::string& name) {
   if (name == "translation") return AnimationPath::Translation;
   if (name == "rotation") return AnimationPath::Rotation;
   if (name == "scale") return AnimationPath::Scale;
+  if (name == "weights") return AnimationPath::Weights;
   return std::nullopt;
 }
 
@@ -39,6 +41,12 @@ void fillKeys(GltfContext& context, const AccessorValues& times, const AccessorV
       continue;
     }
     channel.times.push_back(times.values[key]);
+    if (channel.path == AnimationPath::Weights) {
+      const std::size_t size = perKey * static_cast<std::size_t>(channel.weightCount);
+      const auto first = values.values.begin() + static_cast<std::ptrdiff_t>(key * size);
+      channel.weights.insert(channel.weights.end(), first, first + static_cast<std::ptrdiff_t>(size));
+      continue;
+    }
     for (std::size_t i = 0; i < perKey; ++i) channel.values.push_back(values.at(perKey * key + i));
   }
   if (channel.path != AnimationPath::Rotation || perKey != 1) return;
@@ -54,9 +62,11 @@ void readSampler(GltfContext& context, const tinygltf::AnimationSampler& sampler
                        values = readAccessor(context.model, sampler.output);
   const std::size_t perKey = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
   if (times.components != 1) throw Error("its times are not single numbers");
-  if (values.components != (channel.path == AnimationPath::Rotation ? 4 : 3))
+  const bool isWeights = channel.path == AnimationPath::Weights;
+  if (values.components != (isWeights ? 1 : channel.path == AnimationPath::Rotation ? 4 : 3))
     throw Error("its values have " + std::to_string(values.components) + " components");
-  if (values.count() != perKey * times.count())
+  if (values.count() !=
+      perKey * times.count() * (isWeights ? static_cast<std::size_t>(channel.weightCount) : 1))
     throw Error("it has " + std::to_string(values.count()) + " values for " + std::to_string(times.count()) +
                 " times");
   if (!times.isFinite() || !values.isFinite()) throw Error("a key is not a finite number");
@@ -76,7 +86,12 @@ std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf
   channel.node =
       source.target_node < 0 ? -1 : context.sceneNode.at(static_cast<std::size_t>(source.target_node));
   if (channel.node < 0) return std::nullopt;
-  if (context.scene.nodes[static_cast<std::size_t>(channel.node)].hasMatrix) {
+  const Node& node = context.scene.nodes[static_cast<std::size_t>(channel.node)];
+  if (*path == AnimationPath::Weights) {
+    if (node.firstWeight < 0) return std::nullopt;
+    for (const Primitive& primitive : context.scene.meshes[static_cast<std::size_t>(node.mesh)].primitives)
+      channel.weightCount = std::max(channel.weightCount, static_cast<int>(primitive.targets.size()));
+  } else if (node.hasMatrix) {
     context.warn("An animation of a node that has a matrix is left out.");
     return std::nullopt;
   }
@@ -95,7 +110,7 @@ void addGltfAnimations(GltfContext& context) {
     for (std::size_t c = 0; c < source.channels.size(); ++c) try {
         std::optional<AnimationChannel> channel = readChannel(context, source, source.channels[c]);
         if (!channel) continue;
-        keys += channel->values.size();
+        keys += channel->values.size() + channel->weights.size();
         if (keys > kMaxKeys) throw Error("there are more than " + std::to_string(kMaxKeys) + " keys");
         animation.duration = std::max(animation.duration, channel->times.back());
         animation.channels.push_back(std::move(*channel));

@@ -67,7 +67,8 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   addGltfMaterials(context, progress);
   report(progress, "Building meshes", 0, 1);
   addGltfNodes(context);
-  addGltfMeshes(context, restTransforms(context));
+  checkRestTransforms(context);
+  addGltfMeshes(context);
   addGltfAnimations(context);
   setBounds(scene);
   scene.shot = shotOf(scene);

@@ -15,32 +15,38 @@ namespace taa {
 namespace {
 
 constexpr std::size_t kMaxInstances = 100000; ///< nodes made for EXT_mesh_gpu_instancing
+constexpr std::size_t kMaxJoints = 65536;     ///< of all skins together
+constexpr std::size_t kMaxWeights = 1000000;  ///< of all nodes together
+constexpr int kNotBuilt = -2;
 
 class MeshAdder {
  public:
-  MeshAdder(GltfContext& context, std::span<const glm::mat4> restTransforms)
-      : context_(context), restTransforms_(restTransforms), sceneMesh_(context.model.meshes.size(), -1) {}
+  explicit MeshAdder(GltfContext& context)
+      : context_(context), sceneMesh_(context.model.meshes.size(), -1),
+        sceneSkin_(context.model.skins.size(), kNotBuilt) {}
 
   void addTo(std::size_t sourceNode) {
     const tinygltf::Node& source = context_.model.nodes[sourceNode];
-    const int node = context_.sceneNode[sourceNode];
-    if (node < 0 || source.mesh < 0) return;
-    if (source.skin >= 0 && addSkinned(source)) return;
+    const int index = context_.sceneNode[sourceNode];
+    if (index < 0 || source.mesh < 0) return;
     const int mesh = sharedMesh(static_cast<std::size_t>(source.mesh));
     const auto instancing = source.extensions.find("EXT_mesh_gpu_instancing");
     if (instancing != source.extensions.end() && instancing->second.Has("attributes"))
-      addInstances(instancing->second.Get("attributes"), sourceNode, mesh);
-    else
-      context_.scene.nodes[static_cast<std::size_t>(node)].mesh = mesh;
+      return addInstances(instancing->second.Get("attributes"), sourceNode, mesh);
+    Node& node = context_.scene.nodes[static_cast<std::size_t>(index)];
+    node.mesh = mesh;
+    node.firstWeight = addWeights(source, mesh);
+    if (source.skin >= 0) node.skin = sharedSkin(static_cast<std::size_t>(source.skin));
+    if (node.skin >= 0) checkJoints(static_cast<std::size_t>(source.mesh), mesh, node.skin);
   }
 
  private:
-  int build(std::size_t sourceMesh, std::span<const glm::mat4> worldFromSkin) {
+  int build(std::size_t sourceMesh) {
     const tinygltf::Mesh& source = context_.model.meshes.at(sourceMesh);
     Mesh mesh;
     mesh.name = source.name;
     for (std::size_t i = 0; i < source.primitives.size(); ++i) try {
-        Primitive primitive = readPrimitive(context_, source.primitives[i], worldFromSkin);
+        Primitive primitive = readPrimitive(context_, source.primitives[i]);
         if (primitive.indices.empty())
           context_.warn("A part of the mesh \"" + source.name + "\" has nothing to draw.");
         else
@@ -52,46 +58,79 @@ class MeshAdder {
     return static_cast<int>(context_.scene.meshes.size()) - 1;
   }
 
-  /// The mesh that all unskinned nodes share.
+  /// The mesh that all its nodes share.
   int sharedMesh(std::size_t sourceMesh) {
     int& index = sceneMesh_[sourceMesh];
-    if (index < 0) index = build(sourceMesh, {});
+    if (index < 0) index = build(sourceMesh);
     return index;
   }
 
-  /// A mesh of its own, in world space: glTF ignores the transform of a skinned node. False when the skin is
-  /// unusable.
-  bool addSkinned(const tinygltf::Node& source) {
-    context_.warn("Skinned meshes stand still in the pose their joints have at rest.");
-    const std::vector<glm::mat4> worldFromSkin = skinTransforms(static_cast<std::size_t>(source.skin));
-    if (worldFromSkin.empty()) return false;
-    Node node;
-    node.name = source.name;
-    node.mesh = build(static_cast<std::size_t>(source.mesh), worldFromSkin);
-    context_.scene.nodes.push_back(std::move(node));
-    return true;
+  /// Where the morph weights of a node begin; −1 when its mesh has no targets.
+  int addWeights(const tinygltf::Node& source, int mesh) {
+    std::size_t count = 0;
+    for (const Primitive& primitive : context_.scene.meshes[static_cast<std::size_t>(mesh)].primitives)
+      count = std::max(count, primitive.targets.size());
+    if (count == 0) return -1;
+    const tinygltf::Mesh& sourceMesh = context_.model.meshes[static_cast<std::size_t>(source.mesh)];
+    const std::vector<double>& weights = source.weights.empty() ? sourceMesh.weights : source.weights;
+    std::vector<float>& all = context_.scene.morphWeights;
+    const std::size_t first = all.size();
+    if (first + count > kMaxWeights)
+      throw Error("the scene has more than " + std::to_string(kMaxWeights) + " morph weights");
+    for (std::size_t i = 0; i < count; ++i)
+      all.push_back(i < weights.size() ? static_cast<float>(weights[i]) : 0.0f);
+    return static_cast<int>(first);
   }
 
-  /// Joints at rest after the inverse bind matrices; empty when a joint is not in the scene.
-  std::vector<glm::mat4> skinTransforms(std::size_t skinIndex) const {
-    const tinygltf::Skin& skin = context_.model.skins.at(skinIndex);
+  /// A skin of the scene; −1 when a joint is not in the scene.
+  int sharedSkin(std::size_t skinIndex) {
+    if (sceneSkin_[skinIndex] != kNotBuilt) return sceneSkin_[skinIndex];
+    Skin skin = readSkin(skinIndex);
+    if (skin.joints.empty()) {
+      context_.warn("A skin whose joints are not in the scene is left out.");
+      return sceneSkin_[skinIndex] = -1;
+    }
+    joints_ += skin.joints.size();
+    if (joints_ > kMaxJoints)
+      throw Error("the scene's skins have more than " + std::to_string(kMaxJoints) + " joints");
+    context_.scene.skins.push_back(std::move(skin));
+    return sceneSkin_[skinIndex] = static_cast<int>(context_.scene.skins.size()) - 1;
+  }
+
+  Skin readSkin(std::size_t skinIndex) const {
+    const tinygltf::Skin& source = context_.model.skins.at(skinIndex);
     AccessorValues inverseBinds;
-    if (skin.inverseBindMatrices >= 0) {
-      inverseBinds = readAccessor(context_.model, skin.inverseBindMatrices);
-      if (inverseBinds.components != 16 || inverseBinds.count() < skin.joints.size() ||
+    if (source.inverseBindMatrices >= 0) {
+      inverseBinds = readAccessor(context_.model, source.inverseBindMatrices);
+      if (inverseBinds.components != 16 || inverseBinds.count() < source.joints.size() ||
           !inverseBinds.isFinite())
         throw Error(gltfPlace("skins", skinIndex) +
                     ": inverseBindMatrices are not a finite 4×4 matrix for each joint");
     }
-    std::vector<glm::mat4> transforms;
-    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-      const int joint = context_.sceneNode.at(static_cast<std::size_t>(skin.joints[i]));
+    Skin skin;
+    for (std::size_t i = 0; i < source.joints.size(); ++i) {
+      const int joint = context_.sceneNode.at(static_cast<std::size_t>(source.joints[i]));
       if (joint < 0) return {};
-      const glm::mat4 inverseBind =
-          inverseBinds.values.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBinds.values[16 * i]);
-      transforms.push_back(restTransforms_[static_cast<std::size_t>(joint)] * inverseBind);
+      skin.joints.push_back(joint);
+      skin.inverseBinds.push_back(inverseBinds.values.empty() ? glm::mat4(1.0f)
+                                                              : glm::make_mat4(&inverseBinds.values[16 * i]));
     }
-    return transforms;
+    return skin;
+  }
+
+  /// Throws Error when a vertex asks for a joint the skin has not.
+  void checkJoints(std::size_t sourceMesh, int mesh, int skin) const {
+    const std::size_t count = context_.scene.skins[static_cast<std::size_t>(skin)].joints.size();
+    const std::vector<Primitive>& primitives =
+        context_.scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+      for (const Influence& influence : primitives[i].influences)
+        for (int joint = 0; joint < 4; ++joint)
+          if (!(influence.joints[joint] < static_cast<float>(count)))
+            throw Error(gltfPlace("meshes", sourceMesh) + "." + gltfPlace("primitives", i) +
+                        ".attributes.JOINTS_0: joint " +
+                        std::to_string(static_cast<long long>(influence.joints[joint])) +
+                        " is out of range; the skin has " + std::to_string(count));
   }
 
   void addInstances(const tinygltf::Value& attributes, std::size_t sourceNode, int mesh) {
@@ -136,15 +175,15 @@ class MeshAdder {
   }
 
   GltfContext& context_;
-  std::span<const glm::mat4> restTransforms_;
   std::vector<int> sceneMesh_; ///< for each mesh of the file its index in the scene, −1 when not built
-  std::size_t instances_ = 0;
+  std::vector<int> sceneSkin_; ///< likewise for skins; −1 when unusable
+  std::size_t instances_ = 0, joints_ = 0;
 };
 
 } // namespace
 
-void addGltfMeshes(GltfContext& context, std::span<const glm::mat4> restTransforms) {
-  MeshAdder meshes(context, restTransforms);
+void addGltfMeshes(GltfContext& context) {
+  MeshAdder meshes(context);
   for (std::size_t node = 0; node < context.model.nodes.size(); ++node) meshes.addTo(node);
 }
 

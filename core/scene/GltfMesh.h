@@ -2,17 +2,12 @@
 // missing.
 #pragma once
 
-#include <glm/mat4x4.hpp>
-
-#include <span>
-
 namespace taa {
 
 struct GltfContext;
 
-/// Builds the meshes the scene's nodes ask for and puts them on the nodes. `restTransforms` are the nodes' at
-/// rest: skinned meshes are put into that pose and stand still; instances of EXT_mesh_gpu_instancing become
-/// nodes.
-void addGltfMeshes(GltfContext& context, std::span<const glm::mat4> restTransforms);
+/// Builds the meshes, skins and morph weights the scene's nodes ask for and puts them on the nodes; instances
+/// of EXT_mesh_gpu_instancing become nodes.
+void addGltfMeshes(GltfContext& context);
 
 } // namespace taa

@@ -140,10 +140,10 @@ void addGltfNodes(GltfContext& context) {
   }
 }
 
-std::vector<glm::mat4> restTransforms(const GltfContext& context) {
+void checkRestTransforms(const GltfContext& context) {
   Scene atRest;
   atRest.nodes = context.scene.nodes;
-  std::vector<glm::mat4> transforms = poseAt(atRest, 0.0).worldFromNode;
+  const std::vector<glm::mat4> transforms = poseAt(atRest, 0.0).worldFromNode;
   for (std::size_t source = 0; source < context.sceneNode.size(); ++source) {
     if (context.sceneNode[source] < 0) continue;
     const glm::mat4& transform = transforms[static_cast<std::size_t>(context.sceneNode[source])];
@@ -151,7 +151,6 @@ std::vector<glm::mat4> restTransforms(const GltfContext& context) {
       if (!std::isfinite(transform[i / 4][i % 4]))
         throw Error(gltfPlace("nodes", source) + ": its transform is not finite");
   }
-  return transforms;
 }
 
 } // namespace taa

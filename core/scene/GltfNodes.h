@@ -1,10 +1,6 @@
 // Nodes of a glTF file's scene, parents first, with its cameras and lights.
 #pragma once
 
-#include <glm/mat4x4.hpp>
-
-#include <vector>
-
 namespace taa {
 
 struct GltfContext;
@@ -13,7 +9,7 @@ struct GltfContext;
 /// GltfContext::sceneNode.
 void addGltfNodes(GltfContext& context);
 
-/// World transforms of the scene's nodes at rest. Throws Error when one is not finite.
-std::vector<glm::mat4> restTransforms(const GltfContext& context);
+/// Throws Error when the world transform of a node at rest is not finite.
+void checkRestTransforms(const GltfContext& context);
 
 } // namespace taa

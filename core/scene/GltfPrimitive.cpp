@@ -8,8 +8,10 @@
 #include <tiny_gltf.h>
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace taa {
 
@@ -100,38 +102,69 @@ Given readSurface(AttributeReader& attributes, std::vector<Vertex>& vertices) {
   return given;
 }
 
-/// The mean of the joints' matrices of one vertex; false when it has no weights.
-bool addWeights(glm::mat4& matrix, const glm::vec4& joints, const glm::vec4& weights,
-                std::span<const glm::mat4> worldFromSkin) {
-  float sum = 0.0f;
-  glm::mat4 blended(0.0f);
-  for (int i = 0; i < 4; ++i) {
-    const std::size_t joint = static_cast<std::size_t>(std::max(joints[i], 0.0f));
-    if (joint >= worldFromSkin.size())
-      throw Error("attributes.JOINTS_0: joint " + std::to_string(joint) + " is out of range; the skin has " +
-                  std::to_string(worldFromSkin.size()));
-    sum += weights[i];
-    blended += weights[i] * worldFromSkin[joint];
+/// Joints and weights, up to two sets of four; what weighs nothing follows its first joint.
+void readInfluences(AttributeReader& attributes, Primitive& primitive) {
+  const std::size_t count = primitive.vertices.size();
+  std::vector<std::pair<AccessorValues, AccessorValues>> sets;
+  for (const char* set : {"0", "1"}) {
+    auto joints = attributes.readTame((std::string("JOINTS_") + set).c_str(), 4, 4);
+    auto weights = attributes.readTame((std::string("WEIGHTS_") + set).c_str(), 4, 4);
+    if (!joints || !weights) break;
+    sets.emplace_back(std::move(*joints), std::move(*weights));
   }
-  if (!(sum > 0.0f)) return false;
-  matrix = blended / sum;
-  return true;
+  primitive.influenceSets = static_cast<int>(sets.size());
+  for (std::size_t vertex = 0; vertex < count && !sets.empty(); ++vertex) {
+    const std::size_t first = primitive.influences.size();
+    float sum = 0.0f;
+    for (const auto& [joints, weights] : sets) {
+      const glm::vec4 weight = weights.at(vertex);
+      sum += weight.x + weight.y + weight.z + weight.w;
+      primitive.influences.push_back({glm::max(glm::floor(joints.at(vertex)), glm::vec4(0.0f)), weight});
+    }
+    for (std::size_t i = first; i < primitive.influences.size(); ++i)
+      primitive.influences[i].weights =
+          sum > 0.0f ? primitive.influences[i].weights / sum : glm::vec4(i == first ? 1.0f : 0.0f, 0, 0, 0);
+  }
 }
 
-/// Puts the vertices into the skin's pose at rest; by the first four joints of each.
-void applySkin(AttributeReader& attributes, std::vector<Vertex>& vertices,
-               std::span<const glm::mat4> worldFromSkin) {
-  const auto joints = attributes.readTame("JOINTS_0", 4, 4), weights = attributes.readTame("WEIGHTS_0", 4, 4);
-  if (!joints || !weights) return;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    glm::mat4 matrix;
-    if (!addWeights(matrix, joints->at(i), weights->at(i), worldFromSkin)) continue;
-    Vertex& vertex = vertices[i];
-    const glm::mat3 linear(matrix);
-    vertex.position = glm::vec3(matrix * glm::vec4(vertex.position, 1.0f));
-    vertex.normal = unitOr(linear * vertex.normal, vertex.normal);
-    vertex.tangent =
-        glm::vec4(unitOr(linear * glm::vec3(vertex.tangent), glm::vec3(vertex.tangent)), vertex.tangent.w);
+/// Deltas of one attribute of one target.
+void readDeltas(GltfContext& context, const std::map<std::string, int>& target, const char* name,
+                glm::vec3 MorphDelta::*member, std::vector<MorphDelta>& deltas) {
+  const auto found = target.find(name);
+  if (found == target.end()) return;
+  const AccessorValues values = readAccessor(context.model, found->second);
+  if (values.components != 3 || values.count() != deltas.size() || !values.isFinite())
+    throw Error(std::string(name) + ": it is not a finite vector of 3 for each of the " +
+                std::to_string(deltas.size()) + " vertices");
+  for (std::size_t i = 0; i < deltas.size(); ++i) deltas[i].*member = glm::vec3(values.at(i));
+}
+
+void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primitive& primitive) {
+  for (std::size_t i = 0; i < source.targets.size(); ++i) try {
+      context.vertices += primitive.vertices.size();
+      if (context.vertices > kMaxVertices)
+        throw Error("the scene has more than " + std::to_string(kMaxVertices) + " vertices and morph deltas");
+      std::vector<MorphDelta>& deltas = primitive.targets.emplace_back(primitive.vertices.size());
+      readDeltas(context, source.targets[i], "POSITION", &MorphDelta::position, deltas);
+      readDeltas(context, source.targets[i], "NORMAL", &MorphDelta::normal, deltas);
+    } catch (const Error& error) {
+      throw Error(gltfPlace("targets", i) + "." + error.what());
+    }
+}
+
+/// Velocities as a cache of one frame; its positions and normals are taken once they are final.
+void readVelocities(AttributeReader& attributes, Primitive& primitive) {
+  const auto velocities = attributes.readTame("_VELOCITY", 3, 3);
+  if (!velocities) return;
+  primitive.cache.frames = 1;
+  for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
+    primitive.cache.entries.push_back({{}, {}, glm::vec3(velocities->at(i))});
+}
+
+void finishVelocities(Primitive& primitive) {
+  for (std::size_t i = 0; i < primitive.cache.entries.size(); ++i) {
+    primitive.cache.entries[i].position = primitive.vertices[i].position;
+    primitive.cache.entries[i].normal = primitive.vertices[i].normal;
   }
 }
 
@@ -199,23 +232,24 @@ void complete(GltfContext& context, const Given& given, Primitive& primitive) {
 
 } // namespace
 
-Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source,
-                        std::span<const glm::mat4> worldFromSkin) {
+Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source) {
   Primitive primitive;
   const int defaultMaterial = static_cast<int>(context.scene.materials.size()) - 1;
   primitive.material = source.material < 0 ? defaultMaterial : source.material;
   AttributeReader attributes(context, source);
   readPositions(context, attributes, primitive);
   if (primitive.vertices.empty()) return primitive;
-  if (!source.targets.empty()) context.warn("Morph targets are not shown yet: the mesh keeps its own shape.");
   const Given given = readSurface(attributes, primitive.vertices);
-  if (!worldFromSkin.empty()) applySkin(attributes, primitive.vertices, worldFromSkin);
+  readInfluences(attributes, primitive);
+  readTargets(context, source, primitive);
+  readVelocities(attributes, primitive);
   const std::vector<std::uint32_t> order = readVertexOrder(context, source, primitive.vertices.size());
   context.indices += 3 * order.size();
   if (context.indices > kMaxIndices)
     throw Error("the scene has more than " + std::to_string(kMaxIndices) + " indices");
   unroll(order, source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode, primitive);
   complete(context, given, primitive);
+  finishVelocities(primitive);
   updateBounds(primitive);
   return primitive;
 }

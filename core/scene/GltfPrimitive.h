@@ -3,8 +3,6 @@
 
 #include "core/scene/Scene.h"
 
-#include <span>
-
 namespace tinygltf {
 struct Primitive;
 }
@@ -13,10 +11,9 @@ namespace taa {
 
 struct GltfContext;
 
-/// Reads a primitive; `worldFromSkin`, one matrix for each joint, moves its vertices when it is not empty.
+/// Reads a primitive with the joints, morph targets and velocities (`_VELOCITY`) that move its vertices.
 /// Throws Error with the place inside the mesh when its data are wrong. Without positions it comes back
 /// empty.
-Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source,
-                        std::span<const glm::mat4> worldFromSkin);
+Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source);
 
 } // namespace taa

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace taa {
 
@@ -44,23 +45,61 @@ glm::vec4 interpolate(const AnimationChannel& channel, std::size_t i, float u) {
          (u3 - u2) * toTangent;
 }
 
+/// The last key at or before `time`, and how far on the way to the next one it is, 0…1.
+struct KeyPlace {
+  std::size_t key = 0;
+  float u = 0.0f;
+  bool holds = true; ///< no way to the next key: before the first or after the last
+};
+
+KeyPlace placeOf(const std::vector<float>& times, double time) {
+  const auto after = std::ranges::upper_bound(times, time, {}, [](float t) { return double(t); });
+  if (after == times.begin()) return {};
+  if (after == times.end()) return {times.size() - 1, 0.0f, true};
+  const std::size_t i = static_cast<std::size_t>(after - times.begin()) - 1;
+  const double start = times[i], end = times[i + 1];
+  return {i, static_cast<float>((time - start) / (end - start)), false};
+}
+
 /// The channel's value at `time` seconds; before the first key and after the last it holds.
 glm::vec4 sample(const AnimationChannel& channel, double time) {
   const std::vector<float>& times = channel.times;
   const bool cubic = channel.interpolation == Interpolation::CubicSpline;
   assert(!times.empty() && channel.values.size() == times.size() * (cubic ? 3 : 1));
-  const auto keyValue = [&](std::size_t i) { return channel.values[cubic ? 3 * i + 1 : i]; };
-  const auto after = std::ranges::upper_bound(times, time, {}, [](float t) { return double(t); });
-  if (after == times.begin()) return keyValue(0);
-  if (after == times.end()) return keyValue(times.size() - 1);
-  const std::size_t i = static_cast<std::size_t>(after - times.begin()) - 1;
-  const double start = times[i], end = times[i + 1];
-  return interpolate(channel, i, static_cast<float>((time - start) / (end - start)));
+  const KeyPlace place = placeOf(times, time);
+  if (place.holds) return channel.values[cubic ? 3 * place.key + 1 : place.key];
+  return interpolate(channel, place.key, place.u);
+}
+
+/// Morph weights at `time`, into those of the channel's node.
+void applyWeights(const AnimationChannel& channel, double time, std::span<float> weights) {
+  const KeyPlace place = placeOf(channel.times, time);
+  const bool cubic = channel.interpolation == Interpolation::CubicSpline;
+  const std::size_t count = weights.size(), stride = cubic ? 3 * count : count;
+  assert(channel.weights.size() == channel.times.size() * stride);
+  const auto value = [&](std::size_t key, std::size_t part, std::size_t i) {
+    return channel.weights[key * stride + part * count + i];
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const float from = value(place.key, cubic ? 1 : 0, i);
+    weights[i] = from;
+    if (place.holds || channel.interpolation == Interpolation::Step) continue;
+    const float to = value(place.key + 1, cubic ? 1 : 0, i), u = place.u;
+    if (!cubic) {
+      weights[i] = from + u * (to - from);
+      continue;
+    }
+    const float step = channel.times[place.key + 1] - channel.times[place.key], u2 = u * u, u3 = u2 * u;
+    weights[i] = (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * step * value(place.key, 2, i) +
+                 (3 * u2 - 2 * u3) * to + (u3 - u2) * step * value(place.key + 1, 0, i);
+  }
 }
 
 void apply(const AnimationChannel& channel, double time, Transform& transform) {
   const glm::vec4 value = sample(channel, time);
   switch (channel.path) {
+  case AnimationPath::Weights:
+    break; // applyWeights
   case AnimationPath::Translation:
     transform.translation = glm::vec3(value);
     break;
@@ -94,13 +133,23 @@ Pose poseAt(const Scene& scene, double time) {
   std::vector<Transform> transforms;
   transforms.reserve(scene.nodes.size());
   for (const Node& node : scene.nodes) transforms.push_back({node.translation, node.rotation, node.scale});
+  Pose pose;
+  pose.time = time;
+  pose.morphWeights = scene.morphWeights;
   if (!scene.animations.empty()) {
     const Animation& animation = scene.animations.front();
     const double animationTime = wrapped(time, animation.duration);
-    for (const AnimationChannel& channel : animation.channels)
-      apply(channel, animationTime, transforms.at(static_cast<std::size_t>(channel.node)));
+    for (const AnimationChannel& channel : animation.channels) {
+      const auto node = static_cast<std::size_t>(channel.node);
+      if (channel.path == AnimationPath::Weights)
+        applyWeights(channel, animationTime,
+                     std::span(pose.morphWeights)
+                         .subspan(static_cast<std::size_t>(scene.nodes[node].firstWeight),
+                                  static_cast<std::size_t>(channel.weightCount)));
+      else
+        apply(channel, animationTime, transforms.at(node));
+    }
   }
-  Pose pose;
   pose.worldFromNode.reserve(scene.nodes.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];

@@ -11,6 +11,8 @@ namespace taa {
 /// World transforms of all nodes at one instant.
 struct Pose {
   std::vector<glm::mat4> worldFromNode; ///< one for each of Scene::nodes
+  std::vector<float> morphWeights;      ///< as Scene::morphWeights
+  double time = 0.0;                    ///< seconds
 };
 
 /// The pose at `time` seconds, the scene's first animation repeating. A pure function: the same time gives

@@ -57,6 +57,15 @@ struct TextureSlot {
 
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< Blend is drawn as a mask at ½ for now
 
+/// Vertices that sway: each moves by direction · amplitude · uv1.y · sin(waveNumber·(x + z) + frequency·t) in
+/// model space (catalogue 3.7).
+struct Wind {
+  float amplitude = 0.0f;  ///< model units; 0: still
+  float waveNumber = 0.0f; ///< radians a model unit
+  float frequency = 0.0f;  ///< radians a second
+  glm::vec3 direction{1.0f, 0.0f, 0.0f};
+};
+
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f}; ///< linear
@@ -67,6 +76,7 @@ struct Material {
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
   bool unlit = false; ///< KHR_materials_unlit
+  Wind wind;
   TextureSlot baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
 };
 
@@ -85,12 +95,38 @@ enum class Topology : std::uint8_t {
   Points
 }; ///< strips, fans and loops are unrolled by the loader
 
+/// Four of the joints that move a vertex, and how much.
+struct Influence {
+  glm::vec4 joints{0.0f};  ///< into Skin::joints, whole numbers
+  glm::vec4 weights{0.0f}; ///< their sum over all sets of a vertex is 1
+};
+
+/// What a morph target of weight 1 adds to a vertex.
+struct MorphDelta {
+  glm::vec3 position{0.0f}, normal{0.0f};
+};
+
+/// Positions baked for each vertex, frame after frame, as Alembic has them (catalogue 3.6).
+struct VertexCache {
+  struct Entry {
+    glm::vec3 position{0.0f}, normal{0.0f};
+    glm::vec3 velocity{0.0f}; ///< model units a second
+  };
+  int frames = 0;               ///< 0: none; they repeat
+  double framesPerSecond = 0.0; ///< 0: always the first
+  std::vector<Entry> entries;   ///< frames × vertices
+};
+
 struct Primitive {
   Topology topology = Topology::Triangles;
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices; ///< always given
-  int material = 0;                   ///< into Scene::materials, always valid
-  Bounds bounds;                      ///< model space
+  std::vector<std::uint32_t> indices;           ///< always given
+  int material = 0;                             ///< into Scene::materials, always valid
+  Bounds bounds;                                ///< model space, undeformed
+  int influenceSets = 0;                        ///< 0 to 2; 0: no skin moves it
+  std::vector<Influence> influences;            ///< influenceSets for each vertex
+  std::vector<std::vector<MorphDelta>> targets; ///< one delta a vertex each
+  VertexCache cache;
 };
 
 struct Mesh {
@@ -107,10 +143,17 @@ struct Node {
   glm::mat4 matrix{1.0f}; ///< used instead of translation, rotation and scale when `hasMatrix`
   bool hasMatrix = false;
   int mesh = -1, camera = -1, light = -1;
+  int skin = -1;        ///< into Scene::skins; the node's own transform does not count then
+  int firstWeight = -1; ///< into Scene::morphWeights, one for each target of the mesh; −1: it has none
+};
+
+struct Skin {
+  std::vector<int> joints;             ///< into Scene::nodes
+  std::vector<glm::mat4> inverseBinds; ///< joint from model, one for each joint
 };
 
 enum class Interpolation : std::uint8_t { Step, Linear, CubicSpline };
-enum class AnimationPath : std::uint8_t { Translation, Rotation, Scale };
+enum class AnimationPath : std::uint8_t { Translation, Rotation, Scale, Weights };
 
 struct AnimationChannel {
   int node = -1;
@@ -119,6 +162,8 @@ struct AnimationChannel {
   std::vector<float> times;      ///< seconds, strictly rising
   std::vector<glm::vec4> values; ///< one a key (rotation x, y, z, w); three a key for cubic splines:
                                  ///< in-tangent, value, out-tangent
+  int weightCount = 0;           ///< of path Weights: how many a value has
+  std::vector<float> weights{};  ///< the values of path Weights, which leaves `values` empty
 };
 
 struct Animation {
@@ -171,6 +216,8 @@ struct Scene {
   std::vector<Material> materials; ///< at least one
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
+  std::vector<Skin> skins;
+  std::vector<float> morphWeights;   ///< at rest, of all nodes one after another
   std::vector<Animation> animations; ///< the first one plays
   std::vector<SceneCamera> cameras;
   std::vector<Light> lights;

@@ -88,7 +88,10 @@ void SceneBuilder::animateLoop(int node, float seconds, const std::function<glm:
                                const std::function<glm::vec3(float)>& derivative) {
   constexpr int kKeys = 8; // cubic splines through eighths of a sine are within 0.1 % of it
   constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-  AnimationChannel channel{node, AnimationPath::Translation, Interpolation::CubicSpline, {}, {}};
+  AnimationChannel channel;
+  channel.node = node;
+  channel.path = AnimationPath::Translation;
+  channel.interpolation = Interpolation::CubicSpline;
   for (int key = 0; key <= kKeys; ++key) {
     const float angle = kTurn * static_cast<float>(key) / kKeys;
     const glm::vec4 tangent(derivative(angle) * (kTurn / seconds),
@@ -100,7 +103,10 @@ void SceneBuilder::animateLoop(int node, float seconds, const std::function<glm:
 }
 
 void SceneBuilder::animateSpin(int node, float seconds, int turns) {
-  AnimationChannel channel{node, AnimationPath::Rotation, Interpolation::Linear, {}, {}};
+  AnimationChannel channel;
+  channel.node = node;
+  channel.path = AnimationPath::Rotation;
+  channel.interpolation = Interpolation::Linear;
   const int keys = 4 * turns; // quarter turns: the shorter way round is the right one
   for (int key = 0; key <= keys; ++key) {
     const float halfAngle = 0.25f * std::numbers::pi_v<float> * static_cast<float>(key % 8);

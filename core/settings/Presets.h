@@ -23,8 +23,8 @@ const std::vector<Preset>& builtinPresets();
 /// A built-in preset by id, or a file that ends in ".json". Throws Error naming what there is.
 Preset preset(const std::string& idOrPath);
 
-/// A preset file: {"format": 1, "id", "label", "group", "order", "description", "settings": {…}}; group, order
-/// and description may be left out. Throws Error naming `place`.
+/// A preset file: {"format": 1, "id", "label", "group", "order", "description", "settings": {…}}; group,
+/// order and description may be left out. Throws Error naming `place`.
 Preset presetFromText(const std::string& text, const std::string& place);
 std::string presetToText(const Preset& preset);
 

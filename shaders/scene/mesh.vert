@@ -1,6 +1,8 @@
-// A vertex of a rigid primitive, in this frame and in the previous one.
+// A vertex, in this frame and in the previous one.
 #include "shared/DrawBlock.h"
 #include "shared/FrameBlock.h"
+#include "shared/MaterialBlock.h"
+#include "scene/deform.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -19,16 +21,20 @@ out vec3 v_previousClip;
 out float v_previousDepthView;
 
 void main() {
-  vec4 position = vec4(a_position, 1.0);
+  Deformed now = deformedVertex(a_position, a_normal, a_uv1.y, draw.deform.x, draw.deform.y, draw.moments.x, 0.0);
+  Deformed then = deformedVertex(a_position, a_normal, a_uv1.y, draw.deform.x + draw.deformCounts.z,
+                                 draw.deform.y + draw.deformCounts.w, draw.moments.y, draw.moments.z);
+  vec4 position = vec4(now.position, 1.0);
+  vec4 previousPosition = vec4(then.position, 1.0);
   precise vec4 clip = draw.clipFromModel * position;
-  precise vec4 previousClip = draw.previousClipFromModel * position;
+  precise vec4 previousClip = draw.previousClipFromModel * previousPosition;
   v_clip = clip.xyw;
   v_previousClip = previousClip.xyw;
-  v_previousDepthView = dot(draw.previousDepthRow, position);
+  v_previousDepthView = dot(draw.previousDepthRow, previousPosition);
 
   v_worldPosition = (draw.worldFromModel * position).xyz;
-  v_normal = mat3(draw.normalFromModel) * a_normal;
-  v_tangent = vec4(mat3(draw.worldFromModel) * a_tangent.xyz, a_tangent.w * draw.drawTerms.y);
+  v_normal = mat3(draw.normalFromModel) * now.normal;
+  v_tangent = vec4(mat3(draw.worldFromModel) * (now.linear * a_tangent.xyz), a_tangent.w * draw.drawTerms.y);
   v_uv = vec4(a_uv0, a_uv1);
   v_color = a_color;
 

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 namespace taa::shared {
+using glm::ivec4;
 using glm::mat4;
 using glm::vec4;
 struct DrawBlock {
@@ -16,6 +17,9 @@ layout(std140, binding = 4) uniform DrawBlock {
   mat4 previousClipFromModel; // unjittered, of the previous frame
   vec4 previousDepthRow;      // · (position, 1) = view depth in the previous frame, m
   vec4 drawTerms;             // object id, −1 when the transform mirrors else 1; zw unused
+  vec4 moments;               // time, previous time, seconds between them; w unused
+  ivec4 deform;               // first joint, first morph weight, frame of the cache; w unused
+  ivec4 deformCounts;         // morph targets, vertices, joints and morph weights of the scene
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -14,6 +14,8 @@ layout(std140, binding = 5) uniform MaterialBlock {
   // Two rows for each slot (base color, metallic-roughness, normal, occlusion, emissive): xyz · (u, v, 1) gives
   // the texture coordinate, w of the first row is the uv set.
   vec4 uvRows[10];
+  vec4 wind;          // amplitude, wave number, frequency; w unused
+  vec4 windDirection; // w unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -2,6 +2,7 @@
 // wrong.
 #include "core/base/Error.h"
 #include "core/base/Progress.h"
+#include "core/scene/Deform.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
 #include "tests/support/GltfSample.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -49,10 +51,10 @@ TEST(GltfLoader, ReadsTheWholeSampleFromBothContainers) {
   for (const fs::path& file : {sample.writeEmbedded("whole"), sample.writeBinary("whole")}) {
     const Scene scene = openScene(file.string());
     EXPECT_EQ(scene.name, file.filename().string());
-    ASSERT_EQ(scene.nodes.size(), 6u); // the skinned mesh has a node of its own
+    ASSERT_EQ(scene.nodes.size(), 5u);
     EXPECT_EQ(scene.nodes[0].scale, glm::vec3(1, -1, 1));
     EXPECT_EQ(scene.nodes[1].parent, 0);
-    ASSERT_EQ(scene.meshes.size(), 2u);
+    ASSERT_EQ(scene.meshes.size(), 1u); // shared by the skinned node and the other
     const Primitive& triangle = scene.meshes[std::size_t(scene.nodes[1].mesh)].primitives.at(0);
     EXPECT_EQ(triangle.indices, (std::vector<std::uint32_t>{0, 1, 2}));
     EXPECT_EQ(triangle.vertices[1].position, glm::vec3(1, 0, 0));
@@ -96,15 +98,91 @@ TEST(GltfLoader, PlaysTheAnimationAndFitsTheShotToIt) {
       << "under a mirrored parent";
 }
 
-TEST(GltfLoader, PutsSkinnedMeshesIntoTheirPoseAtRest) {
+TEST(GltfLoader, SkinsVerticesByTheirJoints) {
   const Scene scene = openScene(GltfSample().writeEmbedded("skinned").string());
-  const Node& node = scene.nodes.back();
-  EXPECT_EQ(node.name, "skinned");
-  EXPECT_EQ(node.parent, -1);
+  ASSERT_EQ(scene.skins.size(), 1u);
+  const auto skinnedNode = std::ranges::find(scene.nodes, 0, &Node::skin);
+  ASSERT_NE(skinnedNode, scene.nodes.end());
+  EXPECT_EQ(skinnedNode->name, "skinned");
+  const Primitive& primitive = scene.meshes[std::size_t(skinnedNode->mesh)].primitives.at(0);
+  ASSERT_EQ(primitive.influenceSets, 1);
   // The joint is 2 up under a parent that mirrors y.
-  EXPECT_EQ(scene.meshes[std::size_t(node.mesh)].primitives.at(0).vertices[2].position, glm::vec3(0, -3, 0));
-  ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(scene.warnings[0], "Skinned meshes stand still in the pose their joints have at rest.");
+  const Pose pose = poseAt(scene, 0.0);
+  const Deformer deformer(scene, static_cast<int>(skinnedNode - scene.nodes.begin()), primitive, pose, 0.0);
+  EXPECT_EQ(deformer.position(2), glm::vec3(0, -3, 0));
+  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+}
+
+/// The sample with one morph target that moves vertex 1 by (0, 0, 2), at weight ½, animated to 1 in a second.
+GltfSample morphSample(const char* interpolation, const std::vector<float>& weights) {
+  GltfSample sample;
+  json& mesh = sample.json["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", sample.addFloats({0, 0, 0, 0, 0, 2, 0, 0, 0}, "VEC3")}}};
+  mesh["weights"] = {0.5};
+  json& animation = sample.json["animations"][0];
+  animation["samplers"].push_back({{"input", sample.addFloats({0, 1}, "SCALAR")},
+                                   {"output", sample.addFloats(weights, "SCALAR")},
+                                   {"interpolation", interpolation}});
+  const int last = static_cast<int>(animation["samplers"].size()) - 1;
+  animation["channels"].push_back({{"sampler", last}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  return sample;
+}
+
+TEST(GltfLoader, MorphsByTheWeightsOfMeshNodeAndAnimation) {
+  GltfSample sample = morphSample("LINEAR", {0.25f, 0.75f});
+  const Scene scene = openScene(sample.writeEmbedded("morphed").string());
+  const Node& node = scene.nodes[1];
+  ASSERT_GE(node.firstWeight, 0);
+  EXPECT_EQ(scene.morphWeights[std::size_t(node.firstWeight)], 0.5f) << "the mesh's";
+  EXPECT_EQ(poseAt(scene, 0.5).morphWeights[std::size_t(node.firstWeight)], 0.5f);
+  EXPECT_EQ(poseAt(scene, 0.75).morphWeights[std::size_t(node.firstWeight)], 0.625f);
+  const Primitive& primitive = scene.meshes[std::size_t(node.mesh)].primitives.at(0);
+  ASSERT_EQ(primitive.targets.size(), 1u);
+  ASSERT_EQ(primitive.targets[0].size(), primitive.vertices.size());
+  const Pose pose = poseAt(scene, 0.75);
+  const Deformer deformer(scene, 1, primitive, pose, 0.0);
+  const glm::vec3 plain(pose.worldFromNode[1] * glm::vec4(primitive.vertices[1].position, 1.0f));
+  EXPECT_EQ(deformer.position(1) - plain, glm::vec3(pose.worldFromNode[1] * glm::vec4(0, 0, 1.25f, 0)));
+  sample.json["nodes"][1]["weights"] = {0.125};
+  EXPECT_EQ(openScene(sample.writeEmbedded("morphed").string()).morphWeights[std::size_t(node.firstWeight)],
+            0.125f)
+      << "the node's own";
+}
+
+TEST(GltfLoader, AnimatesMorphWeightsByStepsAndSplines) {
+  const auto weightAt = [](const char* interpolation, const std::vector<float>& weights, double time) {
+    const Scene scene = openScene(morphSample(interpolation, weights).writeEmbedded("weights").string());
+    return poseAt(scene, time).morphWeights[std::size_t(scene.nodes[1].firstWeight)];
+  };
+  EXPECT_EQ(weightAt("STEP", {0.25f, 0.75f}, 0.75), 0.25f);
+  // In-tangent, value, out-tangent: the Hermite basis at ½ is ½, ⅛, ½, −⅛.
+  EXPECT_EQ(weightAt("CUBICSPLINE", {0, 1, 2, 4, 0, 0}, 0.5), 0.5f * 1 + 0.125f * 2 + 0.5f * 0 - 0.125f * 4);
+  EXPECT_EQ(refusal(morphSample("LINEAR", {0.25f, 0.5f, 0.75f}).writeEmbedded("weights")),
+            "animations[0].channels[1]: it has 3 values for 2 times");
+}
+
+TEST(GltfLoader, RefusesMorphTargetsThatDoNotFit) {
+  GltfSample sample;
+  sample.json["meshes"][0]["primitives"][0]["targets"] = {
+      {{"POSITION", sample.addFloats({0, 0, 0, 0, 0, 2}, "VEC3")}}};
+  EXPECT_EQ(refusal(sample.writeEmbedded("targets")), "meshes[0].primitives[0].targets[0].POSITION: it is "
+                                                      "not a finite vector of 3 for each of the 3 vertices");
+}
+
+TEST(GltfLoader, TakesVelocitiesForTheCacheOfOneFrame) {
+  GltfSample sample;
+  sample.json["meshes"][0]["primitives"][0]["attributes"]["_VELOCITY"] =
+      sample.addFloats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3");
+  const Scene scene = openScene(sample.writeEmbedded("velocity").string());
+  const Node& node = scene.nodes[1];
+  const Primitive& primitive = scene.meshes[std::size_t(node.mesh)].primitives.at(0);
+  ASSERT_EQ(primitive.cache.frames, 1);
+  EXPECT_EQ(primitive.cache.entries[1].position, primitive.vertices[1].position);
+  EXPECT_EQ(primitive.cache.entries[1].velocity, glm::vec3(0, 2, 0));
+  const Pose pose = poseAt(scene, 0.0);
+  const Deformer now(scene, 1, primitive, pose, 0.0), before(scene, 1, primitive, pose, 0.0, 0.25);
+  EXPECT_EQ(now.position(1) - before.position(1),
+            glm::vec3(pose.worldFromNode[1] * glm::vec4(0, 0.5f, 0, 0)));
 }
 
 TEST(GltfLoader, UnrollsEveryPrimitiveMode) {

@@ -1,0 +1,58 @@
+// Vertices that move other than with their node (catalogue 3.4 to 3.7): cache, morph targets, wind, skin, in this
+// order. Specialised by kInfluenceSets, kMorphed, kCached and kWind. This frame and the previous one go through the
+// same function, so that what does not move has exactly no motion.
+layout(std430, binding = 0) readonly buffer Influences { vec4 influences[]; }; // joints, weights of each set
+layout(std430, binding = 1) readonly buffer Deltas { vec4 deltas[]; };         // position, normal of each vertex
+layout(std430, binding = 2) readonly buffer Cache { vec4 cached[]; };          // position, normal, velocity
+layout(std430, binding = 3) readonly buffer Joints { mat4 joints[]; };         // world from model; then the previous
+layout(std430, binding = 4) readonly buffer MorphWeights { float morphWeights[]; }; // then the previous
+
+struct Deformed {
+  vec3 position;
+  vec3 normal;
+  mat3 linear; // of the skin
+};
+
+mat4 skinMatrix(int firstJoint) {
+  mat4 sum = mat4(0.0);
+  for (int set = 0; set < kInfluenceSets; ++set) {
+    int place = 2 * (gl_VertexID * kInfluenceSets + set);
+    ivec4 index = ivec4(influences[place]) + firstJoint;
+    vec4 weight = influences[place + 1];
+    sum += weight.x * joints[index.x] + weight.y * joints[index.y] + weight.z * joints[index.z] +
+           weight.w * joints[index.w];
+  }
+  return sum;
+}
+
+Deformed deformedVertex(vec3 position, vec3 normal, float bend, int firstJoint, int firstWeight, float time,
+                        float secondsBack) {
+  Deformed result = Deformed(position, normal, mat3(1.0));
+  if (kCached) {
+    int place = 3 * (draw.deform.z * draw.deformCounts.y + gl_VertexID);
+    precise vec3 before = cached[place].xyz - secondsBack * cached[place + 2].xyz;
+    result.position = before;
+    result.normal = cached[place + 1].xyz;
+  }
+  if (kMorphed) {
+    for (int target = 0; target < draw.deformCounts.x; ++target) {
+      int place = 2 * (target * draw.deformCounts.y + gl_VertexID);
+      float weight = morphWeights[firstWeight + target];
+      result.position += weight * deltas[place].xyz;
+      result.normal += weight * deltas[place + 1].xyz;
+    }
+  }
+  if (kWind) {
+    float phase = material.wind.y * (result.position.x + result.position.z) + material.wind.z * time;
+    result.position += material.windDirection.xyz * (material.wind.x * bend * sin(phase));
+  }
+  if (kInfluenceSets > 0) {
+    mat4 skin = skinMatrix(firstJoint);
+    result.position = (skin * vec4(result.position, 1.0)).xyz;
+    result.linear = mat3(skin);
+    // Cofactors, as the draw's own matrix of normals has them.
+    result.normal = mat3(cross(skin[1].xyz, skin[2].xyz), cross(skin[2].xyz, skin[0].xyz),
+                         cross(skin[0].xyz, skin[1].xyz)) * result.normal;
+  }
+  return result;
+}
