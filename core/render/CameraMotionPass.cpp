@@ -1,20 +1,39 @@
 #include "core/render/CameraMotionPass.h"
 
+#include <string>
+
 namespace taa {
 
-CameraMotionPass::CameraMotionPass() : nearest_(gl::SamplerState{}) {
-  reloadShaders();
+namespace {
+
+gl::Program compile(MotionSource source) {
+  const auto constant = [](const char* name, MotionSource value) {
+    return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
+  };
+  const std::string prelude =
+      constant("kMotionSource", source) + constant("kRawUv", MotionSource::RawUv) +
+      constant("kJitterDifference", MotionSource::JitterDifference) +
+      constant("kJitterDifferenceAsPrinted", MotionSource::JitterDifferenceAsPrinted) +
+      constant("kSingleMatrix", MotionSource::SingleMatrix);
+  return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/camera_motion.frag", prelude),
+          "CameraMotionPass"};
 }
 
-void CameraMotionPass::reloadShaders() {
-  program_ = gl::Program(gl::ShaderSource("include/fullscreen.vert"),
-                         gl::ShaderSource("scene/camera_motion.frag"), "CameraMotionPass");
+} // namespace
+
+CameraMotionPass::CameraMotionPass() : nearest_(gl::SamplerState{}) {}
+
+CameraMotionPass CameraMotionPass::reloaded() const {
+  CameraMotionPass pass;
+  for (const auto& [source, program] : programs_) pass.programs_.emplace(source, compile(source));
+  return pass;
 }
 
-void CameraMotionPass::draw(const gl::Buffer& frame, const FrameInputs& out) const {
+void CameraMotionPass::draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out) {
+  if (!programs_.contains(source)) programs_.emplace(source, compile(source));
   const gl::Framebuffer target({{&out.motion}, {&out.previousDepth}}, nullptr, "camera motion");
   gl::RenderPass pass(target, {}, "CameraMotionPass");
-  pass.program(program_);
+  pass.program(programs_.at(source));
   pass.uniformBlock(2, frame);
   pass.texture(0, out.depth, nearest_);
   pass.drawFullscreen();

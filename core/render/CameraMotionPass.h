@@ -4,19 +4,23 @@
 
 #include "core/gl/RenderPass.h"
 #include "core/render/FrameInputs.h"
+#include "core/settings/Settings.h"
+
+#include <map>
 
 namespace taa {
 
 class CameraMotionPass {
  public:
   CameraMotionPass();
-  /// From `out.depth` into `out.motion` and `out.previousDepth`. `frame` holds the view's block.
-  void draw(const gl::Buffer& frame, const FrameInputs& out) const;
-  /// Compiles again; on Error the old program stays.
-  void reloadShaders();
+  /// From `out.depth` into `out.motion` and `out.previousDepth`. `frame` holds the view's block. Expects
+  /// another source than Objects; throws Error when its program does not compile.
+  void draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out);
+  /// One with the programs of this one, compiled again.
+  CameraMotionPass reloaded() const;
 
  private:
-  gl::Program program_;
+  std::map<MotionSource, gl::Program> programs_; ///< made when they are first asked for
   gl::Sampler nearest_;
 };
 

@@ -68,12 +68,13 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   target.clearDepth(0.0f);
   parts.gbuffer.draw(*parts.scene, parts.resources, view, parts.frame, target);
   parts.sky.draw(parts.frame, target);
-  if (request.inputs.motion == MotionSource::CameraFromDepth) parts.cameraMotion.draw(parts.frame, out);
+  if (request.inputs.motion != MotionSource::Objects)
+    parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);
 }
 
 void SceneRenderer::reloadShaders() {
   SkyPass sky;
-  CameraMotionPass cameraMotion;
+  CameraMotionPass cameraMotion = parts_->cameraMotion.reloaded();
   parts_->gbuffer.reloadShaders();
   parts_->sky = std::move(sky);
   parts_->cameraMotion = std::move(cameraMotion);

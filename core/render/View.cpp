@@ -19,6 +19,16 @@ void fillSky(const Sky& sky, shared::FrameBlock& block) {
   block.sunColor = glm::vec4(sky.sunColor, 0.0f);
 }
 
+/// What takes a picture's clip positions to the previous one's. In double, and exactly 1 for a camera that
+/// rests.
+glm::mat4 previousClipFromClip(const CameraState& camera, const CameraState& previous) {
+  if (camera.clipFromView == previous.clipFromView && camera.viewFromWorld == previous.viewFromWorld)
+    return glm::mat4(1.0f);
+  const glm::dmat4 clip = glm::dmat4(camera.clipFromView) * glm::dmat4(camera.viewFromWorld);
+  return glm::mat4(glm::dmat4(previous.clipFromView) * glm::dmat4(previous.viewFromWorld) *
+                   glm::inverse(clip));
+}
+
 void fillCameras(const CameraState& camera, const CameraState& previous, glm::vec2 sizePx, glm::vec2 jitter,
                  shared::FrameBlock& block) {
   const glm::mat4 jitteredClipFromView = jittered(camera.clipFromView, jitter, sizePx);
@@ -30,6 +40,7 @@ void fillCameras(const CameraState& camera, const CameraState& previous, glm::ve
   block.viewFromWorld = camera.viewFromWorld;
   block.previousClipFromWorld = previous.clipFromView * previous.viewFromWorld;
   block.previousViewFromWorld = previous.viewFromWorld;
+  block.previousClipFromClip = previousClipFromClip(camera, previous);
   block.sizePx = sizePx;
   block.jitterPx = jitter;
   block.cameraPosition = glm::affineInverse(camera.viewFromWorld)[3];
@@ -51,6 +62,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   view.previousPose = poseAt(scene, previousTime);
   fillCameras(cameraAt(scene, request.camera, time, aspect),
               cameraAt(scene, request.camera, previousTime, aspect), sizePx, view.info.jitterPx, view.block);
+  view.block.previousJitter = glm::vec4(jitterPx(request.jitter, previousFrame(scene, frame)), 0.0f, 0.0f);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.block.storage.x = request.inputs.precision == Precision::Half ? 1.0f : 0.0f;

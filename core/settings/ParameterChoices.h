@@ -32,8 +32,21 @@ inline constexpr Choice kPrecisions[] = {
     {"full", "32-bit", "Full floats, for reference runs."},
 };
 inline constexpr Choice kMotionSources[] = {
-    {"objects", "Objects", "Each object's own motion, the camera's included (catalogue 3.2, 3.3)."},
+    {"objects", "Objects", "Each object's own motion, the camera's included (catalogue 3.2 to 3.7)."},
     {"cameraFromDepth", "Camera from depth", "Camera motion only, reprojected from depth (catalogue 3.1)."},
+    {"rawUv", "Camera, raw position",
+     "From the pixel's center instead of where its sample lies: the jitter leaks into the motion, so that it "
+     "is j instead of 0 where nothing moves (catalogue 3.1a, Playdead)."},
+    {"jitterDifference", "Camera, jitter subtracted",
+     "Both frames with their jitter, whose difference is subtracted again in the same unit (catalogue "
+     "3.1b)."},
+    {"singleMatrix", "Camera, one matrix",
+     "One matrix from picture to picture, as if samples lay in the pixels' centers: off by the jitter times "
+     "the slope of the parallax (catalogue 3.1c, FSR, Filament)."},
+    {"jitterDifferenceAsPrinted", "Camera, jitter subtracted, as printed",
+     "As printed in Raptor's chapter 11: the difference in normalized device coordinates is taken for one in "
+     "texture coordinates, twice too long and upside down, and half of the jitter is subtracted "
+     "(catalogue §26, D5)."},
 };
 inline constexpr Choice kDilateMethods[] = {
     {"none", "None", "The pixel's own motion (catalogue 4.0)."},

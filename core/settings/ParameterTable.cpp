@@ -66,7 +66,7 @@ const Parameter kParameters[] = {
      FIELD(jitter.scale)},
     {"inputs.precision", "Precision", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kPrecisions,
      "Storage of color and motion.", "", "catalogue §3", "", FIELD(inputs.precision)},
-    {"inputs.motion", "Motion from", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kMotionSources,
+    {"inputs.motion", "Motion from", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 5, kMotionSources,
      "Whose motion the motion vectors hold.", "v = π(Xₜ) − π(Xₜ₋₁)", "catalogue §3", "",
      FIELD(inputs.motion)},
     {"dilate.method", "Method", Stage::DilateMotion, K::Choice, Effect::Program, "", 0, 7, kDilateMethods,

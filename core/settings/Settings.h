@@ -38,7 +38,14 @@ struct JitterSettings {
 };
 
 enum class Precision : std::int32_t { Half, Full };
-enum class MotionSource : std::int32_t { Objects, CameraFromDepth };
+enum class MotionSource : std::int32_t {
+  Objects,
+  CameraFromDepth,
+  RawUv,
+  JitterDifference,
+  SingleMatrix,
+  JitterDifferenceAsPrinted,
+};
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
   MotionSource motion = MotionSource::Objects;

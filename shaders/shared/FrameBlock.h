@@ -19,6 +19,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   mat4 viewFromWorld;
   mat4 previousClipFromWorld; // unjittered, of the previous frame
   mat4 previousViewFromWorld;
+  mat4 previousClipFromClip; // from one picture to the other, both unjittered; exactly 1 when the camera rests
   vec2 sizePx;       // width, height of the picture
   vec2 jitterPx;     // displacement of image content, x right, y down
   vec4 cameraPosition; // world; w: 1 when orthographic
@@ -29,6 +30,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   vec4 sunDirection; // to the sun, normalized; w: 1 when it shines
   vec4 sunColor;     // irradiance
   vec4 storage;      // x: 1 when color and motion are kept as 16-bit floats; yzw unused
+  vec4 previousJitter; // xy: jitterPx of the previous frame; zw unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace taa {
@@ -196,6 +197,65 @@ TEST_F(MotionTest, RefersToTheFrameItselfWhereHistoryStarts) {
   const FrameInputs first = draw(scene, request(), 0);
   EXPECT_TRUE(first.info.startsHistory);
   EXPECT_FALSE(draw(scene, request(), 2).info.startsHistory);
+}
+
+constexpr MotionSource kCameraSources[] = {MotionSource::CameraFromDepth, MotionSource::RawUv,
+                                           MotionSource::JitterDifference, MotionSource::SingleMatrix,
+                                           MotionSource::JitterDifferenceAsPrinted};
+
+TEST_F(MotionTest, OfTheCameraLeaksTheJitterAsEachVariantDoes) {
+  Scene scene = emptyScene();
+  addQuad(scene, {0, 0, 0}, {4, 1, 3}, {0, 4, 1}); // and sky around it
+  SceneRenderer renderer(std::make_shared<const Scene>(scene));
+  FrameInputs inputs;
+  for (int frame = 1; frame < 6; ++frame) {
+    for (const MotionSource source : kCameraSources) {
+      renderer.draw(request(source), frame, inputs);
+      const glm::vec2 jitter = inputs.info.jitterPx, before(inputs.block.previousJitter);
+      ASSERT_NE(jitter, before);
+      glm::vec2 expected(0.0f);
+      if (source == MotionSource::RawUv) expected = jitter;
+      if (source == MotionSource::JitterDifferenceAsPrinted)
+        // 2Δj·½ of device coordinates, less half of it, in pixels of the whole width; y the wrong way.
+        expected = glm::vec2(jitter.x - before.x, before.y - jitter.y);
+      // Exact where both ways are the same arithmetic, else what 32-bit positions leave of 320 px.
+      const bool isExact = source == MotionSource::CameraFromDepth || source == MotionSource::SingleMatrix;
+      const Image field = inputs.motion.download();
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x)
+          for (int axis = 0; axis < 2; ++axis)
+            ASSERT_NEAR(field.at(x, y)[axis], expected[axis], isExact ? 0.0f : 1e-3f)
+                << "source " << int(source) << " frame " << frame;
+    }
+  }
+}
+
+TEST_F(MotionTest, OfTheCameraHasTheKnownErrorOfEachVariant) {
+  Scene scene = emptyScene();
+  addQuad(scene, {0, 0, 0}, kRight, kUp);
+  // Going forward, motion at one depth grows from the middle outwards.
+  jump(scene, 0, AnimationPath::Translation, {0, 0, 10, 0}, {0.5f, 0.2f, 8, 0});
+  const FrameInputs truth = draw(scene, request());
+  const Image right = truth.motion.download();
+  const glm::vec2 jitter = truth.info.jitterPx;
+  const Image subtracted = motion(scene, request(MotionSource::JitterDifference));
+  const Image raw = motion(scene, request(MotionSource::RawUv));
+  const Image single = motion(scene, request(MotionSource::SingleMatrix));
+  float largest = 0.0f;
+  for (int y = 20; y < kHeight - 20; ++y)
+    for (int x = 20; x < kWidth - 20; ++x)
+      for (int axis = 0; axis < 2; ++axis) {
+        const float here = right.at(x, y)[axis];
+        ASSERT_NEAR(subtracted.at(x, y)[axis], here, 2e-3f);
+        ASSERT_NEAR(raw.at(x, y)[axis], here + jitter[axis], 2e-3f);
+        // At most the jitter times the change of motion from pixel to pixel, half a pixel on each axis.
+        const float gradient = std::abs(right.at(x + 1, y)[axis] - right.at(x - 1, y)[axis]) +
+                               std::abs(right.at(x, y + 1)[axis] - right.at(x, y - 1)[axis]);
+        const float error = std::abs(single.at(x, y)[axis] - here);
+        ASSERT_LE(error, 0.25f * gradient * 1.1f + 1e-3f);
+        largest = std::max(largest, error);
+      }
+  EXPECT_GT(largest, 5e-3f) << "the shortcut has an error to show";
 }
 
 TEST_F(MotionTest, IsTheSameFromObjectsAndFromDepthWhenOnlyTheCameraMoves) {
