@@ -5,7 +5,15 @@
 
 namespace taa {
 
-Scene makeFanScene();   ///< FanScene.cpp
-Scene makeFenceScene(); ///< FenceScene.cpp
+Scene makeFanScene();          ///< FanScene.cpp
+Scene makeFenceScene();        ///< FenceScene.cpp
+Scene makeDisocclusionScene(); ///< DisocclusionScene.cpp
+Scene makeCutScene();          ///< CutScene.cpp
+Scene makeThinScene();         ///< ThinScene.cpp
+Scene makeTextScene();         ///< TextScene.cpp
+Scene makeFirefliesScene();    ///< FirefliesScene.cpp
+Scene makeLightsScene();       ///< LightsScene.cpp
+Scene makeFoliageScene();      ///< FoliageScene.cpp
+Scene makeGalleryScene();      ///< GalleryScene.cpp
 
 } // namespace taa

@@ -116,6 +116,50 @@ void SceneBuilder::animateSpin(int node, float seconds, int turns) {
   animation(seconds).channels.push_back(std::move(channel));
 }
 
+void SceneBuilder::animateSwing(int node, float seconds, float angle, int times) {
+  AnimationChannel channel;
+  channel.node = node;
+  channel.path = AnimationPath::Rotation;
+  const int keys = 24 * times;
+  for (int key = 0; key <= keys; ++key) {
+    const float phase = 2.0f * std::numbers::pi_v<float> * static_cast<float>(key % 24) / 24.0f;
+    const float half = 0.5f * angle * std::sin(phase);
+    channel.times.push_back(seconds * static_cast<float>(key) / static_cast<float>(keys));
+    channel.values.emplace_back(0.0f, 0.0f, std::sin(half), std::cos(half));
+  }
+  animation(seconds).channels.push_back(std::move(channel));
+}
+
+void SceneBuilder::animateWeights(int node, const std::vector<float>& times,
+                                  const std::vector<float>& weights) {
+  AnimationChannel channel;
+  channel.node = node;
+  channel.path = AnimationPath::Weights;
+  channel.times = times;
+  channel.weightCount = static_cast<int>(weights.size() / times.size());
+  channel.weights = weights;
+  animation(times.back()).channels.push_back(std::move(channel));
+}
+
+void SceneBuilder::animateSteps(int node, float seconds, const std::vector<glm::vec3>& places) {
+  AnimationChannel channel;
+  channel.node = node;
+  channel.interpolation = Interpolation::Step;
+  for (const glm::vec3& place : places) {
+    channel.times.push_back(seconds * static_cast<float>(channel.times.size()));
+    channel.values.emplace_back(place, 0.0f);
+  }
+  animation(channel.times.back()).channels.push_back(std::move(channel));
+}
+
+void SceneBuilder::animateSteady(int node, float seconds, const glm::vec3& from, const glm::vec3& to) {
+  AnimationChannel channel;
+  channel.node = node;
+  channel.times = {0.0f, seconds};
+  channel.values = {glm::vec4(from, 0.0f), glm::vec4(to, 0.0f)};
+  animation(seconds).channels.push_back(std::move(channel));
+}
+
 Scene SceneBuilder::finish() {
   scene_.bounds = restBounds(scene_);
   return std::move(scene_);

@@ -31,6 +31,15 @@ class SceneBuilder {
   /// Spins `node` around its z axis, counter-clockwise, `turns` times in `seconds`.
   void animateSpin(int node, float seconds, int turns);
 
+  /// Swings `node` around its z axis by up to `angle` radians to both sides, `times` in `seconds`.
+  void animateSwing(int node, float seconds, float angle, int times);
+  /// Morph weights of `node` at each of `times`, one value a target.
+  void animateWeights(int node, const std::vector<float>& times, const std::vector<float>& weights);
+  /// Puts `node` from place to place, `seconds` at each, at once.
+  void animateSteps(int node, float seconds, const std::vector<glm::vec3>& places);
+  /// Moves `node` at a constant speed and starts over after `seconds`.
+  void animateSteady(int node, float seconds, const glm::vec3& from, const glm::vec3& to);
+
   Scene& scene() { return scene_; }
   /// The scene with its bounds.
   Scene finish();

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-using MakeScene = Scene (*)();
-constexpr std::array<MakeScene, 2> kMakers{makeFanScene, makeFenceScene}; // in the order of builtinScenes()
+constexpr std::array kMakers{makeFanScene,     makeFenceScene,  makeDisocclusionScene, makeCutScene,
+                             makeThinScene,    makeTextScene,   makeFirefliesScene,    makeLightsScene,
+                             makeFoliageScene, makeGalleryScene}; // in the order of builtinScenes()
 
 Scene makeBuiltin(const std::string& source) {
   const std::string_view id = std::string_view(source).substr(kBuiltinPrefix.size());
@@ -34,7 +35,19 @@ const std::vector<BuiltinScene>& builtinScenes() {
       {"fan", "Fan",
        "A fan spins in its wire guard before bricks and small bright lights: ghosting, thin wires, HDR"},
       {"fence", "Fence",
-       "The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion"}};
+       "The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion"},
+      {"disocclusion", "Disocclusion",
+       "Boards slide before a detailed wall and uncover it: ghosts, and pixels that have no history"},
+      {"cut", "Cut", "The camera cuts every second, and a ball is teleported without a cut"},
+      {"thin", "Thin", "Lines one pixel and half a pixel wide at every slope, of known coverage"},
+      {"text", "Text", "Fine print, a zone plate and a ticker: what the history filter blurs"},
+      {"fireflies", "Fireflies",
+       "Sparks smaller than a pixel, a thousand times as bright as white: tone weights and boxes"},
+      {"lights", "Lights", "Lamps switch on and off: the history's geometry is right and its shading wrong"},
+      {"foliage", "Foliage",
+       "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks"},
+      {"gallery", "Gallery",
+       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"}};
   return scenes;
 }
 
