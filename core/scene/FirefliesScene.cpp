@@ -36,7 +36,7 @@ Primitive sparks(int count, float radius, int seed, int material) {
 
 Scene makeFirefliesScene() {
   SceneBuilder builder("builtin:fireflies");
-  Material floor = paintOf({0.5f, 0.5f, 0.55f}, 0.18f, 1.0f), wall = paintOf({0.25f, 0.22f, 0.2f}, 0.9f);
+  Material floor = paintOf({0.5f, 0.5f, 0.55f}, 0.18f, 1.0f), wall = paintOf({0.8f, 0.75f, 0.7f}, 0.9f);
   SurfaceImages bricks = brickImages();
   wall.baseColorTexture = textureSlot(builder.addImage(std::move(bricks.color)));
   wall.normalTexture = textureSlot(builder.addImage(std::move(bricks.normal)));
@@ -63,11 +63,11 @@ Scene makeFirefliesScene() {
           return glm::vec3(reach * std::cos(angle + phase), -0.2f * std::sin(angle + phase), 0.0f);
         });
   }
-  builder.addPointLight("warm", {-2.0f, 2.0f, 0.5f}, {1.0f, 0.7f, 0.4f}, 1.5f);
-  builder.addPointLight("cold", {2.5f, 1.6f, -1.0f}, {0.4f, 0.6f, 1.0f}, 1.5f);
+  builder.addPointLight("warm", {-2.0f, 2.4f, -3.5f}, {1.0f, 0.7f, 0.4f}, 12.0f);
+  builder.addPointLight("cold", {2.5f, 2.2f, -3.5f}, {0.4f, 0.6f, 1.0f}, 10.0f);
   builder.addCamera("front", {0.0f, 1.3f, 4.0f}, {0.0f, -0.06f, -1.0f}, 0.75f);
   Scene& scene = builder.scene();
-  scene.sky.zenith = {0.01f, 0.012f, 0.03f};
+  scene.sky.zenith = {0.02f, 0.025f, 0.06f};
   scene.sky.horizon = {0.03f, 0.03f, 0.05f};
   scene.sky.ground = {0.01f, 0.01f, 0.01f};
   scene.sky.sunEnabled = false;

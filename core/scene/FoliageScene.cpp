@@ -76,7 +76,7 @@ Primitive bush(const glm::vec3& place, float size, int cards, int material) {
   MeshBuilder mesh;
   for (int i = 0; i < cards; ++i) {
     const float n = static_cast<float>(i);
-    const float turn = kTurn * fraction(0.6180340f * n), up = 0.15f + 0.85f * fraction(0.3819660f * n);
+    const float turn = kTurn * fraction(0.7548777f * n), up = 0.1f + 0.9f * fraction(0.5698403f * n);
     const glm::vec3 out(std::cos(turn), 0.0f, std::sin(turn));
     const glm::vec3 at =
         place + size * (0.75f * std::sqrt(1.0f - up * up * 0.8f) * out + glm::vec3(0, 1.4f * up, 0));

@@ -12,7 +12,7 @@ namespace taa {
 namespace {
 
 constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-constexpr float kStep = 1.25f;  ///< meters from pedestal to pedestal
+constexpr float kStep = 1.15f;  ///< meters from pedestal to pedestal
 constexpr float kHeight = 0.8f; ///< of a pedestal
 constexpr int kCount = 7;
 
@@ -111,7 +111,7 @@ void addCache(SceneBuilder& builder, const glm::vec3& place, int material) {
   constexpr double kRate = 60.0;
   const auto height = [](float x, float z, int frame) {
     const float r = std::sqrt(x * x + z * z);
-    return 0.08f * std::sin(14.0f * r - kTurn * static_cast<float>(frame) / 60.0f) * (1.0f - r);
+    return 0.1f * std::sin(14.0f * r - kTurn * static_cast<float>(frame) / 60.0f) * (1.0f - r);
   };
   std::vector<glm::vec3> points;
   for (int row = 0; row < kSide; ++row)
@@ -137,7 +137,8 @@ void addCache(SceneBuilder& builder, const glm::vec3& place, int material) {
            {0.0f, static_cast<float>(kRate) * (now - height(x, z, frame - 1)), 0.0f}});
     }
   builder.addObject("cache", {std::move(water)});
-  builder.scene().nodes.back().translation = place;
+  builder.scene().nodes.back().translation = place + glm::vec3(0, 0.1f, 0);
+  builder.scene().nodes.back().rotation = glm::angleAxis(0.45f, glm::vec3(1, 0, 0)); // shown to the camera
 }
 
 /// One small mesh drawn by many nodes that circle together.
@@ -199,7 +200,7 @@ Scene makeGalleryScene() {
   addFlag(builder, placeOf(4), steel);
   addCache(builder, placeOf(5), builder.addMaterial(sea));
   addInstances(builder, placeOf(6), gold);
-  const glm::vec3 eye(0.0f, 1.45f, 6.4f);
+  const glm::vec3 eye(0.0f, 1.6f, 7.0f);
   const int camera = builder.addCamera("visit", eye, {0.0f, -0.07f, -1.0f}, 0.72f);
   builder.animateLoop(
       camera, 4.0f, [&](float angle) { return eye + glm::vec3(0.25f * std::sin(angle), 0, 0); },
