@@ -149,6 +149,7 @@ void Inspector::open(const std::string& source, const Progress& progress) {
   next.scene = std::make_shared<const Scene>(openScene(source, progress));
   next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
   next.camera = next.scene->shot.camera;
+  next.motionModes.clear();
   parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
 }
 
@@ -176,6 +177,20 @@ void Inspector::setCamera(const std::string& name) {
   next.camera = name;
   const std::vector<bool> changed(next.lanes.size(), true);
   parts_->redraw(std::move(next), changed, false);
+}
+
+const std::vector<MotionOverride>& Inspector::motionModes() const {
+  return parts_->subject.motionModes;
+}
+
+void Inspector::setMotionModes(const std::vector<MotionOverride>& modes) {
+  assert(parts_->isOpen());
+  if (modes == motionModes()) return;
+  checkMotionOverrides(scene(), modes);
+  Subject next = parts_->subject;
+  next.motionModes = modes;
+  const std::vector<bool> changed(next.lanes.size(), true);
+  parts_->redraw(std::move(next), changed, true);
 }
 
 void Inspector::setSize(int width, int height) {

@@ -47,6 +47,10 @@ class Inspector {
   /// Stays at the frame, which is drawn anew without history: isExact() is false until refine() or a seek,
   /// unless no frame before it counts. Throws Error naming the paths there are.
   void setCamera(const std::string& name);
+  const std::vector<MotionOverride>& motionModes() const;
+  /// Motion modes of objects by the names of their nodes, instead of all earlier ones; open() forgets them.
+  /// As setSettings. Throws Error naming the objects there are.
+  void setMotionModes(const std::vector<MotionOverride>& modes);
   /// At first 1280 × 720, or 960 × 540 where the driver rasterizes in software.
   /// As setCamera. Throws Error when the size is out of the driver's limits (4 to maxTextureSize a side) or
   /// memory.

@@ -83,6 +83,16 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
   return ids;
 }
 
+std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {
+  std::vector<MotionOverride> modes;
+  for (const std::string& text : arguments.motionModes) try {
+      modes.push_back(parseMotionOverride(text));
+    } catch (const Error& error) {
+      throw UsageError(std::string("--motion-mode: ") + error.what());
+    }
+  return modes;
+}
+
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
   if (arguments.lanes.size() > kMaxLanes)
     throw UsageError("--lane was given " + std::to_string(arguments.lanes.size()) + " times; there are " +

@@ -1,6 +1,7 @@
 // What the commands of taa-batch are asked for, and reading it from text.
 #pragma once
 
+#include "core/scene/MotionMode.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 
@@ -26,6 +27,7 @@ struct ShotArguments {
   std::string preset = "balanced";
   std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
   std::vector<std::string> assignments; ///< "path=value", applied to every lane
+  std::vector<std::string> motionModes; ///< "NODE=MODE"
 };
 
 struct ListArguments {
@@ -65,6 +67,7 @@ FrameRange parseFrames(const std::string& text); ///< "A..B", or one frame
 glm::ivec2 parseSize(const std::string& text);   ///< "WxH"
 glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
+std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments);
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments); ///< also Error: a preset file
 
 } // namespace taa::cli

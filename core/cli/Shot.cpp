@@ -10,7 +10,7 @@ namespace taa::cli {
 using nlohmann::ordered_json;
 
 ShotPlan planShot(const ShotArguments& arguments) {
-  return {parseSize(arguments.size), lanesOf(arguments)};
+  return {parseSize(arguments.size), lanesOf(arguments), motionModesOf(arguments)};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -21,6 +21,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.setSize(plan.size.x, plan.size.y);
   inspector.open(arguments.source, progress);
   if (!arguments.camera.empty()) inspector.setCamera(arguments.camera);
+  inspector.setMotionModes(plan.motionModes);
   for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
 }
 

@@ -12,6 +12,7 @@ namespace taa::cli {
 struct ShotPlan {
   glm::ivec2 size;
   std::vector<LaneChoice> lanes;
+  std::vector<MotionOverride> motionModes;
 };
 ShotPlan planShot(const ShotArguments& arguments);
 

@@ -49,6 +49,12 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
       ->excludes(preset);
   command.add_option("--set", shot.assignments, "path=value (see list parameters); repeat it for more")
       ->allow_extra_args(false);
+  command
+      .add_option(
+          "--motion-mode", shot.motionModes,
+          "NODE=MODE: motion of the objects of this name; perObject, cameraOnly or none; repeat it for "
+          "more")
+      ->allow_extra_args(false);
 }
 
 void addList(CLI::App& app, ListArguments& list) {

@@ -41,7 +41,8 @@ void drawInputs(const Subject& subject, const FrameStep& step, ShownFrame& next)
                             .width = subject.width,
                             .height = subject.height,
                             .jitter = settings.jitter,
-                            .inputs = settings.inputs},
+                            .inputs = settings.inputs,
+                            .motionModes = subject.motionModes},
                            step.frame, next.inputs[inputs]);
     done[inputs] = true;
   }

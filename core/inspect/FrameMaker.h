@@ -23,6 +23,7 @@ struct Subject {
   std::string camera;
   int width = 1280, height = 720;
   std::vector<Settings> lanes{Settings{}};
+  std::vector<MotionOverride> motionModes;
 };
 
 /// One lane of the frame on show.

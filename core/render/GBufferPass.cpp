@@ -136,24 +136,31 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   // Joints lead to the world; glTF ignores the transform of a skinned node.
   const glm::mat4 world =
       isSkinned ? glm::mat4(1.0f) : view.pose.worldFromNode[static_cast<std::size_t>(item.node)];
+  const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
+  const bool isFollowed = mode == MotionMode::PerObject;
   const glm::mat4 previousWorld =
-      isSkinned ? glm::mat4(1.0f) : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
+      isSkinned || !isFollowed ? world : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
   shared::DrawBlock block{};
   block.worldFromModel = world;
   block.clipFromModel = view.block.clipFromWorld * world;
   block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
   block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
+  if (mode == MotionMode::None) {
+    block.previousClipFromModel = block.clipFromModel;
+    block.previousDepthRow = -glm::row(view.block.viewFromWorld * world, 2);
+  }
   const glm::mat3 turns(isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoint)] : world);
   const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
   block.normalFromModel = normalMatrix(glm::mat3(world), sign);
   block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
-  const double back = view.pose.time - view.previousPose.time;
-  block.moments = {static_cast<float>(view.pose.time), static_cast<float>(view.previousPose.time),
-                   static_cast<float>(back), 0.0f};
+  // What is not followed is deformed as it is now in the previous frame too.
+  const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;
+  block.moments = {static_cast<float>(view.pose.time), static_cast<float>(previousTime),
+                   static_cast<float>(view.pose.time - previousTime), 0.0f};
   block.deform = {firstJoint, std::max(node.firstWeight, 0), cacheFrame(primitive.cache, view.pose.time), 0};
   block.deformCounts = {static_cast<int>(primitive.targets.size()),
-                        static_cast<int>(primitive.vertices.size()), jointCount_,
-                        static_cast<int>(scene.morphWeights.size())};
+                        static_cast<int>(primitive.vertices.size()), isFollowed ? jointCount_ : 0,
+                        isFollowed ? static_cast<int>(scene.morphWeights.size()) : 0};
   return block;
 }
 
@@ -166,7 +173,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     const shared::DrawBlock block = drawBlock(scene, view, index);
     mirrored_[index] = block.drawTerms.y < 0.0f;
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
-    if (primitive.indices.empty()) continue;
+    if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
     if (const auto distance = farthestPoint(item.variant.deforms() ? Bounds() : primitive.bounds,
                                             block.clipFromModel, view.block.sizePx))
       visible_.push_back({item.variant.masked, *distance, index});

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace taa {
 
@@ -18,6 +19,7 @@ struct FrameRequest {
   int width = 1280, height = 720;
   JitterSettings jitter;
   InputSettings inputs;
+  std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
 };
 
 /// Owns the scene's GPU resources. Needs the current context for its whole life.

@@ -65,6 +65,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   view.block.previousJitter = glm::vec4(jitterPx(request.jitter, previousFrame(scene, frame)), 0.0f, 0.0f);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
+  view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
   view.block.storage.x = request.inputs.precision == Precision::Half ? 1.0f : 0.0f;
   return view;
 }

@@ -14,6 +14,7 @@ struct View {
   Pose pose, previousPose;    ///< the same where history starts; with their times
   shared::FrameBlock block{}; ///< of this frame and, where it says so, of the previous one
   shared::LightBlock lights{};
+  std::vector<NodeState> nodes; ///< as Scene::nodes
 };
 
 /// Throws Error when the scene has no camera path of the request's name.

@@ -1,6 +1,8 @@
 // A scene as data: what a glTF file or a procedural builder makes and the renderer draws. No GL.
 #pragma once
 
+#include "core/scene/MotionMode.h"
+
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -145,6 +147,11 @@ struct Node {
   int mesh = -1, camera = -1, light = -1;
   int skin = -1;        ///< into Scene::skins; the node's own transform does not count then
   int firstWeight = -1; ///< into Scene::morphWeights, one for each target of the mesh; −1: it has none
+  MotionMode motionMode = MotionMode::PerObject;
+  // Its children appear, vanish and jump with it.
+  double visibleFrom = 0.0;                                      ///< seconds; it is drawn from then on …
+  double visibleUntil = std::numeric_limits<double>::infinity(); ///< … and not any more from then on
+  std::vector<double> teleports; ///< seconds at which it jumps to another place, which is no motion
 };
 
 struct Skin {

@@ -14,7 +14,7 @@ struct Deformed {
 };
 
 mat4 skinMatrix(int firstJoint) {
-  mat4 sum = mat4(0.0);
+  precise mat4 sum = mat4(0.0);
   for (int set = 0; set < kInfluenceSets; ++set) {
     int place = 2 * (gl_VertexID * kInfluenceSets + set);
     ivec4 index = ivec4(influences[place]) + firstJoint;
@@ -28,31 +28,32 @@ mat4 skinMatrix(int firstJoint) {
 Deformed deformedVertex(vec3 position, vec3 normal, float bend, int firstJoint, int firstWeight, float time,
                         float secondsBack) {
   Deformed result = Deformed(position, normal, mat3(1.0));
+  precise vec3 moved = position; // the same bits from the same numbers, however the compiler arranges them
   if (kCached) {
     int place = 3 * (draw.deform.z * draw.deformCounts.y + gl_VertexID);
-    precise vec3 before = cached[place].xyz - secondsBack * cached[place + 2].xyz;
-    result.position = before;
+    moved = cached[place].xyz - secondsBack * cached[place + 2].xyz;
     result.normal = cached[place + 1].xyz;
   }
   if (kMorphed) {
     for (int target = 0; target < draw.deformCounts.x; ++target) {
       int place = 2 * (target * draw.deformCounts.y + gl_VertexID);
       float weight = morphWeights[firstWeight + target];
-      result.position += weight * deltas[place].xyz;
+      moved += weight * deltas[place].xyz;
       result.normal += weight * deltas[place + 1].xyz;
     }
   }
   if (kWind) {
-    float phase = material.wind.y * (result.position.x + result.position.z) + material.wind.z * time;
-    result.position += material.windDirection.xyz * (material.wind.x * bend * sin(phase));
+    float phase = material.wind.y * (moved.x + moved.z) + material.wind.z * time;
+    moved += material.windDirection.xyz * (material.wind.x * bend * sin(phase));
   }
   if (kInfluenceSets > 0) {
     mat4 skin = skinMatrix(firstJoint);
-    result.position = (skin * vec4(result.position, 1.0)).xyz;
+    moved = (skin * vec4(moved, 1.0)).xyz;
     result.linear = mat3(skin);
     // Cofactors, as the draw's own matrix of normals has them.
     result.normal = mat3(cross(skin[1].xyz, skin[2].xyz), cross(skin[2].xyz, skin[0].xyz),
                          cross(skin[0].xyz, skin[1].xyz)) * result.normal;
   }
+  result.position = moved;
   return result;
 }

@@ -19,7 +19,7 @@ layout(std140, binding = 4) uniform DrawBlock {
   vec4 drawTerms;             // object id, −1 when the transform mirrors else 1; zw unused
   vec4 moments;               // time, previous time, seconds between them; w unused
   ivec4 deform;               // first joint, first morph weight, frame of the cache; w unused
-  ivec4 deformCounts;         // morph targets, vertices, joints and morph weights of the scene
+  ivec4 deformCounts;         // morph targets, vertices, way from joints and from weights to the previous ones
 #ifdef __cplusplus
 };
 } // namespace taa::shared
