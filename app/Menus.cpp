@@ -205,6 +205,7 @@ void Menus::makeFrame() {
   })->setIcon(themedIcon(QStringLiteral("stop")));
   menu->addSeparator();
   cameras_ = menu->addMenu(tr("&Camera"));
+  objects_ = menu->addMenu(tr("&Motion of objects"));
   QMenu* sizes = menu->addMenu(tr("Render si&ze"));
   for (const glm::ivec2 size : kSizes)
     add(sizes, QStringLiteral("%1×%2").arg(size.x).arg(size.y), {},
@@ -290,6 +291,32 @@ void Menus::makeCameras() {
     action->setChecked(action->text().toStdString() == status.camera);
 }
 
+// A submenu for each object of the scene, with the motion it is given.
+void Menus::makeObjects() {
+  const Status& status = window_.session().status();
+  if (status.objects != objectNames_) {
+    objectNames_ = status.objects;
+    objects_->clear();
+    for (const std::string& name : objectNames_) {
+      QMenu* menu = objects_->addMenu(QString::fromStdString(name).replace(u'&', QStringLiteral("&&")));
+      for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
+        menu->addAction(
+                QString::fromUtf8(kMotionModes[mode].label.data()), &window_.session(),
+                [this, name, mode] { window_.session().setMotionMode(name, static_cast<MotionMode>(mode)); })
+            ->setCheckable(true);
+    }
+  }
+  objects_->setEnabled(!objectNames_.empty());
+  for (int object = 0; object < objects_->actions().size(); ++object) {
+    const auto chosen = std::ranges::find(status.motionModes, objectNames_[static_cast<std::size_t>(object)],
+                                          &MotionOverride::node);
+    const MotionMode current = chosen == status.motionModes.end() ? MotionMode::PerObject : chosen->mode;
+    const QList<QAction*> modes = objects_->actions().at(object)->menu()->actions();
+    for (int mode = 0; mode < modes.size(); ++mode)
+      modes.at(mode)->setChecked(static_cast<int>(current) == mode);
+  }
+}
+
 void Menus::refresh() {
   const Session& session = window_.session();
   const ViewArea* views = window_.views();
@@ -303,6 +330,7 @@ void Menus::refresh() {
   themes_[static_cast<int>(window_.theme())]->setChecked(true);
   arrangements_[static_cast<int>(views->arrangement())]->setChecked(true);
   makeCameras();
+  makeObjects();
 }
 
 } // namespace taa::app

@@ -45,14 +45,15 @@ class Menus : public QObject {
   void makeProbe();
   void makeHelp();
   void makeCameras();
+  void makeObjects();
 
   MainWindow& window_;
   std::vector<Command> commands_;
   QAction *twoViews_ = nullptr, *linked_ = nullptr, *looping_ = nullptr, *marks_ = nullptr, *play_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QList<QAction*> themes_, arrangements_;
-  QMenu* cameras_ = nullptr;
-  std::vector<std::string> cameraNames_;
+  QMenu *cameras_ = nullptr, *objects_ = nullptr;
+  std::vector<std::string> cameraNames_, objectNames_;
 };
 
 } // namespace taa::app

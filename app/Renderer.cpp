@@ -11,6 +11,7 @@ class ThreadRenderer final : public Renderer {
   void open(const std::string& source) override { thread_.open(source); }
   void setSize(int width, int height) override { thread_.setSize(width, height); }
   void setCamera(const std::string& name) override { thread_.setCamera(name); }
+  void setMotionModes(const std::vector<MotionOverride>& modes) override { thread_.setMotionModes(modes); }
   void setSettings(const Settings& settings) override { thread_.setSettings(settings); }
   void setPlaying(bool playing) override { thread_.setPlaying(playing); }
   void setLooping(bool looping) override { thread_.setLooping(looping); }

@@ -18,6 +18,7 @@ class Renderer {
   virtual void open(const std::string& source) = 0;
   virtual void setSize(int width, int height) = 0;
   virtual void setCamera(const std::string& name) = 0;
+  virtual void setMotionModes(const std::vector<MotionOverride>& modes) = 0;
   virtual void setSettings(const Settings& settings) = 0;
   virtual void setPlaying(bool playing) = 0;
   virtual void setLooping(bool looping) = 0;

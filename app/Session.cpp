@@ -57,6 +57,7 @@ void Session::deliver() {
   for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
   if (delivery.status) {
     const bool isNew = delivery.status->source != status_.source;
+    if (isNew) motionModes_.clear();
     status_ = std::move(*delivery.status);
     // Only now: a file that cannot be opened leaves everything as it is, playing or not.
     if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
@@ -80,6 +81,7 @@ void Session::deliver() {
 
 void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
+  if (source.toStdString() == status_.source) motionModes_.clear(); // else once it is open
   ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
@@ -89,6 +91,12 @@ void Session::setSize(int width, int height) {
 
 void Session::setCamera(const QString& name) {
   ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
+}
+
+void Session::setMotionMode(const std::string& object, MotionMode mode) {
+  std::erase_if(motionModes_, [&](const MotionOverride& known) { return known.node == object; });
+  motionModes_.push_back({object, mode});
+  ask([&](Renderer& renderer) { renderer.setMotionModes(motionModes_); });
 }
 
 void Session::setPlaying(bool playing) {

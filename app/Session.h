@@ -47,6 +47,8 @@ class Session : public QObject {
   void open(const QString& source, bool plays = true);
   void setSize(int width, int height);
   void setCamera(const QString& name);
+  /// Which motion the objects of this name are given, while this scene is open.
+  void setMotionMode(const std::string& object, MotionMode mode);
   void setPlaying(bool playing);
   void togglePlaying();
   void setLooping(bool looping);
@@ -85,6 +87,7 @@ class Session : public QObject {
   Settings settings_, presetSettings_;
   std::string presetId_;
   SettingsHistory history_;
+  std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
   std::optional<glm::ivec2> pick_;
   std::vector<ViewRequest> views_;
   bool looping_ = true, playsWhenOpen_ = false;

@@ -97,6 +97,7 @@ void RenderThread::open(const std::string& source) {
   parts_->post([&](Wishes& wishes) {
     wishes.source = source;
     wishes.camera.reset(); // meant the old one
+    wishes.motionModes.reset();
     wishes.frame.reset();
     wishes.steps = 0;
   });
@@ -108,6 +109,10 @@ void RenderThread::setSize(int width, int height) {
 
 void RenderThread::setCamera(const std::string& name) {
   parts_->post([&](Wishes& wishes) { wishes.camera = name; });
+}
+
+void RenderThread::setMotionModes(const std::vector<MotionOverride>& modes) {
+  parts_->post([&](Wishes& wishes) { wishes.motionModes = modes; });
 }
 
 void RenderThread::setSettings(const Settings& settings) {

@@ -39,10 +39,15 @@ struct ProbeResult {
   bool exact = true;
 };
 
+/// Names of objects that the status holds at most: more than a menu has room for.
+inline constexpr std::size_t kMostObjects = 40;
+
 /// What the window shows about the state; sent whenever any of it changes.
 struct Status {
   std::string source, camera;
   std::vector<std::string> cameras, warnings;
+  std::vector<std::string> objects; ///< names of what is drawn, at most kMostObjects
+  std::vector<MotionOverride> motionModes;
   int width = 0, height = 0, frameCount = 0;
   double framesPerSecond = 60.0;
   FrameInfo info;
@@ -82,6 +87,7 @@ class RenderThread {
   void open(const std::string& source);
   void setSize(int width, int height);
   void setCamera(const std::string& name);
+  void setMotionModes(const std::vector<MotionOverride>& modes);
   void setSettings(const Settings& settings); ///< answered at once on the old history, then exactly
   void setPlaying(bool playing);
   void setLooping(bool looping); ///< at the end: start again, or pause

@@ -38,12 +38,12 @@ bool stopsReplay(const Wishes& wishes) {
 } // namespace
 
 bool Wishes::isEmpty() const {
-  return !reload && !cancel && !source && !camera && !size && !settings && !looping && !playing && !frame &&
-         steps == 0 && !views && !probe;
+  return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
+         !playing && !frame && steps == 0 && !views && !probe;
 }
 
 bool Wishes::endReplay() const {
-  return reload || cancel || source || camera || size || settings || frame || steps != 0;
+  return reload || cancel || source || camera || size || motionModes || settings || frame || steps != 0;
 }
 
 RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
@@ -109,13 +109,19 @@ void RenderWorker::applySource(const Wishes& wishes) {
   if (wishes.reload) change([&] { inspector_.reloadShaders(); });
   if (wishes.source) {
     goal_.reset();
-    change([&] { inspector_.open(*wishes.source, progress("", stopsOpening)); });
+    change([&] {
+      inspector_.open(*wishes.source, progress("", stopsOpening));
+      objects_ = objectNames(inspector_.scene());
+      objects_.resize(std::min(objects_.size(), kMostObjects));
+    });
     if (listener_.onWork) listener_.onWork({});
   }
   if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
     change([&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
   if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
     change([&] { inspector_.setCamera(*wishes.camera); });
+  if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.motionModes())
+    change([&] { inspector_.setMotionModes(*wishes.motionModes); });
   if (wishes.settings && !(*wishes.settings == inspector_.settings()))
     change([&] { inspector_.setSettings(*wishes.settings); });
 }
@@ -247,6 +253,8 @@ void RenderWorker::sendStatus() {
     status.camera = inspector_.camera();
     status.cameras = inspector_.cameras();
     status.warnings = inspector_.scene().warnings;
+    status.objects = objects_;
+    status.motionModes = inspector_.motionModes();
     status.frameCount = inspector_.frameCount();
     status.framesPerSecond = inspector_.scene().shot.framesPerSecond;
     status.info = inspector_.info();

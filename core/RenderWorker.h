@@ -17,6 +17,7 @@ struct Wishes {
   bool reload = false, cancel = false;
   std::optional<std::string> source, camera;
   std::optional<glm::ivec2> size;
+  std::optional<std::vector<MotionOverride>> motionModes;
   std::optional<Settings> settings;
   std::optional<bool> looping, playing;
   std::optional<int> frame; ///< to go to, before the steps
@@ -78,6 +79,7 @@ class RenderWorker {
   Clock::time_point nextFrameAt_;
   std::uint64_t version_ = 1; // of the frame on show; changes with everything that it depends on
   bool statusChanged_ = true;
+  std::vector<std::string> objects_; // of the scene
   std::vector<ViewRequest> views_;
   std::vector<Delivered> delivered_;
   std::optional<glm::ivec2> probe_;

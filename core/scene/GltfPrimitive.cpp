@@ -140,6 +140,10 @@ void readDeltas(GltfContext& context, const std::map<std::string, int>& target, 
 }
 
 void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primitive& primitive) {
+  // As vec4 for position and normal in one storage block, which every driver lets have 128 MiB.
+  constexpr std::size_t kMaxDeltas = (std::size_t(128) << 20) / 32;
+  if (source.targets.size() * primitive.vertices.size() > kMaxDeltas)
+    throw Error("targets: they have more than " + std::to_string(kMaxDeltas) + " vertices together");
   for (std::size_t i = 0; i < source.targets.size(); ++i) try {
       context.vertices += primitive.vertices.size();
       if (context.vertices > kMaxVertices)

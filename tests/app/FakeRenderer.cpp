@@ -12,6 +12,8 @@ void FakeRenderer::open(const std::string& source) {
   status.source = source;
   status.cameras = {"still", "pan"};
   status.camera = "still";
+  status.objects = {"floor", "rotor & hub"};
+  status.motionModes.clear();
   status.frameCount = 240;
   status.width = 64;
   status.height = 36;
@@ -28,6 +30,11 @@ void FakeRenderer::setSize(int width, int height) {
 
 void FakeRenderer::setCamera(const std::string& name) {
   status.camera = name;
+  deliver();
+}
+
+void FakeRenderer::setMotionModes(const std::vector<MotionOverride>& modes) {
+  status.motionModes = modes;
   deliver();
 }
 

@@ -15,6 +15,7 @@ class FakeRenderer final : public Renderer {
   void open(const std::string& source) override;
   void setSize(int width, int height) override;
   void setCamera(const std::string& name) override;
+  void setMotionModes(const std::vector<MotionOverride>& modes) override;
   void setSettings(const Settings& settings) override;
   void setPlaying(bool playing) override;
   void setLooping(bool looping) override { isLooping = looping; }

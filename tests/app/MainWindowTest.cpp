@@ -18,6 +18,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
 #include <QTextBrowser>
 #include <QUrl>
@@ -65,6 +66,26 @@ TEST_F(Window, KeysPlayStepAndSeek) {
   EXPECT_EQ(renderer->status.info.frame, 239);
   key(Qt::Key_Home);
   EXPECT_EQ(renderer->status.info.frame, 0);
+}
+
+TEST_F(Window, TheMenuSaysWhichMotionAnObjectIsGiven) {
+  const auto modesOf = [&](const QString& object) {
+    for (const QMenu* menu : window.findChildren<QMenu*>())
+      if (menu->title() == object) return menu->actions();
+    return QList<QAction*>();
+  };
+  ASSERT_EQ(modesOf("rotor && hub").size(), 3);
+  EXPECT_TRUE(modesOf("rotor && hub")[0]->isChecked()) << "per object, unless something else is chosen";
+  modesOf("rotor && hub")[2]->trigger();
+  modesOf("floor")[1]->trigger();
+  settle();
+  EXPECT_EQ(renderer->status.motionModes, (std::vector<MotionOverride>{{"rotor & hub", MotionMode::None},
+                                                                       {"floor", MotionMode::CameraOnly}}));
+  EXPECT_TRUE(modesOf("rotor && hub")[2]->isChecked());
+  EXPECT_FALSE(modesOf("rotor && hub")[0]->isChecked());
+  window.openSource("builtin:fence");
+  settle();
+  EXPECT_TRUE(modesOf("floor")[0]->isChecked()) << "another scene's objects have their own motion";
 }
 
 TEST_F(Window, TheTimelineSaysWhereInTimeTheFrameLies) {

@@ -266,6 +266,26 @@ TEST_F(InspectorTest, DrawsAnotherSizeOrCameraAsIfItHadAlwaysBeen) {
   expectSame(inspector->images(everything()), fresh({}, 4));
 }
 
+TEST_F(InspectorTest, GivesObjectsTheMotionThatIsChosenAndRefusesUnknownOnes) {
+  const auto inspector = opened();
+  inspector->seek(4);
+  const Image own = inspector->image(IntermediateId::motion);
+  const std::vector<Image> before = inspector->images(everything());
+  inspector->setMotionModes({{"rotor", taa::MotionMode::None}});
+  EXPECT_FALSE(inspector->isExact()) << "the history is from the motion before";
+  inspector->refine();
+  const std::vector<Image> forced = inspector->images(everything());
+  EXPECT_FALSE(isSame(inspector->image(IntermediateId::motion), own));
+  EXPECT_THROW(inspector->setMotionModes({{"nobody", taa::MotionMode::None}}), taa::Error);
+  EXPECT_EQ(inspector->motionModes(), (std::vector<taa::MotionOverride>{{"rotor", taa::MotionMode::None}}));
+  inspector->seek(7);
+  inspector->seek(4);
+  expectSame(inspector->images(everything()), forced);
+  inspector->setMotionModes({});
+  inspector->refine();
+  expectSame(inspector->images(everything()), before);
+}
+
 TEST_F(InspectorTest, RunsLanesAsIfEachWereAlone) {
   const std::vector<Settings> lanes = {Settings{}, otherSettings(), otherJitter()};
   std::vector<std::vector<Image>> alone;

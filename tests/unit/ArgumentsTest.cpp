@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 using namespace taa::cli;
+using taa::MotionMode;
+using taa::MotionOverride;
 
 TEST(Arguments, ReadARangeOfFrames) {
   EXPECT_EQ(parseFrames("3..7").first, 3);
@@ -43,6 +45,15 @@ TEST(Arguments, NameLanesOnlyWhereThereAreSeveral) {
   EXPECT_EQ(lanesOf(arguments)[0].name, "");
   arguments.lanes = {"balanced", "balanced"};
   EXPECT_EQ(lanesOf(arguments)[1].name, "B");
+}
+
+TEST(Arguments, GiveObjectsMotionModes) {
+  ShotArguments arguments;
+  arguments.motionModes = {"rotor=none", "fan guard=cameraOnly"};
+  EXPECT_EQ(motionModesOf(arguments), (std::vector<MotionOverride>{{"rotor", MotionMode::None},
+                                                                   {"fan guard", MotionMode::CameraOnly}}));
+  arguments.motionModes = {"rotor"};
+  EXPECT_THROW(motionModesOf(arguments), UsageError);
 }
 
 TEST(Arguments, AssignToEveryLane) {
