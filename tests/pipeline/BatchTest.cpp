@@ -1,6 +1,7 @@
 // taa-batch as users and scripts meet it: the real program, its files, its words and its exit codes.
 #include "core/base/Files.h"
 #include "core/io/FrameFile.h"
+#include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "tests/support/GlTest.h"
@@ -82,7 +83,7 @@ TEST(BatchList, PrintsEveryRowOfEveryTableAsJson) {
   const std::vector<std::pair<std::string, std::size_t>> tables = {{"intermediates", taa::kIntermediateCount},
                                                                    {"parameters", taa::parameters().size()},
                                                                    {"presets", taa::builtinPresets().size()},
-                                                                   {"scenes", 2}};
+                                                                   {"scenes", taa::builtinScenes().size()}};
   for (const auto& [what, count] : tables) {
     const ProcessResult result = batch({"list", what, "--json"});
     EXPECT_EQ(result.exitCode, 0) << result.err;
