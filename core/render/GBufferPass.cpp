@@ -99,7 +99,8 @@ gl::Program GBufferPass::compile(const Variant& variant) const {
   const std::string prelude = line("kTextures", static_cast<int>(variant.textures)) +
                               line("kDirectionalLights", lights_.directional) +
                               line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
-                              flag("kLit", variant.lit);
+                              flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
+                              flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered);
   const std::string deform = line("kInfluenceSets", variant.influenceSets) +
                              flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
                              flag("kWind", variant.wind);
@@ -183,9 +184,21 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
   std::sort(visible_.begin(), visible_.end());
 }
 
-void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const View& view,
-                       const gl::Buffer& frame, const gl::Framebuffer& target) {
+void GBufferPass::apply(const InputSettings& settings, const Scene& scene) {
+  for (Item& item : items_) {
+    const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
+    Variant& variant = item.variant;
+    variant.biased = settings.mipBias != 0.0f && variant.textures != 0;
+    variant.unjittered = settings.unjitterTextures == Switch::On && variant.textures != 0;
+    variant.dithered = settings.blended == BlendedAs::Dithered && material.alphaMode == AlphaMode::Blend;
+    if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
+  }
+}
+
+void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
+                       const View& view, const gl::Buffer& frame, const gl::Framebuffer& target) {
   if (items_.empty()) return;
+  apply(settings, scene);
   prepareDeformation(scene, view);
   prepare(scene, view);
   lightBlock_.update(0, &view.lights, sizeof(view.lights));

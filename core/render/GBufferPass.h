@@ -5,6 +5,7 @@
 #include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
+#include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
 
 #include <compare>
@@ -21,8 +22,9 @@ class GBufferPass {
 
   /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
   /// block.
-  void draw(const Scene& scene, const SceneResources& resources, const View& view, const gl::Buffer& frame,
-            const gl::Framebuffer& target);
+  /// Compiles variants that new settings need first; throws Error when their shader does not.
+  void draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
+            const View& view, const gl::Buffer& frame, const gl::Framebuffer& target);
 
   /// Compiles again; on Error the old programs stay.
   void reloadShaders();
@@ -34,6 +36,7 @@ class GBufferPass {
     bool lit = true;
     int influenceSets = 0;
     bool morphed = false, cached = false, wind = false;
+    bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
     auto operator<=>(const Variant&) const = default;
     bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
   };
@@ -44,6 +47,8 @@ class GBufferPass {
   };
   static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
   gl::Program compile(const Variant& variant) const;
+  /// Sets what the settings ask for in every item's variant and compiles what is new.
+  void apply(const InputSettings& settings, const Scene& scene);
   /// An item that may be seen; drawn in their order, front to back.
   struct Visible {
     bool masked = false;

@@ -66,7 +66,7 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   gl::Framebuffer target({{&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}},
                          &out.depth, "frame inputs");
   target.clearDepth(0.0f);
-  parts.gbuffer.draw(*parts.scene, parts.resources, view, parts.frame, target);
+  parts.gbuffer.draw(*parts.scene, parts.resources, request.inputs, view, parts.frame, target);
   parts.sky.draw(parts.frame, target);
   if (request.inputs.motion != MotionSource::Objects)
     parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);

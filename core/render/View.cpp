@@ -7,6 +7,8 @@
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include <cmath>
+
 namespace taa {
 
 namespace {
@@ -66,6 +68,8 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
+  const float bias = request.inputs.mipBias;
+  view.block.textures = {bias, std::exp2(bias), static_cast<float>(frame % 16), 0.0f};
   view.block.storage.x = request.inputs.precision == Precision::Half ? 1.0f : 0.0f;
   return view;
 }

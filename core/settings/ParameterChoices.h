@@ -48,6 +48,12 @@ inline constexpr Choice kMotionSources[] = {
      "texture coordinates, twice too long and upside down, and half of the jitter is subtracted "
      "(catalogue §26, D5)."},
 };
+inline constexpr Choice kBlendedAs[] = {
+    {"mask", "Mask", "Solid where alpha is at least ½."},
+    {"dithered", "Dithered",
+     "Drawn in as many of sixteen frames as alpha says, in a 4×4 pattern that changes: accumulation makes it "
+     "transparent (catalogue 20.7, 21.6)."},
+};
 inline constexpr Choice kDilateMethods[] = {
     {"none", "None", "The pixel's own motion (catalogue 4.0)."},
     {"closest3x3", "Closest 3×3", "Motion of the nearest surface among nine (catalogue 4.1)."},

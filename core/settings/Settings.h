@@ -46,9 +46,13 @@ enum class MotionSource : std::int32_t {
   SingleMatrix,
   JitterDifferenceAsPrinted,
 };
+enum class BlendedAs : std::int32_t { Mask, Dithered };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
   MotionSource motion = MotionSource::Objects;
+  float mipBias = 0.0f;                  ///< added to the level of detail of every texture
+  Switch unjitterTextures = Switch::Off; ///< textures are read at the pixel's center, whatever the jitter
+  BlendedAs blended = BlendedAs::Mask;   ///< how transparent materials are drawn
 };
 
 enum class DilateMethod : std::int32_t {

@@ -1,5 +1,6 @@
 // Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
-// texture in slot s), kMasked (discards where alpha is below the cutoff), kLit, and the scene's numbers of lights:
+// texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kLit, kBiased
+// and kUnjittered (how textures are read), and the scene's numbers of lights:
 // llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
@@ -37,12 +38,31 @@ vec2 slotUv(int slot) {
   return vec2(dot(row.xyz, uv), dot(material.uvRows[2 * slot + 1].xyz, uv));
 }
 
+/// The texture of a slot. Unjittered, it is read where the pixel's center lies (catalogue 19.2); derivatives are those
+/// of the original coordinates.
+vec4 slotTexture(sampler2D map, int slot) {
+  vec2 uv = slotUv(slot);
+  if (!kUnjittered) return kBiased ? texture(map, uv, frame.textures.x) : texture(map, uv);
+  vec2 alongX = dFdxFine(uv);
+  vec2 alongY = dFdyFine(uv);
+  float scale = kBiased ? frame.textures.y : 1.0;
+  return textureGrad(map, uv + alongX * frame.jitterPx.x + alongY * frame.jitterPx.y, alongX * scale, alongY * scale);
+}
+
+/// Thresholds of an ordered 4×4 pattern; over sixteen frames each pixel has each of them once (catalogue 20.7).
+float ditherThreshold() {
+  const int kPattern[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
+  ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
+  int index = (kPattern[4 * cell.y + cell.x] + 7 * int(frame.textures.z)) & 15;
+  return (float(index) + 0.5) / 16.0;
+}
+
 vec3 safeNormalize(vec3 value) { return value * inversesqrt(max(dot(value, value), 1e-20)); }
 
 vec3 shadingNormal() {
   vec3 normal = safeNormalize(v_normal);
   if (hasTexture(2)) {
-    vec3 bump = texture(u_normal, slotUv(2)).xyz * 2.0 - 1.0;
+    vec3 bump = slotTexture(u_normal, 2).xyz * 2.0 - 1.0;
     bump.xy *= material.surface.z;
     vec3 tangent = safeNormalize(v_tangent.xyz);
     vec3 bitangent = cross(normal, tangent) * v_tangent.w;
@@ -83,12 +103,12 @@ vec3 litColor(vec3 baseColor, vec3 normal) {
   float occlusion = 1.0;
   vec3 emissive = material.emissive.rgb;
   if (hasTexture(1)) {
-    vec2 metallicRoughness = texture(u_metallicRoughness, slotUv(1)).bg;
+    vec2 metallicRoughness = slotTexture(u_metallicRoughness, 1).bg;
     metallic *= metallicRoughness.x;
     roughness *= metallicRoughness.y;
   }
-  if (hasTexture(3)) occlusion = 1.0 + material.surface.w * (texture(u_occlusion, slotUv(3)).r - 1.0);
-  if (hasTexture(4)) emissive *= texture(u_emissive, slotUv(4)).rgb;
+  if (hasTexture(3)) occlusion = 1.0 + material.surface.w * (slotTexture(u_occlusion, 3).r - 1.0);
+  if (hasTexture(4)) emissive *= slotTexture(u_emissive, 4).rgb;
   vec3 forward = -vec3(frame.viewFromWorld[0].z, frame.viewFromWorld[1].z, frame.viewFromWorld[2].z);
   vec3 toCamera = frame.cameraPosition.w > 0.5 ? -forward : safeNormalize(frame.cameraPosition.xyz - v_worldPosition);
   Surface surface = makeSurface(baseColor, metallic, roughness, normal, toCamera);
@@ -101,9 +121,9 @@ vec3 litColor(vec3 baseColor, vec3 normal) {
 
 void main() {
   vec4 baseColor = material.baseColor * v_color;
-  if (hasTexture(0)) baseColor *= texture(u_baseColor, slotUv(0));
+  if (hasTexture(0)) baseColor *= slotTexture(u_baseColor, 0);
   if (kMasked) {
-    if (baseColor.a < material.emissive.w) discard;
+    if (baseColor.a < (kDithered ? ditherThreshold() : material.emissive.w)) discard;
   }
   vec3 normal = shadingNormal();
   o_color = storedColor(kLit ? litColor(baseColor.rgb, normal) : baseColor.rgb);

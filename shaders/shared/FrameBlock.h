@@ -30,6 +30,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   vec4 sunDirection; // to the sun, normalized; w: 1 when it shines
   vec4 sunColor;     // irradiance
   vec4 storage;      // x: 1 when color and motion are kept as 16-bit floats; yzw unused
+  vec4 textures;     // x: bias of the level of detail, y: 2 to its power, z: frame modulo 16; w unused
   vec4 previousJitter; // xy: jitterPx of the previous frame; zw unused
 #ifdef __cplusplus
 };
