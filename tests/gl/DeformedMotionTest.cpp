@@ -2,15 +2,19 @@
 // invariants 9, 14, 15 and 16, against closed forms and against the analytic projection of every pixel.
 #include "core/base/Error.h"
 #include "core/render/SceneRenderer.h"
+#include "core/scene/SceneSource.h"
 #include "tests/support/AnalyticMotion.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/SmallScene.h"
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 
 namespace taa {
 namespace {
+
+namespace fs = std::filesystem;
 
 using test::addQuad;
 using test::emptyScene;
@@ -300,6 +304,36 @@ TEST_F(DeformedMotionTest, OfWhatAppearsOrJumpsIsThatOfTheCamera) {
   const Image before = draw(scene, request(), 0).objectId.download();
   for (const float id : before.pixels) ASSERT_EQ(id, 0.0f) << "it is not there yet";
 }
+
+class ModelMotionTest : public DeformedMotionTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(ModelMotionTest, IsTheAnalyticProjectionOfEveryPixel) {
+  const fs::path folder = fs::path(TAA_SHARED_DATA) / "models" / GetParam();
+  if (!fs::exists(folder)) GTEST_SKIP() << "no shared data at " << folder;
+  fs::path file;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".glb" || (file.empty() && entry.path().extension() == ".gltf"))
+      file = entry.path();
+  Scene scene = openScene(file.string());
+  scene.shot.framesPerSecond = 10.0; // larger steps, motion of many pixels
+  FrameRequest asked = request();
+  asked.camera = "orbit";
+  int compared = 0;
+  for (const int frame : {1, 4, 9}) {
+    const test::MotionAgreement agreement = test::compareMotion(scene, draw(scene, asked, frame));
+    compared += agreement.compared;
+    EXPECT_GT(agreement.fastestPx, 0.5) << "frame " << frame;
+    // Positions of 32 bits through a few matrices, of 320 px.
+    EXPECT_LT(agreement.worstPx, 2e-3) << "frame " << frame << " " << agreement.worst;
+  }
+  EXPECT_GT(compared, 3000);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ModelMotionTest,
+                         testing::Values("CesiumMan", "Fox", "RiggedSimple", "RecursiveSkeletons",
+                                         "AnimatedMorphCube", "MorphStressTest", "MorphPrimitivesTest",
+                                         "SimpleInstancing", "BoxAnimated"),
+                         [](const auto& model) { return std::string(model.param); });
 
 } // namespace
 } // namespace taa
