@@ -14,6 +14,10 @@ glm::vec3 normalizedOr(const glm::vec3& v, const glm::vec3& fallback) {
   return std::isfinite(length) && length > 0.0f ? v / length : fallback;
 }
 
+glm::vec3 faceNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return normalizedOr(glm::cross(b - a, c - a), glm::vec3(0, 0, 1));
+}
+
 glm::vec3 anyPerpendicular(const glm::vec3& n) {
   const glm::vec3 other = std::abs(n.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   return normalizedOr(glm::cross(glm::cross(n, other), n), glm::vec3(1, 0, 0));
@@ -64,10 +68,13 @@ void makeFlatNormals(Primitive& primitive) {
   for (std::vector<MorphDelta>& target : primitive.targets) target = taken(target, primitive.indices);
   primitive.cache.entries = taken(primitive.cache.entries, primitive.indices, primitive.cache.frames, count);
   for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
-    const glm::vec3 normal = normalizedOr(
-        glm::cross(flat[i + 1].position - flat[i].position, flat[i + 2].position - flat[i].position),
-        glm::vec3(0, 0, 1));
+    const glm::vec3 normal = faceNormal(flat[i].position, flat[i + 1].position, flat[i + 2].position);
     for (std::size_t corner = 0; corner < 3; ++corner) flat[i + corner].normal = normal;
+    for (std::vector<MorphDelta>& target : primitive.targets) {
+      const auto moved = [&](std::size_t k) { return flat[i + k].position + target[i + k].position; };
+      const glm::vec3 change = faceNormal(moved(0), moved(1), moved(2)) - normal;
+      for (std::size_t corner = 0; corner < 3; ++corner) target[i + corner].normal = change;
+    }
   }
   primitive.vertices = std::move(flat);
   for (std::size_t i = 0; i < primitive.indices.size(); ++i)

@@ -6,7 +6,8 @@
 namespace taa {
 
 /// Gives every triangle its own three vertices with the face's normal, as glTF asks where normals are
-/// missing. Lines and points get a normal along +y, so that the sky lights them.
+/// missing, and morph targets the way to the normal of the moved face. Lines and points get a normal along
+/// +y, so that the sky lights them.
 void makeFlatNormals(Primitive& primitive);
 
 /// Tangents along growing u of the normal map, summed over a vertex's triangles.

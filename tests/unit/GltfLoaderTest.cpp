@@ -149,6 +149,16 @@ TEST(GltfLoader, MorphsByTheWeightsOfMeshNodeAndAnimation) {
       << "the node's own";
 }
 
+TEST(GltfLoader, GivesMorphTargetsWithoutNormalsThoseOfTheMovedFaces) {
+  const Scene scene = openScene(morphSample("LINEAR", {0.25f, 0.75f}).writeEmbedded("flat").string());
+  const Primitive& primitive = scene.meshes[std::size_t(scene.nodes[1].mesh)].primitives.at(0);
+  for (const MorphDelta& delta : primitive.targets.at(0)) {
+    const glm::vec3 normal = primitive.vertices[0].normal + delta.normal;
+    EXPECT_NEAR(normal.x, -2.0f / std::sqrt(5.0f), 1e-6f) << "corner 1 was lifted by 2";
+    EXPECT_NEAR(normal.z, 1.0f / std::sqrt(5.0f), 1e-6f);
+  }
+}
+
 TEST(GltfLoader, AnimatesMorphWeightsByStepsAndSplines) {
   const auto weightAt = [](const char* interpolation, const std::vector<float>& weights, double time) {
     const Scene scene = openScene(morphSample(interpolation, weights).writeEmbedded("weights").string());
