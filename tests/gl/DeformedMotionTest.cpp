@@ -305,6 +305,20 @@ TEST_F(DeformedMotionTest, OfWhatAppearsOrJumpsIsThatOfTheCamera) {
   for (const float id : before.pixels) ASSERT_EQ(id, 0.0f) << "it is not there yet";
 }
 
+TEST_F(DeformedMotionTest, IsTheAnalyticProjectionOfEverySourceInTheGallery) {
+  const Scene scene = openScene("builtin:gallery");
+  FrameRequest asked = request();
+  asked.camera = scene.shot.camera;
+  asked.width = 2 * kWidth;
+  asked.height = 2 * kHeight;
+  for (const int frame : {3, 60, 61}) { // 60: a morph changes its way, the cache starts anew
+    const test::MotionAgreement agreement = test::compareMotion(scene, draw(scene, asked, frame));
+    EXPECT_GT(agreement.compared, 150000);
+    EXPECT_GT(agreement.fastestPx, 1.5);
+    EXPECT_LT(agreement.worstPx, 2e-3) << "frame " << frame << " " << agreement.worst;
+  }
+}
+
 class ModelMotionTest : public DeformedMotionTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(ModelMotionTest, IsTheAnalyticProjectionOfEveryPixel) {
