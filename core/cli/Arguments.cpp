@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <string_view>
 
 namespace taa::cli {
 
 namespace {
 
 constexpr std::size_t kMaxLanes = 4;
+constexpr std::string_view kMotionPrefix = "motion."; ///< of assignments that are for an object
 
 std::optional<int> parseCount(std::string_view text) {
   int value = 0;
@@ -85,11 +87,16 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
 
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {
   std::vector<MotionOverride> modes;
-  for (const std::string& text : arguments.motionModes) try {
+  const auto add = [&](const std::string& text, const char* flag) {
+    try {
       modes.push_back(parseMotionOverride(text));
     } catch (const Error& error) {
-      throw UsageError(std::string("--motion-mode: ") + error.what());
+      throw UsageError(std::string(flag) + ": " + error.what());
     }
+  };
+  for (const std::string& text : arguments.motionModes) add(text, "--motion-mode");
+  for (const std::string& text : arguments.assignments)
+    if (text.starts_with(kMotionPrefix)) add(text.substr(kMotionPrefix.size()), "--set");
   return modes;
 }
 
@@ -104,6 +111,7 @@ std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
   if (lanes.size() == 1) lanes[0].name.clear();
   for (LaneChoice& lane : lanes)
     for (const std::string& assignment : arguments.assignments) try {
+        if (assignment.starts_with(kMotionPrefix)) continue; // of an object, not of a lane: motionModesOf
         applyAssignment(lane.settings, assignment);
       } catch (const Error& error) {
         throw UsageError(std::string("--set: ") + error.what());

@@ -67,7 +67,7 @@ FrameRange parseFrames(const std::string& text); ///< "A..B", or one frame
 glm::ivec2 parseSize(const std::string& text);   ///< "WxH"
 glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
-std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments);
-std::vector<LaneChoice> lanesOf(const ShotArguments& arguments); ///< also Error: a preset file
+std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
+std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
 
 } // namespace taa::cli

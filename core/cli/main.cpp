@@ -47,7 +47,10 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
   command.add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
       ->allow_extra_args(false)
       ->excludes(preset);
-  command.add_option("--set", shot.assignments, "path=value (see list parameters); repeat it for more")
+  command
+      .add_option(
+          "--set", shot.assignments,
+          "path=value (see list parameters), or motion.NODE=MODE (see --motion-mode); repeat it for more")
       ->allow_extra_args(false);
   command
       .add_option(

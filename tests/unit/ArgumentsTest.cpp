@@ -52,6 +52,9 @@ TEST(Arguments, GiveObjectsMotionModes) {
   arguments.motionModes = {"rotor=none", "fan guard=cameraOnly"};
   EXPECT_EQ(motionModesOf(arguments), (std::vector<MotionOverride>{{"rotor", MotionMode::None},
                                                                    {"fan guard", MotionMode::CameraOnly}}));
+  arguments.assignments = {"motion.rotor=cameraOnly", "weight.alpha=0.25"};
+  EXPECT_EQ(motionModesOf(arguments).back(), (MotionOverride{"rotor", MotionMode::CameraOnly}));
+  EXPECT_EQ(lanesOf(arguments)[0].settings.weight.alpha, 0.25f);
   arguments.motionModes = {"rotor"};
   EXPECT_THROW(motionModesOf(arguments), UsageError);
 }
