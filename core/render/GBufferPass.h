@@ -37,6 +37,7 @@ class GBufferPass {
     int influenceSets = 0;
     bool morphed = false, cached = false, wind = false;
     bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
     auto operator<=>(const Variant&) const = default;
     bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
   };
