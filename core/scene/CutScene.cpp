@@ -27,17 +27,20 @@ void addPlace(SceneBuilder& builder, const std::string& name, float x, int wall,
   builder.addObject(name + " things", {things.build(builder.addMaterial(paintOf(tint, 0.35f)))});
 }
 
-/// A ball that is somewhere else every half second: teleported, so that its motion leads nowhere.
-void addJumper(SceneBuilder& builder) {
+/// A ball that is somewhere else every half second. Where its jumps are `known`, it has no motion in those
+/// frames (catalogue §3, rule iii); else its motion leads to where it was, far away.
+void addJumper(SceneBuilder& builder, const std::string& name, const glm::vec3& glow, float z, bool known) {
   MeshBuilder ball;
   ball.ball({0, 0, 0}, 0.4f, 40);
-  Material glowing = paintOf({0.9f, 0.2f, 0.05f}, 0.5f);
-  glowing.emissive = {1.2f, 0.3f, 0.05f};
-  const int node = builder.addObject("jumper", {ball.build(builder.addMaterial(glowing))});
+  Material glowing = paintOf(glow, 0.5f);
+  glowing.emissive = glow;
+  const int node = builder.addObject(name, {ball.build(builder.addMaterial(glowing))});
   std::vector<glm::vec3> places;
   for (int i = 0; i < 8; ++i) {
-    const float x = -2.4f + 1.6f * static_cast<float>(i * 5 % 4);
-    places.emplace_back(x + (i / 2 % 2 == 1 ? kApart : 0.0f), 1.3f + 0.8f * static_cast<float>(i % 3), -0.6f);
+    const float x = (known ? -1.6f : -2.4f) + 1.6f * static_cast<float>(i * 5 % 4);
+    places.emplace_back(x + (i / 2 % 2 == 1 ? kApart : 0.0f),
+                        1.3f + 0.8f * static_cast<float>((known ? i + 1 : i) % 3), z);
+    if (known && i > 0) builder.scene().nodes.back().teleports.push_back(0.5 * i);
   }
   places.push_back(places.front());
   builder.animateSteps(node, 0.5f, places);
@@ -59,7 +62,8 @@ Scene makeCutScene() {
            {0.1f, 0.35f, 0.75f});
   addPlace(builder, "second", kApart, builder.addMaterial(plank), builder.addMaterial(gravel),
            {0.15f, 0.6f, 0.25f});
-  addJumper(builder);
+  addJumper(builder, "jumper", {1.2f, 0.3f, 0.05f}, -0.6f, false);
+  addJumper(builder, "teleported", {0.05f, 0.4f, 1.2f}, -1.0f, true);
   const glm::vec3 eye(0.0f, 1.9f, 5.2f), there(kApart, 0, 0);
   const int camera = builder.addCamera("cuts", eye, {0.0f, -0.12f, -1.0f}, 0.75f);
   builder.animateSteps(camera, 1.0f, std::vector<glm::vec3>{eye, eye + there, eye, eye + there, eye});
