@@ -19,6 +19,9 @@ vec3 sanitized(vec3 c) {
   return vec3(isSane(c.r) ? c.r : 0.0, isSane(c.g) ? c.g : 0.0, isSane(c.b) ? c.b : 0.0);
 }
 
+/// What a computed color becomes: negative values and NaN 0, too bright ones the brightest that can be stored.
+vec3 storable(vec3 c) { return bounded(c, vec3(0.0), vec3(kBrightest)); }
+
 const bool kIsRgb = kSpaceColor == kSpaceColor_rgb;
 
 float largestChannel(vec3 c) { return greater(greater(c.r, c.g), c.b); }
@@ -116,7 +119,7 @@ vec3 toBox(vec3 color) {
   return toAxes(c);
 }
 
-/// The inverse of toBox. May leave the gamut, so what comes out wants to be sanitized.
+/// The inverse of toBox. May leave the gamut, so what comes out wants to be made storable.
 vec3 fromBox(vec3 box) {
   precise vec3 c = fromAxes(box);
   if (kSpaceTone == kSpaceTone_reinhardLuma) c = c / inverseDivisor(luma(c));

@@ -143,7 +143,7 @@ vec3 rectifyHistory(vec3 historyColor, Neighborhood around, vec3 currentFiltered
   Rectified rectified = rectifiedByMethod(history, around, currentFiltered);
   float strength = rectifyStrength(speed);
   bool kept = isKept(history, around, rectified);
-  precise vec3 corrected = sanitized(fromBox(rectified.color));
+  precise vec3 corrected = storable(fromBox(rectified.color));
   precise float amount = rectified.amount;
   if (kRectifyRelaxAtRest) {
     corrected = historyColor + strength * (corrected - historyColor);

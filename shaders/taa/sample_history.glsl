@@ -21,7 +21,7 @@ vec3 historyBilinear(vec2 x) {
   precise vec3 top = topLeft + f.x * (topRight - topLeft);
   precise vec3 bottom = bottomLeft + f.x * (bottomRight - bottomLeft);
   precise vec3 result = top + f.y * (bottom - top);
-  return sanitized(result);
+  return storable(result);
 }
 
 /// Mixed color of two texels of the history.
@@ -136,7 +136,7 @@ vec3 historyCatmullRom5(vec2 x) {
     vec3 highest = greater(greater(greater(greater(taps.above, taps.left), taps.middle), taps.right), taps.below);
     result = bounded(result, lowest, highest);
   }
-  return sanitized(result); // negative lobes would never recover (6.10)
+  return storable(result); // negative lobes would never recover (6.10)
 }
 
 /// The corners too: equal to sixteen texels (6.3).
@@ -165,7 +165,7 @@ vec3 historyCatmullRom9(vec2 x) {
   }
   precise vec3 result = taps.middle + weighted / sum;
   if (kHistoryDering) result = bounded(result, lowest, highest);
-  return sanitized(result);
+  return storable(result);
 }
 
 /// Sixteen texels with the weights of the chosen kernel (6.2, 6.5 to 6.7).
@@ -195,7 +195,7 @@ vec3 historySixteen(vec2 x) {
   }
   precise vec3 result = middle + weighted / sum;
   if (kHistoryDering) result = bounded(result, lowest, highest);
-  return sanitized(result);
+  return storable(result);
 }
 
 vec3 historyColor(vec2 x) {

@@ -28,6 +28,15 @@ glm::vec3 sanitized(const glm::vec3& color) {
   return result;
 }
 
+glm::vec3 storable(const glm::vec3& color) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    const float positive = color[i] > 0.0f ? color[i] : 0.0f;
+    result[i] = positive < kLargestHalf ? positive : kLargestHalf;
+  }
+  return result;
+}
+
 float luma(const glm::vec3& color) {
   return (0.2126f * color.x + 0.7152f * color.y) + 0.0722f * color.z;
 }

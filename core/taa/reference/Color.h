@@ -14,6 +14,9 @@ bool isBad(float value);
 /// The color with bad channels 0.
 glm::vec3 sanitized(const glm::vec3& color);
 
+/// What a computed color becomes: negative values and NaN 0, too bright ones the brightest half.
+glm::vec3 storable(const glm::vec3& color);
+
 /// Rec. 709 luma of scene-linear color.
 float luma(const glm::vec3& color);
 

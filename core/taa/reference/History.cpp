@@ -201,7 +201,7 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   result.position = isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
   if (inputs.historyColor.empty()) return result;
   const glm::vec2& q = result.position;
-  result.color = sanitized(filtered(inputs, settings, q)); // a filter with negative lobes can go below 0
+  result.color = storable(filtered(inputs, settings, q)); // negative lobes overshoot both ways
   const glm::ivec2 nearest =
       clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
   result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;

@@ -158,7 +158,7 @@ Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm
       rectified(settings.rectify, h, toBox(currentFiltered, settings.space), neighborhood);
   // Kept history is kept exactly: no way there and back through the box's space.
   if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f, strength};
-  const glm::vec3 color = sanitized(fromBox(clipped.value, settings.space));
+  const glm::vec3 color = storable(fromBox(clipped.value, settings.space));
   if (settings.rectify.relaxAtRest == Switch::Off) return {color, clipped.amount, strength};
   return {historyRaw + strength * (color - historyRaw), clipped.amount * strength, strength};
 }
