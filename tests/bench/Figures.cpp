@@ -1,6 +1,7 @@
 #include "tests/bench/Figures.h"
 
 #include "core/base/Files.h"
+#include "core/settings/Presets.h"
 
 #include <array>
 #include <ctime>
@@ -59,6 +60,20 @@ std::string today() {
   return text.str();
 }
 
+/// The presets' resolves as multiples of a copy; empty when none was measured.
+std::string presetsTable(const Figures& figures) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  for (const Preset& preset : builtinPresets()) {
+    const auto figure = figures.find(kPresetFigure + preset.id);
+    if (figure == figures.end()) continue;
+    if (text.tellp() == 0)
+      text << "\n| resolve of the preset | beside a plain copy of the same bytes |\n|---|---|\n";
+    text << "| " << preset.label << " | × " << figure->second << " |\n";
+  }
+  return text.str();
+}
+
 } // namespace
 
 std::string figuresTable(const Figures& figures, const std::string& driver) {
@@ -70,6 +85,7 @@ std::string figuresTable(const Figures& figures, const std::string& driver) {
     text << "| " << row.label << " | " << valueText(figure->second, row) << " | "
          << (row.limit > 0.0 ? "≤ " + valueText(row.limit, row) : "") << " |\n";
   }
+  text << presetsTable(figures);
   text << "\nMedians of one run on " << processorName() << ", " << std::thread::hardware_concurrency()
        << " cores, " << driver << ", " << today()
        << "; each ratio is of pairs measured one right after the other.\n";

@@ -10,6 +10,9 @@ namespace taa::bench {
 /// Medians by figure id, as the benchmarks report them in counters of that name.
 using Figures = std::map<std::string, double>;
 
+/// What the ids of the presets' figures begin with.
+inline const std::string kPresetFigure = "preset.";
+
 /// The table in Markdown, with machine, driver and date below it. Figures that were not measured are left
 /// out.
 std::string figuresTable(const Figures& figures, const std::string& driver);

@@ -1,0 +1,17 @@
+// The floor of the resolve's cost: reads what every resolve reads and writes what it writes, and computes nothing.
+layout(binding = 0) uniform sampler2D u_color;
+layout(binding = 1) uniform sampler2D u_depth;
+layout(binding = 2) uniform sampler2D u_motion;
+layout(binding = 3) uniform sampler2D u_historyColor;
+layout(binding = 4) uniform sampler2D u_historySurface;
+
+layout(location = 0) out vec4 o_color;
+layout(location = 1) out vec2 o_surface;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 color = texelFetch(u_color, pixel, 0) + texelFetch(u_historyColor, pixel, 0);
+  vec2 motion = texelFetch(u_motion, pixel, 0).xy;
+  o_color = color + motion.xyxy;
+  o_surface = texelFetch(u_historySurface, pixel, 0).xy + texelFetch(u_depth, pixel, 0).x;
+}
