@@ -146,6 +146,10 @@ inline constexpr Choice kRectifyMethods[] = {
      "Clamp to the min-max box, then clip to the center of this one (catalogue 10.5, Raptor)."},
     {"rayToCurrent", "Ray to current",
      "Along the ray to the current color, unless the box is hit too late (catalogue 11.4, DiligentFX)."},
+    {"clipToHull", "To filtered, hull",
+     "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
+     "which "
+     "no box and no γ widens (catalogue 10.12)."},
 };
 inline constexpr Choice kOffScreens[] = {
     {"keep", "Keep", "Border pixels streak into the picture (catalogue 5.0)."},

@@ -141,6 +141,7 @@ enum class RectifyMethod : std::int32_t {
   ShrinkAxes,
   ClampThenClip,
   RayToCurrent,
+  ClipToHull,
 };
 struct RectifySettings {
   RectifyMethod method = RectifyMethod::ClipToFiltered;

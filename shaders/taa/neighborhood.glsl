@@ -102,10 +102,23 @@ float gammaUsed(Moments moments, vec3 center, vec3 historyColor, float speed) {
   return gamma;
 }
 
-/// The measured extremes, kept for what clamps to them first.
+/// Directions across which the hull is measured: three axes, six edges and four corners of a cube (10.12).
+const vec3 kSlabs[13] = vec3[](vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 1, 0), vec3(1, -1, 0),
+                               vec3(1, 0, 1), vec3(1, 0, -1), vec3(0, 1, 1), vec3(0, 1, -1), vec3(1, 1, 1),
+                               vec3(1, 1, -1), vec3(1, -1, 1), vec3(-1, 1, 1));
+const bool kIsClipToHull = kRectifyMethod == kRectifyMethod_clipToHull;
+
+float across(vec3 direction, vec3 color) {
+  precise float result = (direction.x * color.x + direction.y * color.y) + direction.z * color.z;
+  return result;
+}
+
+/// The measured extremes, kept for what clamps to them first, and those along the slabs.
 struct Neighborhood {
   Box box;
   Moments moments;
+  float slabLow[13];
+  float slabHigh[13];
 };
 
 Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 historyColor, float speed) {
@@ -138,5 +151,20 @@ Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 histo
   expose_boxGamma(gamma);
   expose_boxMin(box.lo);
   expose_boxMax(box.hi);
-  return Neighborhood(box, moments);
+  Neighborhood around;
+  around.box = box;
+  around.moments = moments;
+  if (kIsClipToHull) {
+    for (int slab = 0; slab < 13; ++slab) {
+      float low = across(kSlabs[slab], boxed[0]);
+      float high = low;
+      for (int k = 1; k < 9; ++k) {
+        low = lesser(low, across(kSlabs[slab], boxed[k]));
+        high = greater(high, across(kSlabs[slab], boxed[k]));
+      }
+      around.slabLow[slab] = low;
+      around.slabHigh[slab] = high;
+    }
+  }
+  return around;
 }

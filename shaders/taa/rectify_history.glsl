@@ -106,6 +106,23 @@ Rectified rayToCurrent(vec3 history, Box box, vec3 currentFiltered) {
   return Rectified(color, lesser(nearest, 1.0));
 }
 
+/// Towards the filtered current color until all slabs around the nine samples hold (10.12). They are opened for the
+/// target, which filters with negative weights put outside.
+Rectified clipToHull(vec3 history, Neighborhood around, vec3 currentFiltered) {
+  vec3 target = toBox(currentFiltered);
+  precise vec3 way = target - history;
+  precise float amount = 0.0;
+  for (int slab = 0; slab < 13; ++slab) {
+    float end = across(kSlabs[slab], target);
+    float low = lesser(around.slabLow[slab], end);
+    float high = greater(around.slabHigh[slab], end);
+    amount = greater(amount, entry(across(kSlabs[slab], history), across(kSlabs[slab], way), low, high));
+  }
+  precise vec3 color = history + way * amount;
+  if (amount >= 1.0) return Rectified(target, 1.0);
+  return Rectified(color, amount);
+}
+
 const bool kIsClampThenClip = kRectifyMethod == kRectifyMethod_clampThenClip;
 
 Rectified rectifiedByMethod(vec3 history, Neighborhood around, vec3 currentFiltered) {
@@ -116,6 +133,7 @@ Rectified rectifiedByMethod(vec3 history, Neighborhood around, vec3 currentFilte
   if (kRectifyMethod == kRectifyMethod_shrinkAxes) return shrinkAxes(history, box, around.moments.mean);
   if (kIsClampThenClip) return clampThenClip(history, box, around.moments);
   if (kRectifyMethod == kRectifyMethod_rayToCurrent) return rayToCurrent(history, box, currentFiltered);
+  if (kIsClipToHull) return clipToHull(history, around, currentFiltered);
   return Rectified(history, 0.0);
 }
 
@@ -124,6 +142,7 @@ bool isKept(vec3 history, Neighborhood around, Rectified rectified) {
   if (!hasHistory() || kRectifyMethod == kRectifyMethod_none) return true;
   if (kIsClampThenClip)
     return isInside(history, around.moments.lowest, around.moments.highest) && rectified.color == history;
+  if (kIsClipToHull) return !(rectified.amount > 0.0);
   if (kRectifyMethod == kRectifyMethod_clipToCenter && rectified.amount == 0.0) return true;
   if (kRectifyMethod == kRectifyMethod_rayToCurrent && rectified.color == history) return true;
   return isInside(history, around.box.lo, around.box.hi);

@@ -148,5 +148,66 @@ TEST(ReferenceRectify, HistoryInTheBoxIsNotTakenThroughItsSpace) {
   }
 }
 
+/// Linear RGB boxes and the hull's method.
+Settings hullSettings() {
+  Settings settings;
+  settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
+  settings.rectify.method = RectifyMethod::ClipToHull;
+  return settings;
+}
+
+Inputs oneHistory() {
+  Inputs made = test::constantInputs(3, 3, glm::vec3(0.0f));
+  test::setHistory(made, glm::vec3(0.0f), 1.0f);
+  return made;
+}
+
+TEST(ReferenceRectify, TheHullOfGraysHoldsNoColorWhateverTheirBox) {
+  Neighborhood grays;
+  for (int k = 0; k < 9; ++k) grays.samples[std::size_t(k)] = glm::vec3(0.125f * float(k));
+  grays.boxMin = grays.min = glm::vec3(0.0f);
+  grays.boxMax = grays.max = glm::vec3(1.0f);
+  const glm::vec3 red(0.75f, 0.25f, 0.25f), target(0.5f);
+  Settings settings = hullSettings();
+  const Clipped hull = rectifyHistory(oneHistory(), settings, red, target, grays);
+  EXPECT_EQ(hull.value, target);
+  EXPECT_EQ(hull.amount, 1.0f);
+  EXPECT_EQ(rectifyHistory(oneHistory(), settings, glm::vec3(0.625f), target, grays).value,
+            glm::vec3(0.625f));
+  settings.rectify.method = RectifyMethod::ClipToFiltered; // the box sees no color
+  EXPECT_EQ(rectifyHistory(oneHistory(), settings, red, target, grays).value, red);
+}
+
+// More slabs leave less room: never less is taken away than by the box of the same samples.
+TEST(ReferenceRectify, TheHullIsNeverWiderThanTheBoxOfItsSamples) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> level(0.0f, 1.0f), wide(0.0f, 2.0f);
+  const auto color = [&](auto& spread) { return glm::vec3(spread(random), spread(random), spread(random)); };
+  int tighter = 0;
+  for (int i = 0; i < 500; ++i) {
+    Neighborhood n;
+    n.min = glm::vec3(1e9f);
+    n.max = glm::vec3(-1e9f);
+    glm::vec3 mean(0.0f);
+    for (glm::vec3& sample : n.samples) {
+      sample = color(level);
+      mean += sample / 9.0f;
+      n.min = glm::min(n.min, sample);
+      n.max = glm::max(n.max, sample);
+    }
+    n.boxMin = n.min;
+    n.boxMax = n.max;
+    const glm::vec3 history = color(wide);
+    Settings settings = hullSettings();
+    const float hull = rectifyHistory(oneHistory(), settings, history, mean, n).amount;
+    settings.rectify.method = RectifyMethod::ClipToFiltered;
+    const float box = rectifyHistory(oneHistory(), settings, history, mean, n).amount;
+    EXPECT_GE(hull, box);
+    EXPECT_LE(hull, 1.0f);
+    tighter += hull > box;
+  }
+  EXPECT_GT(tighter, 250);
+}
+
 } // namespace
 } // namespace taa::reference

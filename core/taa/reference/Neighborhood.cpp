@@ -125,6 +125,9 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const Moved& moved) {
   Neighborhood result;
   measureSamples(inputs, settings, pixel, result);
+  for (int k = 0; k < 9; ++k)
+    result.samples[static_cast<std::size_t>(k)] =
+        toBox(currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1)), settings.space);
   const glm::vec3 center = toBox(currentColor(inputs, pixel), settings.space);
   result.gamma = gammaUsed(inputs, settings, result, center, moved);
   boundByMoments(settings.neighborhood.box, result);

@@ -125,6 +125,30 @@ Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighbo
   return {h + d * t, t < 1.0f ? t : 1.0f};
 }
 
+/// Towards `target` into the 26-DOP of the samples and the target (catalogue 10.12): for each direction whose
+/// components are −1, 0 or 1 the slab [min d·c, max d·c].
+Clipped clipToHull(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n) {
+  const glm::vec3 way = target - h;
+  float t = 0.0f;
+  for (int code = 14; code < 27; ++code) { // half of the 26 directions, one of each opposite pair
+    const glm::vec3 d(float(code / 9 - 1), float(code / 3 % 3 - 1), float(code % 3 - 1));
+    const auto along = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
+    float low = along(target), high = low;
+    for (const glm::vec3& sample : n.samples) {
+      low = along(sample) < low ? along(sample) : low;
+      high = along(sample) > high ? along(sample) : high;
+    }
+    const float from = along(h);
+    const float enter = from < low    ? (low - from) / along(way)
+                        : from > high ? (high - from) / along(way)
+                                      : 0.0f;
+    t = enter > t ? enter : t;
+  }
+  if (!(t > 0.0f)) return {h, 0.0f};
+  if (t >= 1.0f) return {target, 1.0f};
+  return {h + way * t, t};
+}
+
 Clipped rectified(const RectifySettings& settings, const glm::vec3& h, const glm::vec3& current,
                   const Neighborhood& n) {
   switch (settings.method) {
@@ -132,6 +156,8 @@ Clipped rectified(const RectifySettings& settings, const glm::vec3& h, const glm
     return shrinkAxes(h, n);
   case RectifyMethod::ClampThenClip:
     return clampThenClip(h, n);
+  case RectifyMethod::ClipToHull:
+    return clipToHull(h, current, n);
   case RectifyMethod::RayToCurrent:
     return rayToCurrent(h, current, n, settings.mostSteps);
   default:

@@ -64,6 +64,7 @@ struct Neighborhood {
   float gamma = 0.0f; ///< the one used
   glm::vec3 boxMin{0.0f};
   glm::vec3 boxMax{0.0f};
+  std::array<glm::vec3, 9> samples{}; ///< in box space, row-major
 };
 /// What γ may depend on.
 struct Moved {
