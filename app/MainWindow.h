@@ -51,6 +51,9 @@ class MainWindow : public QMainWindow {
   void askForPixel();
   void askForFrame();
   void askForSize();
+  void askForPresetName();
+  void askForPresetFile();
+  QString presetFolder() const; ///< of the user's own
   void chooseIntermediate(int view);
   void showCommands();
   void showKeys();

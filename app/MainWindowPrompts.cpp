@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 #include "app/Menus.h"
 #include "app/Text.h"
+#include "app/UserPresets.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
@@ -81,6 +82,30 @@ void MainWindow::askForSize() {
       },
       this);
   prompt->open();
+}
+
+QString MainWindow::presetFolder() const {
+  return userPresetFolder(settings_);
+}
+
+void MainWindow::askForPresetName() {
+  auto* prompt = new Prompt(
+      tr("Save these settings as"), {},
+      [this](const QString& text) {
+        if (text.trimmed().isEmpty()) return false;
+        session_.savePreset(presetFolder(), text);
+        return true;
+      },
+      this);
+  prompt->open();
+}
+
+void MainWindow::askForPresetFile() {
+  auto* dialog = new QFileDialog(this, tr("Open a preset"), presetFolder(), tr("Presets (*.json)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, &session_, &Session::setPreset);
+  dialog->open();
 }
 
 void MainWindow::chooseIntermediate(int view) {

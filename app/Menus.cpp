@@ -2,6 +2,7 @@
 
 #include "app/Icons.h"
 #include "app/MainWindow.h"
+#include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/TimelinePanel.h"
@@ -232,8 +233,16 @@ void Menus::makePipeline() {
       session.setPreset(id);
     })->setToolTip(QString::fromStdString(preset.description));
   }
-  add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}),
-      [&session] { session.setPreset(QString::fromStdString(session.presetId())); });
+  QMenu* own = menu->addMenu(tr("&My presets"));
+  connect(own, &QMenu::aboutToShow, this, [this, own] {
+    own->clear();
+    for (const UserPreset& preset : userPresets(window_.presetFolder()))
+      own->addAction(preset.label, this, [this, path = preset.path] { window_.session().setPreset(path); });
+    if (own->isEmpty()) own->addAction(tr("None saved yet"))->setEnabled(false);
+  });
+  add(menu, tr("&Save as preset…"), keys({"Ctrl+S"}), [this] { window_.askForPresetName(); });
+  add(menu, tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [this] { window_.askForPresetFile(); });
+  add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.backToPreset(); });
   menu->addSeparator();
   add(menu, tr("&Unfold all stages"), keys({"Ctrl+Down"}),
       [this] { window_.pipeline()->setAllExpanded(true); });

@@ -1,5 +1,6 @@
 #include "app/Session.h"
 
+#include "app/UserPresets.h"
 #include "core/base/Error.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -152,6 +153,16 @@ void Session::setPreset(const QString& idOrPath) {
     useSettings(chosen.settings);
     Q_EMIT settingsChanged(); // the name changes even where no value does
   });
+}
+
+void Session::backToPreset() {
+  if (settings_ == presetSettings_) return;
+  history_.record(settings_, "");
+  useSettings(presetSettings_);
+}
+
+void Session::savePreset(const QString& folder, const QString& label) {
+  guarded([&] { setPreset(saveUserPreset(folder, label, settings_)); });
 }
 
 void Session::undo() {

@@ -56,6 +56,9 @@ class Session : public QObject {
   void step(int frames); ///< pauses
   void setParameter(const QString& path, double value);
   void setPreset(const QString& idOrPath);
+  void backToPreset();
+  /// Saves the present settings in `folder` and goes on from them.
+  void savePreset(const QString& folder, const QString& label);
   void undo();
   void redo();
   void setViews(const std::vector<ViewRequest>& views);

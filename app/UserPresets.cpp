@@ -1,0 +1,65 @@
+#include "app/UserPresets.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/settings/Presets.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+/// "My Preset 2" becomes "my-preset-2".
+QString idOf(const QString& label) {
+  QString id;
+  for (const QChar letter : label.trimmed().toLower()) {
+    if (letter.isLetterOrNumber())
+      id += letter;
+    else if (!id.isEmpty() && !id.endsWith(QLatin1Char('-')))
+      id += QLatin1Char('-');
+  }
+  while (id.endsWith(QLatin1Char('-'))) id.chop(1);
+  return id;
+}
+
+} // namespace
+
+QString userPresetFolder(const QSettings* settings) {
+  const QDir beside = settings ? QFileInfo(settings->fileName()).dir()
+                               : QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
+  return beside.filePath(QStringLiteral("presets"));
+}
+
+std::vector<UserPreset> userPresets(const QString& folder) {
+  std::vector<UserPreset> found;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.json")}, QDir::Files)) try {
+      const Preset row = preset(file.filePath().toStdString());
+      found.push_back({QString::fromStdString(row.label), file.filePath()});
+    } catch (const Error&) {
+      continue; // not ours
+    }
+  std::ranges::sort(found, {}, &UserPreset::label);
+  return found;
+}
+
+QString saveUserPreset(const QString& folder, const QString& label, const Settings& settings) {
+  const QString id = idOf(label);
+  if (id.isEmpty()) throw Error("cannot save the preset: its name needs a letter or a digit");
+  if (std::ranges::count(builtinPresets(), id.toStdString(), &Preset::id) > 0)
+    throw Error("cannot save the preset: \"" + id.toStdString() + "\" is a built-in one; give another name");
+  if (!QDir().mkpath(folder))
+    throw Error("cannot save the preset: the folder " + folder.toStdString() + " cannot be made");
+  const QString path = QDir(folder).filePath(id + QStringLiteral(".json"));
+  const Preset row{id.toStdString(), label.trimmed().toStdString(), "", 0, "Saved from the window.",
+                   settings};
+  writeFile(path.toStdString(), presetToText(row));
+  return path;
+}
+
+} // namespace taa::app

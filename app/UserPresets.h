@@ -1,0 +1,29 @@
+// A user's own presets: files in a folder beside the one the program remembers its layout in.
+#pragma once
+
+#include "core/settings/Settings.h"
+
+#include <QString>
+
+#include <vector>
+
+class QSettings;
+
+namespace taa::app {
+
+/// Where they are kept; without `settings`, where the system keeps a program's data.
+QString userPresetFolder(const QSettings* settings);
+
+struct UserPreset {
+  QString label, path;
+};
+
+/// What `folder` holds, by label; files that are no presets are passed over.
+std::vector<UserPreset> userPresets(const QString& folder);
+
+/// Writes `settings` under `label` and returns the file's path; one of the same name is replaced.
+/// Throws Error when the label has no letter or digit, is that of a built-in preset, or the file cannot be
+/// written.
+QString saveUserPreset(const QString& folder, const QString& label, const Settings& settings);
+
+} // namespace taa::app
