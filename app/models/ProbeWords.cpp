@@ -4,6 +4,7 @@
 #include "app/Text.h"
 
 #include "core/render/FrameInputs.h"
+#include "core/settings/Parameters.h"
 
 #include <QObject>
 
@@ -45,14 +46,36 @@ QString motionLine(const reference::PixelRecord& record) {
   return tr("moved %1 px").arg(tupleText(values, 3));
 }
 
+/// α of the source by itself: "1/(7 + 1)", or the source's name and value.
+QString sourceText(const reference::PixelRecord& record, const Settings& settings) {
+  const float base = reference::at(record, Id::alphaBase).x;
+  if (settings.weight.source == AlphaSource::HistoryLength)
+    return tr("1/(%1 + 1)").arg(lengthText(reference::at(record, Id::historyRawLength).x));
+  const Parameter& row = parameter("weight.source");
+  const Choice& choice = row.choices[static_cast<std::size_t>(settings.weight.source)];
+  return qtext(choice.label).toLower() + QLatin1Char(' ') + shortText(static_cast<double>(base), 4);
+}
+
+/// How α came about: source × what calms it, not below the floor, and what motion adds (catalogue §13).
 QString alphaLine(const reference::PixelRecord& record, const Settings& settings) {
   const auto value = [&](Id id) { return reference::at(record, id).x; };
-  const QString alpha = shortText(static_cast<double>(value(Id::alpha)), 4);
+  const auto number = [&](Id id) { return shortText(static_cast<double>(value(id)), 4); };
   if (value(Id::alphaInvalid) > 0) return tr("α = 1: the current frame alone");
-  if (settings.weight.source == AlphaSource::Constant) return tr("α = %1, constant").arg(alpha);
-  const QString length = lengthText(value(Id::historyRawLength));
-  const QString floor = shortText(static_cast<double>(value(Id::alphaFloor)), 4);
-  return tr("N = %1 → α = max(1/(%1 + 1), %2) = %3").arg(length, floor, alpha);
+  QString text = sourceText(record, settings);
+  float product = value(Id::alphaBase);
+  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast}) {
+    if (value(calm) == 1.0f) continue;
+    text += QStringLiteral(" × ") + number(calm);
+    product *= value(calm);
+  }
+  if (settings.weight.source == AlphaSource::HistoryLength || product < value(Id::alphaFloor))
+    text = tr("max(%1, %2)").arg(text, number(Id::alphaFloor));
+  if (value(Id::alphaMotion) > 0) text += tr(" and %1 by motion").arg(number(Id::alphaMotion));
+  const QString length = settings.weight.source == AlphaSource::HistoryLength
+                             ? tr("N = %1 → ").arg(lengthText(value(Id::historyRawLength)))
+                             : QString();
+  const bool isPlain = text.endsWith(number(Id::alpha)) && !text.contains(QLatin1Char('('));
+  return length + tr("α = %1").arg(text) + (isPlain ? QString() : QStringLiteral(" = ") + number(Id::alpha));
 }
 
 } // namespace

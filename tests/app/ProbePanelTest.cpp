@@ -31,7 +31,11 @@ TEST(ProbeWords, SayWhyHistoryWasRejected) {
 TEST(ProbeWords, TellHowAlphaCameAbout) {
   reference::PixelRecord record;
   record.fill(glm::vec4(0));
+  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
+                                    IntermediateId::alphaHistoryContrast})
+    reference::at(record, calm).x = 1.0f;
   reference::at(record, IntermediateId::historyRawLength).x = 7;
+  reference::at(record, IntermediateId::alphaBase).x = 0.125f;
   reference::at(record, IntermediateId::alphaFloor).x = 0.1f;
   reference::at(record, IntermediateId::alpha).x = 0.125f;
   const QString lines = probeSummary(record, {}).join('\n');
@@ -40,6 +44,34 @@ TEST(ProbeWords, TellHowAlphaCameAbout) {
   reference::at(record, IntermediateId::rejectReason).x = 4;
   EXPECT_TRUE(
       probeSummary(record, {}).join('\n').contains(QString::fromStdString(std::string(rejectReasonText(4)))));
+}
+
+// The sentence is that of the source chosen, with every term that took part.
+TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
+  reference::PixelRecord record;
+  record.fill(glm::vec4(0));
+  const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
+  Settings settings;
+  const auto line = [&] { return probeSummary(record, settings).at(1); };
+  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
+                                    IntermediateId::alphaHistoryContrast})
+    set(calm, 1.0f);
+  set(IntermediateId::historyRawLength, 1.3f);
+  set(IntermediateId::alphaBase, 0.0625f);
+  set(IntermediateId::alphaFloor, 0.0625f);
+  set(IntermediateId::alpha, 0.0625f);
+  settings.weight.source = AlphaSource::LumaDifference;
+  EXPECT_EQ(line(), QStringLiteral("α = luma difference 0.0625"));
+  settings.weight.source = AlphaSource::Constant;
+  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625"));
+  set(IntermediateId::alphaLumaFlicker, 0.5f);
+  set(IntermediateId::alphaFloor, 0.04f);
+  set(IntermediateId::alpha, 0.04f);
+  EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5, 0.04) = 0.04"));
+  set(IntermediateId::alphaFloor, 0.0f);
+  set(IntermediateId::alphaMotion, 0.25f);
+  set(IntermediateId::alpha, 0.2734375f);
+  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by motion = 0.2734"));
 }
 
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
