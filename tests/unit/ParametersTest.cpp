@@ -162,9 +162,10 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
         "space.color=yCoCg", "rectify.method=clipToFiltered", "weight.alpha=0.04", "weight.nearClamp=on",
         "blend.tone=luma"}},
       {"raptor",
-       {"jitter.period=2", "jitter.firstIndex=0", "inputs.motion=cameraFromDepth",
+       {"jitter.period=2", "jitter.firstIndex=0", "inputs.motion=jitterDifferenceAsPrinted",
         "dilate.method=closest3x3AsPrinted", "history.filter=catmullRom9", "current.filter=mitchellAsPrinted",
-        "rectify.method=clampThenClip", "space.color=rgb", "weight.source=lumaDifferenceAsPrinted"}},
+        "rectify.method=clampThenClip", "space.color=rgb", "weight.source=lumaDifferenceAsPrinted",
+        "blend.tone=lumaAsPrinted"}},
       {"urp-verylow",
        {"dilate.method=none", "history.filter=bilinear", "neighborhood.shape=cross", "space.color=rgb",
         "rectify.method=clamp", "validate.offScreen=keep", "weight.alpha=0.1"}},
@@ -182,10 +183,13 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"hdrp-medium",
        {"history.filter=cubic", "history.sharpness=0.35", "neighborhood.shape=cross",
         "neighborhood.gamma=1.5", "neighborhood.contrastGrowth=1.75", "neighborhood.gammaMoving=0.75",
-        "neighborhood.gammaSpeed=50", "rectify.method=clipToCenter"}},
-      {"hdrp-high", {"neighborhood.shape=square3x3", "current.filter=gaussian", "current.variance=0.22"}},
+        "neighborhood.gammaSpeed=50", "rectify.method=clipToCenter", "weight.alpha=0.125",
+        "weight.motion=linear", "weight.motionSpeed=350"}},
+      {"hdrp-high",
+       {"neighborhood.shape=square3x3", "current.filter=gaussian", "current.variance=0.22",
+        "weight.motion=linear", "weight.motionSpeed=350"}},
       {"filament",
-       {"jitter.firstIndex=0", "inputs.motion=cameraFromDepth", "inputs.mipBias=-1",
+       {"jitter.firstIndex=0", "inputs.motion=singleMatrix", "inputs.mipBias=-1",
         "history.filter=catmullRom5", "history.dering=on", "current.filter=lanczos", "current.dering=on",
         "space.color=rgb", "neighborhood.shape=rounded", "rectify.method=clipToFiltered", "weight.alpha=0.12",
         "blend.tone=maxChannel"}},
@@ -196,18 +200,21 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
        {"jitter.firstIndex=0", "dilate.method=longest3x3", "history.filter=catmullRom5",
         "neighborhood.gamma=2", "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=128",
         "validate.depth=on", "validate.speedLimit=128", "rectify.method=clamp", "blend.restart=blurred",
-        "weight.source=historyLength"}},
+        "weight.source=historyLength", "weight.motion=linear", "weight.motionSpeed=128"}},
       {"miniengine",
        {"jitter.period=8", "jitter.firstIndex=0", "dilate.method=closestCross", "rectify.method=clipToCenter",
-        "validate.depth=on", "validate.speedLimit=64", "space.color=rgb"}},
+        "inputs.motion=singleMatrix", "validate.depth=on", "validate.speedLimit=64", "space.color=rgb",
+        "weight.motion=linear", "weight.motionSpeed=64"}},
       {"diligent",
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom5", "space.color=rgb",
         "rectify.method=rayToCurrent", "rectify.mostSteps=10", "neighborhood.gamma=2.5",
-        "neighborhood.gammaMoving=0.75", "weight.minimum=0.0625"}},
+        "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=2.8125", "weight.minimum=0.0625",
+        "weight.motion=linear", "weight.motionSpeed=2.8125"}},
       {"godot",
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom9",
         "space.tone=reinhardChannel", "space.color=yCoCg", "neighborhood.weights=luma",
-        "neighborhood.gammaMoving=0.4", "rectify.method=shrinkAxes", "weight.lumaFlicker=on"}},
+        "neighborhood.gammaMoving=0.4", "weight.minimum=0.0588", "rectify.method=shrinkAxes",
+        "weight.lumaFlicker=on"}},
       {"bevy",
        {"jitter.period=8", "dilate.method=closestX2", "history.filter=catmullRom5AsPrinted",
         "space.tone=maxChannel", "space.color=yCoCg", "rectify.method=clipToCenter", "weight.minimum=0.015",
@@ -237,6 +244,15 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(builtinPresets(), "ours", &Preset::group)) +
                 peers.size(),
             builtinPresets().size());
+}
+
+// HDRP doubles α at 50 px; a linear term does the same when its full speed is 50 (1 − α)/α.
+TEST(Presets, DoubleTheAlphaOfHdrpAtFiftyPixels) {
+  for (const char* id : {"hdrp-medium", "hdrp-high"}) {
+    const WeightSettings weight = preset(id).settings.weight;
+    const double motion = 50.0 / weight.motionSpeed;
+    EXPECT_DOUBLE_EQ(1.0 - (1.0 - weight.alpha) * (1.0 - motion), 2.0 * weight.alpha) << id;
+  }
 }
 
 TEST(Presets, DifferFromEachOtherAndSayWhatTheyAre) {
