@@ -13,6 +13,10 @@ using Figures = std::map<std::string, double>;
 /// What the ids of the presets' figures begin with.
 inline const std::string kPresetFigure = "preset.";
 
+/// Registers a benchmark for each preset; called from main, since the presets stand on tables that are built
+/// before it in no order that another file could rely on.
+void registerPresets();
+
 /// The table in Markdown, with machine, driver and date below it. Figures that were not measured are left
 /// out.
 std::string figuresTable(const Figures& figures, const std::string& driver);

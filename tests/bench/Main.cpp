@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   try {
+    taa::bench::registerPresets();
     FigureReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     const std::string table = taa::bench::figuresTable(reporter.figures, driverName());

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <functional>
 
 namespace {
 
@@ -71,14 +72,13 @@ void resolveOfPreset(benchmark::State& state, const taa::Preset& preset) {
   state.counters[taa::bench::kPresetFigure + preset.id] = median(ratios);
 }
 
-const bool kRegistered = [] {
-  for (const taa::Preset& preset : taa::builtinPresets())
+} // namespace
+
+void taa::bench::registerPresets() {
+  for (const Preset& preset : builtinPresets())
     benchmark::RegisterBenchmark(("preset/" + preset.id).c_str(),
                                  [&preset](benchmark::State& state) { resolveOfPreset(state, preset); })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
         ->Iterations(kIterations);
-  return true;
-}();
-
-} // namespace
+}
