@@ -10,25 +10,27 @@ namespace {
 
 constexpr int kSize = 512; ///< pixels on a side
 
-std::uint8_t toByte(float value) {
-  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+std::uint8_t toByte(float value) { // rounds like lround, which is a slow call; a double holds the sum exactly
+  return static_cast<std::uint8_t>(static_cast<double>(255.0f * std::clamp(value, 0.0f, 1.0f)) + 0.5);
 }
 
 /// Asks `color(u, v)` (RGBA, 0 to 1, as the file would hold it) at each pixel's center.
 template <class Color>
 SceneImage paint(std::string name, Color color) {
   SceneImage image{std::move(name), kSize, kSize, {}};
-  image.rgba.reserve(static_cast<std::size_t>(kSize) * kSize * 4);
+  image.rgba.resize(static_cast<std::size_t>(kSize) * kSize * 4);
+  auto byte = image.rgba.begin();
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x) {
       const glm::vec4 value =
           color((static_cast<float>(x) + 0.5f) / kSize, (static_cast<float>(y) + 0.5f) / kSize);
-      for (int channel = 0; channel < 4; ++channel) image.rgba.push_back(toByte(value[channel]));
+      for (int channel = 0; channel < 4; ++channel) *byte++ = toByte(value[channel]);
     }
   return image;
 }
 
 int wrapped(int i, int period) {
+  if (i >= 0 && i < period) return i; // nearly always, and the division is slow
   return ((i % period) + period) % period;
 }
 
@@ -63,10 +65,10 @@ float random(int x, int y, int seed) {
   return static_cast<float>((h ^ (h >> 15)) >> 8) / 16777216.0f;
 }
 
-/// Value noise with `cells` cells across, 0 to 1; tiles.
+/// Value noise with `cells` cells across, 0 to 1; tiles. Expects u and v of at least 0.
 float noise(float u, float v, int cells, int seed) {
   const float x = u * static_cast<float>(cells), y = v * static_cast<float>(cells);
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
   const float sx = fx * fx * (3 - 2 * fx), sy = fy * fy * (3 - 2 * fy);
   const auto at = [&](int i, int j) { return random(wrapped(x0 + i, cells), wrapped(y0 + j, cells), seed); };
@@ -87,6 +89,8 @@ glm::vec4 opaque(const glm::vec3& color) {
   return {color, 1.0f};
 }
 
+// Below, coordinates are at least 0, so that a conversion to int is the floor; calls of floor are slow.
+
 /// Where a point lies in a wall of equal blocks: which block, and how deep inside it.
 struct Block {
   int column, row;
@@ -95,9 +99,9 @@ struct Block {
 
 Block blockAt(float u, float v, int columns, int rows, float shiftPerRow) {
   const float y = v * static_cast<float>(rows);
-  const int row = static_cast<int>(std::floor(y));
+  const int row = static_cast<int>(y);
   const float x = u * static_cast<float>(columns) + shiftPerRow * static_cast<float>(wrapped(row, 2));
-  const int column = static_cast<int>(std::floor(x));
+  const int column = static_cast<int>(x);
   const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
   return {wrapped(column, columns), wrapped(row, rows),
           std::min(std::min(fx, 1 - fx) / static_cast<float>(columns),
@@ -116,7 +120,7 @@ constexpr int kPlanks = 8;
 /// A board that runs along v without end.
 Block plankAt(float u) {
   const float x = u * kPlanks;
-  const int column = static_cast<int>(std::floor(x));
+  const int column = static_cast<int>(x);
   const float fx = x - static_cast<float>(column);
   return {wrapped(column, kPlanks), 0, std::min(fx, 1 - fx) / kPlanks};
 }
