@@ -3,26 +3,41 @@
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace taa {
 
 namespace {
 
-/// A point light with its bulb that burns in the steps where `pattern` has a 1 and lies far below else.
+/// A point light that burns in the steps where `pattern` has a 1 and lies far below else. Its bulb hangs
+/// there all the time; only a thin glowing skin comes and goes with the light, at known moments, so that no
+/// pixel's motion or depth tells of the change.
 void addLamp(SceneBuilder& builder, const glm::vec3& place, const glm::vec3& color, float candela,
              std::string_view pattern) {
+  constexpr float kBulb = 0.07f, kSkin = 0.001f; // meters
+  MeshBuilder fitting, skin;
+  fitting.ball(place, kBulb, 20);
+  const std::array<glm::vec3, 2> cord{place + glm::vec3(0, 3.0f, 0), place + glm::vec3(0, 0.5f * kBulb, 0)};
+  fitting.tube(cord, 0.012f, 8);
+  builder.addObject("fitting", {fitting.build(builder.addMaterial(paintOf(glm::vec3(0.03f), 0.4f)))});
   builder.addPointLight("lamp", place, color, candela);
   const int node = static_cast<int>(builder.scene().nodes.size()) - 1;
-  MeshBuilder bulb, cord;
-  bulb.ball(glm::vec3(0.0f), 0.07f, 20);
+  skin.ball(glm::vec3(0.0f), kBulb + kSkin, 20);
   Material glow = paintOf(glm::vec3(0.02f), 0.6f);
-  glow.emissive = 12.0f * color;
-  builder.addObject("bulb", {bulb.build(builder.addMaterial(glow))}, node);
+  glow.emissive = 4.0f * color;
+  builder.addObject("glow", {skin.build(builder.addMaterial(glow))}, node);
+  const double seconds = 4.0 / static_cast<double>(pattern.size());
+  std::vector<double>& jumps = builder.scene().nodes[static_cast<std::size_t>(node)].teleports;
   std::vector<glm::vec3> places;
-  for (const char step : pattern) places.push_back(place - glm::vec3(0, step == '1' ? 0.0f : 1000.0f, 0));
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    places.push_back(place - glm::vec3(0, pattern[i] == '1' ? 0.0f : 1000.0f, 0));
+    if (i > 0 && pattern[i] != pattern[i - 1]) jumps.push_back(seconds * static_cast<double>(i));
+  }
   places.push_back(places.front());
-  builder.animateSteps(node, 4.0f / static_cast<float>(pattern.size()), places);
+  builder.animateSteps(node, static_cast<float>(seconds), places);
 }
 
 } // namespace
