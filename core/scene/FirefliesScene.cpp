@@ -1,5 +1,5 @@
-// builtin:fireflies: sparks far smaller than a pixel and up to a thousand times as bright as white, some of
-// them moving, above a floor that mirrors them: what tone weights and the box are for.
+// builtin:fireflies: sparks smaller than a pixel and up to a thousand times as bright as white, some of them
+// moving, above a rough metal floor whose bumps glitter: what tone weights and the box are for.
 #include "core/scene/BuiltinScenes.h"
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
@@ -9,6 +9,9 @@
 namespace taa {
 
 namespace {
+
+/// Meters: the largest spark's radius. From the nearest of them, 4 m away, a pixel of 720 lines is 4.4 mm.
+constexpr float kSpark = 0.002f;
 
 float fraction(float value) {
   return value - std::floor(value);
@@ -36,12 +39,14 @@ Primitive sparks(int count, float radius, int seed, int material) {
 
 Scene makeFirefliesScene() {
   SceneBuilder builder("builtin:fireflies");
-  Material floor = paintOf({0.5f, 0.5f, 0.55f}, 0.18f, 1.0f), wall = paintOf({0.8f, 0.75f, 0.7f}, 0.9f);
+  Material floor = paintOf({0.5f, 0.5f, 0.55f}, 0.22f, 1.0f), wall = paintOf({0.8f, 0.75f, 0.7f}, 0.9f);
   SurfaceImages bricks = brickImages();
   wall.baseColorTexture = textureSlot(builder.addImage(std::move(bricks.color)));
   wall.normalTexture = textureSlot(builder.addImage(std::move(bricks.normal)));
+  floor.normalTexture = wall.normalTexture;
+  floor.normalTexture.sampler.mipmaps = Mipmaps::None; // bumps finer than a pixel stay: each sample its own
   MeshBuilder floorMesh, wallMesh, balls;
-  floorMesh.quad({-7.0f, 0.0f, 4.0f}, {14.0f, 0, 0}, {0, 0, -10.0f});
+  floorMesh.quad({-7.0f, 0.0f, 4.0f}, {14.0f, 0, 0}, {0, 0, -10.0f}, {14.0f, 10.0f});
   wallMesh.quad({-7.0f, 0.0f, -6.0f}, {14.0f, 0, 0}, {0, 5.0f, 0}, {11.0f, 4.0f});
   for (int i = 0; i < 5; ++i) balls.ball({-3.0f + 1.5f * static_cast<float>(i), 0.4f, -1.4f}, 0.4f, 40);
   builder.addObject("floor", {floorMesh.build(builder.addMaterial(floor))});
@@ -50,9 +55,9 @@ Scene makeFirefliesScene() {
   const int white = builder.addMaterial(sparkOf(glm::vec3(1000.0f))),
             gold = builder.addMaterial(sparkOf({400.0f, 180.0f, 30.0f})),
             blue = builder.addMaterial(sparkOf({20.0f, 60.0f, 200.0f}));
-  builder.addObject("still sparks", {sparks(60, 0.0015f, 1, white), sparks(80, 0.003f, 2, blue)});
+  builder.addObject("still sparks", {sparks(110, 0.75f * kSpark, 1, white), sparks(110, kSpark, 2, blue)});
   for (int swarm = 0; swarm < 3; ++swarm) {
-    const int node = builder.addObject("swarm", {sparks(40, 0.003f, 5 + swarm, swarm == 0 ? white : gold)});
+    const int node = builder.addObject("swarm", {sparks(60, kSpark, 5 + swarm, swarm == 0 ? white : gold)});
     const float phase = 2.1f * static_cast<float>(swarm), reach = 0.25f + 0.3f * static_cast<float>(swarm);
     builder.animateLoop(
         node, 4.0f,
@@ -63,8 +68,8 @@ Scene makeFirefliesScene() {
           return glm::vec3(reach * std::cos(angle + phase), -0.2f * std::sin(angle + phase), 0.0f);
         });
   }
-  builder.addPointLight("warm", {-2.0f, 2.4f, -3.5f}, {1.0f, 0.7f, 0.4f}, 12.0f);
-  builder.addPointLight("cold", {2.5f, 2.2f, -3.5f}, {0.4f, 0.6f, 1.0f}, 10.0f);
+  builder.addPointLight("warm", {-2.2f, 1.5f, -4.6f}, {1.0f, 0.7f, 0.4f}, 5.0f);
+  builder.addPointLight("cold", {2.6f, 1.7f, -4.6f}, {0.4f, 0.6f, 1.0f}, 5.0f);
   builder.addCamera("front", {0.0f, 1.3f, 4.0f}, {0.0f, -0.06f, -1.0f}, 0.75f);
   Scene& scene = builder.scene();
   scene.sky.zenith = {0.02f, 0.025f, 0.06f};
