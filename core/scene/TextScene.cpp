@@ -1,10 +1,13 @@
-// builtin:text: fine print, a zone plate and a ticker: detail in textures, which every filter of the history
-// blurs a little in each moving frame.
+// builtin:text: fine print, a zone plate, checkers and a ticker: detail in textures, which every filter of
+// the history blurs a little in each moving frame.
 #include "core/scene/BuiltinScenes.h"
 #include "core/scene/Lettering.h"
 #include "core/scene/SceneBuilder.h"
 
 #include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -13,45 +16,78 @@ namespace {
 constexpr std::array<std::uint8_t, 3> kPaper{236, 232, 220}, kInk{28, 26, 30}, kScreen{10, 16, 20},
     kAmber{255, 176, 40};
 
-constexpr std::string_view kLines[] = {"A PICTURE MOVES BY A FRACTION OF A PIXEL IN EACH FRAME,",
-                                       "AND EACH TIME THE HISTORY IS READ BETWEEN ITS PIXELS.",
-                                       "A BILINEAR TAP IS A SMALL BLUR. TEN FRAMES ARE TEN BLURS.",
-                                       "A CUBIC KEEPS THE EDGES, OVERSHOOTS, AND NEEDS A CLAMP.",
-                                       "READ THIS LINE WHILE THE CAMERA GLIDES, THEN STOP IT."};
+constexpr std::string_view kProse =
+    "A PICTURE MOVES BY A FRACTION OF A PIXEL IN EACH FRAME, AND EACH TIME THE HISTORY IS READ BETWEEN ITS "
+    "PIXELS. A BILINEAR TAP IS A SMALL BLUR. TEN FRAMES ARE TEN BLURS. A CUBIC KEEPS THE EDGES, OVERSHOOTS, "
+    "AND NEEDS A CLAMP. READ THIS LINE WHILE THE CAMERA GLIDES, THEN STOP IT.";
 
-/// Print in sizes that halve, from the top down.
+/// The prose in lines of at most `letters`, broken between words.
+std::vector<std::string_view> proseLines(std::size_t letters) {
+  std::vector<std::string_view> lines;
+  std::string_view rest = kProse;
+  while (rest.size() > letters) {
+    const std::size_t end = rest.rfind(' ', letters);
+    lines.push_back(rest.substr(0, end));
+    rest.remove_prefix(end + 1);
+  }
+  lines.push_back(rest);
+  return lines;
+}
+
+/// Print in sizes down to one pixel a dot, from the top down.
 SceneImage pageImage() {
+  constexpr int kWidth = 976, kBottom = 1016;
   SceneImage page = plainImage("page", 1024, 1024, kPaper);
   paintText(page, 24, 24, 12, "TEMPORAL", kInk);
   paintText(page, 24, 124, 8, "ANTI-ALIASING", kInk);
   int y = 204;
-  for (const int scale : {4, 3, 2, 1})
-    for (const std::string_view line : kLines) {
-      const std::size_t fits = static_cast<std::size_t>(976 / (kLetterStep * scale));
-      paintText(page, 24, y, scale, line.substr(0, fits), kInk);
-      y += 10 * scale;
+  for (const int scale : {4, 3, 2}) {
+    for (const std::string_view line : proseLines(static_cast<std::size_t>(kWidth / (kLetterStep * scale)))) {
+      paintText(page, 24, y, scale, line, kInk);
+      y += 9 * scale;
     }
-  for (int row = 0; y + 10 < 1016; ++row, y += 10)
-    for (int column = 0; column < 2; ++column)
+    y += 5 * scale;
+  }
+  const std::vector<std::string_view> fine = proseLines(78); // two columns
+  for (std::size_t row = 0; y + 10 < kBottom; ++row, y += 10)
+    for (const int column : {0, 1})
       paintText(page, 24 + 500 * column, y, 1,
-                kLines[static_cast<std::size_t>(row + column) % std::size(kLines)], kInk);
+                fine[(row + static_cast<std::size_t>(2 * column)) % fine.size()], kInk);
   return page;
 }
 
-/// cos(r²): finer and finer rings, up to one pixel.
-SceneImage zoneImage() {
-  constexpr int kSize = 512;
-  SceneImage image = plainImage("zone plate", kSize, kSize, kPaper);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
-      const float dx = static_cast<float>(x) - 255.5f, dy = static_cast<float>(y) - 255.5f;
-      const float wave = 0.5f + 0.5f * std::cos(3.1415927f * (dx * dx + dy * dy) / kSize);
-      for (int channel = 0; channel < 3; ++channel)
-        image.rgba[4 * (static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)) +
-                   static_cast<std::size_t>(channel)] =
-            static_cast<std::uint8_t>(std::lround(235.0f * wave) + 10);
+/// A picture in gray: `wave(dx, dy)`, 0 to 1, of the texels from its middle.
+template <class Wave>
+SceneImage grayImage(std::string name, int width, int height, Wave wave) {
+  SceneImage image = plainImage(std::move(name), width, height, kPaper);
+  std::size_t at = 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x, at += 4) {
+      const float dx = static_cast<float>(x) - 0.5f * static_cast<float>(width - 1);
+      const float dy = static_cast<float>(y) - 0.5f * static_cast<float>(height - 1);
+      const auto gray = static_cast<std::uint8_t>(std::lround(10.0f + 235.0f * wave(dx, dy)));
+      for (std::size_t channel = 0; channel < 3; ++channel) image.rgba[at + channel] = gray;
     }
   return image;
+}
+
+/// cos(r²): finer and finer rings, a quarter of a cycle a texel at the middle of the border, which is 0.4 a
+/// pixel at 540 lines: fine, yet not lost to the mipmaps.
+SceneImage zoneImage() {
+  constexpr int kSize = 512;
+  return grayImage("zone plate", kSize, kSize, [](float dx, float dy) {
+    return 0.5f + 0.5f * std::cos(0.5f * 3.1415927f * (dx * dx + dy * dy) / kSize);
+  });
+}
+
+/// Checkers in four fields, with squares of 16, 8, 4 and 2 texels.
+SceneImage checkerImage() {
+  constexpr int kField = 128, kFields = 4, kHeight = 64;
+  return grayImage("checkers", kField * kFields, kHeight, [](float dx, float dy) {
+    const int x = static_cast<int>(dx + 0.5f * kField * kFields), y = static_cast<int>(dy + 0.5f * kHeight);
+    const int square = 16 >> (x / kField);
+    return (x / square + y / square) % 2 == 0 ? 1.0f : 0.0f;
+  });
 }
 
 SceneImage tickerImage() {
@@ -70,14 +106,17 @@ Material printed(SceneBuilder& builder, SceneImage image) {
 
 Scene makeTextScene() {
   SceneBuilder builder("builtin:text");
-  MeshBuilder page, zone, ticker, desk;
+  MeshBuilder page, zone, checkers, ticker, desk;
   page.quad({-1.65f, -0.9f, 0.0f}, {1.9f, 0, 0}, {0, 1.9f, 0});
   zone.quad({0.42f, -0.2f, 0.0f}, {1.2f, 0, 0}, {0, 1.2f, 0});
+  checkers.quad({0.42f, -0.39f, 0.0f}, {1.2f, 0, 0}, {0, 0.15f, 0});
+  checkers.quad({0.42f, -0.9f, 0.0f}, {1.2f, 0, 0}, {0, 0.15f, 0});
   ticker.quad({-4.0f, -0.06f, 0.0f}, {8.0f, 0, 0}, {0, 0.26f, 0}, {2.0f, 1.0f});
   desk.quad({-4.0f, -2.5f, -0.05f}, {8.0f, 0, 0}, {0, 5.0f, 0});
   builder.addObject("desk", {desk.build(builder.addMaterial(paintOf({0.16f, 0.18f, 0.2f}, 0.8f)))});
   builder.addObject("page", {page.build(builder.addMaterial(printed(builder, pageImage())))});
   builder.addObject("zone plate", {zone.build(builder.addMaterial(printed(builder, zoneImage())))});
+  builder.addObject("checkers", {checkers.build(builder.addMaterial(printed(builder, checkerImage())))});
   Material amber = printed(builder, tickerImage());
   amber.emissive = glm::vec3(1.5f);
   amber.emissiveTexture = amber.baseColorTexture;
