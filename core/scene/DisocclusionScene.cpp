@@ -10,11 +10,11 @@ namespace taa {
 
 namespace {
 
-/// A board on a post that swings `reach` meters to both sides, `turns` times in the loop.
+/// A board on the floor that slides `reach` meters to both sides, `turns` times in the loop.
 void addBoard(SceneBuilder& builder, int material, float width, float z, float reach, int turns,
               float phase) {
   MeshBuilder mesh;
-  mesh.box({-0.5f * width, 0.1f, -0.05f}, {0.5f * width, 2.7f, 0.05f}, 0.7f);
+  mesh.box({-0.5f * width, 0.0f, -0.05f}, {0.5f * width, 2.7f, 0.05f}, 0.7f);
   const int node = builder.addObject("board", {mesh.build(material)});
   const float speed = static_cast<float>(turns);
   builder.animateLoop(
