@@ -32,7 +32,7 @@ void addPlace(SceneBuilder& builder, const std::string& name, float x, int wall,
 void addJumper(SceneBuilder& builder, const std::string& name, const glm::vec3& glow, float z, bool known) {
   MeshBuilder ball;
   ball.ball({0, 0, 0}, 0.4f, 40);
-  Material glowing = paintOf(glow, 0.5f);
+  Material glowing = paintOf(glm::min(glow, glm::vec3(1.0f)), 0.5f);
   glowing.emissive = glow;
   const int node = builder.addObject(name, {ball.build(builder.addMaterial(glowing))});
   std::vector<glm::vec3> places;
