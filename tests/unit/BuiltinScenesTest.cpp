@@ -1,5 +1,6 @@
 // The built-in scenes.
 #include "core/base/Error.h"
+#include "core/scene/MotionMode.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
 
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,8 +35,53 @@ TEST_P(BuiltinScenes, HasOnlyIndicesThatExist) {
     EXPECT_LT(scene_.nodes[i].mesh, int(scene_.meshes.size()));
   }
   for (const Material& material : scene_.materials)
-    for (const TextureSlot& slot : {material.baseColorTexture, material.normalTexture})
+    for (const TextureSlot& slot :
+         {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
+          material.occlusionTexture, material.emissiveTexture}) {
+      EXPECT_GE(slot.image, -1);
       EXPECT_LT(slot.image, int(scene_.images.size()));
+    }
+  for (const Light& light : scene_.lights) EXPECT_LT(std::size_t(light.node), scene_.nodes.size());
+  for (const SceneCamera& camera : scene_.cameras) EXPECT_LT(std::size_t(camera.node), scene_.nodes.size());
+}
+
+TEST_P(BuiltinScenes, HasMaterialsThatReflectNoMoreThanTheyGet) {
+  for (const Material& material : scene_.materials) {
+    for (const float value : {material.baseColor.x, material.baseColor.y, material.baseColor.z,
+                              material.baseColor.w, material.metallic, material.roughness}) {
+      EXPECT_GE(value, 0.0f);
+      EXPECT_LE(value, 1.0f);
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+      EXPECT_GE(material.emissive[channel], 0.0f);
+      EXPECT_LE(material.emissive[channel], 1000.0f); // far from the brightest half float, 65504
+    }
+  }
+}
+
+TEST_P(BuiltinScenes, HasPicturesOfTheSizeTheySay) {
+  for (const SceneImage& image : scene_.images)
+    EXPECT_EQ(image.rgba.size(), 4u * std::size_t(image.width) * std::size_t(image.height)) << image.name;
+}
+
+TEST_P(BuiltinScenes, HasAnimationsOfNodesThatExistWithRisingTimes) {
+  for (const Animation& animation : scene_.animations)
+    for (const AnimationChannel& channel : animation.channels) {
+      ASSERT_LT(std::size_t(channel.node), scene_.nodes.size());
+      ASSERT_FALSE(channel.times.empty());
+      EXPECT_TRUE(std::ranges::adjacent_find(channel.times, std::ranges::greater_equal{}) ==
+                  channel.times.end());
+      EXPECT_LE(channel.times.back(), animation.duration);
+      if (channel.path == AnimationPath::Weights) continue;
+      const std::size_t each = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
+      EXPECT_EQ(channel.values.size(), each * channel.times.size());
+    }
+}
+
+TEST_P(BuiltinScenes, HasFiniteBounds) {
+  ASSERT_FALSE(scene_.bounds.isEmpty());
+  EXPECT_TRUE(std::isfinite(scene_.bounds.radius()));
+  EXPECT_GT(scene_.bounds.radius(), 0.5f);
 }
 
 /// Triangles of a mesh that are turned away from their own normals; those without an area have no side.
@@ -103,6 +151,29 @@ TEST_P(BuiltinScenes, FillsTheViewOfItsCamera) {
   EXPECT_GE(inside, 8u);
 }
 
+bool isSame(const Vertex& a, const Vertex& b) {
+  return a.position == b.position && a.normal == b.normal && a.tangent == b.tangent && a.uv0 == b.uv0 &&
+         a.uv1 == b.uv1 && a.color == b.color;
+}
+
+TEST_P(BuiltinScenes, IsTheSameEachTime) {
+  const Scene again = openScene("builtin:" + GetParam());
+  ASSERT_EQ(scene_.images.size(), again.images.size());
+  for (std::size_t i = 0; i < scene_.images.size(); ++i)
+    EXPECT_EQ(scene_.images[i].rgba, again.images[i].rgba) << scene_.images[i].name;
+  ASSERT_EQ(scene_.meshes.size(), again.meshes.size());
+  for (std::size_t i = 0; i < scene_.meshes.size(); ++i) {
+    const std::vector<Primitive>&parts = scene_.meshes[i].primitives, &others = again.meshes[i].primitives;
+    ASSERT_EQ(parts.size(), others.size());
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      EXPECT_EQ(parts[part].indices, others[part].indices);
+      EXPECT_TRUE(std::ranges::equal(parts[part].vertices, others[part].vertices, isSame));
+    }
+  }
+  for (const double time : {0.0, 1.23, 3.9})
+    EXPECT_EQ(poseAt(scene_, time).worldFromNode, poseAt(again, time).worldFromNode);
+}
+
 std::vector<std::string> ids() {
   std::vector<std::string> all;
   for (const BuiltinScene& scene : builtinScenes()) all.push_back(scene.id);
@@ -112,21 +183,94 @@ std::vector<std::string> ids() {
 INSTANTIATE_TEST_SUITE_P(All, BuiltinScenes, testing::ValuesIn(ids()),
                          [](const auto& test) { return test.param; });
 
-TEST(BuiltinScene, OfLinesHasThemAsWideAsItSays) {
-  const Scene scene = openScene("builtin:thin");
-  const float pixel = scene.cameras.front().height / 540.0f;
-  int wide = 0, half = 0;
-  for (const Node& node : scene.nodes) {
-    if (node.name != "one pixel" && node.name != "half a pixel") continue;
-    const Primitive& line = scene.meshes[std::size_t(node.mesh)].primitives.front();
-    const glm::vec3 &a = line.vertices[0].position, &b = line.vertices[1].position,
-                    &c = line.vertices[2].position;
-    const float width = std::min(glm::distance(a, b), glm::distance(b, c));
-    EXPECT_NEAR(width / pixel, node.name == "one pixel" ? 1.0f : 0.5f, 1e-4f);
-    ++(node.name == "one pixel" ? wide : half);
+/// Corners of a quad in pixels of a 960 × 540 picture at a frame of the thin scene.
+std::vector<glm::dvec2> cornersPx(const Scene& scene, std::size_t node, int frame) {
+  const CameraState camera = cameraAt(scene, scene.shot.camera, frame / 60.0, 16.0f / 9.0f);
+  const glm::mat4 clipFromModel =
+      camera.clipFromView * camera.viewFromWorld * poseAt(scene, frame / 60.0).worldFromNode[node];
+  std::vector<glm::dvec2> corners;
+  for (const Vertex& vertex : scene.meshes[std::size_t(scene.nodes[node].mesh)].primitives.front().vertices) {
+    const glm::dvec4 clip(clipFromModel * glm::vec4(vertex.position, 1.0f));
+    corners.emplace_back((1.0 + clip.x / clip.w) * 480.0, (1.0 - clip.y / clip.w) * 270.0);
   }
-  EXPECT_EQ(wide, 18);
-  EXPECT_EQ(half, 18);
+  return corners;
+}
+
+TEST(BuiltinScene, OfLinesCoversAsManyPixelsAsItSays) {
+  const Scene scene = openScene("builtin:thin");
+  const std::map<std::string, double> areas{{"one pixel", 85.0}, {"half a pixel", 42.5}, {"shallow", 800.0}};
+  std::map<std::string, int> counts;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const auto area = areas.find(scene.nodes[node].name);
+    if (area == areas.end()) continue;
+    ++counts[area->first];
+    for (int frame = 0; frame < scene.shot.frames; frame += 20) {
+      const std::vector<glm::dvec2> corners = cornersPx(scene, node, frame);
+      ASSERT_EQ(corners.size(), 4u);
+      double covered = 0.0; // the shoelace formula
+      for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec2 &a = corners[i], &b = corners[(i + 1) % 4];
+        covered += 0.5 * (a.y * b.x - a.x * b.y);
+        EXPECT_TRUE(a.x > 0.0 && a.x < 960.0 && a.y > 0.0 && a.y < 540.0)
+            << area->first << " leaves the picture";
+      }
+      // Corners are floats, exact to 2⁻¹⁵ of a pixel here, across lines of up to 800 pixels.
+      EXPECT_NEAR(covered, area->second, area->second * 1e-3) << area->first << ", frame " << frame;
+    }
+  }
+  EXPECT_EQ(counts, (std::map<std::string, int>{{"one pixel", 18}, {"half a pixel", 18}, {"shallow", 5}}));
+}
+
+TEST(BuiltinScene, OfLinesDriftsByLessThanAThirdOfAPixelAFrame) {
+  const Scene scene = openScene("builtin:thin");
+  std::size_t node = 0;
+  while (scene.nodes[node].name != "half a pixel") ++node;
+  for (int frame = 1; frame < scene.shot.frames; ++frame) {
+    const double step = glm::distance(cornersPx(scene, node, frame)[0], cornersPx(scene, node, frame - 1)[0]);
+    EXPECT_GT(step, 0.1) << frame;
+    EXPECT_LT(step, 1.0 / 3.0) << frame;
+  }
+}
+
+TEST(BuiltinScene, OfFirefliesHasSparksSmallerThanAPixelOf720Lines) {
+  const Scene scene = openScene("builtin:fireflies");
+  const CameraState camera = cameraAt(scene, scene.shot.camera, 0.0, 16.0f / 9.0f);
+  constexpr std::size_t kVertices = 4 * 7; // of a spark: a ball of six segments
+  int sparks = 0;
+  for (int frame = 0; frame < scene.shot.frames; frame += 40) {
+    const Pose pose = poseAt(scene, frame / 60.0);
+    for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+      if (scene.nodes[node].name != "still sparks" && scene.nodes[node].name != "swarm") continue;
+      const glm::mat4 view = camera.viewFromWorld * pose.worldFromNode[node];
+      for (const Primitive& primitive : scene.meshes[std::size_t(scene.nodes[node].mesh)].primitives)
+        for (std::size_t i = 0; i + kVertices <= primitive.vertices.size(); i += kVertices, ++sparks) {
+          const glm::vec3 top = primitive.vertices[i].position,
+                          bottom = primitive.vertices[i + kVertices - 1].position;
+          const float distance = -(view * glm::vec4(0.5f * (top + bottom), 1.0f)).z;
+          EXPECT_LT(0.5f * 720.0f * camera.clipFromView[1][1] * glm::distance(top, bottom) / distance, 1.0f);
+        }
+    }
+  }
+  EXPECT_EQ(sparks, 6 * (110 + 110 + 3 * 60));
+}
+
+TEST(BuiltinScene, OfLightsGivesTheGlowNoMotionWhenALampSwitches) {
+  const Scene scene = openScene("builtin:lights");
+  int glows = 0;
+  for (std::size_t glow = 0; glow < scene.nodes.size(); ++glow) {
+    if (scene.nodes[glow].name != "glow") continue;
+    ++glows;
+    int switches = 0;
+    const auto burns = [&](int frame) { return poseAt(scene, frame / 60.0).worldFromNode[glow][3].y > 0.0f; };
+    for (int frame = 1; frame < scene.shot.frames; ++frame) {
+      const MotionMode mode = nodeStates(scene, {}, frame / 60.0, (frame - 1) / 60.0)[glow].mode;
+      const bool switched = burns(frame) != burns(frame - 1);
+      EXPECT_EQ(mode, switched ? MotionMode::CameraOnly : MotionMode::PerObject) << frame;
+      switches += switched;
+    }
+    EXPECT_GE(switches, 1);
+  }
+  EXPECT_EQ(glows, 3);
 }
 
 TEST(BuiltinScene, OfCutsJumpsWhereItCuts) {
@@ -174,13 +318,6 @@ TEST(BuiltinScene, HasLightsBrighterThanWhite) {
       brightest = std::max(brightest, material.emissive.x);
     EXPECT_GT(brightest, 5.0f) << source;
   }
-}
-
-TEST(BuiltinScene, IsTheSameEachTime) {
-  const Scene first = openScene("builtin:fan"), second = openScene("builtin:fan");
-  ASSERT_EQ(first.images.size(), second.images.size());
-  for (std::size_t i = 0; i < first.images.size(); ++i)
-    EXPECT_EQ(first.images[i].rgba, second.images[i].rgba);
 }
 
 TEST(BuiltinScene, NamesThoseThereAreWhenAskedForAnother) {
