@@ -10,8 +10,10 @@ namespace {
 
 constexpr int kSize = 512; ///< pixels on a side
 
-std::uint8_t toByte(float value) { // rounds like lround, which is a slow call; a double holds the sum exactly
-  return static_cast<std::uint8_t>(static_cast<double>(255.0f * std::clamp(value, 0.0f, 1.0f)) + 0.5);
+/// Rounds as lround does, which is a slow call; a double holds the sum exactly.
+std::uint8_t toByte(float value) {
+  const double above = static_cast<double>(255.0f * std::clamp(value, 0.0f, 1.0f)) + 0.5;
+  return static_cast<std::uint8_t>(above);
 }
 
 /// Asks `color(u, v)` (RGBA, 0 to 1, as the file would hold it) at each pixel's center.

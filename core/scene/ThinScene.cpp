@@ -51,7 +51,7 @@ Scene makeThinScene() {
   const int drifting = builder.addNode("drifting", glm::vec3(0.0f));
   for (int i = 0; i < kSlopes; ++i) {
     const float angle = std::numbers::pi_v<float> * static_cast<float>(i) / kSlopes;
-    const float x = -4.25f + static_cast<float>(i % 9) * 1.0625f, row = static_cast<float>(i / 9);
+    const float x = -4.25f + static_cast<float>(i % 9) * 1.0625f, row = i < 9 ? 0.0f : 1.0f;
     builder.addObject("one pixel", {line(angle, kLength, 1.0f, lines)});
     builder.scene().nodes.back().translation = {x, 2.1f - row, 0.0f};
     builder.addObject("half a pixel", {line(angle, kLength, 0.5f, lines)}, drifting);
