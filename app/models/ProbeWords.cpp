@@ -61,21 +61,23 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   const auto value = [&](Id id) { return reference::at(record, id).x; };
   const auto number = [&](Id id) { return shortText(static_cast<double>(value(id)), 4); };
   if (value(Id::alphaInvalid) > 0) return tr("α = 1: the current frame alone");
-  QString text = sourceText(record, settings);
+  const bool isByLength = settings.weight.source == AlphaSource::HistoryLength;
+  const QString source = sourceText(record, settings);
+  QString text = source;
   float product = value(Id::alphaBase);
   for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast}) {
     if (value(calm) == 1.0f) continue;
     text += QStringLiteral(" × ") + number(calm);
     product *= value(calm);
   }
-  if (settings.weight.source == AlphaSource::HistoryLength || product < value(Id::alphaFloor))
+  if (isByLength || product < value(Id::alphaFloor))
     text = tr("max(%1, %2)").arg(text, number(Id::alphaFloor));
   if (value(Id::alphaMotion) > 0) text += tr(" and %1 by motion").arg(number(Id::alphaMotion));
-  const QString length = settings.weight.source == AlphaSource::HistoryLength
-                             ? tr("N = %1 → ").arg(lengthText(value(Id::historyRawLength)))
-                             : QString();
-  const bool isPlain = text.endsWith(number(Id::alpha)) && !text.contains(QLatin1Char('('));
-  return length + tr("α = %1").arg(text) + (isPlain ? QString() : QStringLiteral(" = ") + number(Id::alpha));
+  if (text != source)
+    text += QStringLiteral(" = ") + number(Id::alpha); // a source alone is told with its value
+  const QString length =
+      isByLength ? tr("N = %1 → ").arg(lengthText(value(Id::historyRawLength))) : QString();
+  return length + tr("α = %1").arg(text);
 }
 
 } // namespace

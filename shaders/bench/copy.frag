@@ -1,4 +1,5 @@
-// The floor of the resolve's cost: reads what every resolve reads and writes what it writes, and computes nothing.
+// The floor of the resolve's cost: reads what every resolve reads and writes what it writes. The sums keep
+// the driver from leaving a read out.
 layout(binding = 0) uniform sampler2D u_color;
 layout(binding = 1) uniform sampler2D u_depth;
 layout(binding = 2) uniform sampler2D u_motion;

@@ -7,61 +7,33 @@ struct DilatedMotion {
   vec2 motion;
 };
 
-const bool kIsClosest3x3 = kDilateMethod == kDilateMethod_closest3x3;
-const bool kIsClosestCross = kDilateMethod == kDilateMethod_closestCross;
-const bool kIsClosestX = kDilateMethod == kDilateMethod_closestX;
-const bool kIsLongest3x3 = kDilateMethod == kDilateMethod_longest3x3;
-const bool kIsLongestCross = kDilateMethod == kDilateMethod_longestCross;
+const bool kIsLongest = kDilateMethod == kDilateMethod_longest3x3 || kDilateMethod == kDilateMethod_longestCross;
 const bool kIsClosestX2 = kDilateMethod == kDilateMethod_closestX2;
-const bool kIsClosestAsPrinted = kDilateMethod == kDilateMethod_closest3x3AsPrinted;
+const bool kIsAsPrinted = kDilateMethod == kDilateMethod_closest3x3AsPrinted;
+const bool kIsCross = kDilateMethod == kDilateMethod_closestCross || kDilateMethod == kDilateMethod_longestCross;
+const bool kIsX = kDilateMethod == kDilateMethod_closestX || kIsClosestX2;
 
-/// Whether neighbor k of 3×3 (row-major) is asked.
+/// Whether neighbor k of 3×3 (row-major) is asked. The pixel itself is where the search starts.
 bool isCandidate(int k) {
-  bool isDiagonal = k % 2 == 0 && k != 4;
-  if (kIsClosestX) return isDiagonal;
-  if (kIsClosestCross || kIsLongestCross) return k % 2 == 1;
-  return k != 4;
+  if (kIsX) return k % 2 == 0 && k != 4;
+  if (kIsCross) return k % 2 == 1;
+  return k != 4 || kIsAsPrinted;
 }
 
-ivec2 neighbor3x3(ivec2 pixel, int k) { return clamped(pixel + ivec2(k % 3 - 1, k / 3 - 1)); }
+/// × may reach two pixels (4.4).
+ivec2 neighborOf(ivec2 pixel, int k) {
+  const int kReach = kIsClosestX2 ? 2 : 1;
+  return clamped(pixel + kReach * ivec2(k % 3 - 1, k / 3 - 1));
+}
 
-/// Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself.
+/// Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself. As printed the
+/// search starts from pixel (0, 0) at the far plane, and stays there when all is sky (§26, D4).
 ivec2 closestOf(ivec2 pixel, out float closest) {
-  ivec2 chosen = pixel;
-  closest = texelAt(u_depth, pixel).r;
+  ivec2 chosen = kIsAsPrinted ? ivec2(0) : pixel;
+  closest = kIsAsPrinted ? 0.0 : texelAt(u_depth, pixel).r;
   for (int k = 0; k < 9; ++k) {
     if (!isCandidate(k)) continue;
-    ivec2 neighbor = neighbor3x3(pixel, k);
-    float depth = texelAt(u_depth, neighbor).r;
-    if (depth > closest) {
-      closest = depth;
-      chosen = neighbor;
-    }
-  }
-  return chosen;
-}
-
-/// Diagonal neighbors two pixels away (4.4).
-ivec2 closestOfWide(ivec2 pixel, out float closest) {
-  ivec2 chosen = pixel;
-  closest = texelAt(u_depth, pixel).r;
-  for (int k = 0; k < 4; ++k) {
-    ivec2 neighbor = clamped(pixel + ivec2(k % 2 == 0 ? -2 : 2, k / 2 == 0 ? -2 : 2));
-    float depth = texelAt(u_depth, neighbor).r;
-    if (depth > closest) {
-      closest = depth;
-      chosen = neighbor;
-    }
-  }
-  return chosen;
-}
-
-/// The search starts from pixel (0, 0) at the far plane, and stays there when all is sky (§26, D4).
-ivec2 closestAsPrinted(ivec2 pixel, out float closest) {
-  ivec2 chosen = ivec2(0);
-  closest = 0.0;
-  for (int k = 0; k < 9; ++k) {
-    ivec2 neighbor = neighbor3x3(pixel, k);
+    ivec2 neighbor = neighborOf(pixel, k);
     float depth = texelAt(u_depth, neighbor).r;
     if (depth > closest) {
       closest = depth;
@@ -82,7 +54,7 @@ ivec2 longestOf(ivec2 pixel) {
   float longest = squaredLength(texelAt(u_motion, pixel).rg);
   for (int k = 0; k < 9; ++k) {
     if (!isCandidate(k)) continue;
-    ivec2 neighbor = neighbor3x3(pixel, k);
+    ivec2 neighbor = neighborOf(pixel, k);
     float squared = squaredLength(texelAt(u_motion, neighbor).rg);
     if (squared > longest) {
       longest = squared;
@@ -95,15 +67,11 @@ ivec2 longestOf(ivec2 pixel) {
 DilatedMotion dilateMotion(ivec2 pixel) {
   DilatedMotion result;
   ivec2 chosen = pixel;
-  if (kIsClosest3x3 || kIsClosestCross || kIsClosestX) {
-    chosen = closestOf(pixel, result.depth);
-  } else if (kIsClosestX2) {
-    chosen = closestOfWide(pixel, result.depth);
-  } else if (kIsClosestAsPrinted) {
-    chosen = closestAsPrinted(pixel, result.depth);
-  } else {
-    if (kIsLongest3x3 || kIsLongestCross) chosen = longestOf(pixel);
+  if (kIsLongest) chosen = longestOf(pixel);
+  if (kIsLongest || kDilateMethod == kDilateMethod_none) {
     result.depth = texelAt(u_depth, chosen).r;
+  } else {
+    chosen = closestOf(pixel, result.depth);
   }
   result.offset = vec2(chosen - pixel);
   result.motion = texelAt(u_motion, chosen).rg;

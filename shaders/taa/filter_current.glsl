@@ -61,8 +61,7 @@ vec3 filterCurrent(Samples samples) {
   if (kIsWeighted) {
     result = weightedSamples(samples);
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
-    // Negative weights overshoot both ways.
-    result = bounded(result, vec3(0.0), vec3(kBrightest));
+    result = storable(result); // negative weights overshoot both ways
   }
   expose_currentFiltered(result);
   return result;

@@ -64,7 +64,11 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   EXPECT_EQ(line(), QStringLiteral("α = luma difference 0.0625"));
   settings.weight.source = AlphaSource::Constant;
   EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625"));
+  set(IntermediateId::alphaBase, 1.0f);
   set(IntermediateId::alphaLumaFlicker, 0.5f);
+  set(IntermediateId::alpha, 0.5f);
+  EXPECT_EQ(line(), QStringLiteral("α = constant 1 × 0.5 = 0.5")) << "a product that ends like its value";
+  set(IntermediateId::alphaBase, 0.0625f);
   set(IntermediateId::alphaFloor, 0.04f);
   set(IntermediateId::alpha, 0.04f);
   EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5, 0.04) = 0.04"));

@@ -1,33 +1,23 @@
 // What looking costs: paired measurements of the façade. Every figure is a counter named as in Figures.cpp.
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
 namespace {
 
 using taa::IntermediateId;
+using taa::bench::median;
+using taa::bench::seconds;
 
 constexpr int kWarmUpFrames = 24;
 constexpr int kWidth = 1280, kHeight = 720;
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
-double seconds(const std::function<void()>& act) {
-  const auto start = std::chrono::steady_clock::now();
-  act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// builtin:fan, warmed up; opened anew, so that one benchmark's checkpoints do not help the next.
 std::unique_ptr<taa::Inspector> openFan() {

@@ -4,13 +4,12 @@
 #include "core/settings/Presets.h"
 #include "core/taa/TaaPass.h"
 #include "tests/bench/Figures.h"
+#include "tests/bench/Timing.h"
 #include "tests/support/Frames.h"
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <functional>
 
 namespace {
@@ -18,17 +17,13 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 720;
 constexpr int kIterations = 12;
 
-double milliseconds(const std::function<void()>& act) {
+/// Until the driver is done, s.
+double finished(const std::function<void()>& act) {
   taa::gl::finish();
-  const auto start = std::chrono::steady_clock::now();
-  act();
-  taa::gl::finish();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
+  return taa::bench::seconds([&] {
+    act();
+    taa::gl::finish();
+  });
 }
 
 /// Reads what a resolve reads and writes what it writes.
@@ -64,12 +59,12 @@ void resolveOfPreset(benchmark::State& state, const taa::Preset& preset) {
   copy.draw(player.inputs(), player.history(), out);
   std::vector<double> ratios;
   for (auto _ : state) {
-    const double floor = milliseconds([&] { copy.draw(player.inputs(), player.history(), out); });
-    const double time = milliseconds(resolve);
+    const double floor = finished([&] { copy.draw(player.inputs(), player.history(), out); });
+    const double time = finished(resolve);
     ratios.push_back(time / floor);
-    state.SetIterationTime(time / 1000.0);
+    state.SetIterationTime(time);
   }
-  state.counters[taa::bench::kPresetFigure + preset.id] = median(ratios);
+  state.counters[taa::bench::kPresetFigure + preset.id] = taa::bench::median(ratios);
 }
 
 } // namespace

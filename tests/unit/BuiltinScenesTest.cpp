@@ -19,6 +19,8 @@ namespace {
 class BuiltinScenes : public testing::TestWithParam<std::string> {
  protected:
   const Scene scene_ = openScene("builtin:" + GetParam());
+  /// The scenes a newcomer sees first are rich.
+  bool isShowpiece() const { return GetParam() == "fan" || GetParam() == "fence"; }
 };
 
 TEST_P(BuiltinScenes, HasOnlyIndicesThatExist) {
@@ -108,7 +110,7 @@ TEST_P(BuiltinScenes, HasAsManyTrianglesAsASoftwareRasterizerDraws) {
     if (node.mesh >= 0)
       for (const Primitive& primitive : scene_.meshes[std::size_t(node.mesh)].primitives)
         triangles += primitive.indices.size() / 3;
-  EXPECT_GE(triangles, 8u);
+  EXPECT_GT(triangles, isShowpiece() ? 15000u : 7u); // text is pictures on quads
   EXPECT_LT(triangles, 60000u);
 }
 
@@ -148,7 +150,7 @@ TEST_P(BuiltinScenes, FillsTheViewOfItsCamera) {
         inside += clip.w > 0.0f && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w;
       }
   }
-  EXPECT_GE(inside, 8u);
+  EXPECT_GT(inside, isShowpiece() ? 3000u : 7u);
 }
 
 bool isSame(const Vertex& a, const Vertex& b) {

@@ -133,7 +133,7 @@ glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, c
                        settings.filter == CurrentFilter::Lanczos;
   glm::vec3 color = weighted(inputs, settings, pixel);
   if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
-  return clamped(color, glm::vec3(0.0f), glm::vec3(65504.0f)); // negative weights overshoot both ways
+  return storable(color); // negative weights overshoot both ways
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {
