@@ -1,11 +1,9 @@
 // Motion of skinned, morphed, cached and swaying vertices, and of objects whose motion is chosen or unknown:
 // invariants 9, 14, 15 and 16, against closed forms and against the analytic projection of every pixel.
 #include "core/base/Error.h"
-#include "core/render/SceneRenderer.h"
 #include "core/scene/SceneSource.h"
 #include "tests/support/AnalyticMotion.h"
-#include "tests/support/GlTest.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/MotionFixture.h"
 
 #include <cmath>
 #include <cstring>
@@ -19,9 +17,10 @@ namespace fs = std::filesystem;
 using test::addQuad;
 using test::emptyScene;
 using test::jump;
+using test::kHeight;
+using test::kP11;
+using test::kWidth;
 
-constexpr int kWidth = 320, kHeight = 180;
-constexpr float kP11 = 1.7320508f; // of the camera's 60°
 /// Pixels on the screen of a meter, 10 m away.
 constexpr float kPxPerMeter = kP11 * kHeight / 2 / 10.0f;
 /// Interpolated 32-bit clip positions have 24 bits of 320 px.
@@ -29,25 +28,8 @@ constexpr float kTolerancePx = 2e-4f;
 const glm::vec3 kRight(40, 0, 0), kUp(0, 40, 0); // fills the picture
 constexpr double kStep = 1.0 / 60.0;
 
-class DeformedMotionTest : public test::GlTest {
+class DeformedMotionTest : public test::MotionFixture {
  protected:
-  static FrameRequest request(MotionSource source = MotionSource::Objects) {
-    FrameRequest request;
-    request.camera = test::kEye;
-    request.width = kWidth;
-    request.height = kHeight;
-    request.inputs = {Precision::Full, source};
-    return request;
-  }
-  static FrameInputs draw(const Scene& scene, const FrameRequest& request, int frame = 1) {
-    SceneRenderer renderer(std::make_shared<const Scene>(scene));
-    FrameInputs inputs;
-    renderer.draw(request, frame, inputs);
-    return inputs;
-  }
-  static Image motion(const Scene& scene, int frame = 1) {
-    return draw(scene, request(), frame).motion.download();
-  }
   static void expectMotion(const Image& field, const glm::vec2& expectedPx, float tolerance = kTolerancePx) {
     for (const glm::ivec2 pixel : {glm::ivec2(30, 20), glm::ivec2(160, 90), glm::ivec2(300, 150)}) {
       EXPECT_NEAR(field.texel(pixel.x, pixel.y).x, expectedPx.x, tolerance);

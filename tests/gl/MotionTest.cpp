@@ -1,8 +1,6 @@
 // Motion vectors of the renderer against closed forms: invariants 9, 11, 12, 13 and 15.
-#include "core/render/SceneRenderer.h"
 
-#include "tests/support/GlTest.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/MotionFixture.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -15,33 +13,14 @@ namespace {
 using test::addQuad;
 using test::emptyScene;
 using test::jump;
+using test::kHeight;
+using test::kP11;
+using test::kWidth;
 
-constexpr int kWidth = 320, kHeight = 180;
-constexpr float kP11 = 1.7320508f; // of the camera's 60°
 constexpr float kP00 = kP11 * kHeight / kWidth;
 const glm::vec3 kRight(40, 0, 0), kUp(0, 40, 0); // fills the picture
 
-class MotionTest : public test::GlTest {
- protected:
-  static FrameRequest request(MotionSource source = MotionSource::Objects) {
-    FrameRequest request;
-    request.camera = test::kEye;
-    request.width = kWidth;
-    request.height = kHeight;
-    request.inputs = {Precision::Full, source};
-    return request;
-  }
-  static FrameInputs draw(const Scene& scene, const FrameRequest& request, int frame = 1) {
-    SceneRenderer renderer(std::make_shared<const Scene>(scene));
-    FrameInputs inputs;
-    renderer.draw(request, frame, inputs);
-    return inputs;
-  }
-  static Image motion(const Scene& scene, const FrameRequest& request, int frame = 1) {
-    return draw(scene, request, frame).motion.download();
-  }
-  static Image motion(const Scene& scene) { return motion(scene, request()); }
-};
+using MotionTest = test::MotionFixture;
 
 glm::vec4 turned(float degrees, const glm::vec3& axis) {
   const glm::quat q = glm::angleAxis(glm::radians(degrees), axis);

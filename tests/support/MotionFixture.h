@@ -1,0 +1,38 @@
+// A fixture that draws small scenes by their camera and looks at their motion.
+#pragma once
+
+#include "core/render/SceneRenderer.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/SmallScene.h"
+
+#include <memory>
+
+namespace taa::test {
+
+inline constexpr int kWidth = 320, kHeight = 180;
+inline constexpr float kP11 = 1.7320508f; ///< of the camera's 60°
+
+/// Of emptyScene() and what tests put into it; 32-bit motion.
+class MotionFixture : public GlTest {
+ protected:
+  static FrameRequest request(MotionSource source = MotionSource::Objects) {
+    FrameRequest request;
+    request.camera = kEye;
+    request.width = kWidth;
+    request.height = kHeight;
+    request.inputs = {Precision::Full, source};
+    return request;
+  }
+  static FrameInputs draw(const Scene& scene, const FrameRequest& request, int frame = 1) {
+    SceneRenderer renderer(std::make_shared<const Scene>(scene));
+    FrameInputs inputs;
+    renderer.draw(request, frame, inputs);
+    return inputs;
+  }
+  static Image motion(const Scene& scene, const FrameRequest& request, int frame = 1) {
+    return draw(scene, request, frame).motion.download();
+  }
+  static Image motion(const Scene& scene, int frame = 1) { return motion(scene, request(), frame); }
+};
+
+} // namespace taa::test
