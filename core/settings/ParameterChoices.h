@@ -100,7 +100,7 @@ inline constexpr Choice kCurrentFilters[] = {
      "As printed in Raptor's chapter 11: of twice the distance and without jitter, so all neighbors weigh 0 "
      "or less than nothing and the filter does nothing (catalogue §26, D3)."},
     {"blackmanHarrisAsPrinted", "Blackman-Harris, as printed",
-     "As printed in Raptor's chapter 11: of twice the distance, which makes it a box of five "
+     "As printed in Raptor's chapter 11: of twice the distance, which makes it nearly a box of five "
      "(catalogue §26, D3)."},
 };
 inline constexpr Choice kColorSpaces[] = {

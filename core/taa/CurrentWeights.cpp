@@ -32,6 +32,14 @@ double blackmanHarris(double r) {
          0.01168 * std::cos(3.0 * angle);
 }
 
+/// The same window as Raptor's program reads it: its argument 1 − x is twice the distance too, so that it
+/// does not end at its support and comes back to 1 at distance 1 (catalogue §26, D3).
+double blackmanHarrisAsPrinted(double distance) {
+  const double angle = std::numbers::pi * (1.0 - 2.0 * distance);
+  return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
+         0.01168 * std::cos(3.0 * angle);
+}
+
 /// The polynomial of FSR2 and Filament near Lanczos 2 (catalogue 6.7).
 double lanczos(double x) {
   const double x2 = std::min(x * x, 4.0);
@@ -40,11 +48,10 @@ double lanczos(double x) {
 
 /// Kernels that know only the neighbor's place, not the jitter.
 double weightOfPlace(CurrentFilter filter, double distance) {
-  const bool isCorner = distance > 1.0, isCenter = distance == 0.0;
-  if (filter == CurrentFilter::Tent) return isCenter ? 4.0 : (isCorner ? 1.0 : 2.0);
+  if (filter == CurrentFilter::Tent) return distance == 0.0 ? 4.0 : (distance > 1.0 ? 1.0 : 2.0);
   if (filter == CurrentFilter::DistanceAsPrinted) return distance;
   if (filter == CurrentFilter::MitchellAsPrinted) return mitchell(2.0 * distance);
-  if (filter == CurrentFilter::BlackmanHarrisAsPrinted) return isCorner ? 0.0 : 1.0;
+  if (filter == CurrentFilter::BlackmanHarrisAsPrinted) return blackmanHarrisAsPrinted(distance);
   return 1.0; // box
 }
 

@@ -26,6 +26,13 @@ double blackmanHarris(double r) {
   return 0.35875 - 0.48829 * std::cos(x) + 0.14128 * std::cos(2.0 * x) - 0.01168 * std::cos(3.0 * x);
 }
 
+/// Of `x` from −1 to 1 a window with its peak at 0; beyond it repeats (D3).
+double printedBlackmanHarris(double x) {
+  const double angle = std::numbers::pi * (1.0 - x);
+  return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
+         0.01168 * std::cos(3.0 * angle);
+}
+
 double lanczos(double x) {
   const double x2 = x * x < 4.0 ? x * x : 4.0;
   return (x2 - 1.0) * (x2 - 4.0) * (x2 - 4.0) * (x2 - 4.0) / 64.0;
@@ -55,7 +62,7 @@ double kernelWeight(const CurrentSettings& settings, double x, double y, const g
   case CurrentFilter::MitchellAsPrinted:
     return mitchell(2.0 * place);
   case CurrentFilter::BlackmanHarrisAsPrinted:
-    return place > 1.0 ? 0.0 : 1.0;
+    return printedBlackmanHarris(2.0 * place);
   case CurrentFilter::Center:
   case CurrentFilter::Unjitter:
     break;
