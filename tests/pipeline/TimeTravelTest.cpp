@@ -11,7 +11,9 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/ReferenceInputs.h"
 #include "tests/support/ResolveTest.h"
+#include "tests/support/Variants.h"
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -190,6 +192,45 @@ TEST_P(TimeTravelOfPresetsTest, LookingChangesNothingOverThirtyTwoFramesOfEveryP
   EXPECT_EQ(difference(blind.second, staring.second), "");
 }
 
+/// Parameter: a part of the random combinations.
+class TimeTravelOfCombinationsTest : public TimeTravel, public testing::WithParamInterface<std::size_t> {
+ protected:
+  TimeTravelOfCombinationsTest() : TimeTravel("fan") {}
+};
+
+/// What is left to the next frame, of all lanes.
+std::vector<Image> left(Inspector& inspector) {
+  std::vector<Image> pictures;
+  for (int lane = 0; lane < inspector.laneCount(); ++lane)
+    for (const IntermediateId id :
+         {IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::dilatedDepth})
+      pictures.push_back(inspector.image(id, lane));
+  return pictures;
+}
+
+TEST_P(TimeTravelOfCombinationsTest, SeekingIsPlayingInEveryRandomCombination) {
+  const std::vector<test::Variant> all = test::partOf(test::randomCombinations(), GetParam());
+  for (std::size_t first = 0; first < all.size(); first += kLanes) {
+    std::vector<Settings> lanes;
+    std::string names;
+    for (std::size_t i = first; i < std::min(first + kLanes, all.size()); ++i) {
+      lanes.push_back(all[i].settings);
+      names += "\n" + all[i].name;
+    }
+    Inspector inspector;
+    inspector.setCheckpointBudget(0);
+    open(inspector, lanes);
+    play(inspector, 5);
+    const std::vector<Image> played = left(inspector);
+    inspector.seek(7);
+    inspector.seek(0);
+    inspector.seek(5);
+    const std::vector<Image> sought = left(inspector);
+    for (std::size_t i = 0; i < played.size(); ++i)
+      EXPECT_EQ(test::difference(played[i], sought[i]), "") << "lane " << i / 3 << " of" << names;
+  }
+}
+
 /// What the frame after the inspector's will be resolved on, from what can be looked at.
 void keepHistory(Inspector& inspector, Image& color, Image& surface) {
   const Image resolved = inspector.image(IntermediateId::resolved);
@@ -234,6 +275,7 @@ TEST_P(TimeTravelTest, ProbeIsPictureIsTwin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, TimeTravelTest, testing::Values("fan", "fence"));
+INSTANTIATE_TEST_SUITE_P(Part, TimeTravelOfCombinationsTest, testing::Range(std::size_t{0}, test::kParts));
 INSTANTIATE_TEST_SUITE_P(Fan, TimeTravelOfPresetsTest,
                          testing::Combine(testing::Values(std::string("fan")),
                                           testing::Range(0, lotCount())));

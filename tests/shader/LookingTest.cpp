@@ -51,6 +51,17 @@ TEST_P(LookingAtVariants, ChangesNothing) {
   }
 }
 
+TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
+  for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam())) {
+    FrameShape shape;
+    shape.history = variant.settings.history.precision;
+    const taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
+    Exposure exposure(taa::test::allIntermediates(), whole(shape));
+    expectSame(resolve(frame, shape, variant.settings, &exposure), resolve(frame, shape, variant.settings),
+               variant.name);
+  }
+}
+
 TEST_F(LookingTest, ShowsTheSameWhetherItHasATargetOrAStore) {
   const FrameShape shape;
   const taa::reference::Inputs frame = taa::test::randomFrame(shape, 7, true);

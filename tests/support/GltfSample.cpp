@@ -92,6 +92,20 @@ std::filesystem::path GltfSample::writeBinary(const std::string& name) const {
   return writeTemporary(name + ".glb", joinGlb(json.dump(), buffer));
 }
 
+GltfSample morphSample(const char* interpolation, const std::vector<float>& weights) {
+  GltfSample sample;
+  nlohmann::json& mesh = sample.json["meshes"][0];
+  mesh["primitives"][0]["targets"] = {{{"POSITION", sample.addFloats({0, 0, 0, 0, 0, 2, 0, 0, 0}, "VEC3")}}};
+  mesh["weights"] = {0.5};
+  nlohmann::json& animation = sample.json["animations"][0];
+  animation["samplers"].push_back({{"input", sample.addFloats({0, 1}, "SCALAR")},
+                                   {"output", sample.addFloats(weights, "SCALAR")},
+                                   {"interpolation", interpolation}});
+  const int last = static_cast<int>(animation["samplers"].size()) - 1;
+  animation["channels"].push_back({{"sampler", last}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  return sample;
+}
+
 std::string joinGlb(std::string json, std::string binary) {
   const auto word = [](std::size_t value) {
     const auto narrow = static_cast<std::uint32_t>(value);

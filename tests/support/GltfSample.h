@@ -25,6 +25,10 @@ struct GltfSample {
   std::filesystem::path writeBinary(const std::string& name) const;
 };
 
+/// The sample with one morph target that moves vertex 1 by (0, 0, 2), at weight ½, animated by `weights` at 0
+/// s and 1 s.
+GltfSample morphSample(const char* interpolation, const std::vector<float>& weights);
+
 /// The bytes of a .glb around these.
 std::string joinGlb(std::string json, std::string binary);
 

@@ -73,4 +73,13 @@ Settings randomSettings(std::uint32_t seed) {
   return settings;
 }
 
+std::vector<Variant> randomCombinations() {
+  std::vector<Variant> combinations;
+  for (std::uint32_t seed = 100; seed < 300; ++seed) {
+    const Settings settings = randomSettings(seed);
+    combinations.push_back({flags(settings), settings});
+  }
+  return combinations;
+}
+
 } // namespace taa::test

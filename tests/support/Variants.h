@@ -34,5 +34,7 @@ std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t pa
 
 /// All choices and numbers of the resolve drawn at random.
 Settings randomSettings(std::uint32_t seed);
+/// Two hundred of them, named by their flags.
+std::vector<Variant> randomCombinations();
 
 } // namespace taa::test

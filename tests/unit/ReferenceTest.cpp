@@ -2,6 +2,7 @@
 #include "core/taa/reference/Reference.h"
 
 #include "tests/support/ReferenceInputs.h"
+#include "tests/support/Variants.h"
 
 #include <gtest/gtest.h>
 
@@ -13,39 +14,18 @@
 namespace taa::reference {
 namespace {
 
-template <typename T>
-T pick(std::mt19937& random, std::initializer_list<T> choices) {
-  return choices.begin()[random() % choices.size()];
-}
-
-/// Random combinations of all options.
-std::vector<Settings> combinations(int count) {
-  std::mt19937 random(2);
-  const auto toggle = [&random] { return pick(random, {Switch::Off, Switch::On}); };
+/// Random combinations of all options, besides the default and nothing.
+std::vector<Settings> combinations(std::uint32_t count) {
   std::vector<Settings> all{Settings{}, test::plainSettings()};
-  while (static_cast<int>(all.size()) < count) {
-    Settings s;
-    s.dilate.method = pick(random, {DilateMethod::None, DilateMethod::Closest3x3});
-    s.history = {pick(random, {HistoryFilter::Bilinear, HistoryFilter::CatmullRom5}), toggle(),
-                 pick(random, {Precision::Half, Precision::Full})};
-    s.current = {pick(random, {CurrentFilter::Center, CurrentFilter::Gaussian}), 0.22f};
-    s.space = {pick(random, {ColorSpace::Rgb, ColorSpace::YCoCg}),
-               pick(random, {ToneSpace::Linear, ToneSpace::ReinhardLuma})};
-    s.neighborhood = {pick(random, {NeighborhoodShape::Cross, NeighborhoodShape::Square3x3}),
-                      pick(random, {BoxKind::MinMax, BoxKind::Variance, BoxKind::Intersection}), 1.0f,
-                      toggle()};
-    s.rectify.method = pick(random, {RectifyMethod::None, RectifyMethod::Clamp, RectifyMethod::ClipToCenter,
-                                     RectifyMethod::ClipToFiltered});
-    s.validate = {pick(random, {OffScreen::Keep, OffScreen::Reject}), toggle(), 0.03f, 2.0f};
-    s.weight.source = pick(random, {AlphaSource::Constant, AlphaSource::HistoryLength});
-    s.blend.tone = pick(random, {ToneWeight::None, ToneWeight::Luma});
-    all.push_back(s);
-  }
+  for (std::uint32_t seed = 1; all.size() < count; ++seed) all.push_back(test::randomSettings(seed));
   return all;
 }
 
 TEST(Reference, AConstantImageStaysExactlyConstantThroughEveryOption) {
-  for (const Settings& settings : combinations(120)) {
+  for (Settings settings : combinations(120)) {
+    // As printed this one loses light.
+    if (settings.history.filter == HistoryFilter::CatmullRom5AsPrinted)
+      settings.history.filter = HistoryFilter::CatmullRom5;
     for (const float level : {0.0f, 1.0f / 8192.0f, 1.0f, 1000.0f, 65504.0f}) { // all are halves
       Inputs inputs = test::constantInputs(4, 3, glm::vec3(level, 0.5f * level, level));
       for (int frame = 0; frame < 4; ++frame) {

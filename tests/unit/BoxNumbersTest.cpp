@@ -1,0 +1,141 @@
+// Shapes of the box and the hull, chroma and the other color spaces (invariants 35, 41 to 43).
+#include "tests/support/ReferenceInputs.h"
+
+#include "core/taa/reference/Color.h"
+#include "core/taa/reference/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace taa::reference {
+namespace {
+
+Inputs randomInputs(std::mt19937& random) {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.0f));
+  std::uniform_real_distribution<float> level(0.0f, 4.0f);
+  for (int k = 0; k < 9; ++k)
+    test::setColor(inputs.color, k % 3, k / 3, {level(random), level(random), level(random)});
+  return inputs;
+}
+
+Neighborhood measure(const Inputs& inputs, NeighborhoodShape shape, ColorSpace space,
+                     Switch chromaShrink = Switch::Off) {
+  Settings settings = test::plainSettings();
+  settings.space = {space, ToneSpace::Linear};
+  settings.neighborhood.shape = shape;
+  settings.neighborhood.box = BoxKind::MinMax;
+  settings.neighborhood.chromaShrink = chromaShrink;
+  return measureNeighborhood(inputs, settings, glm::vec3(inputs.color.texel(1, 1)), {1, 1});
+}
+
+TEST(BoxNumbers, TheRoundedBoxLiesHalfwayBetweenFiveAndNine) {
+  std::mt19937 random(35);
+  for (int i = 0; i < 100; ++i) {
+    const Inputs inputs = randomInputs(random);
+    const Neighborhood five = measure(inputs, NeighborhoodShape::Cross, ColorSpace::YCoCg),
+                       nine = measure(inputs, NeighborhoodShape::Square3x3, ColorSpace::YCoCg),
+                       rounded = measure(inputs, NeighborhoodShape::Rounded, ColorSpace::YCoCg);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(nine.boxMin[k], rounded.boxMin[k]);
+      EXPECT_LE(rounded.boxMin[k], five.boxMin[k]);
+      EXPECT_LE(five.boxMax[k], rounded.boxMax[k]);
+      EXPECT_LE(rounded.boxMax[k], nine.boxMax[k]);
+      EXPECT_NEAR(rounded.boxMin[k], 0.5f * (five.boxMin[k] + nine.boxMin[k]), 1e-6f);
+      EXPECT_NEAR(rounded.boxMax[k], 0.5f * (five.boxMax[k] + nine.boxMax[k]), 1e-6f);
+    }
+  }
+}
+
+TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
+  std::mt19937 random(43);
+  for (int i = 0; i < 100; ++i) {
+    const Inputs inputs = randomInputs(random);
+    const Neighborhood n = measure(inputs, NeighborhoodShape::Square3x3, ColorSpace::YCoCg, Switch::On);
+    const glm::vec3 own = toBox(glm::vec3(inputs.color.texel(1, 1)), {ColorSpace::YCoCg, ToneSpace::Linear});
+    const float eighth = (n.boxMax.x - n.boxMin.x) / 8.0f;
+    for (int k = 1; k < 3; ++k) {
+      EXPECT_NEAR(n.boxMin[k], own[k] - eighth, 1e-6f);
+      EXPECT_NEAR(n.boxMax[k], own[k] + eighth, 1e-6f);
+    }
+  }
+}
+
+Settings hull() {
+  Settings settings;
+  settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
+  settings.rectify.method = RectifyMethod::ClipToHull;
+  return settings;
+}
+
+Inputs withHistory() {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.0f));
+  test::setHistory(inputs, glm::vec3(0.0f), 1.0f);
+  return inputs;
+}
+
+TEST(BoxNumbers, TheSlabsHoldEveryMixtureOfTheSamples) {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<float> level(0.0f, 1.0f);
+  for (int i = 0; i < 300; ++i) {
+    Neighborhood n;
+    glm::vec3 mixture(0.0f);
+    float sum = 0.0f;
+    for (glm::vec3& sample : n.samples) {
+      sample = {level(random), level(random), level(random)};
+      const float weight = level(random);
+      mixture += weight * sample;
+      sum += weight;
+    }
+    // A point of the convex hull lies in every slab, up to the roundings of its own making.
+    EXPECT_LE(rectifyHistory(withHistory(), hull(), mixture / sum, n.samples[4], n).amount, 1e-5f);
+  }
+}
+
+TEST(BoxNumbers, TheSlabsAreTheBoxWhenItsCornersAreSamples) {
+  Neighborhood n;
+  for (int k = 0; k < 8; ++k)
+    n.samples[std::size_t(k)] = {k & 1 ? 1.0f : 0.0f, k & 2 ? 1.0f : 0.0f, k & 4 ? 1.0f : 0.0f};
+  n.samples[8] = glm::vec3(0.5f);
+  n.boxMin = n.min = glm::vec3(0.0f);
+  n.boxMax = n.max = glm::vec3(1.0f);
+  Settings box = hull();
+  box.rectify.method = RectifyMethod::ClipToFiltered;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> level(0.0f, 2.0f), inside(0.0f, 1.0f);
+  for (int i = 0; i < 300; ++i) {
+    const glm::vec3 history(level(random), level(random), level(random));
+    const glm::vec3 target(inside(random), inside(random), inside(random));
+    EXPECT_NEAR(rectifyHistory(withHistory(), hull(), history, target, n).amount,
+                rectifyHistory(withHistory(), box, history, target, n).amount, 1e-6f);
+  }
+}
+
+TEST(BoxNumbers, LiftedChromaIsTwiceAsWide) {
+  std::mt19937 random(42);
+  std::uniform_real_distribution<float> level(-2.0f, 2.0f);
+  for (int i = 0; i < 200; ++i) {
+    const glm::vec3 color(level(random), level(random), level(random));
+    const glm::vec3 plain = toBox(color, {ColorSpace::YCoCg, ToneSpace::Linear}),
+                    lifted = toBox(color, {ColorSpace::YCoCgLifting, ToneSpace::Linear});
+    EXPECT_NEAR(lifted.x, plain.x, 1e-6f);
+    EXPECT_NEAR(lifted.y, 2.0f * plain.y, 1e-6f);
+    EXPECT_NEAR(lifted.z, 2.0f * plain.z, 1e-6f);
+  }
+}
+
+TEST(BoxNumbers, GraysHaveNoChromaInAnySpace) {
+  for (const ColorSpace space : {ColorSpace::YCoCg, ColorSpace::YCoCgLifting, ColorSpace::YCbCr})
+    for (const float level : {0.0f, 0.125f, 1.0f, 4096.0f}) {
+      const glm::vec3 boxed = toBox(glm::vec3(level), {space, ToneSpace::Linear});
+      EXPECT_NEAR(boxed.x, level, 1e-6f * level);
+      EXPECT_NEAR(boxed.y, 0.0f, 1e-6f * level);
+      EXPECT_NEAR(boxed.z, 0.0f, 1e-6f * level);
+    }
+}
+
+} // namespace
+} // namespace taa::reference
