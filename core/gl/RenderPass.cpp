@@ -162,6 +162,13 @@ void RenderPass::culling(bool enabled, bool mirrored) {
   glCullFace(GL_BACK);
 }
 
+void RenderPass::blending(unsigned attachment, Blending blending) {
+  if (blending == Blending::Replace) return glDisablei(GL_BLEND, attachment);
+  glEnablei(GL_BLEND, attachment);
+  glBlendEquationi(attachment, blending == Blending::Largest ? GL_MAX : GL_FUNC_ADD);
+  glBlendFunci(attachment, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 void RenderPass::drawFullscreen() {
   const EmptyVertexArray empty;
   glBindVertexArray(empty.id);

@@ -51,6 +51,13 @@ struct RenderState {
   std::optional<Rect> scissor; ///< default: the whole framebuffer
 };
 
+/// What becomes of the color that is there.
+enum class Blending : std::uint8_t {
+  Replace,
+  Over,   ///< c new + (1 − α new)·c old: the new color is premultiplied
+  Largest ///< the larger one, channel by channel
+};
+
 /// State and draws of one pass, in a debug group with its label. One at a time.
 class RenderPass {
  public:
@@ -68,6 +75,8 @@ class RenderPass {
   void storageBlock(unsigned binding, const Buffer& buffer);
   /// Whether back faces are culled; a mirrored transform turns which ones those are, in gl_FrontFacing too.
   void culling(bool enabled, bool mirrored = false);
+  /// Replace until something else is said.
+  void blending(unsigned attachment, Blending blending);
   void drawFullscreen(); ///< one triangle that covers the target; no attributes
   void draw(const Mesh& mesh, int instances = 1);
 };

@@ -25,6 +25,8 @@ FormatInfo info(Format format) {
     return {GL_RGBA8, GL_RGBA, GL_FLOAT, 4, 4};
   case Format::SRGBA8:
     return {GL_SRGB8_ALPHA8, GL_RGBA, GL_FLOAT, 4, 4};
+  case Format::RG8:
+    return {GL_RG8, GL_RG, GL_FLOAT, 2, 2};
   case Format::R16F:
     return {GL_R16F, GL_RED, GL_FLOAT, 1, 2};
   case Format::RG16F:
@@ -127,6 +129,12 @@ void Texture::uploadBytes(std::span<const std::uint8_t> bytes) {
 
 void Texture::generateMipmaps() {
   glGenerateTextureMipmap(id_);
+}
+
+void Texture::copyFrom(const Texture& source) {
+  assert(size_ == source.size() && format_ == source.format() && size_.layers == 0);
+  glCopyImageSubData(source.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id_, GL_TEXTURE_2D, 0, 0, 0, 0, width(),
+                     height(), 1);
 }
 
 void Texture::clear(float r, float g, float b, float a) {

@@ -13,6 +13,7 @@ namespace taa::gl {
 enum class Format : std::uint8_t {
   RGBA8,
   SRGBA8,
+  RG8,
   R16F,
   RG16F,
   RGBA16F,
@@ -64,6 +65,8 @@ class Texture {
   /// Level 0 from bytes, RGBA8 and SRGBA8 only; `bytes` is width·height·4 long.
   void uploadBytes(std::span<const std::uint8_t> bytes);
   void generateMipmaps();
+  /// Level 0 of a plain texture of the same size and format.
+  void copyFrom(const Texture& source);
   /// All of level 0. Integer formats take the first value converted.
   void clear(float r, float g, float b, float a);
 
