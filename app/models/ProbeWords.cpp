@@ -65,7 +65,7 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   const QString source = sourceText(record, settings);
   QString text = source;
   float product = value(Id::alphaBase);
-  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast}) {
+  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax}) {
     if (value(calm) == 1.0f) continue;
     text += QStringLiteral(" × ") + number(calm);
     product *= value(calm);
@@ -73,6 +73,7 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   if (isByLength || product < value(Id::alphaFloor))
     text = tr("max(%1, %2)").arg(text, number(Id::alphaFloor));
   if (value(Id::alphaMotion) > 0) text += tr(" and %1 by motion").arg(number(Id::alphaMotion));
+  if (value(Id::alphaMask) > 0) text = tr("max(%1, %2 by mask)").arg(text, number(Id::alphaMask));
   if (text != source)
     text += QStringLiteral(" = ") + number(Id::alpha); // a source alone is told with its value
   const QString length =
@@ -102,6 +103,11 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
     return x > 0 ? tr("pulled %1").arg(percent(x)) : tr("not clipped");
   case Id::rejectReason:
     return qtext(rejectReasonText(static_cast<int>(x)));
+  case Id::reactive:
+  case Id::responsive:
+    return x > 0 ? tr("%1 masked").arg(percent(x)) : tr("not masked");
+  case Id::overlayAlpha:
+    return x > 0 ? tr("%1 hidden").arg(percent(x)) : tr("nothing over it");
   case Id::alphaInvalid:
     return x != 0 ? tr("rejected") : tr("not rejected");
   case Id::alpha:

@@ -32,6 +32,9 @@ struct FrameInputs {
   gl::Texture normal;   ///< RGBA16F, world space, 0 for the sky
   gl::Texture objectId; ///< R32UI, 0 = sky
   gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
+  // None where the settings ask for none.
+  gl::Texture mask;    ///< RG8: reactive (what was blended in), responsive (what changes without motion)
+  gl::Texture overlay; ///< RGBA16F, premultiplied, not jittered: what is laid over the output
   int width() const { return color.width(); }
   int height() const { return color.height(); }
 };

@@ -46,6 +46,17 @@ std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromM
   return farthest;
 }
 
+/// How far from the camera the middle of a box is, in the same unit.
+float middleDistance(const Bounds& box, const glm::mat4& clipFromModel) {
+  const glm::vec4 clip = clipFromModel * glm::vec4(box.isEmpty() ? glm::vec3(0.0f) : box.center(), 1.0f);
+  return clip.w - clip.z;
+}
+
+bool isBlended(BlendedAs blended) {
+  return blended == BlendedAs::Before || blended == BlendedAs::BeforeWithMotion ||
+         blended == BlendedAs::After;
+}
+
 } // namespace
 
 GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
@@ -86,7 +97,8 @@ GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const N
           node.skin >= 0 ? primitive.influenceSets : 0,
           node.firstWeight >= 0 && !primitive.targets.empty(),
           primitive.cache.frames > 0,
-          material.wind.amplitude != 0.0f};
+          material.wind.amplitude != 0.0f,
+          material.uvAnimation != UvAnimation{}};
 }
 
 gl::Program GBufferPass::compile(const Variant& variant) const {
@@ -100,10 +112,12 @@ gl::Program GBufferPass::compile(const Variant& variant) const {
                               line("kDirectionalLights", lights_.directional) +
                               line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
                               flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
-                              flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered);
+                              flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
+                              flag("kBlended", variant.blended) + line("kMask", variant.mask);
   const std::string deform = line("kInfluenceSets", variant.influenceSets) +
                              flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
-                             flag("kWind", variant.wind);
+                             flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
+                             flag("kMovingUv", variant.movingUv);
   return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
           "GBufferPass"};
 }
@@ -153,7 +167,9 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   const glm::mat3 turns(isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoint)] : world);
   const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
   block.normalFromModel = normalMatrix(glm::mat3(world), sign);
-  block.drawTerms = {static_cast<float>(index + 1), sign, 0.0f, 0.0f};
+  const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
+  block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f, 0.0f};
+  block.uvCell = animatedUv(material.uvAnimation, view.pose.time);
   // What is not followed is deformed as it is now in the previous frame too.
   const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;
   block.moments = {static_cast<float>(view.pose.time), static_cast<float>(previousTime),
@@ -167,6 +183,7 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
 
 void GBufferPass::prepare(const Scene& scene, const View& view) {
   visible_.clear();
+  blended_.clear();
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
@@ -175,13 +192,18 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     mirrored_[index] = block.drawTerms.y < 0.0f;
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
-    if (const auto distance = farthestPoint(item.variant.deforms() ? Bounds() : primitive.bounds,
-                                            block.clipFromModel, view.block.sizePx))
+    const auto distance = farthestPoint(item.variant.deforms() ? Bounds() : primitive.bounds,
+                                        block.clipFromModel, view.block.sizePx);
+    if (!distance) continue;
+    if (item.variant.blended)
+      blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index});
+    else
       visible_.push_back({item.variant.masked, *distance, index});
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
   std::sort(visible_.begin(), visible_.end());
+  std::sort(blended_.rbegin(), blended_.rend());
 }
 
 void GBufferPass::apply(const InputSettings& settings, const Scene& scene) {
@@ -189,8 +211,15 @@ void GBufferPass::apply(const InputSettings& settings, const Scene& scene) {
     const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
     Variant& variant = item.variant;
     variant.biased = settings.mipBias != 0.0f && variant.textures != 0;
-    variant.unjittered = settings.unjitterTextures == Switch::On && variant.textures != 0;
-    variant.dithered = settings.blended == BlendedAs::Dithered && material.alphaMode == AlphaMode::Blend;
+    const bool blends = material.alphaMode == AlphaMode::Blend;
+    variant.dithered = settings.blended == BlendedAs::Dithered && blends;
+    variant.blended = isBlended(settings.blended) && blends;
+    variant.steady = settings.blended == BlendedAs::After && blends;
+    variant.masked = material.alphaMode != AlphaMode::Opaque && !variant.blended;
+    variant.unjittered = settings.unjitterTextures == Switch::On && variant.textures != 0 && !variant.steady;
+    variant.mask = settings.mask == MaskSource::None || variant.steady       ? 0
+                   : settings.mask == MaskSource::Opacity && variant.blended ? 2
+                                                                             : 1;
     if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
   }
 }
@@ -204,11 +233,24 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
+  drawItems(scene, resources, frame, visible_, pass);
+}
+
+void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                              const gl::Framebuffer& target) {
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = {}}, "GBufferPass blended");
+  pass.blending(0, gl::Blending::Over);
+  pass.blending(kMaskAttachment, gl::Blending::Largest);
+  drawItems(scene, resources, frame, blended_, pass);
+}
+
+void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                            const std::vector<Visible>& items, gl::RenderPass& pass) const {
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lightBlock_);
   if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
   if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
-  for (const Visible& visible : visible_) {
+  for (const Visible& visible : items) {
     const Item& item = items_[visible.item];
     pass.program(programs_.at(item.variant));
     pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));

@@ -1,5 +1,5 @@
-// Draws the scene's surfaces, forward and shaded, into color, motion, normal, object id, previous depth and
-// depth.
+// Draws the scene's surfaces, forward and shaded, into color, motion, normal, object id, previous depth, mask
+// and depth; and what is blended over them.
 #pragma once
 
 #include "core/render/Lights.h"
@@ -17,14 +17,23 @@ namespace taa {
 
 class GBufferPass {
  public:
+  static constexpr unsigned kMaskAttachment = 5;
+
   /// Compiles the shader variants the scene's materials need.
   explicit GBufferPass(const Scene& scene);
 
   /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
-  /// block.
+  /// block. Leaves out what the settings blend.
   /// Compiles variants that new settings need first; throws Error when their shader does not.
   void draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
             const View& view, const gl::Buffer& frame, const gl::Framebuffer& target);
+
+  /// Whether draw() left something out that may be seen.
+  bool hasBlended() const { return !blended_.empty(); }
+  /// What draw() left out of this frame, back to front: over the first attachment of `target`, in place of
+  /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
+  void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                   const gl::Framebuffer& target);
 
   /// Compiles again; on Error the old programs stay.
   void reloadShaders();
@@ -36,7 +45,10 @@ class GBufferPass {
     bool lit = true;
     int influenceSets = 0;
     bool morphed = false, cached = false, wind = false;
+    bool movingUv = false;
     bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
+    bool blended = false, steady = false;                      ///< likewise; steady: without jitter
+    int mask = 0;                                              ///< kMask of shaders/scene/mesh.frag
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
     auto operator<=>(const Variant&) const = default;
     bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
@@ -50,19 +62,21 @@ class GBufferPass {
   gl::Program compile(const Variant& variant) const;
   /// Sets what the settings ask for in every item's variant and compiles what is new.
   void apply(const InputSettings& settings, const Scene& scene);
-  /// An item that may be seen; drawn in their order, front to back.
+  /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
   struct Visible {
     bool masked = false;
-    float distance = 0.0f; ///< of its far end
+    float distance = 0.0f; ///< of its far end; of its middle where it is blended
     std::size_t item = 0;
     bool operator<(const Visible& other) const {
       return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
     }
   };
-  /// Fills the blocks of all items, and `visible_`.
+  /// Fills the blocks of all items, `visible_` and `blended_`.
   void prepare(const Scene& scene, const View& view);
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
+  void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                 const std::vector<Visible>& items, gl::RenderPass& pass) const;
   shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
 
   LightCounts lights_;
@@ -77,7 +91,7 @@ class GBufferPass {
   int jointCount_ = 0;                   ///< of all skins
   std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
   gl::Buffer joints_, morphWeights_;
-  std::vector<Visible> visible_;
+  std::vector<Visible> visible_, blended_;
 };
 
 } // namespace taa

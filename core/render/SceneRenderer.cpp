@@ -3,6 +3,7 @@
 #include "core/gl/Context.h"
 #include "core/render/CameraMotionPass.h"
 #include "core/render/GBufferPass.h"
+#include "core/render/ReactivePass.h"
 #include "core/render/SkyPass.h"
 
 #include <cassert>
@@ -28,6 +29,14 @@ void fitInputs(const FrameRequest& request, FrameInputs& out) {
   fit(out.objectId, width, height, gl::Format::R32UI, "object id");
   fit(out.previousDepth, width, height, gl::Format::R32F, "previous depth");
   fit(out.depth, width, height, gl::Format::Depth32F, "depth");
+  if (request.inputs.mask != MaskSource::None)
+    fit(out.mask, width, height, gl::Format::RG8, "mask");
+  else
+    out.mask = gl::Texture();
+  if (request.inputs.blended == BlendedAs::After)
+    fit(out.overlay, width, height, gl::Format::RGBA16F, "overlay");
+  else
+    out.overlay = gl::Texture();
 }
 
 } // namespace
@@ -38,10 +47,14 @@ struct SceneRenderer::Parts {
   GBufferPass gbuffer;
   SkyPass sky;
   CameraMotionPass cameraMotion;
+  ReactivePass reactive;
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
 
   Parts(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene) {}
+
+  void drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out);
+  void drawBlended(const InputSettings& settings, const FrameInputs& out);
 };
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
@@ -53,6 +66,35 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
+void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View& view,
+                                        const FrameInputs& out) {
+  std::vector<gl::Attachment> attachments{
+      {&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}};
+  const gl::Framebuffer background(attachments, &out.depth, "background");
+  if (out.mask) attachments.push_back({&out.mask});
+  // Every pixel is written by a surface or by the sky, so only depth and mask need to start from something.
+  gl::Framebuffer target(attachments, &out.depth, "frame inputs");
+  target.clearDepth(0.0f);
+  if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f));
+  gbuffer.draw(*scene, resources, request.inputs, view, frame, target);
+  sky.draw(frame, background);
+}
+
+void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const FrameInputs& out) {
+  if (out.overlay) {
+    gl::Framebuffer layer({{&out.overlay}}, &out.depth, "overlay");
+    layer.clearColor(0, glm::vec4(0.0f));
+    if (gbuffer.hasBlended()) gbuffer.drawBlended(*scene, resources, frame, layer);
+    return;
+  }
+  if (!gbuffer.hasBlended()) return;
+  const bool writesMotion = settings.blended == BlendedAs::BeforeWithMotion;
+  const gl::Framebuffer target(
+      {{&out.color}, {writesMotion ? &out.motion : nullptr}, {}, {}, {}, {out.mask ? &out.mask : nullptr}},
+      &out.depth, "blended");
+  gbuffer.drawBlended(*scene, resources, frame, target);
+}
+
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {
   assert(frame >= 0 && request.width > 0 && request.height > 0);
   Parts& parts = *parts_;
@@ -62,12 +104,10 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   out.block = view.block;
   parts.frame.update(0, &view.block, sizeof(view.block));
 
-  // Every pixel is written by a surface or by the sky, so only depth needs to start from something.
-  gl::Framebuffer target({{&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}},
-                         &out.depth, "frame inputs");
-  target.clearDepth(0.0f);
-  parts.gbuffer.draw(*parts.scene, parts.resources, request.inputs, view, parts.frame, target);
-  parts.sky.draw(parts.frame, target);
+  parts.drawSurfaces(request, view, out);
+  if (request.inputs.mask == MaskSource::AutoReactive) parts.reactive.keepOpaque(out.color);
+  parts.drawBlended(request.inputs, out);
+  if (request.inputs.mask == MaskSource::AutoReactive) parts.reactive.draw(out.color, out.mask);
   if (request.inputs.motion != MotionSource::Objects)
     parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);
 }
@@ -75,9 +115,11 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
 void SceneRenderer::reloadShaders() {
   SkyPass sky;
   CameraMotionPass cameraMotion = parts_->cameraMotion.reloaded();
+  ReactivePass reactive = parts_->reactive.reloaded();
   parts_->gbuffer.reloadShaders();
   parts_->sky = std::move(sky);
   parts_->cameraMotion = std::move(cameraMotion);
+  parts_->reactive = std::move(reactive);
 }
 
 } // namespace taa

@@ -46,7 +46,7 @@ gl::TextureWrap textureWrap(Wrap wrap) {
 shared::MaterialBlock materialBlock(const Material& material) {
   shared::MaterialBlock block{};
   block.baseColor = material.baseColor;
-  // Blend is drawn as a mask at ½ until there is a transparent pass.
+  // Where the settings draw what blends as a mask, it is one at ½.
   block.emissive =
       glm::vec4(material.emissive, material.alphaMode == AlphaMode::Blend ? 0.5f : material.alphaCutoff);
   block.surface = {material.metallic, material.roughness, material.normalScale, material.occlusionStrength};

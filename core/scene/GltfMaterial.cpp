@@ -124,11 +124,9 @@ class MaterialReader {
     return glm::min(radiance, glm::vec3(60000.0f)); // what a half float holds
   }
 
-  AlphaMode alphaMode(const std::string& mode) {
+  static AlphaMode alphaMode(const std::string& mode) {
     if (mode == "MASK") return AlphaMode::Mask;
-    if (mode != "BLEND") return AlphaMode::Opaque;
-    context_.warn("Transparent materials are drawn cut out where their alpha is below one half.");
-    return AlphaMode::Blend;
+    return mode == "BLEND" ? AlphaMode::Blend : AlphaMode::Opaque;
   }
 
   template <class Info>

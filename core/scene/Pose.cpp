@@ -162,4 +162,16 @@ Pose poseAt(const Scene& scene, double time) {
   return pose;
 }
 
+glm::vec4 animatedUv(const UvAnimation& animation, double time) {
+  constexpr double kEarly = 1e-6; // cells: a frame whose time was rounded down shows its own cell
+  const auto count = static_cast<long long>(animation.columns) * animation.rows;
+  const auto shown =
+      static_cast<long long>(std::floor(time * static_cast<double>(animation.cellsPerSecond) + kEarly));
+  const auto cell = static_cast<int>((shown % count + count) % count);
+  const glm::vec2 size = 1.0f / glm::vec2(animation.columns, animation.rows);
+  const glm::vec2 corner(cell % animation.columns, cell / animation.columns);
+  const glm::dvec2 way = time * glm::dvec2(animation.scroll);
+  return {size, corner * size + glm::vec2(glm::fract(way))};
+}
+
 } // namespace taa

@@ -19,6 +19,9 @@ struct Pose {
 /// the same bits.
 Pose poseAt(const Scene& scene, double time);
 
+/// What the first uv set is multiplied by (xy) and shifted by (zw) at `time` seconds.
+glm::vec4 animatedUv(const UvAnimation& animation, double time);
+
 /// A camera at one instant. View space looks along −z, y up; depth is reversed with an infinite far plane.
 struct CameraState {
   glm::mat4 viewFromWorld{1.0f};

@@ -57,7 +57,7 @@ struct TextureSlot {
   glm::mat3 uvFromUv{1.0f}; ///< KHR_texture_transform as a matrix on (u, v, 1)
 };
 
-enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< Blend is drawn as a mask at ½ for now
+enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< how Blend is drawn is a setting
 
 /// Vertices that sway: each moves by direction · amplitude · uv1.y · sin(waveNumber·(x + z) + frequency·t) in
 /// model space (catalogue 3.7).
@@ -66,6 +66,15 @@ struct Wind {
   float waveNumber = 0.0f; ///< radians a model unit
   float frequency = 0.0f;  ///< radians a second
   glm::vec3 direction{1.0f, 0.0f, 0.0f};
+};
+
+/// A picture that changes on a surface that does not: cells of an atlas one after another, row by row, and a
+/// steady shift (catalogue 21.7). Of the first uv set, before the slots' own transforms.
+struct UvAnimation {
+  int columns = 1, rows = 1;
+  float cellsPerSecond = 0.0f;
+  glm::vec2 scroll{0.0f}; ///< uv a second
+  bool operator==(const UvAnimation&) const = default;
 };
 
 struct Material {
@@ -77,8 +86,10 @@ struct Material {
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
-  bool unlit = false; ///< KHR_materials_unlit
+  bool unlit = false;      ///< KHR_materials_unlit
+  bool responsive = false; ///< changes without motion that could be followed: screens, particles
   Wind wind;
+  UvAnimation uvAnimation;
   TextureSlot baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
 };
 

@@ -53,6 +53,25 @@ inline constexpr Choice kBlendedAs[] = {
     {"dithered", "Dithered",
      "Drawn in as many of sixteen frames as alpha says, in a 4×4 pattern that changes: accumulation makes it "
      "transparent (catalogue 20.7, 21.6)."},
+    {"before", "Blended before",
+     "Blended over the opaque picture before the resolve, back to front; motion, depth and id stay those of "
+     "what is behind, so that what moves smears (catalogue 21.2, most engines)."},
+    {"beforeWithMotion", "Before, with motion",
+     "As before, and the surface in front writes its motion: it is sharp, and what is behind it follows the "
+     "wrong motion (catalogue 21.3, HDRP)."},
+    {"after", "Blended after",
+     "Drawn without jitter into a layer that is laid over the output: no smear and no anti-aliasing "
+     "(catalogue 21.1, Bevy, Unity)."},
+};
+inline constexpr Choice kMaskSources[] = {
+    {"none", "None", "No mask is drawn."},
+    {"material", "Material",
+     "Responsive where a material says so: screens, flip-books, particles (catalogue 21.4, UE4, HDRP)."},
+    {"opacity", "Opacity",
+     "And reactive by the opacity of what was blended in; of several the largest (catalogue 21.5, FSR2)."},
+    {"autoReactive", "Difference",
+     "And reactive by what blending changed: five times the largest difference of the tone-mapped channels, "
+     "at most 0.9 (catalogue 21.5, FSR2)."},
 };
 inline constexpr Choice kDilateMethods[] = {
     {"none", "None", "The pixel's own motion (catalogue 4.0)."},
@@ -179,6 +198,12 @@ inline constexpr Choice kMotionAlphas[] = {
     {"squaredAsPrinted", "Squared, as printed",
      "As printed in source 000: the square of a length in fractions of the picture, which stays near 0 "
      "(catalogue 13.4, D11)."},
+};
+inline constexpr Choice kMaskAlphas[] = {
+    {"off", "Off", "The mask does not matter."},
+    {"responsive", "Responsive", "At least α mask times the larger of both masks (catalogue 21.4, UE4)."},
+    {"reactive", "Reactive", "At least the reactive mask itself (catalogue 13.18, FSR2)."},
+    {"exclude", "Exclude", "Only the current frame where the responsive mask is set (catalogue 21.4, HDRP)."},
 };
 inline constexpr Choice kToneWeights[] = {
     {"none", "None", "Plain blend: a firefly counts as much as it shines (catalogue 15.0)."},

@@ -46,13 +46,15 @@ enum class MotionSource : std::int32_t {
   SingleMatrix,
   JitterDifferenceAsPrinted,
 };
-enum class BlendedAs : std::int32_t { Mask, Dithered };
+enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, After };
+enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
   MotionSource motion = MotionSource::Objects;
   float mipBias = 0.0f;                  ///< added to the level of detail of every texture
   Switch unjitterTextures = Switch::Off; ///< textures are read at the pixel's center, whatever the jitter
   BlendedAs blended = BlendedAs::Mask;   ///< how transparent materials are drawn
+  MaskSource mask = MaskSource::None;    ///< where the masks of special content come from
 };
 
 enum class DilateMethod : std::int32_t {
@@ -131,6 +133,7 @@ struct NeighborhoodSettings {
   float contrastGrowth = 1.75f;        ///< most that is added to γ
   Switch chromaShrink = Switch::Off;   ///< chroma no wider than an eighth of the luma range
   MomentWeights weights = MomentWeights::Equal;
+  Switch maskRelax = Switch::Off; ///< wider box and less of the current frame where the mask is set
 };
 
 enum class RectifyMethod : std::int32_t {
@@ -170,6 +173,7 @@ enum class AlphaSource : std::int32_t {
   LumaDifferenceAsPrinted,
 };
 enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted };
+enum class MaskAlpha : std::int32_t { Off, Responsive, Reactive, Exclude };
 struct WeightSettings {
   AlphaSource source = AlphaSource::HistoryLength;
   float alpha = 0.1f;               ///< weight of the current frame when constant
@@ -181,6 +185,8 @@ struct WeightSettings {
   Switch historyContrast = Switch::Off; ///< less where the box is large against history
   MotionAlpha motion = MotionAlpha::None;
   float motionSpeed = 64.0f; ///< px a frame from which on only the current frame counts
+  MaskAlpha mask = MaskAlpha::Off;
+  float maskAlpha = 0.3f; ///< least weight of the current frame where the mask is 1
 };
 
 enum class ToneWeight : std::int32_t { None, Luma, ReinhardChannel, MaxChannel, LumaAsPrinted };

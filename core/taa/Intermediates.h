@@ -41,6 +41,15 @@ enum class Visual : std::uint8_t {
       "no previous.")                                                                                        \
   ROW(normal, "Normal", Inputs, 3, "", -1, 1, Normal, 1e-3, "Shading normal in world space.")                \
   ROW(objectId, "Object id", Inputs, 1, "", 0, 255, Index, 0, "Number of the drawn object; 0 is the sky.")   \
+  ROW(reactive, "Reactive", Inputs, 1, "", 0, 1, Scalar, 1e-6,                                               \
+      "Mask of what was blended into the color; 0 where none is drawn.")                                     \
+  ROW(responsive, "Responsive", Inputs, 1, "", 0, 1, Scalar, 1e-6,                                           \
+      "Mask of materials that change without motion: screens, flip-books, particles; 0 where none is "       \
+      "drawn.")                                                                                              \
+  ROW(overlay, "Overlay", Inputs, 3, "", 0, 1, Color, 1e-3,                                                  \
+      "What is laid over the output, without jitter, times its opacity; 0 where nothing is.")                \
+  ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
+      "How much of the output the overlay hides.")                                                           \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
       "Step to the neighbor whose motion is used.")                                                          \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \
@@ -97,12 +106,16 @@ enum class Visual : std::uint8_t {
       "Factor on α by the distance of history to the box's walls; 1 when off.")                              \
   ROW(alphaHistoryContrast, "α calm contrast", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                       \
       "Factor on α by the size of the box; 1 when off.")                                                     \
+  ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                         \
+      "Factor on α where the mask is set; 1 when off.")                                                      \
   ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
+  ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                           \
+      "The least that the mask asks of α; 0 when off.")                                                      \
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 0,                                        \
       "1 where history was rejected, else 0.")                                                               \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
-      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, 1 "   \
-      "where invalid.")                                                                                      \
+      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, at "  \
+      "least what the mask asks, 1 where invalid.")                                                          \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \

@@ -18,6 +18,9 @@ constexpr std::size_t kMostPrograms = 32;
 // A program that was not used in this many runs is compiled again only when it is needed again.
 constexpr std::uint64_t kRunsInUse = 16;
 
+// Units of shaders/taa/inputs.glsl for what a frame may be without.
+constexpr unsigned kMaskUnit = 14, kOverlayUnit = 15;
+
 using Watched = std::vector<IntermediateId>;
 
 struct Variant {
@@ -45,6 +48,13 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   return block;
 }
 
+// What is read where a frame has no mask and no overlay.
+gl::Texture blackTexel() {
+  gl::Texture texture({.width = 1, .height = 1}, gl::Format::RGBA8, "nothing");
+  texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
+  return texture;
+}
+
 // Where the resolve draws: into the history, if there is one to write, and into the exposure's targets.
 std::vector<gl::Attachment> attachments(const History* out, const Exposure* exposure) {
   std::vector<gl::Attachment> targets(kHistoryTargets);
@@ -59,6 +69,7 @@ std::vector<gl::Attachment> attachments(const History* out, const Exposure* expo
 
 struct TaaPass::Parts {
   gl::Sampler nearest{gl::SamplerState{}};
+  gl::Texture nothing = blackTexel();
   gl::Buffer resolveBlock{sizeof(shared::ResolveBlock), nullptr, "ResolveBlock"};
   gl::Buffer settingsBlock{taa::settingsBlock(Settings{}).size(), nullptr, "SettingsBlock"};
   std::map<std::string, Variant> variants; // by what their prelude depends on
@@ -117,6 +128,8 @@ void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& input
                                    hasHistory ? &previous->color : &inputs.color,
                                    hasHistory ? &previous->surface : &inputs.motion};
   for (unsigned unit = 0; unit < std::size(textures); ++unit) pass.texture(unit, *textures[unit], nearest);
+  pass.texture(kMaskUnit, inputs.mask ? inputs.mask : nothing, nearest);
+  pass.texture(kOverlayUnit, inputs.overlay ? inputs.overlay : nothing, nearest);
   const bool stores = exposure && !exposesAsTargets(exposure->watched());
   if (stores) {
     const gl::Texture* images[] = {&exposure->one_, &exposure->two_, &exposure->four_};

@@ -1,6 +1,7 @@
 // Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
-// texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kLit, kBiased
-// and kUnjittered (how textures are read), and the scene's numbers of lights:
+// texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kBlended
+// (premultiplies), kMask (0: none is drawn, 1: the material's, 2: and opacity), kLit, kBiased and kUnjittered (how
+// textures are read), and the scene's numbers of lights:
 // llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
@@ -29,6 +30,7 @@ layout(location = 1) out vec2 o_motion;
 layout(location = 2) out vec4 o_normal;
 layout(location = 3) out uint o_objectId;
 layout(location = 4) out float o_previousDepth;
+layout(location = 5) out vec2 o_mask; // reactive, responsive
 
 bool hasTexture(int slot) { return (kTextures >> slot & 1) == 1; }
 
@@ -125,8 +127,16 @@ void main() {
   if (kMasked) {
     if (baseColor.a < (kDithered ? ditherThreshold() : material.emissive.w)) discard;
   }
+  if (kBlended) {
+    if (!(baseColor.a > 0.0)) discard;
+  }
   vec3 normal = shadingNormal();
   o_color = storedColor(kLit ? litColor(baseColor.rgb, normal) : baseColor.rgb);
+  if (kBlended) {
+    float opacity = min(baseColor.a, 1.0);
+    o_color = vec4(o_color.rgb * opacity, opacity);
+  }
+  if (kMask > 0) o_mask = vec2(kMask == 2 ? min(baseColor.a, 1.0) : 0.0, draw.drawTerms.z);
   o_motion = motionFromClip(v_clip, v_previousClip);
   o_normal = vec4(normal, 0.0);
   o_objectId = uint(draw.drawTerms.x + 0.5);

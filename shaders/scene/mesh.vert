@@ -1,4 +1,5 @@
-// A vertex, in this frame and in the previous one.
+// A vertex, in this frame and in the previous one. Besides by what deforms it (scene/deform.glsl), specialised by
+// kSteady (drawn without jitter) and kMovingUv.
 #include "shared/DrawBlock.h"
 #include "shared/FrameBlock.h"
 #include "shared/MaterialBlock.h"
@@ -35,11 +36,11 @@ void main() {
   v_worldPosition = (draw.worldFromModel * position).xyz;
   v_normal = mat3(draw.normalFromModel) * now.normal;
   v_tangent = vec4(mat3(draw.worldFromModel) * (now.linear * a_tangent.xyz), a_tangent.w * draw.drawTerms.y);
-  v_uv = vec4(a_uv0, a_uv1);
+  v_uv = vec4(kMovingUv ? a_uv0 * draw.uvCell.xy + draw.uvCell.zw : a_uv0, a_uv1);
   v_color = a_color;
 
   // The jitter of T(2jx/W, −2jy/H)·P; z and w stay as they are.
-  vec2 jitterNdc = vec2(2.0, -2.0) * (frame.jitterPx / frame.sizePx);
+  vec2 jitterNdc = kSteady ? vec2(0.0) : vec2(2.0, -2.0) * (frame.jitterPx / frame.sizePx);
   gl_Position = vec4(clip.xy + jitterNdc * clip.w, clip.zw);
   gl_PointSize = 3.0; // glTF says nothing of it; one pixel is hard to see
 }

@@ -16,8 +16,9 @@ layout(std140, binding = 4) uniform DrawBlock {
   mat4 clipFromModel;         // unjittered
   mat4 previousClipFromModel; // unjittered, of the previous frame
   vec4 previousDepthRow;      // · (position, 1) = view depth in the previous frame, m
-  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1; zw unused
+  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1, 1 when responsive; w unused
   vec4 moments;               // time, previous time, seconds between them; w unused
+  vec4 uvCell;                // first uv set: factor, then shift
   ivec4 deform;               // first joint, first morph weight, frame of the cache; w unused
   ivec4 deformCounts;         // morph targets, vertices, way from joints and from weights to the previous ones
 #ifdef __cplusplus

@@ -10,6 +10,7 @@ struct WeightInputs {
   DilatedMotion dilated;
   float speed;  // px
   float frames; // N where history was read
+  vec2 mask;    // reactive, responsive
 };
 
 const bool kUsesLumaDifference = kWeightSource == kWeightSource_lumaDifference ||
@@ -85,6 +86,20 @@ float historyContrastFactor(WeightInputs x) {
   return kWeightHistoryContrast && hasHistory() ? factor : 1.0;
 }
 
+/// Less where the mask says that the box was widened (13.18, Donut).
+float relaxFactor(WeightInputs x) {
+  precise float factor = 1.0 / (1.0 + 0.5 * greater(x.mask.x, x.mask.y));
+  return kNeighborhoodMaskRelax ? factor : 1.0;
+}
+
+/// The least that the mask asks for (13.18, 21.4).
+float maskWeight(WeightInputs x) {
+  precise float responsive = settings.weightMaskAlpha * greater(x.mask.x, x.mask.y);
+  if (kWeightMask == kWeightMask_responsive) return responsive;
+  if (kWeightMask == kWeightMask_reactive) return x.mask.x;
+  return kWeightMask == kWeightMask_exclude && x.mask.y > 0.0 ? 1.0 : 0.0;
+}
+
 /// What motion adds (13.4 to 13.6).
 float motionWeight(WeightInputs x) {
   precise float share = saturated(x.speed / settings.weightMotionSpeed);
@@ -102,22 +117,27 @@ float blendWeight(WeightInputs x, int rejectReason) {
   float lumaFlicker = lumaFlickerFactor(x);
   float nearClamp = nearClampFactor(x);
   float historyContrast = historyContrastFactor(x);
+  float relax = relaxFactor(x);
   float motion = motionWeight(x);
+  float mask = maskWeight(x);
   precise float calmed = base * lumaFlicker;
   calmed = calmed * nearClamp;
   calmed = calmed * historyContrast;
+  calmed = calmed * relax;
   calmed = greater(calmed, least);
   calmed = calmed < 1.0 ? calmed : 1.0;
   precise float joined = 1.0 - (1.0 - calmed) * (1.0 - motion);
   if (kWeightMotion == kWeightMotion_none) joined = calmed;
   float invalid = rejectReason != kRejectReason_kept ? 1.0 : 0.0;
-  float alpha = greater(joined, invalid);
+  float alpha = greater(greater(joined, mask), invalid);
   expose_alphaBase(base);
   expose_alphaFloor(least);
   expose_alphaLumaFlicker(lumaFlicker);
   expose_alphaNearClamp(nearClamp);
   expose_alphaHistoryContrast(historyContrast);
+  expose_alphaRelax(relax);
   expose_alphaMotion(motion);
+  expose_alphaMask(mask);
   expose_alphaInvalid(invalid);
   expose_alpha(alpha);
   return alpha;

@@ -92,13 +92,14 @@ float contrastGrowth(Moments moments, vec3 center, vec3 historyColor) {
   return hasHistory() ? growth : 0.0;
 }
 
-float gammaUsed(Moments moments, vec3 center, vec3 historyColor, float speed) {
+float gammaUsed(Moments moments, vec3 center, vec3 historyColor, float speed, vec2 mask) {
   precise float gamma = settings.neighborhoodGamma;
   if (kNeighborhoodMotionGamma) { // 10.8
     precise float rest = saturated(1.0 - speed / settings.neighborhoodGammaSpeed);
     gamma = settings.neighborhoodGammaMoving + (gamma - settings.neighborhoodGammaMoving) * (rest * rest);
   }
   if (kNeighborhoodContrastGamma) gamma = gamma + contrastGrowth(moments, center, historyColor);
+  if (kNeighborhoodMaskRelax) gamma = gamma * (1.0 + 1.5 * greater(mask.x, mask.y)); // 10.10
   return gamma;
 }
 
@@ -125,7 +126,7 @@ Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 histo
   vec3 boxed[9];
   for (int k = 0; k < 9; ++k) boxed[k] = toBox(samples.color[k]);
   Moments moments = measureNeighborhood(samples, boxed);
-  float gamma = gammaUsed(moments, boxed[4], historyColor, speed);
+  float gamma = gammaUsed(moments, boxed[4], historyColor, speed, samples.mask);
 
   precise vec3 reach = gamma * moments.deviation;
   precise vec3 below = moments.mean - reach;

@@ -26,7 +26,7 @@ void main() {
   vec3 rectified = rectifyHistory(history.color, around, current, reprojection.speed);
   int reason = validateHistory(pixel, dilated, reprojection, history);
   WeightInputs weighed = WeightInputs(current, rectified, history.color, around.box, dilated, reprojection.speed,
-                                      history.frames);
+                                      history.frames, samples.mask);
   float alpha = blendWeight(weighed, reason);
   Blended blended = blend(samples, current, rectified, alpha, history.frames, reason);
   o_color = vec4(blended.color, 1.0);

@@ -32,7 +32,7 @@ TEST(ProbeWords, TellHowAlphaCameAbout) {
   reference::PixelRecord record;
   record.fill(glm::vec4(0));
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast})
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
     reference::at(record, calm).x = 1.0f;
   reference::at(record, IntermediateId::historyRawLength).x = 7;
   reference::at(record, IntermediateId::alphaBase).x = 0.125f;
@@ -54,7 +54,7 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   Settings settings;
   const auto line = [&] { return probeSummary(record, settings).at(1); };
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast})
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
     set(calm, 1.0f);
   set(IntermediateId::historyRawLength, 1.3f);
   set(IntermediateId::alphaBase, 0.0625f);
@@ -76,6 +76,9 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   set(IntermediateId::alphaMotion, 0.25f);
   set(IntermediateId::alpha, 0.2734375f);
   EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by motion = 0.2734"));
+  set(IntermediateId::alphaMask, 0.5f);
+  set(IntermediateId::alpha, 0.5f);
+  EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5 and 0.25 by motion, 0.5 by mask) = 0.5"));
 }
 
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {

@@ -40,6 +40,8 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
   twin.normal = inputs.normal.download();
   twin.objectId = inputs.objectId.download();
   twin.previousDepth = inputs.previousDepth.download();
+  if (inputs.mask) twin.mask = inputs.mask.download();
+  if (inputs.overlay) twin.overlay = inputs.overlay.download();
   if (previous) {
     twin.historyColor = previous->color.download();
     twin.historySurface = previous->surface.download();

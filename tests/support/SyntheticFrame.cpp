@@ -93,6 +93,16 @@ class Maker {
     quantize(made.normal, gl::Format::RGBA16F);
   }
 
+  // Some pixels without a mask, some with the whole of it, and between.
+  void layers(reference::Inputs& made) {
+    made.mask = Image(shape_.width, shape_.height, 2);
+    made.overlay = Image(shape_.width, shape_.height, 4);
+    for (float& value : made.mask.pixels) value = chance(0.5f) ? 0.0f : std::min(uniform(0.0f, 1.2f), 1.0f);
+    for (float& value : made.overlay.pixels) value = chance(0.5f) ? 0.0f : uniform(0.0f, 1.0f);
+    quantize(made.mask, gl::Format::RG8);
+    quantize(made.overlay, gl::Format::RGBA16F);
+  }
+
   void history(reference::Inputs& made) {
     made.historyColor = made.color;
     for (float& value : made.historyColor.pixels)
@@ -144,6 +154,7 @@ reference::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool 
   maker.colors(made.color);
   maker.surfaces(made);
   maker.history(made);
+  maker.layers(made);
   if (wild) maker.makeWild(made);
   quantize(made.color, colorFormat(shape.inputs));
   quantize(made.motion, motionFormat(shape.inputs));
@@ -169,6 +180,8 @@ FrameInputs upload(const reference::Inputs& images, const FrameShape& shape) {
   made.normal = texture(images.normal, gl::Format::RGBA16F);
   made.objectId = texture(images.objectId, gl::Format::R32UI);
   made.previousDepth = texture(images.previousDepth, gl::Format::R32F);
+  if (!images.mask.empty()) made.mask = texture(images.mask, gl::Format::RG8);
+  if (!images.overlay.empty()) made.overlay = texture(images.overlay, gl::Format::RGBA16F);
   return made;
 }
 

@@ -135,5 +135,17 @@ TEST(Pose, GivesTheSameBitsForTheSameTime) {
     EXPECT_EQ(poseAt(scene, frame / 60.0).worldFromNode, poseAt(scene, frame / 60.0).worldFromNode);
 }
 
+TEST(AnimatedUv, ShowsCellsRowByRowAndShifts) {
+  EXPECT_EQ(animatedUv({}, 3.7), glm::vec4(1, 1, 0, 0));
+  const UvAnimation book{4, 2, 12.0f};
+  for (int frame = 0; frame < 240; ++frame) {
+    const int cell = frame / 5 % 8;
+    EXPECT_EQ(animatedUv(book, frame / 60.0), glm::vec4(0.25f, 0.5f, 0.25f * static_cast<float>(cell % 4),
+                                                        0.5f * static_cast<float>(cell / 4)))
+        << frame;
+  }
+  EXPECT_EQ(animatedUv({1, 1, 0.0f, {0.5f, -0.25f}}, 3.0), glm::vec4(1, 1, 0.5f, 0.25f));
+}
+
 } // namespace
 } // namespace taa

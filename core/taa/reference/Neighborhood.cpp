@@ -95,6 +95,7 @@ float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborho
   }
   if (chosen.contrastGamma == Switch::On && !inputs.historyColor.empty())
     gamma = gamma + contrastGrowth(settings, n, center, moved.history);
+  if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * moved.relax); // catalogue 10.10
   return gamma;
 }
 

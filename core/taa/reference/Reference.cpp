@@ -27,6 +27,11 @@ void recordInputs(PixelRecord& record, const Inputs& inputs, const glm::ivec2& p
   set(record, IntermediateId::motion, glm::vec2(inputs.motion.texel(p.x, p.y)));
   set(record, IntermediateId::normal, glm::vec3(inputs.normal.texel(p.x, p.y)));
   set(record, IntermediateId::objectId, inputs.objectId.texel(p.x, p.y).x);
+  set(record, IntermediateId::reactive, maskAt(inputs, p).x);
+  set(record, IntermediateId::responsive, maskAt(inputs, p).y);
+  const glm::vec4 overlay = inputs.overlay.empty() ? glm::vec4(0.0f) : inputs.overlay.texel(p.x, p.y);
+  set(record, IntermediateId::overlay, glm::vec3(overlay));
+  set(record, IntermediateId::overlayAlpha, overlay.w);
 }
 
 void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
@@ -53,7 +58,9 @@ void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaLumaFlicker, weights.lumaFlicker);
   set(record, IntermediateId::alphaNearClamp, weights.nearClamp);
   set(record, IntermediateId::alphaHistoryContrast, weights.historyContrast);
+  set(record, IntermediateId::alphaRelax, weights.relax);
   set(record, IntermediateId::alphaMotion, weights.motion);
+  set(record, IntermediateId::alphaMask, weights.mask);
   set(record, IntermediateId::alphaInvalid, weights.invalid);
   set(record, IntermediateId::alpha, weights.alpha);
 }
@@ -83,6 +90,10 @@ Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& c
 
 } // namespace
 
+glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& pixel) {
+  return inputs.mask.empty() ? glm::vec2(0.0f) : glm::vec2(inputs.mask.texel(pixel.x, pixel.y));
+}
+
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y) {
   const glm::ivec2 p(x, y);
   PixelRecord record{};
@@ -105,8 +116,10 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   const glm::vec3 current = filterCurrent(inputs, settings.current, p);
   set(record, IntermediateId::currentFiltered, current);
 
+  const glm::vec2 mask = maskAt(inputs, p);
+  const float largestMask = mask.x > mask.y ? mask.x : mask.y;
   const Neighborhood neighborhood =
-      measureNeighborhood(inputs, settings, current, p, {history.color, reprojected.speed});
+      measureNeighborhood(inputs, settings, current, p, {history.color, reprojected.speed, largestMask});
   recordNeighborhood(record, neighborhood);
 
   const Clipped rectified =
@@ -123,6 +136,8 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   seen.depth = dilated.depth;
   seen.speed = reprojected.speed;
   seen.motionUv = dilated.motion / glm::vec2(inputs.width(), inputs.height());
+  seen.mask = mask;
+  seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
   const Weights weights = weigh(settings.weight, history.length, validated.reason, seen);
   recordWeights(record, weights);
   const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.reason != RejectReason::Kept;

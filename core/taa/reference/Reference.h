@@ -22,6 +22,8 @@ struct Inputs {
   Image normal;         ///< 4
   Image objectId;       ///< 1
   Image previousDepth;  ///< 1
+  Image mask;           ///< 2: reactive, responsive; empty: none
+  Image overlay;        ///< 4, premultiplied; empty: none
   Image historyColor;   ///< 4; empty: no history
   Image historySurface; ///< 2: N, view depth
   int frame = 0;        ///< its number

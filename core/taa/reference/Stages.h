@@ -11,6 +11,9 @@
 
 namespace taa::reference {
 
+/// The pixel's masks: reactive, responsive; 0 where there is no mask.
+glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& pixel);
+
 /// View depth (m) of a device depth; 0 stands for the sky.
 float viewDepth(float depth, const glm::vec4& depthTerms);
 
@@ -70,6 +73,7 @@ struct Neighborhood {
 struct Moved {
   glm::vec3 history{0.0f}; ///< scene-linear, as it was read
   float speed = 0.0f;      ///< px a frame
+  float relax = 0.0f;      ///< the larger mask
 };
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
@@ -111,13 +115,16 @@ struct Seen {
   float depth = 0.0f; ///< device
   float speed = 0.0f; ///< px a frame
   glm::vec2 motionUv{0.0f};
+  glm::vec2 mask{0.0f}; ///< reactive, responsive
+  float relax = 0.0f;   ///< the larger of them where it relaxes the box
 };
 /// Terms of α, the weight of the current frame (catalogue §13).
 struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
-  float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f; ///< factors
+  float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f, relax = 1.0f; ///< factors
   float motion = 0.0f;
+  float mask = 0.0f;
   float invalid = 0.0f;
   float alpha = 0.0f; ///< composed
 };

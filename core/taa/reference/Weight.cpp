@@ -76,6 +76,21 @@ float motionTerm(const WeightSettings& settings, const Seen& seen) {
   return 0.0f;
 }
 
+/// The least that the mask asks for (catalogue 13.18, 21.4).
+float maskTerm(const WeightSettings& settings, const Seen& seen) {
+  switch (settings.mask) {
+  case MaskAlpha::Off:
+    return 0.0f;
+  case MaskAlpha::Responsive:
+    return settings.maskAlpha * larger(seen.mask.x, seen.mask.y);
+  case MaskAlpha::Reactive:
+    return seen.mask.x;
+  case MaskAlpha::Exclude:
+    return seen.mask.y > 0.0f ? 1.0f : 0.0f;
+  }
+  return 0.0f;
+}
+
 } // namespace
 
 Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason, const Seen& seen) {
@@ -84,15 +99,18 @@ Weights weigh(const WeightSettings& settings, float historyLength, RejectReason 
   result.floor = settings.source == AlphaSource::HistoryLength ? settings.minimum
                                                                : smaller(result.base, settings.minimum);
   calm(settings, seen, result);
+  result.relax = 1.0f / (1.0f + 0.5f * seen.relax);
   result.motion = motionTerm(settings, seen);
+  result.mask = maskTerm(settings, seen);
   result.invalid = reason == RejectReason::Kept ? 0.0f : 1.0f;
   float alpha = result.base * result.lumaFlicker;
   alpha = alpha * result.nearClamp;
   alpha = alpha * result.historyContrast;
+  alpha = alpha * result.relax;
   alpha = larger(alpha, result.floor);
   alpha = alpha < 1.0f ? alpha : 1.0f;
   if (settings.motion != MotionAlpha::None) alpha = 1.0f - (1.0f - alpha) * (1.0f - result.motion);
-  result.alpha = larger(alpha, result.invalid);
+  result.alpha = larger(larger(alpha, result.mask), result.invalid);
   return result;
 }
 
