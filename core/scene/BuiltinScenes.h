@@ -15,5 +15,6 @@ Scene makeFirefliesScene();    ///< FirefliesScene.cpp
 Scene makeLightsScene();       ///< LightsScene.cpp
 Scene makeFoliageScene();      ///< FoliageScene.cpp
 Scene makeGalleryScene();      ///< GalleryScene.cpp
+Scene makeGlassScene();        ///< GlassScene.cpp
 
 } // namespace taa

@@ -13,9 +13,10 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-constexpr std::array kMakers{makeFanScene,     makeFenceScene,  makeDisocclusionScene, makeCutScene,
-                             makeThinScene,    makeTextScene,   makeFirefliesScene,    makeLightsScene,
-                             makeFoliageScene, makeGalleryScene}; // in the order of builtinScenes()
+constexpr std::array kMakers{
+    makeFanScene,     makeFenceScene,   makeDisocclusionScene, makeCutScene,
+    makeThinScene,    makeTextScene,    makeFirefliesScene,    makeLightsScene,
+    makeFoliageScene, makeGalleryScene, makeGlassScene}; // in the order of builtinScenes()
 
 Scene makeBuiltin(const std::string& source) {
   const std::string_view id = std::string_view(source).substr(kBuiltinPrefix.size());
@@ -48,7 +49,9 @@ const std::vector<BuiltinScene>& builtinScenes() {
       {"foliage", "Foliage",
        "Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks"},
       {"gallery", "Gallery",
-       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"}};
+       "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
+      {"glass", "Glass",
+       "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history"}};
   return scenes;
 }
 

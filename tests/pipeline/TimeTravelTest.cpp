@@ -274,6 +274,32 @@ TEST_P(TimeTravelTest, ProbeIsPictureIsTwin) {
   EXPECT_THROW(inspector.probe(kWidth, 0), Error);
 }
 
+/// Particles, flip-books and blended layers are functions of the frame too.
+class TimeTravelOfGlassTest : public TimeTravel {
+ protected:
+  TimeTravelOfGlassTest() : TimeTravel("glass") {}
+};
+
+TEST_F(TimeTravelOfGlassTest, PlayingAndSeekingGiveTheSameBits) {
+  std::vector<Settings> lanes(3);
+  lanes[0].inputs.blended = BlendedAs::BeforeWithMotion;
+  lanes[0].inputs.mask = MaskSource::AutoReactive;
+  lanes[0].weight.mask = MaskAlpha::Reactive;
+  lanes[1].inputs.blended = BlendedAs::After;
+  lanes[1].inputs.mask = MaskSource::Material;
+  lanes[1].weight.mask = MaskAlpha::Responsive;
+  lanes[2].inputs.blended = BlendedAs::Dithered;
+  const std::vector<Image> expected = soughtAtOnce(lanes, kFrame);
+  EXPECT_NE(difference(expected, soughtAtOnce(lanes, kFrame + 1)), "");
+  Inspector inspector;
+  open(inspector, lanes);
+  play(inspector, kFrame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "played";
+  inspector.seek(kFrame + 9);
+  inspector.seek(kFrame);
+  EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from behind";
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, TimeTravelTest, testing::Values("fan", "fence"));
 INSTANTIATE_TEST_SUITE_P(Part, TimeTravelOfCombinationsTest, testing::Range(std::size_t{0}, test::kParts));
 INSTANTIATE_TEST_SUITE_P(Fan, TimeTravelOfPresetsTest,

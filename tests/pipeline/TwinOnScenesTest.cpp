@@ -7,6 +7,7 @@
 #include "core/scene/SceneSource.h"
 #include "core/settings/Presets.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace taa {
@@ -89,6 +90,50 @@ TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
             << preset.id << " " << frame;
       }
     }
+  }
+}
+
+/// Ways to treat what is blended, and what the masks ask for.
+std::vector<Settings> policies() {
+  std::vector<Settings> all(4);
+  all[0].inputs.blended = BlendedAs::Before;
+  all[0].inputs.mask = MaskSource::Material;
+  all[0].weight.mask = MaskAlpha::Responsive;
+  all[1].inputs.blended = BlendedAs::BeforeWithMotion;
+  all[1].inputs.mask = MaskSource::Opacity;
+  all[1].neighborhood.maskRelax = Switch::On;
+  all[1].weight.mask = MaskAlpha::Reactive;
+  all[2].inputs.blended = BlendedAs::Before;
+  all[2].inputs.mask = MaskSource::AutoReactive;
+  all[2].weight.mask = MaskAlpha::Reactive;
+  all[3].inputs.blended = BlendedAs::After;
+  all[3].inputs.mask = MaskSource::Material;
+  all[3].weight.mask = MaskAlpha::Exclude;
+  return all;
+}
+
+class TwinOnGlassTest : public test::GlTest {};
+
+TEST_F(TwinOnGlassTest, AgreesWithMasksAndOverlay) {
+  TaaPass pass;
+  for (const Settings& settings : policies()) {
+    test::Player player("builtin:glass", "gltf:front", kWidth, kHeight, settings);
+    Exposure exposure(test::allIntermediates(), {0, 0, kWidth, kHeight});
+    for (int frame = 0; frame < 6; ++frame) player.step(pass, &exposure);
+    std::vector<Image> pictures;
+    for (const IntermediateId id : test::allIntermediates()) pictures.push_back(exposure.image(id));
+    const auto most = [&](IntermediateId id) {
+      return std::ranges::max(pictures[static_cast<std::size_t>(id)].pixels);
+    };
+    const bool isAfter = settings.inputs.blended == BlendedAs::After;
+    EXPECT_GT(most(IntermediateId::responsive), 0.9f);
+    EXPECT_EQ(most(IntermediateId::reactive) > 0.5f, settings.weight.mask == MaskAlpha::Reactive);
+    EXPECT_EQ(most(IntermediateId::overlayAlpha) > 0.5f, isAfter);
+    EXPECT_GT(most(IntermediateId::alphaMask), 0.2f);
+    EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()), settings,
+                                       pictures, isExact()),
+              "")
+        << static_cast<int>(settings.inputs.blended) << " " << static_cast<int>(settings.inputs.mask);
   }
 }
 

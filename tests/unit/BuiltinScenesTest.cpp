@@ -299,6 +299,44 @@ TEST(BuiltinScene, OfTheGalleryHasEverySourceOfMotion) {
   EXPECT_TRUE(wind);
 }
 
+TEST(BuiltinScene, OfGlassHasWhatNoMotionFollows) {
+  const Scene scene = openScene("builtin:glass");
+  int blended = 0, responsive = 0, flipBooks = 0, scrolling = 0;
+  for (const Material& material : scene.materials) {
+    blended += material.alphaMode == AlphaMode::Blend;
+    responsive += material.responsive;
+    flipBooks += material.uvAnimation.columns * material.uvAnimation.rows > 1;
+    scrolling += material.uvAnimation.scroll != glm::vec2(0.0f);
+    const glm::vec4 begin = animatedUv(material.uvAnimation, 0.0),
+                    end = animatedUv(material.uvAnimation, 4.0);
+    EXPECT_EQ(begin, end) << material.name << " loops with the shot";
+  }
+  EXPECT_EQ(blended, 5);
+  EXPECT_EQ(responsive, 3);
+  EXPECT_EQ(flipBooks, 1);
+  EXPECT_EQ(scrolling, 1);
+}
+
+// Particles are where a parabola says, and their velocity is the way from the frame before.
+TEST(BuiltinScene, OfGlassThrowsParticlesWhoseVelocityIsTheirWay) {
+  const Scene scene = openScene("builtin:glass");
+  const auto mesh = std::ranges::find(scene.meshes, "fountain", &Mesh::name);
+  ASSERT_NE(mesh, scene.meshes.end());
+  const Primitive& primitive = mesh->primitives.front();
+  const std::size_t vertices = primitive.vertices.size();
+  std::size_t born = 0;
+  for (int frame = 0; frame < primitive.cache.frames; ++frame)
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+      const auto entry = [&](int at) -> const VertexCache::Entry& {
+        const int wrapped = (at + primitive.cache.frames) % primitive.cache.frames;
+        return primitive.cache.entries[static_cast<std::size_t>(wrapped) * vertices + vertex];
+      };
+      const glm::vec3 before = entry(frame).position - entry(frame).velocity / 60.0f;
+      if (glm::distance(before, entry(frame - 1).position) > 1e-4f) ++born;
+    }
+  EXPECT_EQ(born, vertices) << "each is born once a loop, where its motion does not lead back";
+}
+
 TEST(BuiltinScene, MovesTheFansBladesManyPixelsAFrame) {
   const Scene scene = openScene("builtin:fan");
   std::size_t rotor = 0;
