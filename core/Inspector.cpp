@@ -321,7 +321,7 @@ std::vector<Image> Inspector::images(const std::vector<IntermediateId>& ids, int
   Exposure exposure;
   if (!missing.empty()) {
     exposure = Exposure(missing, {0, 0, width(), height()});
-    parts_->maker.pass.expose(inputs(lane), shown.previous.get(), settings(lane), exposure);
+    parts_->maker.pass.expose(inputs(lane), shown.previous.get(), *shown.current, settings(lane), exposure);
   }
   std::vector<Image> images;
   images.reserve(ids.size());
@@ -340,8 +340,9 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
   const int left = std::max(0, x - radius), top = std::max(0, y - radius);
   const int right = std::min(width() - 1, x + radius), bottom = std::min(height() - 1, y + radius);
   const gl::Rect region{left, top, right - left + 1, bottom - top + 1};
-  const std::vector<PixelRecord> inside = probeRegion(
-      parts_->maker.pass, inputs(lane), parts_->lane(lane).previous.get(), settings(lane), region);
+  const ShownLane& shown = parts_->lane(lane);
+  const std::vector<PixelRecord> inside = probeRegion(parts_->maker.pass, inputs(lane), shown.previous.get(),
+                                                      *shown.current, settings(lane), region);
   std::vector<PixelRecord> around;
   for (int dy = -radius; dy <= radius; ++dy)
     for (int dx = -radius; dx <= radius; ++dx) {

@@ -148,12 +148,12 @@ const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, I
   const FrameInputs& inputs = shown.inputs[lane.inputs];
   if (std::ranges::find(watched, id) == watched.end()) {
     Exposure exposure({id}, wholePicture(subject));
-    pass.expose(inputs, lane.previous.get(), settings, exposure);
+    pass.expose(inputs, lane.previous.get(), *lane.current, settings, exposure);
     return lane.asked.emplace(std::move(exposure));
   }
   lane.isExposed = false;
   fitExposure(lane.watched, watched, wholePicture(subject));
-  pass.expose(inputs, lane.previous.get(), settings, lane.watched);
+  pass.expose(inputs, lane.previous.get(), *lane.current, settings, lane.watched);
   lane.isExposed = true;
   return lane.watched;
 }

@@ -3,13 +3,13 @@
 namespace taa {
 
 std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
-                                                const History* previous, const Settings& settings,
-                                                const gl::Rect& region) {
+                                                const History* previous, const History& resolved,
+                                                const Settings& settings, const gl::Rect& region) {
   std::vector<IntermediateId> ids;
   ids.reserve(kIntermediateCount);
   for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
   Exposure exposure(ids, region);
-  pass.expose(inputs, previous, settings, exposure);
+  pass.expose(inputs, previous, resolved, settings, exposure);
   std::vector<reference::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height);
   for (IntermediateId id : ids) {
     const Image image = exposure.image(id);

@@ -8,9 +8,10 @@
 
 namespace taa {
 
-/// All intermediates of the pixels of `region`, row-major. The region lies inside the picture.
+/// All intermediates of the pixels of `region`, row-major. The region lies inside the picture. `resolved`:
+/// what the resolve made of the same.
 std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
-                                                const History* previous, const Settings& settings,
-                                                const gl::Rect& region);
+                                                const History* previous, const History& resolved,
+                                                const Settings& settings, const gl::Rect& region);
 
 } // namespace taa

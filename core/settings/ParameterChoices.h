@@ -122,6 +122,15 @@ inline constexpr Choice kCurrentFilters[] = {
      "As printed in Raptor's chapter 11: of twice the distance, which makes it nearly a box of five "
      "(catalogue §26, D3)."},
 };
+inline constexpr Choice kCurrentSharpens[] = {
+    {"none", "None", "As filtered."},
+    {"laplacian", "Laplacian",
+     "Minus the mean of the four around: constants keep their brightness (catalogue 18.2, corrected)."},
+    {"laplacianAsPrinted", "Laplacian, as printed",
+     "As printed in source 002: what is flat becomes s times as bright, so only s = 1 keeps brightness, "
+     "which "
+     "is 4 of the corrected one (catalogue 18.2)."},
+};
 inline constexpr Choice kColorSpaces[] = {
     {"rgb", "RGB", "Box in red, green, blue (catalogue 9.1)."},
     {"yCoCg", "YCoCg", "Box in luma and chroma, tighter around the colors (catalogue 9.2)."},
@@ -223,6 +232,26 @@ inline constexpr Choice kLengthRules[] = {
     {"count", "Count", "N + 1, as if every frame counted alike (catalogue §16, eq. 2.3)."},
     {"varianceAsPrinted", "Variance, as printed",
      "As printed in source 004: without the inverse, so that N falls to 0.618 (catalogue §26, D12)."},
+};
+inline constexpr Choice kSharpens[] = {
+    {"none", "None", "What is resolved is shown."},
+    {"lumaRatio", "Luma ratio",
+     "Luma minus the mean luma of nine, hue kept; black stays black (catalogue 18.1, Raptor)."},
+    {"laplacian", "Laplacian",
+     "Minus the mean of the four around: c + k(c − mean₄) (catalogue 18.3, HDRP's pass after)."},
+    {"unsharp", "Unsharp mask", "Minus the mean of all nine: c + k(c − mean₉) (catalogue 18.3, source 000)."},
+    {"rcas", "RCAS",
+     "As strong as no channel leaves 0 to 1, of colors divided by 1 + their largest channel, because it "
+     "expects those; amounts above 1 count as 1 (catalogue 18.5, FSR 1, URP)."},
+    {"inResolve", "In the resolve",
+     "c + 3k max(0, c − mean of this frame's nine samples over 1 + luma): only brightens (catalogue 18.6, "
+     "HDRP)."},
+    {"logarithm", "Logarithm",
+     "Laplacian of log₂(1 + c), as (1 + c)((1 + c)/geometric mean₄)ᵏ − 1 with k in steps of 1/256 "
+     "(catalogue 18.7, Intel, MiniEngine)."},
+    {"reconstruct", "Reconstruct",
+     "Resampled by the cubic of Mitchell and Netravali with B = −k: at k = 0 Catmull-Rom, which changes "
+     "nothing at a pixel's center (catalogue 18.4, source 000)."},
 };
 
 } // namespace taa

@@ -103,12 +103,15 @@ enum class CurrentFilter : std::int32_t {
   MitchellAsPrinted,
   BlackmanHarrisAsPrinted,
 };
+enum class CurrentSharpen : std::int32_t { None, Laplacian, LaplacianAsPrinted };
 struct CurrentSettings {
   CurrentFilter filter = CurrentFilter::Gaussian;
   float variance = 0.22f;            ///< σ² of the Gaussian, px²
   Switch jitterAware = Switch::On;   ///< distances from where the samples really lie
   Switch lumaWeighted = Switch::Off; ///< samples also weighted by 1/(1 + luma)
   Switch dering = Switch::Off;       ///< clamp to the nine samples
+  CurrentSharpen sharpen = CurrentSharpen::None;
+  float sharpenAmount = 1.0f; ///< s, 0 to 4
 };
 
 enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr };
@@ -198,6 +201,23 @@ struct BlendSettings {
   LengthRule length = LengthRule::Variance;
 };
 
+enum class Sharpen : std::int32_t {
+  None,
+  LumaRatio,
+  Laplacian,
+  Unsharp,
+  Rcas,
+  InResolve,
+  Logarithm,
+  Reconstruct,
+};
+struct OutputSettings {
+  Sharpen sharpen = Sharpen::None;
+  float amount = 0.5f;             ///< k, 0 to 4
+  Switch dering = Switch::Off;     ///< clamp to the nine resolved colors around
+  Switch motionBlur = Switch::Off; ///< the current frame blurred along motion, where it is fast
+};
+
 /// One lane's choices. Defaults are the preset "balanced".
 struct Settings {
   JitterSettings jitter;
@@ -211,6 +231,7 @@ struct Settings {
   ValidateSettings validate;
   WeightSettings weight;
   BlendSettings blend;
+  OutputSettings output;
 };
 
 } // namespace taa

@@ -19,6 +19,7 @@ enum class Stage : std::uint8_t {
   ValidateHistory,
   BlendWeight,
   Blend,
+  Output,
 };
 
 struct StageInfo {
@@ -28,7 +29,7 @@ struct StageInfo {
   std::string_view description;
 };
 
-inline constexpr std::array<StageInfo, 11> kStages{{
+inline constexpr std::array<StageInfo, 12> kStages{{
     {Stage::Jitter, "jitter", "Jitter",
      "Moves the picture by a part of a pixel, a different one each frame."},
     {Stage::Inputs, "inputs", "Inputs",
@@ -49,6 +50,9 @@ inline constexpr std::array<StageInfo, 11> kStages{{
      "Rejects history that belongs to something else: off the screen, or behind what is now in front."},
     {Stage::BlendWeight, "blend_weight", "Blend weight", "Decides α, how much the current frame counts."},
     {Stage::Blend, "blend", "Blend", "Mixes current and history into the resolved picture."},
+    {Stage::Output, "output", "Output",
+     "What is shown of the resolved picture: sharpened, or blurred where it moves fast. Never goes into "
+     "history."},
 }};
 
 constexpr const StageInfo& stageInfo(Stage stage) {

@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace taa {
 
@@ -23,6 +24,18 @@ std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
+}
+
+std::vector<IntermediateId> rowsOfOutput(const std::vector<IntermediateId>& watched) {
+  std::vector<IntermediateId> rows;
+  std::ranges::copy_if(watched, std::back_inserter(rows), isOfOutput);
+  return rows;
+}
+
+std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& watched) {
+  std::vector<IntermediateId> rows;
+  std::ranges::remove_copy_if(watched, std::back_inserter(rows), isOfOutput);
+  return rows;
 }
 
 std::vector<std::string> channelNames(const Intermediate& row) {
@@ -73,13 +86,12 @@ std::string macro(const Intermediate& row, const std::string& body) {
   return "#define expose_" + std::string(row.name) + "(value)" + (body.empty() ? "" : " " + body) + "\n";
 }
 
-// Targets 0 and 1 are the history's.
-std::string asTargets(const std::vector<IntermediateId>& watched) {
+std::string asTargets(const std::vector<IntermediateId>& watched, std::size_t taken) {
   std::string outputs, macros;
   for (std::size_t index = 0; index < watched.size(); ++index) {
     const Intermediate& row = intermediate(watched[index]);
     const std::string name = "o_exposed_" + std::string(row.name);
-    outputs += "layout(location = " + std::to_string(kHistoryTargets + index) + ") out " +
+    outputs += "layout(location = " + std::to_string(taken + index) + ") out " +
                std::string(kStores[storeIndex(row)].type) + " " + name + ";\n";
     macros += macro(row, name + " = " + (row.channels == 3 ? "vec4(value, 1.0)" : "(value)"));
   }
@@ -105,11 +117,11 @@ std::string asImages(const std::vector<IntermediateId>& watched) {
 
 } // namespace
 
-std::string exposePrelude(const std::vector<IntermediateId>& watched) {
+std::string exposePrelude(const std::vector<IntermediateId>& watched, std::size_t taken) {
   std::string text;
   for (const Intermediate& row : kIntermediates)
     if (std::ranges::find(watched, row.id) == watched.end()) text += macro(row, "");
-  return text + (exposesAsTargets(watched) ? asTargets(watched) : asImages(watched));
+  return text + (exposesAsTargets(watched, taken) ? asTargets(watched, taken) : asImages(watched));
 }
 
 } // namespace taa

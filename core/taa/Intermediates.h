@@ -125,7 +125,14 @@ enum class Visual : std::uint8_t {
   ROW(historyLength, "History length", Blend, 1, "frames", 0, 20, Scalar, 1e-3,                              \
       "N after this frame: samples' worth of averaging in this pixel.")                                      \
   ROW(resolved, "Resolved", Blend, 3, "", 0, 1, Color, 1e-3,                                                 \
-      "The output of TAA, which is the next frame's history.")
+      "The output of TAA, which is the next frame's history.")                                               \
+  ROW(sharpenDetail, "Sharpening", Output, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+      "Luma that sharpening adds to the resolved color; 0 when off.")                                        \
+  ROW(blurTrust, "Blur trust", Output, 1, "", 0, 1, Scalar, 1e-3,                                            \
+      "Share of the resolved color in what is shown; the rest is this frame blurred along its motion.")      \
+  ROW(output, "Output", Output, 3, "", 0, 1, Color, 1e-3,                                                    \
+      "What is shown: the resolved color sharpened, or blurred where it moves fast; the same as resolved "   \
+      "when both are off.")
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,
@@ -173,18 +180,27 @@ std::vector<std::string> channelNames(const Intermediate& row);
 /// A reject reason in words ("kept", "off screen", …).
 std::string_view rejectReasonText(int reason);
 
+/// Whether the pass after the resolve gives the row, from the resolved picture, not the resolve itself.
+constexpr bool isOfOutput(IntermediateId id) {
+  return intermediate(id).stage == Stage::Output;
+}
+/// The rows of `watched` that the pass after the resolve gives, or those that the resolve gives.
+std::vector<IntermediateId> rowsOfOutput(const std::vector<IntermediateId>& watched);
+std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& watched);
+
 /// Color targets of the resolve that are the history's; watched rows come after them.
 inline constexpr std::size_t kHistoryTargets = 2;
 
-/// Whether so few are watched that each gets a color target of its own, which costs less than an image store.
-/// GL promises eight targets.
-inline bool exposesAsTargets(const std::vector<IntermediateId>& watched) {
-  return kHistoryTargets + watched.size() <= 8;
+/// Whether so few are watched that each gets a color target of its own behind the `taken` first, which costs
+/// less than an image store. GL promises eight targets.
+inline bool exposesAsTargets(const std::vector<IntermediateId>& watched,
+                             std::size_t taken = kHistoryTargets) {
+  return taken + watched.size() <= 8;
 }
 
 /// GLSL text that defines `expose_<id>(value)` for every row: writes the row's layer when it is in `watched`,
 /// nothing otherwise. Layers are given in the order of `watched`, one array for each channel count (see
-/// Exposure).
-std::string exposePrelude(const std::vector<IntermediateId>& watched);
+/// Exposure). The `taken` first color targets are not for rows.
+std::string exposePrelude(const std::vector<IntermediateId>& watched, std::size_t taken = kHistoryTargets);
 
 } // namespace taa

@@ -1,4 +1,5 @@
-// The fused resolve: a pure function of (inputs, previous history, settings), with any of its inside exposed.
+// The fused resolve: a pure function of (inputs, previous history, settings), with any of its inside exposed,
+// and what is shown of it.
 #pragma once
 
 #include "core/base/Image.h"
@@ -55,14 +56,15 @@ class TaaPass {
   TaaPass& operator=(TaaPass&&) noexcept;
 
   /// Resolves the whole frame into `out` (fitted to the inputs); `exposure`, when given, covers the whole
-  /// picture and is filled in the same run. `previous` null: no history. The result is the same bits with and
+  /// picture and is filled with it. `previous` null: no history. The result is the same bits with and
   /// without exposure.
   void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
                Exposure* exposure = nullptr);
 
-  /// Runs the resolve on the exposure's region only, and keeps nothing but what it exposes.
-  void expose(const FrameInputs& inputs, const History* previous, const Settings& settings,
-              Exposure& exposure);
+  /// Runs the resolve on the exposure's region only, and keeps nothing but what it exposes. `resolved`: what
+  /// resolve() made of the same, for the rows of stage Output, which look at it around each pixel.
+  void expose(const FrameInputs& inputs, const History* previous, const History& resolved,
+              const Settings& settings, Exposure& exposure);
 
   /// Compiles the program for `settings` now, so that the next resolve does not wait.
   void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);

@@ -45,14 +45,15 @@ vec3 unjitteredTap(Samples samples) {
   return result;
 }
 
-vec3 boundedBySamples(vec3 color, Samples samples) {
-  vec3 lowest = samples.color[0];
-  vec3 highest = samples.color[0];
-  for (int k = 1; k < 9; ++k) {
-    lowest = lesser(lowest, samples.color[k]);
-    highest = greater(highest, samples.color[k]);
-  }
-  return bounded(color, lowest, highest);
+/// f + s(f − mean₄) (18.2); as printed in source 002 max(0, 5s f − s Σ₄), where flat becomes s times as bright.
+vec3 sharpenedCurrent(vec3 filteredColor, Samples samples) {
+  precise vec3 f = filteredColor;
+  precise vec3 around = ((samples.color[1] + samples.color[3]) + samples.color[5]) + samples.color[7];
+  precise vec3 sum = (((samples.color[1] - f) + (samples.color[3] - f)) + (samples.color[5] - f)) +
+                     (samples.color[7] - f);
+  precise vec3 result = f - settings.currentSharpenAmount * (sum / 4.0);
+  precise vec3 printed = (5.0 * settings.currentSharpenAmount) * f - settings.currentSharpenAmount * around;
+  return storable(kCurrentSharpen == kCurrentSharpen_laplacianAsPrinted ? printed : result);
 }
 
 vec3 filterCurrent(Samples samples) {
@@ -63,6 +64,7 @@ vec3 filterCurrent(Samples samples) {
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
     result = storable(result); // negative weights overshoot both ways
   }
+  if (kCurrentSharpen != kCurrentSharpen_none) result = sharpenedCurrent(result, samples);
   expose_currentFiltered(result);
   return result;
 }

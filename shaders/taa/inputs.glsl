@@ -60,3 +60,14 @@ Samples readInputs(ivec2 pixel) {
   expose_overlayAlpha(texelAt(u_overlay, pixel).a);
   return samples;
 }
+
+/// The color kept within the nine.
+vec3 boundedBySamples(vec3 color, Samples samples) {
+  vec3 lowest = samples.color[0];
+  vec3 highest = samples.color[0];
+  for (int k = 1; k < 9; ++k) {
+    lowest = lesser(lowest, samples.color[k]);
+    highest = greater(highest, samples.color[k]);
+  }
+  return bounded(color, lowest, highest);
+}

@@ -48,7 +48,7 @@ TEST_P(TwinOnScenesTest, ShowsOnePixelAsItShowsTheWholePicture) {
   for (const gl::Rect& region :
        {gl::Rect{0, 0, 1, 1}, gl::Rect{97, 41, 1, 1}, gl::Rect{kWidth - 9, kHeight - 9, 9, 9}}) {
     Exposure some(test::allIntermediates(), region);
-    pass.expose(player.inputs(), player.previous(), settings, some);
+    pass.expose(player.inputs(), player.previous(), player.history(), settings, some);
     for (const IntermediateId id : test::allIntermediates()) {
       const Image all = whole.image(id);
       const Image part = some.image(id);

@@ -84,11 +84,12 @@ TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
   const taa::test::Exposed all = expose(frame, shape, {});
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);
   const History previous = taa::test::uploadHistory(frame, shape);
+  const History resolved = resolve(frame, shape, {});
   const taa::gl::Rect regions[] = {{13, 7, 9, 5}, {0, 0, 1, 1}, {96, 60, 1, 1}, {40, 0, 57, 61}};
   for (const taa::gl::Rect& region : regions)
     for (const auto& watched : watches(3)) {
       Exposure exposure(watched, region);
-      pass().expose(inputs, &previous, {}, exposure);
+      pass().expose(inputs, &previous, resolved, {}, exposure);
       for (const IntermediateId id : watched)
         EXPECT_EQ(
             difference(exposure.image(id), crop(all.at(id), region.x, region.y, region.width, region.height)),

@@ -8,7 +8,9 @@ using taa::test::Variant;
 
 namespace {
 
-std::vector<taa::Image> twinImages(const taa::reference::Inputs& inputs, const taa::Settings& settings) {
+std::vector<taa::Image> twinImages(taa::reference::Inputs inputs, const taa::Image& resolved,
+                                   const taa::Settings& settings) {
+  inputs.resolved = resolved;
   std::vector<taa::Image> images;
   for (const taa::Intermediate& row : taa::kIntermediates)
     images.emplace_back(inputs.width(), inputs.height(), row.channels);
@@ -31,7 +33,8 @@ class TwinTest : public taa::test::ResolveTest {
   static void expectTwin(const taa::reference::Inputs& frame, const FrameShape& shape, const Variant& variant,
                          const std::string& what) {
     const taa::test::Exposed exposed = expose(frame, shape, variant.settings);
-    const std::vector<taa::Image> twin = twinImages(frame, variant.settings);
+    const std::vector<taa::Image> twin =
+        twinImages(frame, exposed.at(taa::IntermediateId::resolved), variant.settings);
     for (const taa::Intermediate& row : taa::kIntermediates) {
       const taa::Image& expected = twin[static_cast<std::size_t>(row.id)];
       const float tolerance = isExact() ? 0.0f : row.tolerance;

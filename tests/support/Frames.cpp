@@ -52,8 +52,9 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
   return twin;
 }
 
-std::string differenceFromTwin(const reference::Inputs& inputs, const Settings& settings,
+std::string differenceFromTwin(reference::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact) {
+  inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
   std::string first;
   std::array<std::size_t, kIntermediateCount> outliers{};
   for (int y = 0; y < inputs.height(); ++y) {

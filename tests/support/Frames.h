@@ -17,7 +17,7 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
 /// Compares pictures (in the table's order) with the twin's, every pixel: bit for bit when `exact`, else
 /// within the table's tolerances but for one pixel in 500, where a comparison may fall the other way. Says
 /// what differs first; empty when nothing does.
-std::string differenceFromTwin(const reference::Inputs& inputs, const Settings& settings,
+std::string differenceFromTwin(reference::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact);
 
 /// Resolves frames one after another, each on the history of the one before.

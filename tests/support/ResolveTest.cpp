@@ -45,7 +45,8 @@ Exposed ResolveTest::expose(const reference::Inputs& images, const FrameShape& s
   const FrameInputs inputs = upload(images, shape);
   const History previous = uploadHistory(images, shape);
   Exposure exposure(allIntermediates(), whole(shape));
-  pass().expose(inputs, previous.color ? &previous : nullptr, settings, exposure);
+  History out;
+  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposure);
   return test::images(exposure);
 }
 

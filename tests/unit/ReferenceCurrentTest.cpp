@@ -72,5 +72,35 @@ TEST(ReferenceCurrent, TakesBadChannelsForBlack) {
   EXPECT_EQ(filterCurrent(inputs, kGaussian, {0, 0}), glm::vec3(0.0f));
 }
 
+// Invariant 62: as printed what is flat becomes s times as bright.
+TEST(ReferenceCurrent, SharpeningKeepsConstantsButAsPrintedScalesThem) {
+  const Inputs inputs = test::constantInputs(4, 4, {0.25f, 1e-4f, 1000.0f});
+  for (const float amount : {0.0f, 0.5f, 1.0f, 4.0f}) {
+    CurrentSettings settings{CurrentFilter::Center, 0.22f};
+    settings.sharpenAmount = amount;
+    settings.sharpen = CurrentSharpen::Laplacian;
+    EXPECT_EQ(filterCurrent(inputs, settings, {1, 1}), glm::vec3(0.25f, 1e-4f, 1000.0f));
+    settings.sharpen = CurrentSharpen::LaplacianAsPrinted;
+    EXPECT_FLOAT_EQ(filterCurrent(inputs, settings, {1, 1}).x, amount * 0.25f);
+    EXPECT_FLOAT_EQ(filterCurrent(inputs, settings, {1, 1}).z, amount * 1000.0f);
+  }
+}
+
+TEST(ReferenceCurrent, SharpeningAddsTheDifferenceToTheFourAround) {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
+  test::setColor(inputs.color, 1, 1, glm::vec3(2.0f));
+  test::setColor(inputs.color, 0, 0, glm::vec3(9.0f)); // a corner does not count
+  CurrentSettings settings{CurrentFilter::Center, 0.22f};
+  settings.sharpen = CurrentSharpen::Laplacian;
+  settings.sharpenAmount = 0.5f;
+  EXPECT_EQ(filterCurrent(inputs, settings, {1, 1}), glm::vec3(2.5f));
+  settings.sharpen = CurrentSharpen::LaplacianAsPrinted;
+  settings.sharpenAmount = 1.0f;
+  EXPECT_EQ(filterCurrent(inputs, settings, {1, 1}), glm::vec3(6.0f)); // 5 · 2 − 4
+  settings.sharpen = CurrentSharpen::Laplacian;
+  settings.sharpenAmount = 4.0f;
+  EXPECT_EQ(filterCurrent(inputs, settings, {1, 1}), glm::vec3(6.0f)) << "4 of the corrected one";
+}
+
 } // namespace
 } // namespace taa::reference

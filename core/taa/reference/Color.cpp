@@ -152,10 +152,14 @@ glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3&
 }
 
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs) {
+  return clampedToPicture(pixel, inputs.color);
+}
+
+glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Image& picture) {
   const auto within = [](int value, int count) {
     return value < 0 ? 0 : value > count - 1 ? count - 1 : value;
   };
-  return {within(pixel.x, inputs.width()), within(pixel.y, inputs.height())};
+  return {within(pixel.x, picture.width), within(pixel.y, picture.height)};
 }
 
 glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& pixel) {

@@ -110,6 +110,30 @@ glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& pixel, const 
   return clamped(color, low, high);
 }
 
+glm::vec3 filtered(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
+  if (settings.filter == CurrentFilter::Unjitter) return unjittered(inputs, pixel);
+  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
+                       settings.filter == CurrentFilter::CatmullRom ||
+                       settings.filter == CurrentFilter::Lanczos;
+  glm::vec3 color = weighted(inputs, settings, pixel);
+  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
+  return storable(color); // negative weights overshoot both ways
+}
+
+/// The Laplacian of the four around added (18.2): corrected f + s(f − mean₄), or as printed 5s f − s Σ₄.
+glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                    const glm::vec3& color) {
+  const float s = settings.sharpenAmount;
+  glm::vec3 sum(0.0f), difference(0.0f);
+  for (const glm::ivec2& step : {glm::ivec2(0, -1), glm::ivec2(-1, 0), glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
+    sum = sum + currentColor(inputs, pixel + step);
+    difference = difference + (currentColor(inputs, pixel + step) - color);
+  }
+  if (settings.sharpen == CurrentSharpen::LaplacianAsPrinted) return (5.0f * s) * color - s * sum;
+  return color - s * (difference / 4.0f);
+}
+
 } // namespace
 
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx) {
@@ -133,14 +157,9 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) 
 }
 
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Unjitter) return unjittered(inputs, pixel);
-  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
-                       settings.filter == CurrentFilter::CatmullRom ||
-                       settings.filter == CurrentFilter::Lanczos;
-  glm::vec3 color = weighted(inputs, settings, pixel);
-  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
-  return storable(color); // negative weights overshoot both ways
+  const glm::vec3 color = filtered(inputs, settings, pixel);
+  if (settings.sharpen == CurrentSharpen::None) return color;
+  return storable(sharpened(inputs, settings, pixel, color));
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {

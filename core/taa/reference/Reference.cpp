@@ -73,6 +73,12 @@ void recordBlend(PixelRecord& record, const Blended& blended) {
   set(record, IntermediateId::resolved, blended.resolved);
 }
 
+void recordOutput(PixelRecord& record, const Shown& shown) {
+  set(record, IntermediateId::sharpenDetail, shown.detail);
+  set(record, IntermediateId::blurTrust, shown.trust);
+  set(record, IntermediateId::output, shown.color);
+}
+
 Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
             const glm::vec3& historyRaw, const glm::vec3& history, const Neighborhood& n) {
   const auto boxed = [&space](const glm::vec3& color) { return boxLuma(toBox(color, space), space); };
@@ -143,6 +149,7 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.reason != RejectReason::Kept;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, p) : current;
   recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, history.length));
+  if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
   return record;
 }
 

@@ -26,6 +26,7 @@ struct Inputs {
   Image overlay;        ///< 4, premultiplied; empty: none
   Image historyColor;   ///< 4; empty: no history
   Image historySurface; ///< 2: N, view depth
+  Image resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
   int frame = 0;        ///< its number
   glm::vec2 jitterPx{0.0f};
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
@@ -43,7 +44,8 @@ inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
 
-/// All intermediates of pixel (x, y), in 32-bit floats rounded after every operation.
+/// All intermediates of pixel (x, y), in 32-bit floats rounded after every operation. Those of stage Output
+/// are 0 without `inputs.resolved`.
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y);
 
 } // namespace taa::reference

@@ -1,4 +1,5 @@
-// The nine stages of the resolve on the CPU, in order, one file each: values in, values out.
+// The nine stages of the resolve and what is shown of it on the CPU, in order, one file each: values in,
+// values out.
 #pragma once
 
 #include "core/settings/Settings.h"
@@ -141,5 +142,16 @@ struct Blended {
 };
 Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
               float historyLength);
+
+/// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
+glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,
+                  const std::array<glm::vec3, 9>& current);
+/// What is shown of a pixel of `inputs.resolved`, which may have another size than the inputs (§18, 14.4).
+struct Shown {
+  float detail = 0.0f; ///< luma that sharpening adds
+  float trust = 1.0f;  ///< share of the resolved color
+  glm::vec3 color{0.0f};
+};
+Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
 
 } // namespace taa::reference

@@ -1,0 +1,30 @@
+// What is shown of a resolved picture: the rows of stage Output. Reads the history of the frame, never writes
+// it.
+#pragma once
+
+#include "core/taa/PassInputs.h"
+#include "core/taa/ProgramCache.h"
+#include "core/taa/TaaPass.h"
+
+namespace taa {
+
+/// Needs the current context for its whole life.
+class OutputPass {
+ public:
+  OutputPass();
+
+  /// Fills the rows of stage Output in `exposure`, whose region lies in the picture `resolved`, which may
+  /// have another size than the inputs. Nothing to do when it holds none of them.
+  void fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
+            const Exposure& exposure);
+
+  /// Compiles the program for `settings` now; not when `watched` holds no row of stage Output.
+  void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);
+
+  ProgramCache programs;
+
+ private:
+  PassInputs passInputs_;
+};
+
+} // namespace taa

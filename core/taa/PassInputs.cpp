@@ -1,0 +1,64 @@
+// Blocks and textures of a frame for the passes of TAA.
+#include "core/taa/PassInputs.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/TaaPass.h"
+#include "shaders/shared/ResolveBlock.h"
+
+#include <array>
+#include <iterator>
+
+namespace taa {
+
+namespace {
+
+// Units of shaders/taa/inputs.glsl for what a frame may be without.
+constexpr unsigned kMaskUnit = 14, kOverlayUnit = 15;
+
+shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, bool hasHistory,
+                               const glm::ivec2& corner) {
+  const std::array<float, 9> w = currentFilterWeights(settings.current, inputs.info.jitterPx);
+  shared::ResolveBlock block{};
+  block.sizePx = glm::vec2(static_cast<float>(inputs.width()), static_cast<float>(inputs.height()));
+  block.jitterPx = inputs.info.jitterPx;
+  block.depthTerms = inputs.block.depthTerms;
+  block.currentWeights0 = glm::vec4(w[0], w[1], w[2], 0.0f);
+  block.currentWeights1 = glm::vec4(w[3], w[4], w[5], 0.0f);
+  block.currentWeights2 = glm::vec4(w[6], w[7], w[8], 0.0f);
+  block.state = glm::ivec4(hasHistory ? 1 : 0, corner.x, corner.y, inputs.info.frame);
+  return block;
+}
+
+// What is read where a frame has no mask and no overlay.
+gl::Texture blackTexel() {
+  gl::Texture texture({.width = 1, .height = 1}, gl::Format::RGBA8, "nothing");
+  texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
+  return texture;
+}
+
+} // namespace
+
+PassInputs::PassInputs()
+    : nearest_(gl::SamplerState{}), nothing_(blackTexel()),
+      resolveBlock_(sizeof(shared::ResolveBlock), nullptr, "ResolveBlock"),
+      settingsBlock_(taa::settingsBlock(Settings{}).size(), nullptr, "SettingsBlock") {}
+
+void PassInputs::update(const FrameInputs& inputs, const Settings& settings, bool hasHistory,
+                        const glm::ivec2& corner) {
+  const shared::ResolveBlock block = makeBlock(inputs, settings, hasHistory, corner);
+  const std::vector<std::byte> numbers = taa::settingsBlock(settings);
+  resolveBlock_.update(0, &block, sizeof(block));
+  settingsBlock_.update(0, numbers.data(), numbers.size());
+}
+
+void PassInputs::bind(gl::RenderPass& pass, const FrameInputs& inputs) const {
+  pass.uniformBlock(0, resolveBlock_);
+  pass.uniformBlock(1, settingsBlock_);
+  const gl::Texture* textures[] = {&inputs.color,  &inputs.depth,    &inputs.motion,
+                                   &inputs.normal, &inputs.objectId, &inputs.previousDepth};
+  for (unsigned unit = 0; unit < std::size(textures); ++unit) pass.texture(unit, *textures[unit], nearest_);
+  pass.texture(kMaskUnit, inputs.mask ? inputs.mask : nothing_, nearest_);
+  pass.texture(kOverlayUnit, inputs.overlay ? inputs.overlay : nothing_, nearest_);
+}
+
+} // namespace taa

@@ -1,0 +1,41 @@
+// Specialised programs of one fragment shader: one for each set of choices and of watched rows.
+#pragma once
+
+#include "core/gl/Program.h"
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// Programs kept besides those in use are enough for a lane's choices to be flipped back and forth.
+class ProgramCache {
+ public:
+  /// `taken`: color targets that are not for watched rows (see exposePrelude).
+  ProgramCache(std::string fragment, std::string label, std::size_t taken);
+
+  /// The program of these settings that exposes `watched`, compiled now when it is new.
+  const gl::Program& program(const Settings& settings, const std::vector<IntermediateId>& watched);
+
+  /// The same programs compiled again, those used lately at least. Throws Error when one does not compile.
+  ProgramCache compiledAnew() const;
+
+ private:
+  struct Variant {
+    std::string prelude;
+    gl::Program program;
+    std::uint64_t lastUse = 0;
+  };
+  gl::Program compile(const std::string& prelude) const;
+  void dropOldest();
+
+  std::string fragment_, label_;
+  std::size_t taken_;
+  std::map<std::string, Variant> variants_; // by what their prelude depends on
+  std::uint64_t runs_ = 0;
+};
+
+} // namespace taa

@@ -1,0 +1,83 @@
+// What is shown: the resolved color sharpened, and where it moves fast this frame blurred along its motion
+// (catalogue §18, 14.4). In: pixel of the resolved picture, which may have another size than the inputs.
+
+layout(binding = 8) uniform sampler2D u_resolved; // scene-linear: History::color of this frame
+
+/// The nine resolved colors around a pixel, 3×3 row-major, clamped to the edge.
+Samples readResolved(ivec2 pixel) {
+  vec2 texel = 1.0 / vec2(textureSize(u_resolved, 0));
+  Samples samples;
+  samples.mask = vec2(0.0); // of no concern here
+  for (int k = 0; k < 9; ++k) {
+    ivec2 neighbor = pixel + ivec2(k % 3 - 1, k / 3 - 1);
+    samples.color[k] = textureLod(u_resolved, (vec2(neighbor) + 0.5) * texel, 0.0).rgb;
+  }
+  return samples;
+}
+
+/// Interleaved gradient noise (Jimenez 2014) that moves on each frame; 0 to 1.
+float gradientNoise(ivec2 pixel) {
+  float shift = float(resolveBlock.state.w % 64);
+  precise vec2 place = vec2(pixel) + 5.588238 * shift;
+  precise float slope = 0.06711056 * place.x + 0.00583715 * place.y;
+  precise float steep = 52.9829189 * (slope - floor(slope));
+  precise float noise = steep - floor(steep);
+  return noise;
+}
+
+/// This frame between its pixels, bilinear.
+vec3 currentAt(vec2 position) {
+  precise vec2 corner = floor(position - 0.5);
+  precise vec2 share = (position - 0.5) - corner;
+  ivec2 first = ivec2(corner);
+  precise vec3 c0 = sanitized(texelAt(u_color, first).rgb);
+  precise vec3 c1 = sanitized(texelAt(u_color, first + ivec2(1, 0)).rgb);
+  precise vec3 c2 = sanitized(texelAt(u_color, first + ivec2(0, 1)).rgb);
+  precise vec3 c3 = sanitized(texelAt(u_color, first + ivec2(1, 1)).rgb);
+  precise vec3 top = c0 + share.x * (c1 - c0);
+  precise vec3 bottom = c2 + share.x * (c3 - c2);
+  precise vec3 result = top + share.y * (bottom - top);
+  return result;
+}
+
+/// The mean of seven taps along half the motion, started by the noise (14.4, Playdead).
+vec3 blurredAlong(vec2 position, vec2 motion, float noise) {
+  precise vec2 way = motion / 6.0; // from tap to tap: three on either side of the pixel
+  precise float start = noise - 0.5;
+  precise vec2 end = position + (start - 3.0) * way;
+  precise vec3 first = currentAt(end);
+  precise vec3 sum = vec3(0.0);
+  for (int tap = -2; tap <= 3; ++tap) {
+    precise vec2 place = position + (start + float(tap)) * way;
+    sum = sum + (currentAt(place) - first);
+  }
+  precise vec3 result = first + sum / 7.0;
+  return result;
+}
+
+/// Share of the resolved color by its speed. Where no motion is known there is nothing to blur along.
+float blurTrust(float speed) {
+  if (!kOutputMotionBlur || speed >= kNoPreviousPosition) return 1.0;
+  precise float trust = 1.0 - saturated((speed - 2.0) / 13.0);
+  return trust;
+}
+
+void showOutput(ivec2 pixel) {
+  // Of the inputs, in their pixels: a division of equal sizes is exactly 1.
+  precise vec2 scale = resolveBlock.sizePx / vec2(textureSize(u_resolved, 0));
+  precise vec2 position = (vec2(pixel) + 0.5) * scale;
+  ivec2 inputPixel = ivec2(floor(position));
+  Samples resolved = readResolved(pixel);
+  vec3 sharp = sharpen(resolved, readInputs(inputPixel));
+  vec2 motion = kOutputMotionBlur ? dilateMotion(inputPixel).motion : vec2(0.0);
+  float trust = blurTrust(speedOf(motion));
+  precise vec3 color = sharp;
+  if (trust < 1.0) {
+    precise vec3 blurred = blurredAlong(position, motion, gradientNoise(pixel));
+    color = blurred + trust * (sharp - blurred);
+  }
+  precise float detail = luma(sharp) - luma(resolved.color[4]);
+  expose_sharpenDetail(detail);
+  expose_blurTrust(trust);
+  expose_output(color);
+}
