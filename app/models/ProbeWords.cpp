@@ -81,6 +81,19 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   return length + tr("α = %1").arg(text);
 }
 
+/// What is shown instead of the resolved color, or nothing when that is.
+QStringList outputLines(const reference::PixelRecord& record, const OutputSettings& settings) {
+  const float detail = reference::at(record, Id::sharpenDetail).x;
+  const float trust = reference::at(record, Id::blurTrust).x;
+  QStringList parts;
+  if (settings.sharpen != Sharpen::None && detail != 0) {
+    const QString amount = shortText(std::abs(static_cast<double>(detail)), 4);
+    parts << (detail > 0 ? tr("sharpened: %1 brighter") : tr("sharpened: %1 darker")).arg(amount);
+  }
+  if (settings.motionBlur == Switch::On && trust < 1) parts << tr("%1 motion blur").arg(percent(1 - trust));
+  return parts.isEmpty() ? QStringList() : QStringList(tr("Shown ") + parts.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 QString valueWords(const Intermediate& row, const glm::vec4& value) {
@@ -113,6 +126,8 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
   case Id::alpha:
   case Id::blendFactor:
     return tr("%1 current").arg(percent(x));
+  case Id::blurTrust:
+    return x < 1 ? tr("%1 motion blur").arg(percent(1 - x)) : QString();
   default:
     return {};
   }
@@ -121,8 +136,9 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
 QStringList probeSummary(const reference::PixelRecord& record, const Settings& settings) {
   const QString story = motionLine(record) + QStringLiteral(", ") + historyLine(record);
   const QString length = lengthText(reference::at(record, Id::historyLength).x);
-  return {story.left(1).toUpper() + story.mid(1), alphaLine(record, settings),
-          tr("Now N = %1 frames of samples").arg(length)};
+  return QStringList{story.left(1).toUpper() + story.mid(1), alphaLine(record, settings),
+                     tr("Now N = %1 frames of samples").arg(length)} +
+         outputLines(record, settings.output);
 }
 
 QString rowText(const Intermediate& row, const glm::vec4& value) {

@@ -12,7 +12,7 @@ namespace taa::app {
 /// A few words for a value that has some ("kept", "sky", "31 % current"); else empty.
 QString valueWords(const Intermediate& row, const glm::vec4& value);
 
-/// The pixel's story in lines: what moved, what was clipped, and how α came about.
+/// The pixel's story in lines: what moved, what was clipped, how α came about, and what is shown instead.
 QStringList probeSummary(const reference::PixelRecord& record, const Settings& settings);
 
 /// All rows as text, one a line: name, exact values, unit.

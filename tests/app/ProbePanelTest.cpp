@@ -81,6 +81,21 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5 and 0.25 by motion, 0.5 by mask) = 0.5"));
 }
 
+TEST(ProbeWords, SayWhatIsShownInsteadOfTheResolvedColor) {
+  reference::PixelRecord record{};
+  Settings settings;
+  EXPECT_EQ(probeSummary(record, settings).size(), 3);
+  settings.output.sharpen = Sharpen::Laplacian;
+  settings.output.motionBlur = Switch::On;
+  reference::at(record, IntermediateId::blurTrust).x = 1.0f;
+  EXPECT_EQ(probeSummary(record, settings).size(), 3) << "neither changes anything here";
+  reference::at(record, IntermediateId::sharpenDetail).x = -0.25f;
+  EXPECT_EQ(probeSummary(record, settings).last(), QStringLiteral("Shown sharpened: 0.25 darker"));
+  reference::at(record, IntermediateId::blurTrust).x = 0.6f;
+  EXPECT_EQ(probeSummary(record, settings).last(),
+            QStringLiteral("Shown sharpened: 0.25 darker, 40 % motion blur"));
+}
+
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
   ProbeModel model;
   std::size_t rows = 0;
