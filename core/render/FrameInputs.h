@@ -22,7 +22,7 @@ struct FrameInfo {
   bool startsHistory = false; ///< first frame or cut: no history may be used
 };
 
-/// All textures have the same size, row 0 at the top.
+/// All textures have the same size, row 0 at the top; pixels are theirs, not those of the picture.
 struct FrameInputs {
   FrameInfo info;
   shared::FrameBlock block{};
@@ -33,10 +33,13 @@ struct FrameInputs {
   gl::Texture objectId; ///< R32UI, 0 = sky
   gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
   // None where the settings ask for none.
-  gl::Texture mask;    ///< RG8: reactive (what was blended in), responsive (what changes without motion)
-  gl::Texture overlay; ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  gl::Texture mask;       ///< RG8: reactive (what was blended in), responsive (what changes without motion)
+  gl::Texture overlay;    ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  glm::ivec2 outputPx{0}; ///< size of the picture that is made of them; 0: their own
   int width() const { return color.width(); }
   int height() const { return color.height(); }
+  int outputWidth() const { return outputPx.x > 0 ? outputPx.x : width(); }
+  int outputHeight() const { return outputPx.y > 0 ? outputPx.y : height(); }
 };
 
 } // namespace taa

@@ -22,7 +22,9 @@ void fit(gl::Texture& texture, int width, int height, gl::Format format, const c
 
 void fitInputs(const FrameRequest& request, FrameInputs& out) {
   const bool isHalf = request.inputs.precision == Precision::Half;
-  const int width = request.width, height = request.height;
+  const glm::ivec2 size = drawnSize({request.width, request.height}, request.inputs.renderScale);
+  const int width = size.x, height = size.y;
+  out.outputPx = {request.width, request.height};
   fit(out.color, width, height, isHalf ? gl::Format::RGBA16F : gl::Format::RGBA32F, "color");
   fit(out.motion, width, height, isHalf ? gl::Format::RG16F : gl::Format::RG32F, "motion");
   fit(out.normal, width, height, gl::Format::RGBA16F, "normal");

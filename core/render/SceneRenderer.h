@@ -7,6 +7,8 @@
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
 
+#include <glm/vec2.hpp>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,12 +17,15 @@ namespace taa {
 
 /// What to draw besides the frame's number.
 struct FrameRequest {
-  std::string camera; ///< a path of cameraNames()
-  int width = 1280, height = 720;
+  std::string camera;             ///< a path of cameraNames()
+  int width = 1280, height = 720; ///< of the picture; drawn at inputs.renderScale of it
   JitterSettings jitter;
   InputSettings inputs;
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
 };
+
+/// ⌈r·W⌉ × ⌈r·H⌉ of a picture of W × H: the size of what is drawn at inputs.renderScale r, px.
+glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale);
 
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer {

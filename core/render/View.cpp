@@ -53,11 +53,19 @@ void fillCameras(const CameraState& camera, const CameraState& previous, glm::ve
 
 } // namespace
 
+glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale) {
+  // A thousandth is let go: r is a float, and 0.67 of 100 shall be 67.
+  const auto scaled = [r = static_cast<double>(renderScale)](int side) {
+    return static_cast<int>(std::ceil(r * side - 1e-3));
+  };
+  return {scaled(picturePx.x), scaled(picturePx.y)};
+}
+
 View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   View view;
   view.info = frameInfo(scene, request.jitter, frame);
-  const glm::vec2 sizePx(request.width, request.height);
-  const float aspect = sizePx.x / sizePx.y;
+  const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
+  const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const double time = frameTime(scene, frame);
   const double previousTime = frameTime(scene, previousFrame(scene, frame));
   view.pose = poseAt(scene, time);

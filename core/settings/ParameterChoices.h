@@ -131,6 +131,20 @@ inline constexpr Choice kCurrentSharpens[] = {
      "which "
      "is 4 of the corrected one (catalogue 18.2)."},
 };
+inline constexpr Choice kUpsampleKernels[] = {
+    {"sampleWeight", "Nearest sample",
+     "The nearest sample alone; it counts the less the farther it lies: κ = max(sat(1 − ‖d‖²/r), "
+     "smoothstep(‖v‖)), d in render px, v in px of the picture (catalogue 22.1, Donut)."},
+    {"lanczos2", "Lanczos 2",
+     "Nine samples by the separable Lanczos 2 of their distance in px of the picture, κ = Σw; bounded by the "
+     "nine (catalogue 22.2, Filament)."},
+    {"hdrp", "HDRP",
+     "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one "
+     "lies inside the pixel, else 0: HDRP's box, not its Gaussian (catalogue 22.3)."},
+    {"fsr2", "FSR2",
+     "Sixteen samples by the radial Lanczos 2 of their distance times min(1/r, 1.99), bounded by the nearest "
+     "nine. κ = Σw, 0 where that is negative: the 1/12 of FSR2 is the floor of α here (catalogue 22.4)."},
+};
 inline constexpr Choice kColorSpaces[] = {
     {"rgb", "RGB", "Box in red, green, blue (catalogue 9.1)."},
     {"yCoCg", "YCoCg", "Box in luma and chroma, tighter around the colors (catalogue 9.2)."},

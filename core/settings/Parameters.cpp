@@ -133,9 +133,12 @@ const Parameter& parameter(std::string_view path) {
 
 bool isRelevant(const Parameter& row, const Settings& settings) {
   if (row.relevantWhen.empty()) return true;
-  const std::size_t equals = row.relevantWhen.find('=');
+  const std::size_t equals = row.relevantWhen.find_first_of("=<");
   assert(equals != std::string_view::npos);
   const Parameter& other = parameter(row.relevantWhen.substr(0, equals));
+  if (!isRelevant(other, settings)) return false;
+  if (row.relevantWhen[equals] == '<')
+    return other.get(settings) < parseNumber(other, row.relevantWhen.substr(equals + 1));
   const std::string value = valueText(other, other.get(settings));
   std::string_view allowed = row.relevantWhen.substr(equals + 1);
   while (!allowed.empty()) {
@@ -241,11 +244,12 @@ std::string glslPrelude(const Settings& settings) {
       block += std::string(row.kind == ParameterKind::Integer ? "  int " : "  float ") +
                joinedName(row.path, false) + ";\n";
   }
+  text += std::string("const bool kUpsampled = ") + (isUpsampled(settings) ? "true" : "false") + ";\n";
   return text + "layout(std140, binding = 1) uniform SettingsBlock {\n" + block + "} settings;\n";
 }
 
 std::string programKey(const Settings& settings) {
-  std::string key;
+  std::string key = isUpsampled(settings) ? "upsampled " : "";
   for (const Parameter& row : parameters())
     if (isProgramConstant(row)) key += valueText(row, row.get(settings)) + " ";
   return key;

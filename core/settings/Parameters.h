@@ -44,7 +44,9 @@ struct Parameter {
   std::string_view tooltip;        ///< what it does, in a sentence
   std::string_view formula;        ///< empty where there is none
   std::string_view source;         ///< catalogue id and paper
-  std::string_view relevantWhen;   ///< "path=choice": it has no effect otherwise; empty: always relevant
+  /// "path=choice|choice" or "path<number": it has no effect otherwise, nor where that parameter has none.
+  /// Empty: always relevant.
+  std::string_view relevantWhen;
   double (*get)(const Settings&);
   void (*set)(Settings&, double);
 
@@ -77,9 +79,9 @@ void fromJson(const nlohmann::json& json, Settings& settings);
 bool operator==(const Settings& a, const Settings& b);
 
 /// GLSL text: for each Program row `const int kRectifyMethod = 3;` and `const int kRectifyMethod_clamp = 1;`
-/// for each choice (Toggles: `const bool kHistoryDering = true;`), then the uniform block `SettingsBlock`
-/// (binding 1, std140, instance `settings`) with one float or int for each Uniform row, named like the
-/// constant: `settings.rectifyGamma`.
+/// for each choice (Toggles: `const bool kHistoryDering = true;`), `const bool kUpsampled`, whether the
+/// inputs are smaller than the picture, then the uniform block `SettingsBlock` (binding 1, std140, instance
+/// `settings`) with one float or int for each Uniform row, named like the constant: `settings.rectifyGamma`.
 std::string glslPrelude(const Settings& settings);
 /// What the prelude depends on: settings with equal keys share a program.
 std::string programKey(const Settings& settings);

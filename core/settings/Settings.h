@@ -55,6 +55,7 @@ struct InputSettings {
   Switch unjitterTextures = Switch::Off; ///< textures are read at the pixel's center, whatever the jitter
   BlendedAs blended = BlendedAs::Mask;   ///< how transparent materials are drawn
   MaskSource mask = MaskSource::None;    ///< where the masks of special content come from
+  float renderScale = 1.0f; ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
 };
 
 enum class DilateMethod : std::int32_t {
@@ -104,6 +105,7 @@ enum class CurrentFilter : std::int32_t {
   BlackmanHarrisAsPrinted,
 };
 enum class CurrentSharpen : std::int32_t { None, Laplacian, LaplacianAsPrinted };
+enum class UpsampleKernel : std::int32_t { SampleWeight, Lanczos2, Hdrp, Fsr2 };
 struct CurrentSettings {
   CurrentFilter filter = CurrentFilter::Gaussian;
   float variance = 0.22f;            ///< σ² of the Gaussian, px²
@@ -111,7 +113,8 @@ struct CurrentSettings {
   Switch lumaWeighted = Switch::Off; ///< samples also weighted by 1/(1 + luma)
   Switch dering = Switch::Off;       ///< clamp to the nine samples
   CurrentSharpen sharpen = CurrentSharpen::None;
-  float sharpenAmount = 1.0f; ///< s, 0 to 4
+  float sharpenAmount = 1.0f;                         ///< s, 0 to 4
+  UpsampleKernel upsample = UpsampleKernel::Lanczos2; ///< in place of the filter where renderScale < 1
 };
 
 enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr };
@@ -162,7 +165,7 @@ struct ValidateSettings {
   OffScreen offScreen = OffScreen::Reject;
   Switch depth = Switch::On;
   float depthTolerance = 0.03f; ///< τ, relative to the expected view depth
-  float slopeAllowance = 2.0f;  ///< px along the depth slope of the surface that count as the same depth
+  float slopeAllowance = 2.0f;  ///< render px along the depth slope that count as the same depth
   Switch speed = Switch::Off;   ///< reject what moves faster than the limit
   float speedLimit = 128.0f;    ///< px a frame
 };
@@ -233,5 +236,10 @@ struct Settings {
   BlendSettings blend;
   OutputSettings output;
 };
+
+/// Whether the scene is drawn smaller than the picture.
+inline bool isUpsampled(const Settings& settings) {
+  return settings.inputs.renderScale < 1.0f;
+}
 
 } // namespace taa

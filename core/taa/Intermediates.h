@@ -30,15 +30,16 @@ enum class Visual : std::uint8_t {
 // One row each: id, label, stage, channels, unit, range (lowest, highest shown), visual, tolerance on a GPU
 // (relative to max(1, |value|); llvmpipe is exact), description. Colors are scene-linear Rec. 709; "box
 // space" is the color space of parameters space.color and space.tone. Motion is current − previous, x right,
-// y down.
+// y down. Where the scene is drawn smaller than the picture, rows show the nearest render texel; "render px"
+// are pixels of that size, "px" those of the picture.
 #define TAA_INTERMEDIATES(ROW)                                                                               \
   ROW(color, "Color", Inputs, 3, "", 0, 1, Color, 1e-3, "This frame's jittered samples, scene-linear.")      \
   ROW(depth, "Depth", Inputs, 1, "", 0, 1, Depth, 1e-6, "Device depth: reversed, 0 is the sky.")             \
   ROW(depthView, "View depth", Inputs, 1, "m", 0, 20, Depth, 1e-5,                                           \
       "Distance along the view axis; 0 stands for the sky.")                                                 \
   ROW(motion, "Motion", Inputs, 2, "px", -16, 16, Vector, 1e-3,                                              \
-      "Where the surface came from: current minus previous position, jitter removed; 65504 where there is "  \
-      "no previous.")                                                                                        \
+      "Where the surface came from, render px: current minus previous position, jitter removed; 65504 "      \
+      "where there is no previous.")                                                                         \
   ROW(normal, "Normal", Inputs, 3, "", -1, 1, Normal, 1e-3, "Shading normal in world space.")                \
   ROW(objectId, "Object id", Inputs, 1, "", 0, 255, Index, 0, "Number of the drawn object; 0 is the sky.")   \
   ROW(reactive, "Reactive", Inputs, 1, "", 0, 1, Scalar, 1e-6,                                               \
@@ -51,11 +52,11 @@ enum class Visual : std::uint8_t {
   ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
       "How much of the output the overlay hides.")                                                           \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
-      "Step to the neighbor whose motion is used.")                                                          \
+      "Step to the neighbor whose motion is used, render px.")                                               \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \
       "Device depth of that neighbor.")                                                                      \
   ROW(dilatedMotion, "Dilated motion", DilateMotion, 2, "px", -16, 16, Vector, 1e-3,                         \
-      "Motion of that neighbor.")                                                                            \
+      "Motion of that neighbor, from here on in px of the picture.")                                         \
   ROW(historyPosition, "History position", Reproject, 2, "px", 0, 0, Position, 1e-3,                         \
       "Where this pixel was in the previous frame: pixel center minus dilated motion.")                      \
   ROW(onScreen, "On screen", Reproject, 1, "", 0, 1, Mask, 0,                                                \
@@ -67,6 +68,8 @@ enum class Visual : std::uint8_t {
       "N at the history position: how many frames' worth of samples it holds.")                              \
   ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color, 1e-3,                          \
       "This frame's color at the pixel's center.")                                                           \
+  ROW(sampleConfidence, "κ", FilterCurrent, 1, "", 0, 1, Scalar, 1e-3,                                       \
+      "How much this frame's samples say about the pixel, a factor on α; 1 when drawn at full size.")        \
   ROW(neighborhoodMean, "Mean", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                        \
       "Mean of the neighborhood, box space.")                                                                \
   ROW(neighborhoodDeviation, "Deviation", Neighborhood, 3, "", 0, 1, Box, 1e-3,                              \
@@ -114,8 +117,8 @@ enum class Visual : std::uint8_t {
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 0,                                        \
       "1 where history was rejected, else 0.")                                                               \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
-      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, at "  \
-      "least what the mask asks, 1 where invalid.")                                                          \
+      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, "     \
+      "times κ, at least what the mask asks, 1 where invalid.")                                              \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \

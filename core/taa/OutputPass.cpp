@@ -10,6 +10,7 @@ Settings relevantSettings(const Settings& settings) {
   Settings relevant;
   relevant.dilate = settings.dilate;
   relevant.output = settings.output;
+  relevant.inputs.renderScale = settings.inputs.renderScale;
   return relevant;
 }
 

@@ -19,7 +19,9 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
                                const glm::ivec2& corner) {
   const std::array<float, 9> w = currentFilterWeights(settings.current, inputs.info.jitterPx);
   shared::ResolveBlock block{};
-  block.sizePx = glm::vec2(static_cast<float>(inputs.width()), static_cast<float>(inputs.height()));
+  block.sizePx = glm::vec2(inputs.outputWidth(), inputs.outputHeight());
+  block.renderSizePx = glm::vec2(inputs.width(), inputs.height());
+  block.renderRatio = block.renderSizePx / block.sizePx;
   block.jitterPx = inputs.info.jitterPx;
   block.depthTerms = inputs.block.depthTerms;
   block.currentWeights0 = glm::vec4(w[0], w[1], w[2], 0.0f);

@@ -19,6 +19,10 @@ Settings relevantSettings(const Settings& settings) {
   return relevant;
 }
 
+gl::TextureSize outputSize(const FrameInputs& inputs) {
+  return {inputs.outputWidth(), inputs.outputHeight()};
+}
+
 // Where the resolve draws: into the history, if there is one to write, and into the exposure's targets.
 std::vector<gl::Attachment> attachments(const History* out, const Exposure* exposure) {
   std::vector<gl::Attachment> targets(kHistoryTargets);
@@ -43,7 +47,8 @@ struct TaaPass::Parts {
 void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
                          const Settings& settings, const Exposure* exposure) {
   const bool hasHistory = previous && !inputs.info.startsHistory;
-  assert(!hasHistory || previous->color.size() == inputs.color.size());
+  assert(!hasHistory || previous->color.size() == outputSize(inputs));
+  assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
   const Watched rows = exposure ? rowsOfResolve(exposure->watched()) : Watched{};
   const gl::Program& resolve = programs.program(relevantSettings(settings), rows);
   const gl::Rect region = exposure ? exposure->region() : gl::Rect{};
@@ -52,8 +57,7 @@ void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& input
   gl::RenderPass pass(target, {}, "TaaPass");
   pass.program(resolve);
   passInputs.bind(pass, inputs);
-  // Without history the shader uses nothing of what it reads there, but the reads want a texture of this
-  // size.
+  // Without history the shader uses nothing of what it reads there, but the reads want a texture.
   pass.texture(6, hasHistory ? previous->color : inputs.color, passInputs.nearest());
   pass.texture(7, hasHistory ? previous->surface : inputs.motion, passInputs.nearest());
   const bool stores = !exposesAsTargets(rows);
@@ -74,8 +78,9 @@ TaaPass& TaaPass::operator=(TaaPass&&) noexcept = default;
 void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const Settings& settings,
                       History& out, Exposure* exposure) {
   assert(&out != previous);
-  assert(!exposure || exposure->region() == (gl::Rect{0, 0, inputs.width(), inputs.height()}));
-  fitHistory(out, inputs.width(), inputs.height(), settings.history.precision);
+  const gl::TextureSize size = outputSize(inputs);
+  assert(!exposure || exposure->region() == (gl::Rect{0, 0, size.width, size.height}));
+  fitHistory(out, size.width, size.height, settings.history.precision);
   const gl::Framebuffer target(attachments(&out, exposure), nullptr, "resolved");
   parts_->run(target, inputs, previous, settings, exposure);
   if (exposure) parts_->output.fill(inputs, out.color, settings, *exposure);

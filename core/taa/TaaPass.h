@@ -55,7 +55,7 @@ class TaaPass {
   TaaPass(TaaPass&&) noexcept;
   TaaPass& operator=(TaaPass&&) noexcept;
 
-  /// Resolves the whole frame into `out` (fitted to the inputs); `exposure`, when given, covers the whole
+  /// Resolves the whole frame into `out` (fitted to the picture); `exposure`, when given, covers the whole
   /// picture and is filled with it. `previous` null: no history. The result is the same bits with and
   /// without exposure.
   void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,

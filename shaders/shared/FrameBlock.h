@@ -20,7 +20,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   mat4 previousClipFromWorld; // unjittered, of the previous frame
   mat4 previousViewFromWorld;
   mat4 previousClipFromClip; // from one picture to the other, both unjittered; exactly 1 when the camera rests
-  vec2 sizePx;       // width, height of the picture
+  vec2 sizePx;       // width, height of what is drawn
   vec2 jitterPx;     // displacement of image content, x right, y down
   vec4 cameraPosition; // world; w: 1 when orthographic
   vec4 depthTerms;   // projection elements (P33, P32, P23, P22): view depth = (d·P33 − P32) / (d·P23 − P22)

@@ -12,8 +12,10 @@ struct ResolveBlock {
 #else
 layout(std140, binding = 0) uniform ResolveBlock {
 #endif
-  vec2 sizePx;          // width, height
-  vec2 jitterPx;        // displacement of image content, x right, y down
+  vec2 sizePx;          // width, height of the picture and of history
+  vec2 jitterPx;        // displacement of image content in render px, x right, y down
+  vec2 renderSizePx;    // width, height of the inputs
+  vec2 renderRatio;     // renderSizePx / sizePx
   vec4 depthTerms;      // (P33, P32, P23, P22): view depth = (d·P33 − P32) / (d·P23 − P22)
   vec4 currentWeights0; // weights of the current filter, row-major over 3×3: first row, w unused
   vec4 currentWeights1; // middle row

@@ -38,6 +38,7 @@ vec3 decompressed(vec3 color) {
 vec3 mixed(vec3 current, vec3 history, float factor) {
   precise vec3 plain = history + factor * (current - history);
   if (factor >= 1.0) return current;
+  if (kUpsampled && factor <= 0.0) return history; // not through compression and back (invariant 65)
   if (!kMixesCompressed) return plain;
   precise vec3 from = compressed(history);
   precise vec3 to = compressed(current);
@@ -53,11 +54,12 @@ vec3 blurredRestart(Samples samples) {
   return result;
 }
 
-/// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise.
-float framesAfter(float alpha, float framesBefore) {
+/// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise. A frame of
+/// confidence κ counts as κ frames.
+float framesAfter(float alpha, float framesBefore, float confidence) {
   precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / framesBefore;
   precise float frames = 1.0 / variance;
-  if (kBlendLength == kBlendLength_count) frames = framesBefore + 1.0;
+  if (kBlendLength == kBlendLength_count) frames = framesBefore + (kUpsampled ? confidence : 1.0);
   if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
   return alpha >= 1.0 ? 1.0 : frames;
 }
@@ -78,16 +80,17 @@ vec3 asStored(vec3 color) {
   return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
 }
 
-Blended blend(Samples samples, vec3 filteredColor, vec3 history, float alpha, float historyFrames, int rejectReason) {
+Blended blend(Samples samples, CurrentColor filtered, vec3 history, float alpha, float historyFrames,
+              int rejectReason) {
   bool isRestarted = kBlendRestart == kBlendRestart_blurred && rejectReason != kRejectReason_kept;
-  precise vec3 current = isRestarted ? blurredRestart(samples) : filteredColor;
+  precise vec3 current = isRestarted ? blurredRestart(samples) : filtered.color;
   precise float currentWeight = toneWeight(current);
   precise float historyWeight = toneWeight(history);
   precise float factor = blendFactor(alpha, currentWeight, historyWeight);
   precise vec3 color = mixed(current, history, factor);
   precise vec3 sane = vec3(isSane(color.r) ? color.r : current.r, isSane(color.g) ? color.g : current.g,
                            isSane(color.b) ? color.b : current.b);
-  Blended result = Blended(asStored(sane), framesAfter(alpha, historyFrames));
+  Blended result = Blended(asStored(sane), framesAfter(alpha, historyFrames, filtered.confidence));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);
   expose_blendFactor(factor);

@@ -11,6 +11,7 @@ struct WeightInputs {
   float speed;  // px
   float frames; // N where history was read
   vec2 mask;    // reactive, responsive
+  float confidence; // κ
 };
 
 const bool kUsesLumaDifference = kWeightSource == kWeightSource_lumaDifference ||
@@ -128,6 +129,7 @@ float blendWeight(WeightInputs x, int rejectReason) {
   calmed = calmed < 1.0 ? calmed : 1.0;
   precise float joined = 1.0 - (1.0 - calmed) * (1.0 - motion);
   if (kWeightMotion == kWeightMotion_none) joined = calmed;
+  if (kUpsampled) joined = joined * x.confidence; // §22: 0 keeps history as it is
   float invalid = rejectReason != kRejectReason_kept ? 1.0 : 0.0;
   float alpha = greater(greater(joined, mask), invalid);
   expose_alphaBase(base);

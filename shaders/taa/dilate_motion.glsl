@@ -1,5 +1,5 @@
-// Chooses where motion is read (catalogue §4). In: the pixel. Out: step to the chosen neighbor in px, its device
-// depth, its motion in px.
+// Chooses where motion is read (catalogue §4). In: the render texel of the pixel. Out: step to the chosen neighbor in
+// render px, its device depth, its motion in px of the picture.
 
 struct DilatedMotion {
   vec2 offset;
@@ -74,7 +74,7 @@ DilatedMotion dilateMotion(ivec2 pixel) {
     chosen = closestOf(pixel, result.depth);
   }
   result.offset = vec2(chosen - pixel);
-  result.motion = texelAt(u_motion, chosen).rg;
+  result.motion = pictureMotion(texelAt(u_motion, chosen).rg);
   expose_dilatedOffset(result.offset);
   expose_dilatedDepth(result.depth);
   expose_dilatedMotion(result.motion);

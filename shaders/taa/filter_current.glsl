@@ -1,5 +1,5 @@
-// This frame's color at the pixel's center, made from the jittered samples around it (catalogue §7). In and out:
-// scene-linear.
+// This frame's color at the pixel's center, made from the jittered samples around it (catalogue §7), and how much it
+// says about it (§22). In and out: scene-linear. Expects upsample.glsl, which takes over where fewer pixels are drawn.
 
 /// Weight of sample k: computed once a frame from jitter and variance (see currentFilterWeights).
 float currentWeight(int k) {
@@ -56,7 +56,7 @@ vec3 sharpenedCurrent(vec3 filteredColor, Samples samples) {
   return storable(kCurrentSharpen == kCurrentSharpen_laplacianAsPrinted ? printed : result);
 }
 
-vec3 filterCurrent(Samples samples) {
+CurrentColor filterCurrent(Samples samples, Place place, float speed) {
   precise vec3 result = samples.color[4];
   if (kCurrentFilter == kCurrentFilter_unjitter) result = unjitteredTap(samples);
   if (kIsWeighted) {
@@ -64,7 +64,10 @@ vec3 filterCurrent(Samples samples) {
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
     result = storable(result); // negative weights overshoot both ways
   }
-  if (kCurrentSharpen != kCurrentSharpen_none) result = sharpenedCurrent(result, samples);
-  expose_currentFiltered(result);
-  return result;
+  CurrentColor current = CurrentColor(result, 1.0);
+  if (kUpsampled) current = upsampled(samples, place, speed);
+  if (kCurrentSharpen != kCurrentSharpen_none) current.color = sharpenedCurrent(current.color, samples);
+  expose_currentFiltered(current.color);
+  expose_sampleConfidence(current.confidence);
+  return current;
 }

@@ -1,12 +1,12 @@
-// What the resolve reads: this frame's inputs and the history, all of one size, row 0 at the top. Nothing is
-// filtered by a sampler, because those round differently from driver to driver and from CPU to CPU.
+// What the resolve reads: this frame's inputs, of the render size, and the history, of the picture's, row 0 at the
+// top. Nothing is filtered by a sampler, because those round differently from driver to driver and from CPU to CPU.
 
 #include "include/color_spaces.glsl"
 #include "shared/ResolveBlock.h"
 
 layout(binding = 0) uniform sampler2D u_color;          // scene-linear, jittered
 layout(binding = 1) uniform sampler2D u_depth;          // device depth, reversed, 0 = sky
-layout(binding = 2) uniform sampler2D u_motion;         // px, current − previous
+layout(binding = 2) uniform sampler2D u_motion;         // render px, current − previous
 layout(binding = 3) uniform sampler2D u_normal;         // world space
 layout(binding = 4) uniform usampler2D u_objectId;      // 0 = sky
 layout(binding = 5) uniform sampler2D u_previousDepth;  // view depth in the previous frame, m
@@ -15,12 +15,20 @@ layout(binding = 7) uniform sampler2D u_historySurface; // history length N, vie
 layout(binding = 14) uniform sampler2D u_mask;          // reactive, responsive; one black texel when none is drawn
 layout(binding = 15) uniform sampler2D u_overlay;       // premultiplied, not jittered; likewise
 
-/// The nearest texel of the picture.
-ivec2 clamped(ivec2 texel) { return clamp(texel, ivec2(0), ivec2(resolveBlock.sizePx) - 1); }
+/// Motion that says there is no previous position: the largest half float.
+const float kNoPreviousPosition = 65504.0;
 
-/// The same texel as texelFetch at clamped(texel): the samplers are nearest and clamp to the edge, and a texel's center
-/// is far from its borders. llvmpipe reads so in half the time.
+/// The nearest texel of the inputs.
+ivec2 clamped(ivec2 texel) { return clamp(texel, ivec2(0), ivec2(resolveBlock.renderSizePx) - 1); }
+
+/// The same texel of an input as texelFetch at clamped(texel): the samplers are nearest and clamp to the edge, and a
+/// texel's center is far from its borders. llvmpipe reads so in half the time.
 vec4 texelAt(sampler2D picture, ivec2 texel) {
+  return textureLod(picture, (vec2(texel) + 0.5) * (1.0 / resolveBlock.renderSizePx), 0.0);
+}
+
+/// Likewise of a history.
+vec4 historyAt(sampler2D picture, ivec2 texel) {
   return textureLod(picture, (vec2(texel) + 0.5) * (1.0 / resolveBlock.sizePx), 0.0);
 }
 
@@ -34,7 +42,30 @@ float viewDepth(float depth) {
   return result;
 }
 
-/// This frame's sane colors around a pixel, 3×3 row-major: 4 is the pixel itself.
+/// The render texel whose sample lies nearest to a pixel's center, and the way there from the center in render px:
+/// d = k + ½ − j − r·xₒ (catalogue §22). At full size the pixel itself.
+struct Place {
+  ivec2 texel;
+  vec2 offset;
+  ivec2 still; // the render texel that holds the center without jitter
+};
+
+Place placeOf(ivec2 pixel) {
+  if (!kUpsampled) return Place(pixel, vec2(0.0), pixel);
+  precise vec2 center = (vec2(pixel) + 0.5) * resolveBlock.renderRatio;
+  precise vec2 nearest = floor(center + resolveBlock.jitterPx);
+  ivec2 texel = clamped(ivec2(nearest));
+  precise vec2 offset = ((vec2(texel) + 0.5) - center) - resolveBlock.jitterPx;
+  return Place(texel, offset, clamped(ivec2(floor(center))));
+}
+
+/// A motion of the inputs in px of the picture; the mark of no previous position stays.
+vec2 pictureMotion(vec2 motion) {
+  precise vec2 scaled = motion / resolveBlock.renderRatio;
+  return kUpsampled && motion.x != kNoPreviousPosition ? scaled : motion;
+}
+
+/// This frame's sane colors around a render texel, 3×3 row-major: 4 is the texel itself.
 struct Samples {
   vec3 color[9];
   vec2 mask; // of the pixel: reactive, responsive; read where a stage uses it
@@ -42,22 +73,23 @@ struct Samples {
 
 const bool kUsesMask = kNeighborhoodMaskRelax || kWeightMask != kWeightMask_off;
 
-Samples readInputs(ivec2 pixel) {
+Samples readInputs(Place place) {
+  ivec2 texel = place.texel;
   Samples samples;
   for (int k = 0; k < 9; ++k) {
-    samples.color[k] = sanitized(texelAt(u_color, pixel + ivec2(k % 3 - 1, k / 3 - 1)).rgb);
+    samples.color[k] = sanitized(texelAt(u_color, texel + ivec2(k % 3 - 1, k / 3 - 1)).rgb);
   }
-  samples.mask = kUsesMask ? texelAt(u_mask, pixel).rg : vec2(0.0);
-  expose_color(texelFetch(u_color, pixel, 0).rgb);
-  expose_depth(texelFetch(u_depth, pixel, 0).r);
-  expose_depthView(viewDepth(texelFetch(u_depth, pixel, 0).r));
-  expose_motion(texelFetch(u_motion, pixel, 0).rg);
-  expose_normal(texelFetch(u_normal, pixel, 0).xyz);
-  expose_objectId(float(texelFetch(u_objectId, pixel, 0).r));
-  expose_reactive(texelAt(u_mask, pixel).r);
-  expose_responsive(texelAt(u_mask, pixel).g);
-  expose_overlay(texelAt(u_overlay, pixel).rgb);
-  expose_overlayAlpha(texelAt(u_overlay, pixel).a);
+  samples.mask = kUsesMask ? texelAt(u_mask, texel).rg : vec2(0.0);
+  expose_color(texelFetch(u_color, texel, 0).rgb);
+  expose_depth(texelFetch(u_depth, texel, 0).r);
+  expose_depthView(viewDepth(texelFetch(u_depth, texel, 0).r));
+  expose_motion(texelFetch(u_motion, texel, 0).rg);
+  expose_normal(texelFetch(u_normal, texel, 0).xyz);
+  expose_objectId(float(texelFetch(u_objectId, texel, 0).r));
+  expose_reactive(texelAt(u_mask, texel).r);
+  expose_responsive(texelAt(u_mask, texel).g);
+  expose_overlay(texelAt(u_overlay, place.still).rgb);
+  expose_overlayAlpha(texelAt(u_overlay, place.still).a);
   return samples;
 }
 

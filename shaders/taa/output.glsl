@@ -1,5 +1,5 @@
 // What is shown: the resolved color sharpened, and where it moves fast this frame blurred along its motion
-// (catalogue §18, 14.4). In: pixel of the resolved picture, which may have another size than the inputs.
+// (catalogue §18, 14.4). In: pixel of the resolved picture, which may be larger than the inputs.
 
 layout(binding = 8) uniform sampler2D u_resolved; // scene-linear: History::color of this frame
 
@@ -25,7 +25,7 @@ float gradientNoise(ivec2 pixel) {
   return noise;
 }
 
-/// This frame between its pixels, bilinear.
+/// This frame between its texels, bilinear; position in render px.
 vec3 currentAt(vec2 position) {
   precise vec2 corner = floor(position - 0.5);
   precise vec2 share = (position - 0.5) - corner;
@@ -40,9 +40,9 @@ vec3 currentAt(vec2 position) {
   return result;
 }
 
-/// The mean of seven taps along half the motion, started by the noise (14.4, Playdead).
+/// The mean of seven taps along half the motion, px of the picture, started by the noise (14.4, Playdead).
 vec3 blurredAlong(vec2 position, vec2 motion, float noise) {
-  precise vec2 way = motion / 6.0; // from tap to tap: three on either side of the pixel
+  precise vec2 way = (motion * resolveBlock.renderRatio) / 6.0; // from tap to tap: three on either side of the pixel
   precise float start = noise - 0.5;
   precise vec2 end = position + (start - 3.0) * way;
   precise vec3 first = currentAt(end);
@@ -63,16 +63,14 @@ float blurTrust(float speed) {
 }
 
 void showOutput(ivec2 pixel) {
-  // Of the inputs, in their pixels: a division of equal sizes is exactly 1.
-  precise vec2 scale = resolveBlock.sizePx / vec2(textureSize(u_resolved, 0));
-  precise vec2 position = (vec2(pixel) + 0.5) * scale;
-  ivec2 inputPixel = ivec2(floor(position));
+  Place place = placeOf(pixel);
   Samples resolved = readResolved(pixel);
-  vec3 sharp = sharpen(resolved, readInputs(inputPixel));
-  vec2 motion = kOutputMotionBlur ? dilateMotion(inputPixel).motion : vec2(0.0);
+  vec3 sharp = sharpen(resolved, readInputs(place));
+  vec2 motion = kOutputMotionBlur ? dilateMotion(place.texel).motion : vec2(0.0);
   float trust = blurTrust(speedOf(motion));
   precise vec3 color = sharp;
   if (trust < 1.0) {
+    precise vec2 position = (vec2(pixel) + 0.5) * resolveBlock.renderRatio; // render px
     precise vec3 blurred = blurredAlong(position, motion, gradientNoise(pixel));
     color = blurred + trust * (sharp - blurred);
   }

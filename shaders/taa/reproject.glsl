@@ -1,9 +1,6 @@
 // Where the pixel was in the previous frame (catalogue §5). In: the pixel, its motion in px. Out: position in px
 // of the previous picture, whether there is one, whether it lies inside, and the speed.
 
-/// Motion that says there is no previous position: the largest half float.
-const float kNoPreviousPosition = 65504.0;
-
 struct Reprojection {
   vec2 position; // px
   bool hasPrevious;

@@ -5,6 +5,7 @@
 #include "taa/dilate_motion.glsl"
 #include "taa/reproject.glsl"
 #include "taa/sample_history.glsl"
+#include "taa/upsample.glsl"
 #include "taa/filter_current.glsl"
 #include "taa/neighborhood.glsl"
 #include "taa/rectify_history.glsl"
@@ -17,18 +18,20 @@ layout(location = 1) out vec2 o_surface; // History::surface: N, view depth
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) + resolveBlock.state.yz;
-  Samples samples = readInputs(pixel);
-  DilatedMotion dilated = dilateMotion(pixel);
+  Place place = placeOf(pixel);
+  Samples samples = readInputs(place);
+  DilatedMotion dilated = dilateMotion(place.texel);
   Reprojection reprojection = reproject(pixel, dilated.motion);
   HistorySample history = sampleHistory(pixel, reprojection.position);
-  vec3 current = filterCurrent(samples);
+  CurrentColor filtered = filterCurrent(samples, place, reprojection.speed);
+  vec3 current = filtered.color;
   Neighborhood around = boundNeighborhood(samples, current, history.color, reprojection.speed);
   vec3 rectified = rectifyHistory(history.color, around, current, reprojection.speed);
-  int reason = validateHistory(pixel, dilated, reprojection, history);
+  int reason = validateHistory(place.texel, dilated, reprojection, history);
   WeightInputs weighed = WeightInputs(current, rectified, history.color, around.box, dilated, reprojection.speed,
-                                      history.frames, samples.mask);
+                                      history.frames, samples.mask, filtered.confidence);
   float alpha = blendWeight(weighed, reason);
-  Blended blended = blend(samples, current, rectified, alpha, history.frames, reason);
+  Blended blended = blend(samples, filtered, rectified, alpha, history.frames, reason);
   o_color = vec4(blended.color, 1.0);
   o_surface = vec2(blended.frames, viewDepth(dilated.depth));
 }

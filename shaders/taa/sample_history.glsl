@@ -14,10 +14,10 @@ vec3 historyBilinear(vec2 x) {
   precise vec2 base = floor(u);
   precise vec2 f = u - base;
   ivec2 first = ivec2(base);
-  precise vec3 topLeft = texelAt(u_historyColor, first).rgb;
-  precise vec3 topRight = texelAt(u_historyColor, first + ivec2(1, 0)).rgb;
-  precise vec3 bottomLeft = texelAt(u_historyColor, first + ivec2(0, 1)).rgb;
-  precise vec3 bottomRight = texelAt(u_historyColor, first + 1).rgb;
+  precise vec3 topLeft = historyAt(u_historyColor, first).rgb;
+  precise vec3 topRight = historyAt(u_historyColor, first + ivec2(1, 0)).rgb;
+  precise vec3 bottomLeft = historyAt(u_historyColor, first + ivec2(0, 1)).rgb;
+  precise vec3 bottomRight = historyAt(u_historyColor, first + 1).rgb;
   precise vec3 top = topLeft + f.x * (topRight - topLeft);
   precise vec3 bottom = bottomLeft + f.x * (bottomRight - bottomLeft);
   precise vec3 result = top + f.y * (bottom - top);
@@ -26,8 +26,8 @@ vec3 historyBilinear(vec2 x) {
 
 /// Mixed color of two texels of the history.
 vec3 historyPair(ivec2 first, ivec2 second, float share) {
-  precise vec3 a = texelAt(u_historyColor, first).rgb;
-  precise vec3 b = texelAt(u_historyColor, second).rgb;
+  precise vec3 a = historyAt(u_historyColor, first).rgb;
+  precise vec3 b = historyAt(u_historyColor, second).rgb;
   precise vec3 result = a + share * (b - a);
   return result;
 }
@@ -106,7 +106,7 @@ Taps historyTaps(ivec2 t, vec2 share) {
               sanitized(historyPair(t + ivec2(0, 2), t + ivec2(1, 2), share.x)));
 }
 
-vec3 historyTexel(ivec2 texel) { return sanitized(texelAt(u_historyColor, texel).rgb); }
+vec3 historyTexel(ivec2 texel) { return sanitized(historyAt(u_historyColor, texel).rgb); }
 
 /// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b).
 vec3 historyCatmullRom5(vec2 x) {
@@ -214,7 +214,7 @@ HistorySample readHistory(vec2 position) {
   ivec2 nearest = ivec2(floor(position)) - first;
   for (int k = 0; k < 4; ++k) {
     ivec2 offset = ivec2(k % 2, k / 2);
-    vec2 surface = texelAt(u_historySurface, first + offset).rg;
+    vec2 surface = historyAt(u_historySurface, first + offset).rg;
     if (k == 0 || offset == nearest) result.frames = surface.r;
     result.depths[k] = surface.g;
   }

@@ -1,4 +1,4 @@
-// Decides whether history shows the same surface (catalogue §5, §12). In: where depth and motion came from, the
+// Decides whether history shows the same surface (catalogue §5, §12). In: the render texel, where depth and motion came from, the
 // reprojection, and the depths stored with history. Out: a reject reason.
 
 const int kRejectReason_kept = 0;
@@ -38,24 +38,24 @@ float smallerStep(float center, float a, float b) {
   return b == 0.0 ? toA : lesser(toA, toB);
 }
 
-float viewDepthAt(ivec2 pixel) { return viewDepth(texelAt(u_depth, pixel).r); }
+float viewDepthAt(ivec2 texel) { return viewDepth(texelAt(u_depth, texel).r); }
 
 /// Mismatch that still counts as the same surface: jitter and dilation move a sample along its slope.
-float allowedMismatch(ivec2 pixel, float expected) {
-  float center = viewDepthAt(pixel);
-  float x = smallerStep(center, viewDepthAt(pixel - ivec2(1, 0)), viewDepthAt(pixel + ivec2(1, 0)));
-  float y = smallerStep(center, viewDepthAt(pixel - ivec2(0, 1)), viewDepthAt(pixel + ivec2(0, 1)));
+float allowedMismatch(ivec2 texel, float expected) {
+  float center = viewDepthAt(texel);
+  float x = smallerStep(center, viewDepthAt(texel - ivec2(1, 0)), viewDepthAt(texel + ivec2(1, 0)));
+  float y = smallerStep(center, viewDepthAt(texel - ivec2(0, 1)), viewDepthAt(texel + ivec2(0, 1)));
   precise float slope = x + y;
   precise float sloped = settings.validateDepthTolerance + (settings.validateSlopeAllowance * slope) / expected;
   return expected == 0.0 || center == 0.0 ? settings.validateDepthTolerance : sloped;
 }
 
-int validateHistory(ivec2 pixel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
-  float expected = texelAt(u_previousDepth, pixel + ivec2(dilated.offset)).r;
+int validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
+  float expected = texelAt(u_previousDepth, texel + ivec2(dilated.offset)).r;
   DepthMatch match = DepthMatch(0.0, 0.0);
   if (hasHistory()) match = bestMatch(expected, history.depths);
 
-  float allowed = allowedMismatch(pixel, expected);
+  float allowed = allowedMismatch(texel, expected);
 
   int reason = kRejectReason_kept;
   if (kValidateSpeed && reprojection.speed > settings.validateSpeedLimit) reason = kRejectReason_speed;

@@ -28,17 +28,23 @@ constexpr int kFrame = 13; // not a round number: between checkpoints, whatever 
 
 constexpr int kLanes = 4;
 
-/// The presets in lots of as many as run beside each other.
+/// The presets in lots of as many as run beside each other; a last lot draws less than the picture.
+int lotCount() {
+  return (static_cast<int>(builtinPresets().size()) + kLanes - 1) / kLanes + 1;
+}
+
 std::vector<Settings> presetLanes(int lot) {
   std::vector<Settings> lanes;
   const std::vector<Preset>& presets = builtinPresets();
   for (std::size_t i = 0; i < presets.size(); ++i)
     if (static_cast<int>(i) / kLanes == lot) lanes.push_back(presets[i].settings);
+  if (lot < lotCount() - 1) return lanes;
+  for (const auto& [id, scale] :
+       {std::pair{"balanced", 0.5f}, std::pair{"donut", 0.5f}, std::pair{"hdrp-high", 0.67f}}) {
+    lanes.push_back(preset(id).settings);
+    lanes.back().inputs.renderScale = scale;
+  }
   return lanes;
-}
-
-int lotCount() {
-  return (static_cast<int>(builtinPresets().size()) + kLanes - 1) / kLanes;
 }
 
 /// Every intermediate of every lane; resolved, history length and dilated depth are the next frame's history.
@@ -90,12 +96,6 @@ class TimeTravel : public test::GlTest {
 
  private:
   std::string scene_;
-};
-
-/// Parameter: a built-in scene.
-class TimeTravelTest : public TimeTravel, public testing::WithParamInterface<const char*> {
- protected:
-  TimeTravelTest() : TimeTravel(GetParam()) {}
 };
 
 /// Parameters: a built-in scene and a lot of presets.
@@ -248,8 +248,15 @@ void keepHistory(Inspector& inspector, Image& color, Image& surface) {
   }
 }
 
-TEST_P(TimeTravelTest, ProbeIsPictureIsTwin) {
-  const Settings settings = preset("balanced").settings;
+/// Parameters: a built-in scene, and how large it is drawn.
+class ProbeTest : public TimeTravel, public testing::WithParamInterface<std::tuple<std::string, float>> {
+ protected:
+  ProbeTest() : TimeTravel(std::get<0>(GetParam())) {}
+};
+
+TEST_P(ProbeTest, ProbeIsPictureIsTwin) {
+  Settings settings = preset("balanced").settings;
+  settings.inputs.renderScale = std::get<1>(GetParam());
   Inspector inspector;
   open(inspector, {settings});
   inspector.seek(kFrame - 1);
@@ -300,8 +307,10 @@ TEST_F(TimeTravelOfGlassTest, PlayingAndSeekingGiveTheSameBits) {
   EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from behind";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, TimeTravelTest, testing::Values("fan", "fence"));
 INSTANTIATE_TEST_SUITE_P(Part, TimeTravelOfCombinationsTest, testing::Range(std::size_t{0}, test::kParts));
+INSTANTIATE_TEST_SUITE_P(Scenes, ProbeTest,
+                         testing::Combine(testing::Values(std::string("fan"), std::string("fence")),
+                                          testing::Values(1.0f, 0.5f)));
 INSTANTIATE_TEST_SUITE_P(Fan, TimeTravelOfPresetsTest,
                          testing::Combine(testing::Values(std::string("fan")),
                                           testing::Range(0, lotCount())));

@@ -39,8 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Part, LookingAtVariants, testing::Range(std::size_t{0},
 TEST_P(LookingAtVariants, ChangesNothing) {
   auto seed = static_cast<std::uint32_t>(GetParam());
   for (const Variant& variant : taa::test::partOf(taa::test::presetsAndChoices(), GetParam())) {
-    FrameShape shape;
-    shape.history = variant.settings.history.precision;
+    const FrameShape shape = taa::test::shapeFor(variant.settings);
     const taa::reference::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
     const History bare = resolve(frame, shape, variant.settings);
     for (const auto& watched : {watches(seed)[1], watches(seed)[2]}) {
@@ -53,8 +52,7 @@ TEST_P(LookingAtVariants, ChangesNothing) {
 
 TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
   for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam())) {
-    FrameShape shape;
-    shape.history = variant.settings.history.precision;
+    const FrameShape shape = taa::test::shapeFor(variant.settings);
     const taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
     Exposure exposure(taa::test::allIntermediates(), whole(shape));
     expectSame(resolve(frame, shape, variant.settings, &exposure), resolve(frame, shape, variant.settings),

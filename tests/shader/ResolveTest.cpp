@@ -65,10 +65,10 @@ Settings constantAlpha(float alpha) {
 // Invariant 60.
 TEST_F(ResolveTest, KeepsAConstantImageThroughEveryOption) {
   for (const Variant& variant : taa::test::presetsAndChoices()) {
-    FrameShape shape{24, 16, Precision::Half, variant.settings.history.precision};
+    const FrameShape shape = taa::test::shapeFor(variant.settings, {24, 16});
     for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f}) {
       taa::reference::Inputs frame = taa::test::flatFrame(shape, taa::roundedToHalf(level));
-      const Image expected = frame.color;
+      const Image expected = taa::test::flatFrame({24, 16}, taa::roundedToHalf(level)).color;
       for (int n = 0; n < 4; ++n) {
         frame.jitterPx = glm::vec2(0.3f - 0.2f * static_cast<float>(n), 0.45f);
         setMotion(frame, n % 2 ? 0.0f : 1.37f, -0.25f * static_cast<float>(n));
@@ -84,7 +84,7 @@ TEST_F(ResolveTest, KeepsAConstantImageThroughEveryOption) {
 TEST_F(ResolveTest, IsFiniteAndNotNegativeWhateverComesIn) {
   std::uint32_t seed = 40;
   for (const Variant& variant : taa::test::presetsAndChoices()) {
-    const FrameShape shape{48, 32, Precision::Half, variant.settings.history.precision};
+    const FrameShape shape = taa::test::shapeFor(variant.settings, {48, 32});
     taa::reference::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
     for (float& value : frame.historyColor.pixels) // a history that never was resolved may hold anything
       if (std::fmod(value * 1e5f, 7.0f) < 1.0f) value = std::numeric_limits<float>::quiet_NaN();

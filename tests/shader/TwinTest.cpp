@@ -13,9 +13,9 @@ std::vector<taa::Image> twinImages(taa::reference::Inputs inputs, const taa::Ima
   inputs.resolved = resolved;
   std::vector<taa::Image> images;
   for (const taa::Intermediate& row : taa::kIntermediates)
-    images.emplace_back(inputs.width(), inputs.height(), row.channels);
-  for (int y = 0; y < inputs.height(); ++y)
-    for (int x = 0; x < inputs.width(); ++x) {
+    images.emplace_back(inputs.outputWidth(), inputs.outputHeight(), row.channels);
+  for (int y = 0; y < inputs.outputHeight(); ++y)
+    for (int x = 0; x < inputs.outputWidth(); ++x) {
       const taa::reference::PixelRecord record = taa::reference::resolvePixel(inputs, settings, x, y);
       for (std::size_t row = 0; row < images.size(); ++row)
         for (int channel = 0; channel < images[row].channels; ++channel)
@@ -47,9 +47,8 @@ class TwinTest : public taa::test::ResolveTest {
   }
 
   static void expectTwin(const Variant& variant, std::uint32_t seed) {
-    FrameShape shape;
+    FrameShape shape = taa::test::shapeFor(variant.settings);
     shape.inputs = seed % 2 ? taa::Precision::Half : taa::Precision::Full;
-    shape.history = variant.settings.history.precision;
     expectTwin(taa::test::randomFrame(shape, seed, false), shape, variant, "a random frame");
     expectTwin(taa::test::randomFrame(shape, seed + 1000, true), shape, variant, "a wild frame");
     taa::reference::Inputs first = taa::test::randomFrame(shape, seed + 2000, true);

@@ -46,6 +46,7 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
     twin.historyColor = previous->color.download();
     twin.historySurface = previous->surface.download();
   }
+  twin.outputPx = inputs.outputPx;
   twin.frame = inputs.info.frame;
   twin.jitterPx = inputs.block.jitterPx;
   twin.depthTerms = inputs.block.depthTerms;
@@ -57,8 +58,8 @@ std::string differenceFromTwin(reference::Inputs inputs, const Settings& setting
   inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
   std::string first;
   std::array<std::size_t, kIntermediateCount> outliers{};
-  for (int y = 0; y < inputs.height(); ++y) {
-    for (int x = 0; x < inputs.width(); ++x) {
+  for (int y = 0; y < inputs.outputHeight(); ++y) {
+    for (int x = 0; x < inputs.outputWidth(); ++x) {
       const reference::PixelRecord record = reference::resolvePixel(inputs, settings, x, y);
       for (std::size_t i = 0; i < kIntermediateCount; ++i) {
         const Intermediate& row = kIntermediates[i];
@@ -71,7 +72,7 @@ std::string differenceFromTwin(reference::Inputs inputs, const Settings& setting
       }
     }
   }
-  const std::size_t pixels = static_cast<std::size_t>(inputs.width()) * inputs.height();
+  const std::size_t pixels = static_cast<std::size_t>(inputs.outputWidth()) * inputs.outputHeight();
   const std::size_t allowed = exact ? 0 : pixels / kPixelsPerOutlier;
   std::string counts;
   for (std::size_t i = 0; i < kIntermediateCount; ++i) {
@@ -85,7 +86,7 @@ void Accumulator::resolve(TaaPass& pass, const FrameInputs& inputs, const Settin
                           Exposure* exposure) {
   hadHistory_ = !inputs.info.startsHistory;
   current_ = 1 - current_;
-  fitHistory(histories_[current_], inputs.width(), inputs.height(), settings.history.precision);
+  fitHistory(histories_[current_], inputs.outputWidth(), inputs.outputHeight(), settings.history.precision);
   pass.resolve(inputs, previous(), settings, histories_[current_], exposure);
 }
 

@@ -33,8 +33,8 @@ reference::Inputs constantInputs(int width, int height, const glm::vec3& color) 
 }
 
 void setHistory(reference::Inputs& inputs, const glm::vec3& color, float length) {
-  inputs.historyColor = Image(inputs.width(), inputs.height(), 4);
-  inputs.historySurface = Image(inputs.width(), inputs.height(), 2);
+  inputs.historyColor = Image(inputs.outputWidth(), inputs.outputHeight(), 4);
+  inputs.historySurface = Image(inputs.outputWidth(), inputs.outputHeight(), 2);
   fill(inputs.historyColor, {color, 1.0f});
   fill(inputs.historySurface, {length, 1.0f, 0.0f, 0.0f});
 }
@@ -63,11 +63,11 @@ Settings plainSettings() {
 
 reference::PixelRecord advance(reference::Inputs& inputs, const Settings& settings, int x, int y) {
   using reference::at;
-  Image color(inputs.width(), inputs.height(), 4);
-  Image surface(inputs.width(), inputs.height(), 2);
+  Image color(inputs.outputWidth(), inputs.outputHeight(), 4);
+  Image surface(inputs.outputWidth(), inputs.outputHeight(), 2);
   reference::PixelRecord asked{};
-  for (int row = 0; row < inputs.height(); ++row) {
-    for (int column = 0; column < inputs.width(); ++column) {
+  for (int row = 0; row < inputs.outputHeight(); ++row) {
+    for (int column = 0; column < inputs.outputWidth(); ++column) {
       const reference::PixelRecord record = reference::resolvePixel(inputs, settings, column, row);
       setColor(color, column, row, glm::vec3(at(record, IntermediateId::resolved)));
       color.at(column, row)[3] = 1.0f;

@@ -1,6 +1,9 @@
 // Hand-made inputs and history of the resolve.
 #include "tests/support/SyntheticFrame.h"
 
+#include "core/render/SceneRenderer.h"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -53,8 +56,9 @@ class Maker {
   }
 
   reference::Inputs images() {
-    const int width = shape_.width, height = shape_.height;
+    const int width = shape_.drawnWidth(), height = shape_.drawnHeight();
     reference::Inputs made;
+    made.outputPx = {shape_.width, shape_.height};
     made.color = Image(width, height, 4);
     made.depth = Image(width, height, 1);
     made.motion = Image(width, height, 2);
@@ -78,10 +82,11 @@ class Maker {
 
   // Blocks of 4×4 pixels at one depth each, so that there are edges and ties.
   void surfaces(reference::Inputs& made) {
-    Image blocks((shape_.width + 3) / 4, (shape_.height + 3) / 4, 1);
+    const int width = shape_.drawnWidth(), height = shape_.drawnHeight();
+    Image blocks((width + 3) / 4, (height + 3) / 4, 1);
     for (float& depth : blocks.pixels) depth = chance(0.2f) ? 0.0f : kNear / uniform(0.5f, 30.0f);
-    for (int y = 0; y < shape_.height; ++y)
-      for (int x = 0; x < shape_.width; ++x) {
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
         const float depth = *blocks.at(x / 4, y / 4) * (chance(0.3f) ? 1.001f : 1.0f);
         *made.depth.at(x, y) = depth;
         *made.objectId.at(x, y) = depth == 0.0f ? 0.0f : std::floor(uniform(1.0f, 200.0f));
@@ -95,8 +100,8 @@ class Maker {
 
   // Some pixels without a mask, some with the whole of it, and between.
   void layers(reference::Inputs& made) {
-    made.mask = Image(shape_.width, shape_.height, 2);
-    made.overlay = Image(shape_.width, shape_.height, 4);
+    made.mask = Image(shape_.drawnWidth(), shape_.drawnHeight(), 2);
+    made.overlay = Image(shape_.drawnWidth(), shape_.drawnHeight(), 4);
     for (float& value : made.mask.pixels) value = chance(0.5f) ? 0.0f : std::min(uniform(0.0f, 1.2f), 1.0f);
     for (float& value : made.overlay.pixels) value = chance(0.5f) ? 0.0f : uniform(0.0f, 1.0f);
     quantize(made.mask, gl::Format::RG8);
@@ -104,7 +109,10 @@ class Maker {
   }
 
   void history(reference::Inputs& made) {
-    made.historyColor = made.color;
+    made.historyColor = Image(shape_.width, shape_.height, 4);
+    for (int y = 0; y < shape_.height; ++y)
+      for (int x = 0; x < shape_.width; ++x)
+        std::copy_n(made.color.at(drawnColumn(x), drawnRow(y)), 4, made.historyColor.at(x, y));
     for (float& value : made.historyColor.pixels)
       value = std::min(value * (chance(0.5f) ? 1.0f : uniform(0.3f, 3.0f)), 60000.0f);
     quantize(made.historyColor, colorFormat(shape_.history));
@@ -112,16 +120,16 @@ class Maker {
     for (int y = 0; y < shape_.height; ++y)
       for (int x = 0; x < shape_.width; ++x) {
         made.historySurface.at(x, y)[0] = uniform(1.0f, 19.0f);
-        made.historySurface.at(x, y)[1] =
-            viewDepth(*made.depth.at(x, y)) * (chance(0.3f) ? uniform(0.9f, 1.1f) : 1.0f);
+        made.historySurface.at(x, y)[1] = viewDepth(*made.depth.at(drawnColumn(x), drawnRow(y))) *
+                                          (chance(0.3f) ? uniform(0.9f, 1.1f) : 1.0f);
       }
   }
 
   void makeWild(reference::Inputs& made) {
     static constexpr float kColors[] = {kNan, kInfinity, -kInfinity, -1.0f, -1e-3f, 65504.0f, 0.0f};
     static constexpr float kMotions[] = {kNan, kInfinity, -kInfinity, 3000.0f, -3000.0f, 65504.0f};
-    for (int y = 0; y < shape_.height; ++y)
-      for (int x = 0; x < shape_.width; ++x) {
+    for (int y = 0; y < shape_.drawnHeight(); ++y)
+      for (int x = 0; x < shape_.drawnWidth(); ++x) {
         if (chance(0.04f)) made.color.at(x, y)[random_() % 3] = kColors[random_() % std::size(kColors)];
         if (chance(0.02f)) made.motion.at(x, y)[random_() % 2] = kMotions[random_() % std::size(kMotions)];
         if (chance(0.02f)) made.motion.at(x, y)[0] = made.motion.at(x, y)[1] = kNoPreviousPosition;
@@ -129,16 +137,25 @@ class Maker {
   }
 
  private:
+  int drawnColumn(int x) const { return x * shape_.drawnWidth() / shape_.width; }
+  int drawnRow(int y) const { return y * shape_.drawnHeight() / shape_.height; }
+
   FrameShape shape_;
   std::mt19937 random_;
 };
 
 } // namespace
 
+FrameShape shapeFor(const Settings& settings, FrameShape shape) {
+  shape.history = settings.history.precision;
+  shape.drawnPx = drawnSize({shape.width, shape.height}, settings.inputs.renderScale);
+  return shape;
+}
+
 reference::Inputs flatFrame(const FrameShape& shape, float color) {
   reference::Inputs made = Maker(shape, 0).images();
-  for (int y = 0; y < shape.height; ++y)
-    for (int x = 0; x < shape.width; ++x) {
+  for (int y = 0; y < shape.drawnHeight(); ++y)
+    for (int x = 0; x < shape.drawnWidth(); ++x) {
       for (int channel = 0; channel < 3; ++channel) made.color.at(x, y)[channel] = color;
       made.color.at(x, y)[3] = 1.0f;
       *made.depth.at(x, y) = kNear / 5.0f;
@@ -171,6 +188,7 @@ reference::Inputs stillFrame(const FrameShape& shape, std::uint32_t seed) {
 
 FrameInputs upload(const reference::Inputs& images, const FrameShape& shape) {
   FrameInputs made;
+  made.outputPx = images.outputPx;
   made.info.frame = images.frame;
   made.info.jitterPx = images.jitterPx;
   made.block.depthTerms = images.depthTerms;

@@ -10,10 +10,16 @@
 namespace taa::test {
 
 struct FrameShape {
-  int width = 97, height = 61;
+  int width = 97, height = 61; ///< of the picture
   Precision inputs = Precision::Half;
   Precision history = Precision::Half;
+  glm::ivec2 drawnPx{0}; ///< size of the inputs; 0: that of the picture
+  int drawnWidth() const { return drawnPx.x > 0 ? drawnPx.x : width; }
+  int drawnHeight() const { return drawnPx.y > 0 ? drawnPx.y : height; }
 };
+
+/// The shape with the drawn size and the history of `settings`.
+FrameShape shapeFor(const Settings& settings, FrameShape shape = {});
 
 /// A frame without history whose colors are all `color`, at 5 m, at rest, object 1.
 reference::Inputs flatFrame(const FrameShape& shape, float color);

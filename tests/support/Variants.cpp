@@ -44,6 +44,13 @@ std::vector<Variant> eachChoice() {
       variants.push_back({flags(settings), settings});
     }
   }
+  for (const float scale : {0.5f, 0.67f, 0.75f})
+    for (const double kernel : values(parameter("current.upsample"))) {
+      Settings settings;
+      settings.inputs.renderScale = scale;
+      parameter("current.upsample").set(settings, kernel);
+      variants.push_back({flags(settings), settings});
+    }
   return variants;
 }
 
@@ -70,6 +77,8 @@ Settings randomSettings(std::uint32_t seed) {
     const double span = row.maximum - row.minimum;
     row.set(settings, row.minimum + (isNumber ? span * share : static_cast<int>((span + 1.0) * share)));
   }
+  const double share = static_cast<double>(random()) / 4294967296.0;
+  if (seed % 2) settings.inputs.renderScale = static_cast<float>(0.5 + 0.5 * share);
   return settings;
 }
 

@@ -21,7 +21,7 @@ struct Variant {
 std::string flags(const Settings& settings);
 
 /// The defaults, then every other choice of the resolve alone against the defaults, then each number of its
-/// own at the ends of its range.
+/// own at the ends of its range, then each upsampling kernel at three render scales.
 std::vector<Variant> eachChoice();
 
 /// The built-in presets, then eachChoice().
@@ -32,7 +32,7 @@ inline constexpr std::size_t kParts = 6;
 /// Every kParts-th of them from number `part` on.
 std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t part);
 
-/// All choices and numbers of the resolve drawn at random.
+/// All choices and numbers of the resolve drawn at random, and the render scale.
 Settings randomSettings(std::uint32_t seed);
 /// Two hundred of them, named by their flags.
 std::vector<Variant> randomCombinations();

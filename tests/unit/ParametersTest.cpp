@@ -98,7 +98,8 @@ TEST(Parameters, RefuseWhatTheyCannotTake) {
   for (const char* bad :
        {"rectify.method=klamp", "jitter.period=0", "jitter.period=1.5", "jitter.period=1025",
         "weight.alpha=nan", "weight.alpha=1.01", "weight.alpha=-0.1", "weight.alpha=", "weight.alpha=1x",
-        "history.dering=maybe", "rectify.methd=clamp", "rectify.method", "=", ""})
+        "history.dering=maybe", "inputs.renderScale=0.49", "inputs.renderScale=1.01", "rectify.methd=clamp",
+        "rectify.method", "=", ""})
     EXPECT_THROW(applyAssignment(settings, bad), Error) << bad;
   EXPECT_TRUE(settings == Settings{});
   for (const char* bad : {R"({"rectify":{"methd":"clamp"}})", R"({"weight":{"alpha":"0.1"}})",
@@ -125,6 +126,12 @@ TEST(Parameters, KnowWhenTheyMatter) {
   EXPECT_FALSE(isRelevant(parameter("weight.alpha"), settings));
   applyAssignment(settings, "validate.depth=off");
   EXPECT_FALSE(isRelevant(parameter("validate.depthTolerance"), settings));
+  EXPECT_TRUE(isRelevant(parameter("current.variance"), settings));
+  EXPECT_FALSE(isRelevant(parameter("current.upsample"), settings));
+  applyAssignment(settings, "inputs.renderScale=0.75");
+  EXPECT_FALSE(isRelevant(parameter("current.filter"), settings));
+  EXPECT_FALSE(isRelevant(parameter("current.variance"), settings)) << "of a filter that is not relevant";
+  EXPECT_TRUE(isRelevant(parameter("current.upsample"), settings));
 }
 
 TEST(Parameters, ReachTheShaderOrTheInputs) {
@@ -133,7 +140,8 @@ TEST(Parameters, ReachTheShaderOrTheInputs) {
   for (const Parameter& row : parameters()) {
     Settings settings;
     row.set(settings, otherValue(row, row.get(settings)));
-    const bool program = row.effect == Effect::Program || row.effect == Effect::Storage;
+    const bool program = row.effect == Effect::Program || row.effect == Effect::Storage ||
+                         row.path == "inputs.renderScale"; // through kUpsampled
     EXPECT_EQ(glslPrelude(settings) != before, program) << row.path;
     EXPECT_EQ(programKey(settings) != programKey(Settings{}), program) << row.path;
     EXPECT_EQ(settingsBlock(settings) != block, row.effect == Effect::Uniform) << row.path;
@@ -180,7 +188,7 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"hdrp-low",
        {"jitter.period=8", "dilate.method=closestX", "space.color=rgb", "neighborhood.shape=cross",
         "neighborhood.box=minMax", "validate.offScreen=margin", "weight.alpha=0.125",
-        "output.sharpen=inResolve", "output.amount=0.5"}},
+        "output.sharpen=inResolve", "output.amount=0.5", "current.upsample=hdrp"}},
       {"hdrp-medium",
        {"history.filter=cubic", "history.sharpness=0.35", "neighborhood.shape=cross",
         "neighborhood.gamma=1.5", "neighborhood.contrastGrowth=1.75", "neighborhood.gammaMoving=0.75",
@@ -192,11 +200,12 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"filament",
        {"jitter.firstIndex=0", "inputs.motion=singleMatrix", "inputs.mipBias=-1",
         "history.filter=catmullRom5", "history.dering=on", "current.filter=lanczos", "current.dering=on",
-        "space.color=rgb", "neighborhood.shape=rounded", "rectify.method=clipToFiltered", "weight.alpha=0.12",
-        "blend.tone=maxChannel"}},
+        "current.upsample=lanczos2", "space.color=rgb", "neighborhood.shape=rounded",
+        "rectify.method=clipToFiltered", "weight.alpha=0.12", "blend.tone=maxChannel"}},
       {"donut",
        {"jitter.sequence=msaa8", "dilate.method=longest3x3", "history.filter=catmullRom9",
-        "neighborhood.box=variance", "neighborhood.gamma=1", "rectify.method=clamp", "weight.alpha=0.1"}},
+        "neighborhood.box=variance", "neighborhood.gamma=1", "rectify.method=clamp", "weight.alpha=0.1",
+        "current.upsample=sampleWeight"}},
       {"intel",
        {"jitter.firstIndex=0", "dilate.method=longest3x3", "history.filter=catmullRom5",
         "neighborhood.gamma=2", "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=128",

@@ -223,6 +223,23 @@ TEST(ReferenceOutput, BlursThisFrameAlongHalfTheMotion) {
   EXPECT_NEAR(showOutput(half, withBlur(), {32, 2}).color.x, 0.5f * (1000.0f + 32.0f), 0.4f);
 }
 
+TEST(ReferenceOutput, BlursAsFarInThePictureWhateverIsDrawn) {
+  Inputs inputs = movingRamp({24.0f, 0.0f});
+  Settings settings = withBlur();
+  settings.inputs.renderScale = 0.5f;
+  inputs.outputPx = {128, 10};
+  inputs.resolved = Image(128, 10, 3);
+  float least = 100.0f, most = 0.0f;
+  for (inputs.frame = 0; inputs.frame < 64; ++inputs.frame) {
+    const float shown = showOutput(inputs, settings, {64, 4}).color.x; // texel 32.25 − ½
+    least = std::fmin(least, shown);
+    most = std::fmax(most, shown);
+  }
+  EXPECT_GE(least, 29.75f); // 24 render px are 48 of the picture, taps again 4 render px apart
+  EXPECT_LE(most, 33.75f);
+  EXPECT_GT(most - least, 3.0f);
+}
+
 TEST(ReferenceOutput, BlurKeepsConstantsExactly) {
   Inputs inputs = test::constantInputs(16, 16, {0.3f, 1e-4f, 1000.0f});
   inputs.resolved = inputs.color;
@@ -233,10 +250,13 @@ TEST(ReferenceOutput, BlurKeepsConstantsExactly) {
 
 TEST(ReferenceOutput, IsAskedForInThePixelsOfTheResolvedPicture) {
   Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
+  inputs.outputPx = {8, 8};
   inputs.resolved = Image(8, 8, 3);
   test::setColor(inputs.resolved, 7, 6, {1.0f, 2.0f, 3.0f});
-  EXPECT_EQ(showOutput(inputs, Settings{}, {7, 6}).color, glm::vec3(1.0f, 2.0f, 3.0f));
-  EXPECT_EQ(showOutput(inputs, Settings{}, {6, 6}).color, glm::vec3(0.0f));
+  Settings settings;
+  settings.inputs.renderScale = 0.5f;
+  EXPECT_EQ(showOutput(inputs, settings, {7, 6}).color, glm::vec3(1.0f, 2.0f, 3.0f));
+  EXPECT_EQ(showOutput(inputs, settings, {6, 6}).color, glm::vec3(0.0f));
 }
 
 TEST(ReferenceOutput, IsNothingWithoutAResolvedPicture) {

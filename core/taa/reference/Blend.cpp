@@ -20,9 +20,12 @@ float toneWeight(const glm::vec3& color, ToneWeight tone) {
   return 1.0f;
 }
 
-/// The mix itself, of compressed colors where the choice says so (catalogue 15.3, 15.4).
-glm::vec3 mix(const glm::vec3& current, const glm::vec3& history, float k, ToneWeight tone) {
+/// The mix itself, of compressed colors where the choice says so (catalogue 15.3, 15.4). `keepsHistory`: a
+/// share of 0 leaves it as it is, even then (invariant 65).
+glm::vec3 mix(const glm::vec3& current, const glm::vec3& history, float k, ToneWeight tone,
+              bool keepsHistory) {
   if (k >= 1.0f) return current;
+  if (k <= 0.0f && keepsHistory) return history;
   if (tone != ToneWeight::ReinhardChannel && tone != ToneWeight::MaxChannel)
     return history + k * (current - history);
   if (current == history) return history;
@@ -33,9 +36,9 @@ glm::vec3 mix(const glm::vec3& current, const glm::vec3& history, float k, ToneW
 }
 
 /// N after the frame (catalogue §16).
-float lengthAfter(float alpha, float before, LengthRule rule) {
+float lengthAfter(float alpha, float before, float confidence, LengthRule rule) {
   if (alpha >= 1.0f) return 1.0f;
-  if (rule == LengthRule::Count) return before + 1.0f;
+  if (rule == LengthRule::Count) return before + confidence;
   const float rest = 1.0f - alpha;
   const float variance = alpha * alpha + (rest * rest) / before;
   return rule == LengthRule::VarianceAsPrinted ? variance : 1.0f / variance;
@@ -44,17 +47,17 @@ float lengthAfter(float alpha, float before, LengthRule rule) {
 } // namespace
 
 Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
-              float historyLength) {
+              float historyLength, float confidence) {
   Blended result;
   result.toneWeightCurrent = toneWeight(current, settings.blend.tone);
   result.toneWeightHistory = toneWeight(history, settings.blend.tone);
   result.factor = blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, settings.blend.tone);
-  const glm::vec3 mixed = mix(current, history, result.factor, settings.blend.tone);
+  const glm::vec3 mixed = mix(current, history, result.factor, settings.blend.tone, isUpsampled(settings));
   for (int i = 0; i < 3; ++i) {
     const float channel = isBad(mixed[i]) ? current[i] : mixed[i];
     result.resolved[i] = settings.history.precision == Precision::Half ? roundedToHalf(channel) : channel;
   }
-  result.historyLength = lengthAfter(alpha, historyLength, settings.blend.length);
+  result.historyLength = lengthAfter(alpha, historyLength, confidence, settings.blend.length);
   return result;
 }
 

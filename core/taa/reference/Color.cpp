@@ -16,6 +16,10 @@ float largest(const glm::vec3& c) {
   return redGreen > c.z ? redGreen : c.z;
 }
 
+int within(int value, int count) {
+  return value < 0 ? 0 : value > count - 1 ? count - 1 : value;
+}
+
 } // namespace
 
 bool isBad(float value) {
@@ -152,18 +156,15 @@ glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3&
 }
 
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs) {
-  return clampedToPicture(pixel, inputs.color);
+  return {within(pixel.x, inputs.outputWidth()), within(pixel.y, inputs.outputHeight())};
 }
 
-glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Image& picture) {
-  const auto within = [](int value, int count) {
-    return value < 0 ? 0 : value > count - 1 ? count - 1 : value;
-  };
-  return {within(pixel.x, picture.width), within(pixel.y, picture.height)};
+glm::ivec2 clampedToDrawn(const glm::ivec2& texel, const Inputs& inputs) {
+  return {within(texel.x, inputs.width()), within(texel.y, inputs.height())};
 }
 
-glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& pixel) {
-  const glm::ivec2 p = clampedToPicture(pixel, inputs);
+glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& texel) {
+  const glm::ivec2 p = clampedToDrawn(texel, inputs);
   return sanitized(glm::vec3(inputs.color.texel(p.x, p.y)));
 }
 

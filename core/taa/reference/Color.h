@@ -38,10 +38,11 @@ glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b);
 glm::vec3 larger(const glm::vec3& a, const glm::vec3& b);
 glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high);
 
-/// The pixel of the picture nearest to `pixel`.
-glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Image& picture);
+/// The pixel of the picture, so of its history, nearest to `pixel`.
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs);
-/// This frame's color at `pixel`, clamped to the border, sanitized.
-glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& pixel);
+/// The texel of what was drawn nearest to `texel`.
+glm::ivec2 clampedToDrawn(const glm::ivec2& texel, const Inputs& inputs);
+/// This frame's color at `texel`, clamped to the border, sanitized.
+glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& texel);
 
 } // namespace taa::reference

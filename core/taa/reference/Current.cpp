@@ -100,16 +100,6 @@ glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const 
   return std::fabs(sum) > 1e-4f ? center + difference / sum : center;
 }
 
-glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& pixel, const glm::vec3& color) {
-  glm::vec3 low = currentColor(inputs, pixel), high = low;
-  for (int k = 0; k < 9; ++k) {
-    const glm::vec3 sample = currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
-    low = smaller(low, sample);
-    high = larger(high, sample);
-  }
-  return clamped(color, low, high);
-}
-
 glm::vec3 filtered(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
   if (settings.filter == CurrentFilter::Unjitter) return unjittered(inputs, pixel);
@@ -136,6 +126,16 @@ glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const
 
 } // namespace
 
+glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
+  glm::vec3 low = currentColor(inputs, texel), high = low;
+  for (int k = 0; k < 9; ++k) {
+    const glm::vec3 sample = currentColor(inputs, texel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    low = smaller(low, sample);
+    high = larger(high, sample);
+  }
+  return clamped(color, low, high);
+}
+
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx) {
   // Pixel o of this frame holds what belongs to o − j of the picture at rest.
   const glm::dvec2 shift = settings.jitterAware == Switch::On ? glm::dvec2(jitterPx) : glm::dvec2(0.0);
@@ -156,10 +156,14 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) 
   return currentWeights({.filter = CurrentFilter::Gaussian, .variance = variance}, jitterPx);
 }
 
-glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  const glm::vec3 color = filtered(inputs, settings, pixel);
+glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
+                         const glm::vec3& color) {
   if (settings.sharpen == CurrentSharpen::None) return color;
-  return storable(sharpened(inputs, settings, pixel, color));
+  return storable(sharpened(inputs, settings, texel, color));
+}
+
+glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+  return sharpenCurrent(inputs, settings, pixel, filtered(inputs, settings, pixel));
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {

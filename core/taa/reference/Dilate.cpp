@@ -1,6 +1,7 @@
 // Stage 1, dilate motion: whose motion a pixel follows, so that silhouettes move with what is in front.
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
+#include "core/taa/reference/Upsample.h"
 
 #include <cstdlib>
 #include <vector>
@@ -33,7 +34,7 @@ std::vector<glm::ivec2> candidates(DilateMethod method) {
 /// The nearest of them, 4.1 to 4.4. Reversed depth: larger is nearer; a tie keeps what came first.
 void findClosest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
   for (const glm::ivec2& step : candidates(method)) {
-    const glm::ivec2 neighbor = clampedToPicture(pixel + step, inputs);
+    const glm::ivec2 neighbor = clampedToDrawn(pixel + step, inputs);
     const float depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
     if (depth > result.depth) {
       result.depth = depth;
@@ -51,7 +52,7 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
   };
   float longest = squaredLength(pixel);
   for (const glm::ivec2& step : candidates(method)) {
-    const glm::ivec2 neighbor = clampedToPicture(pixel + step, inputs);
+    const glm::ivec2 neighbor = clampedToDrawn(pixel + step, inputs);
     const float length = squaredLength(neighbor);
     if (length > longest) {
       longest = length;
@@ -63,26 +64,27 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
 
 } // namespace
 
-Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel) {
+Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel) {
   Dilated result;
-  result.depth = inputs.depth.texel(pixel.x, pixel.y).x;
+  result.depth = inputs.depth.texel(texel.x, texel.y).x;
   switch (settings.method) {
   case DilateMethod::None:
     break;
   case DilateMethod::Longest3x3:
   case DilateMethod::LongestCross:
-    findLongest(inputs, settings.method, pixel, result);
+    findLongest(inputs, settings.method, texel, result);
     break;
-  case DilateMethod::Closest3x3AsPrinted: // starts from nothing at pixel (0, 0): D4
+  case DilateMethod::Closest3x3AsPrinted: // starts from nothing at texel (0, 0): D4
     result.depth = 0.0f;
-    result.offset = -pixel;
-    findClosest(inputs, settings.method, pixel, result);
+    result.offset = -texel;
+    findClosest(inputs, settings.method, texel, result);
     break;
   default:
-    findClosest(inputs, settings.method, pixel, result);
+    findClosest(inputs, settings.method, texel, result);
   }
-  const glm::ivec2 chosen = pixel + result.offset;
-  result.motion = glm::vec2(inputs.motion.texel(chosen.x, chosen.y));
+  const glm::ivec2 chosen = texel + result.offset;
+  const glm::vec2 motion(inputs.motion.texel(chosen.x, chosen.y));
+  result.motion = motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
   return result;
 }
 

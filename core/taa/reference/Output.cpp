@@ -2,6 +2,7 @@
 // fast (14.4).
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
+#include "core/taa/reference/Upsample.h"
 
 #include <cmath>
 
@@ -145,30 +146,27 @@ glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>
 }
 
 Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
-  const Image& resolved = inputs.resolved;
-  const glm::vec2 scale(static_cast<float>(inputs.width()) / static_cast<float>(resolved.width),
-                        static_cast<float>(inputs.height()) / static_cast<float>(resolved.height));
-  const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * scale;
-  const glm::ivec2 inputPixel(static_cast<int>(std::floor(position.x)),
-                              static_cast<int>(std::floor(position.y)));
+  const glm::ivec2 texel = isUpsampled(settings) ? placeOf(inputs, pixel).texel : pixel;
   Nine around, current;
   for (int k = 0; k < 9; ++k) {
     const glm::ivec2 step(k % 3 - 1, k / 3 - 1);
-    const glm::ivec2 at = clampedToPicture(pixel + step, resolved);
-    around[static_cast<std::size_t>(k)] = glm::vec3(resolved.texel(at.x, at.y));
-    current[static_cast<std::size_t>(k)] = currentColor(inputs, inputPixel + step);
+    const glm::ivec2 at = clampedToPicture(pixel + step, inputs);
+    around[static_cast<std::size_t>(k)] = glm::vec3(inputs.resolved.texel(at.x, at.y));
+    current[static_cast<std::size_t>(k)] = currentColor(inputs, texel + step);
   }
   Shown shown;
   const glm::vec3 sharp = sharpen(settings.output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);
   shown.color = sharp;
   if (settings.output.motionBlur == Switch::Off) return shown;
-  const glm::vec2 motion = dilateMotion(inputs, settings.dilate, inputPixel).motion;
-  const float speed = reproject(inputs, motion, inputPixel).speed;
+  const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
+  const float speed = reproject(inputs, motion, pixel).speed;
   if (speed >= kUnknownSpeed) return shown;
   shown.trust = 1.0f - saturated((speed - 2.0f) / 13.0f);
   if (shown.trust >= 1.0f) return shown;
-  const glm::vec3 fast = blurred(inputs, position, motion, noiseAt(pixel, inputs.frame));
+  const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs); // render px, as the blur's way
+  const glm::vec3 fast =
+      blurred(inputs, position, motion * renderRatio(inputs), noiseAt(pixel, inputs.frame));
   shown.color = fast + shown.trust * (sharp - fast);
   return shown;
 }

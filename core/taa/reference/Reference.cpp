@@ -3,6 +3,7 @@
 
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
+#include "core/taa/reference/Upsample.h"
 
 #include <glm/vec3.hpp>
 
@@ -19,7 +20,8 @@ void set(PixelRecord& record, IntermediateId id, float value) {
   at(record, id) = glm::vec4(value, 0.0f, 0.0f, 0.0f);
 }
 
-void recordInputs(PixelRecord& record, const Inputs& inputs, const glm::ivec2& p) {
+void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place) {
+  const glm::ivec2& p = place.texel;
   const float depth = inputs.depth.texel(p.x, p.y).x;
   set(record, IntermediateId::color, glm::vec3(inputs.color.texel(p.x, p.y)));
   set(record, IntermediateId::depth, depth);
@@ -29,7 +31,8 @@ void recordInputs(PixelRecord& record, const Inputs& inputs, const glm::ivec2& p
   set(record, IntermediateId::objectId, inputs.objectId.texel(p.x, p.y).x);
   set(record, IntermediateId::reactive, maskAt(inputs, p).x);
   set(record, IntermediateId::responsive, maskAt(inputs, p).y);
-  const glm::vec4 overlay = inputs.overlay.empty() ? glm::vec4(0.0f) : inputs.overlay.texel(p.x, p.y);
+  const glm::vec4 overlay =
+      inputs.overlay.empty() ? glm::vec4(0.0f) : inputs.overlay.texel(place.still.x, place.still.y);
   set(record, IntermediateId::overlay, glm::vec3(overlay));
   set(record, IntermediateId::overlayAlpha, overlay.w);
 }
@@ -94,18 +97,27 @@ Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& c
   return seen;
 }
 
+CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
+  if (!isUpsampled(settings)) return {filterCurrent(inputs, settings.current, place.texel), 1.0f};
+  CurrentColor current = upsample(inputs, settings.current.upsample, place, speed);
+  current.color = sharpenCurrent(inputs, settings.current, place.texel, current.color);
+  return current;
+}
+
 } // namespace
 
-glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& pixel) {
-  return inputs.mask.empty() ? glm::vec2(0.0f) : glm::vec2(inputs.mask.texel(pixel.x, pixel.y));
+glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
+  return inputs.mask.empty() ? glm::vec2(0.0f) : glm::vec2(inputs.mask.texel(texel.x, texel.y));
 }
 
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y) {
   const glm::ivec2 p(x, y);
+  const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
+  const glm::ivec2& texel = place.texel;
   PixelRecord record{};
-  recordInputs(record, inputs, p);
+  recordInputs(record, inputs, place);
 
-  const Dilated dilated = dilateMotion(inputs, settings.dilate, p);
+  const Dilated dilated = dilateMotion(inputs, settings.dilate, texel);
   set(record, IntermediateId::dilatedOffset, glm::vec2(dilated.offset));
   set(record, IntermediateId::dilatedDepth, dilated.depth);
   set(record, IntermediateId::dilatedMotion, dilated.motion);
@@ -119,13 +131,14 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   set(record, IntermediateId::historyRaw, history.color);
   set(record, IntermediateId::historyRawLength, history.length);
 
-  const glm::vec3 current = filterCurrent(inputs, settings.current, p);
+  const auto [current, confidence] = filteredAt(inputs, settings, place, reprojected.speed);
   set(record, IntermediateId::currentFiltered, current);
+  set(record, IntermediateId::sampleConfidence, confidence);
 
-  const glm::vec2 mask = maskAt(inputs, p);
+  const glm::vec2 mask = maskAt(inputs, texel);
   const float largestMask = mask.x > mask.y ? mask.x : mask.y;
   const Neighborhood neighborhood =
-      measureNeighborhood(inputs, settings, current, p, {history.color, reprojected.speed, largestMask});
+      measureNeighborhood(inputs, settings, current, texel, {history.color, reprojected.speed, largestMask});
   recordNeighborhood(record, neighborhood);
 
   const Clipped rectified =
@@ -135,20 +148,21 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   set(record, IntermediateId::rectifyStrength, rectified.strength);
 
   const Validated validated =
-      validateHistory(inputs, settings.validate, dilated, reprojected, history.position, p);
+      validateHistory(inputs, settings.validate, dilated, reprojected, history.position, texel);
   recordValidation(record, validated);
 
   Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
   seen.depth = dilated.depth;
   seen.speed = reprojected.speed;
-  seen.motionUv = dilated.motion / glm::vec2(inputs.width(), inputs.height());
+  seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
+  seen.confidence = confidence;
   seen.mask = mask;
   seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
   const Weights weights = weigh(settings.weight, history.length, validated.reason, seen);
   recordWeights(record, weights);
   const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.reason != RejectReason::Kept;
-  const glm::vec3 shown = isBlurred ? blurredRestart(inputs, p) : current;
-  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, history.length));
+  const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
+  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, history.length, confidence));
   if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
   return record;
 }

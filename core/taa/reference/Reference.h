@@ -13,8 +13,8 @@
 
 namespace taa::reference {
 
-/// Downloaded inputs of one frame; same size, row 0 at the top. Channels and units as in FrameInputs and
-/// History.
+/// Downloaded inputs of one frame, row 0 at the top. Channels and units as in FrameInputs and History: what
+/// is drawn has one size, the picture and its history another where settings draw less.
 struct Inputs {
   Image color;          ///< 4 channels
   Image depth;          ///< 1
@@ -30,8 +30,11 @@ struct Inputs {
   int frame = 0;        ///< its number
   glm::vec2 jitterPx{0.0f};
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
+  glm::ivec2 outputPx{0};     ///< size of the picture; 0: that of the inputs
   int width() const { return color.width; }
   int height() const { return color.height; }
+  int outputWidth() const { return outputPx.x > 0 ? outputPx.x : width(); }
+  int outputHeight() const { return outputPx.y > 0 ? outputPx.y : height(); }
 };
 
 /// Every intermediate of one pixel; missing channels are 0.
@@ -44,8 +47,8 @@ inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
 
-/// All intermediates of pixel (x, y), in 32-bit floats rounded after every operation. Those of stage Output
-/// are 0 without `inputs.resolved`.
+/// All intermediates of pixel (x, y) of the picture, in 32-bit floats rounded after every operation. Those of
+/// stage Output are 0 without `inputs.resolved`.
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y);
 
 } // namespace taa::reference

@@ -12,19 +12,21 @@
 
 namespace taa::reference {
 
-/// The pixel's masks: reactive, responsive; 0 where there is no mask.
-glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& pixel);
+/// A render texel's masks: reactive, responsive; 0 where there is no mask.
+glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel);
+/// Both components of the motion of a point behind the previous camera, px; as in render/FrameInputs.h.
+inline constexpr float kNoPreviousPosition = 65504.0f;
 
 /// View depth (m) of a device depth; 0 stands for the sky.
 float viewDepth(float depth, const glm::vec4& depthTerms);
 
 /// Whose motion the pixel follows (catalogue §4).
 struct Dilated {
-  glm::ivec2 offset{0}; ///< px
-  float depth = 0.0f;   ///< device
-  glm::vec2 motion{0.0f};
+  glm::ivec2 offset{0};   ///< px
+  float depth = 0.0f;     ///< device
+  glm::vec2 motion{0.0f}; ///< px of the picture
 };
-Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel);
+Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel);
 
 /// Where that surface was (catalogue §5).
 struct Reprojected {
@@ -56,6 +58,11 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx);
 /// Mean of the pixel and its diagonals (catalogue 5.6).
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel);
+/// Within the nine samples around a texel.
+glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color);
+/// `color`, filtered around a texel, sharpened (catalogue 18.2); itself where that is off.
+glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
+                         const glm::vec3& color);
 /// This frame's color at the pixel's center (catalogue §7).
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 
@@ -116,8 +123,9 @@ struct Seen {
   float depth = 0.0f; ///< device
   float speed = 0.0f; ///< px a frame
   glm::vec2 motionUv{0.0f};
-  glm::vec2 mask{0.0f}; ///< reactive, responsive
-  float relax = 0.0f;   ///< the larger of them where it relaxes the box
+  glm::vec2 mask{0.0f};    ///< reactive, responsive
+  float relax = 0.0f;      ///< the larger of them where it relaxes the box
+  float confidence = 1.0f; ///< κ
 };
 /// Terms of α, the weight of the current frame (catalogue §13).
 struct Weights {
@@ -141,12 +149,12 @@ struct Blended {
   glm::vec3 resolved{0.0f};
 };
 Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
-              float historyLength);
+              float historyLength, float confidence = 1.0f);
 
 /// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,
                   const std::array<glm::vec3, 9>& current);
-/// What is shown of a pixel of `inputs.resolved`, which may have another size than the inputs (§18, 14.4).
+/// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (§18, 14.4).
 struct Shown {
   float detail = 0.0f; ///< luma that sharpening adds
   float trust = 1.0f;  ///< share of the resolved color

@@ -34,7 +34,7 @@ void compareDepth(const Inputs& inputs, const glm::vec2& position, Validated& re
 float depthStep(const Inputs& inputs, const glm::ivec2& pixel, const glm::ivec2& step, float center) {
   float smallest = -1.0f;
   for (const glm::ivec2& neighbor : {pixel - step, pixel + step}) {
-    const glm::ivec2 texel = clampedToPicture(neighbor, inputs);
+    const glm::ivec2 texel = clampedToDrawn(neighbor, inputs);
     const float depth = viewDepth(inputs.depth.texel(texel.x, texel.y).x, inputs.depthTerms);
     if (depth == 0.0f) continue;
     const float difference = std::fabs(depth - center);
@@ -57,8 +57,8 @@ bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
   if (rule == OffScreen::Keep) return false;
   if (rule == OffScreen::OneSided) return !(q.x > 0.0f);
   const float margin = rule == OffScreen::Margin ? 0.5f : 0.0f;
-  return !(q.x >= margin && q.x <= static_cast<float>(inputs.width()) - margin && q.y >= margin &&
-           q.y <= static_cast<float>(inputs.height()) - margin);
+  return !(q.x >= margin && q.x <= static_cast<float>(inputs.outputWidth()) - margin && q.y >= margin &&
+           q.y <= static_cast<float>(inputs.outputHeight()) - margin);
 }
 
 } // namespace

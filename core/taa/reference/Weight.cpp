@@ -110,6 +110,7 @@ Weights weigh(const WeightSettings& settings, float historyLength, RejectReason 
   alpha = larger(alpha, result.floor);
   alpha = alpha < 1.0f ? alpha : 1.0f;
   if (settings.motion != MotionAlpha::None) alpha = 1.0f - (1.0f - alpha) * (1.0f - result.motion);
+  alpha = alpha * seen.confidence; // catalogue §22
   result.alpha = larger(larger(alpha, result.mask), result.invalid);
   return result;
 }
