@@ -56,7 +56,8 @@ QString sourceText(const reference::PixelRecord& record, const Settings& setting
   return qtext(choice.label).toLower() + QLatin1Char(' ') + shortText(static_cast<double>(base), 4);
 }
 
-/// How α came about: source × what calms it, not below the floor, and what motion adds (catalogue §13).
+/// How α came about: source × what calms it, not below the floor, what motion adds (catalogue §13), and how
+/// much the samples say where fewer are drawn (§22).
 QString alphaLine(const reference::PixelRecord& record, const Settings& settings) {
   const auto value = [&](Id id) { return reference::at(record, id).x; };
   const auto number = [&](Id id) { return shortText(static_cast<double>(value(id)), 4); };
@@ -73,6 +74,7 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   if (isByLength || product < value(Id::alphaFloor))
     text = tr("max(%1, %2)").arg(text, number(Id::alphaFloor));
   if (value(Id::alphaMotion) > 0) text += tr(" and %1 by motion").arg(number(Id::alphaMotion));
+  if (isUpsampled(settings)) text = tr("κ %1 × (%2)").arg(number(Id::sampleConfidence), text);
   if (value(Id::alphaMask) > 0) text = tr("max(%1, %2 by mask)").arg(text, number(Id::alphaMask));
   if (text != source)
     text += QStringLiteral(" = ") + number(Id::alpha); // a source alone is told with its value
@@ -112,6 +114,8 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
     return x == 0 && value.y == 0 ? tr("the pixel itself") : tr("a neighbor");
   case Id::onScreen:
     return x != 0 ? tr("inside") : tr("outside");
+  case Id::sampleConfidence:
+    return x == 0 ? tr("keeps history") : QString();
   case Id::clipAmount:
     return x > 0 ? tr("pulled %1").arg(percent(x)) : tr("not clipped");
   case Id::rejectReason:

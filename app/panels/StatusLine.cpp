@@ -3,10 +3,23 @@
 #include "app/Icons.h"
 #include "app/Theme.h"
 
+#include "core/render/SceneRenderer.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 
 namespace taa::app {
+
+namespace {
+
+/// "rendered at 640 × 360 · " where that is not the picture's size.
+QString drawnText(const Status& status) {
+  if (!isUpsampled(status.settings)) return {};
+  const glm::ivec2 drawn = drawnSize({status.width, status.height}, status.settings.inputs.renderScale);
+  return StatusLine::tr("rendered at %1 × %2 · ").arg(drawn.x).arg(drawn.y);
+}
+
+} // namespace
 
 StatusLine::StatusLine(QWidget* parent)
     : QWidget(parent), hover_(new QLabel), driver_(new QLabel), times_(new QLabel), badgeIcon_(new QLabel),
@@ -43,9 +56,9 @@ void StatusLine::setStatus(const Status& status) {
   driver_->setText(status.driver.isSoftware ? tr("software renderer") : QString());
   driver_->setToolTip(QString::fromStdString(status.driver.renderer));
   if (status.frameCount > 0)
-    times_->setText(tr("scene %1 ms · resolve %2 ms")
-                        .arg(status.times.scene, 0, 'f', 1)
-                        .arg(status.times.resolve, 0, 'f', 1));
+    times_->setText(drawnText(status) + tr("scene %1 ms · resolve %2 ms")
+                                            .arg(status.times.scene, 0, 'f', 1)
+                                            .arg(status.times.resolve, 0, 'f', 1));
   if (status.exact != exact_) refreshBadge(status.exact);
 }
 

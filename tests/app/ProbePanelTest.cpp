@@ -79,6 +79,13 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   set(IntermediateId::alphaMask, 0.5f);
   set(IntermediateId::alpha, 0.5f);
   EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5 and 0.25 by motion, 0.5 by mask) = 0.5"));
+  settings.inputs.renderScale = 0.5f;
+  set(IntermediateId::alphaMask, 0.0f);
+  set(IntermediateId::alphaMotion, 0.0f);
+  set(IntermediateId::alphaLumaFlicker, 1.0f);
+  set(IntermediateId::sampleConfidence, 0.5f);
+  set(IntermediateId::alpha, 0.03125f);
+  EXPECT_EQ(line(), QStringLiteral("α = κ 0.5 × (constant 0.0625) = 0.03125"));
 }
 
 TEST(ProbeWords, SayWhatIsShownInsteadOfTheResolvedColor) {
