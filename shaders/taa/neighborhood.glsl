@@ -106,7 +106,7 @@ float gammaUsed(Moments moments, vec3 center, vec3 historyColor, float speed, ve
 /// Directions across which the hull is measured: three axes, six edges and four corners of a cube (10.12).
 const vec3 kSlabs[13] = vec3[](vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 1, 0), vec3(1, -1, 0),
                                vec3(1, 0, 1), vec3(1, 0, -1), vec3(0, 1, 1), vec3(0, 1, -1), vec3(1, 1, 1),
-                               vec3(1, 1, -1), vec3(1, -1, 1), vec3(-1, 1, 1));
+                               vec3(1, 1, -1), vec3(1, -1, 1), vec3(1, -1, -1));
 const bool kIsClipToHull = kRectifyMethod == kRectifyMethod_clipToHull;
 
 float across(vec3 direction, vec3 color) {
