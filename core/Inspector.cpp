@@ -22,8 +22,9 @@ std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
 
-// What a pixel costs at most: two sets of 32-bit inputs for every lane, three 32-bit histories, an exposure.
-constexpr double kBytesPerPixelOfLane = 2.0 * 48.0 + 3.0 * 24.0 + 16.0;
+// What a pixel costs at most: two sets of 32-bit inputs for every lane, three 32-bit histories with all they
+// can hold, an exposure.
+constexpr double kBytesPerPixelOfLane = 2.0 * 48.0 + 3.0 * 60.0 + 16.0;
 
 void checkSize(int width, int height, std::size_t lanes, const gl::Driver& driver) {
   const int most = driver.maxTextureSize;

@@ -4,6 +4,7 @@
 #include "app/Text.h"
 
 #include "core/render/FrameInputs.h"
+#include "core/scene/ObjectClass.h"
 #include "core/settings/Parameters.h"
 
 #include <QObject>
@@ -32,10 +33,17 @@ QString lengthText(float frames) {
 
 QString historyLine(const reference::PixelRecord& record) {
   const int reason = static_cast<int>(reference::at(record, Id::rejectReason).x);
-  if (reason != 0) return tr("history rejected: %1").arg(qtext(rejectReasonText(reason)));
+  if (reason != 0) {
+    const bool isDropped = reference::at(record, Id::alphaInvalid).x >= 1;
+    return (isDropped ? tr("history rejected: %1") : tr("history counts less: %1"))
+        .arg(qtext(rejectReasonText(reason)));
+  }
   const float clip = reference::at(record, Id::clipAmount).x;
-  return clip > 0 ? tr("history kept, pulled %1 of the way into the box").arg(percent(clip))
-                  : tr("history kept as it was");
+  QString text = clip > 0 ? tr("history kept, pulled %1 of the way into the box").arg(percent(clip))
+                          : tr("history kept as it was");
+  if (reference::at(record, Id::lock).x > 0) text += tr(", locked");
+  if (reference::at(record, Id::instability).x > 0) text += tr(", for its luma comes and goes");
+  return text;
 }
 
 QString motionLine(const reference::PixelRecord& record) {
@@ -50,7 +58,7 @@ QString motionLine(const reference::PixelRecord& record) {
 QString sourceText(const reference::PixelRecord& record, const Settings& settings) {
   const float base = reference::at(record, Id::alphaBase).x;
   if (settings.weight.source == AlphaSource::HistoryLength)
-    return tr("1/(%1 + 1)").arg(lengthText(reference::at(record, Id::historyRawLength).x));
+    return tr("1/(%1 + 1)").arg(lengthText(reference::at(record, Id::historyKeptLength).x));
   const Parameter& row = parameter("weight.source");
   const Choice& choice = row.choices[static_cast<std::size_t>(settings.weight.source)];
   return qtext(choice.label).toLower() + QLatin1Char(' ') + shortText(static_cast<double>(base), 4);
@@ -61,7 +69,7 @@ QString sourceText(const reference::PixelRecord& record, const Settings& setting
 QString alphaLine(const reference::PixelRecord& record, const Settings& settings) {
   const auto value = [&](Id id) { return reference::at(record, id).x; };
   const auto number = [&](Id id) { return shortText(static_cast<double>(value(id)), 4); };
-  if (value(Id::alphaInvalid) > 0) return tr("α = 1: the current frame alone");
+  if (value(Id::alphaInvalid) >= 1) return tr("α = 1: the current frame alone");
   const bool isByLength = settings.weight.source == AlphaSource::HistoryLength;
   const QString source = sourceText(record, settings);
   QString text = source;
@@ -74,12 +82,16 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   if (isByLength || product < value(Id::alphaFloor))
     text = tr("max(%1, %2)").arg(text, number(Id::alphaFloor));
   if (value(Id::alphaMotion) > 0) text += tr(" and %1 by motion").arg(number(Id::alphaMotion));
+  if (value(Id::alphaVelocityChange) > 0)
+    text += tr(" and %1 by its change").arg(number(Id::alphaVelocityChange));
+  if (value(Id::alphaDivergence) > 0) text += tr(" and %1 by divergence").arg(number(Id::alphaDivergence));
   if (isUpsampled(settings)) text = tr("κ %1 × (%2)").arg(number(Id::sampleConfidence), text);
   if (value(Id::alphaMask) > 0) text = tr("max(%1, %2 by mask)").arg(text, number(Id::alphaMask));
+  if (value(Id::alphaInvalid) > 0) text += tr(", at least %1 when rejected").arg(number(Id::alphaInvalid));
   if (text != source)
     text += QStringLiteral(" = ") + number(Id::alpha); // a source alone is told with its value
   const QString length =
-      isByLength ? tr("N = %1 → ").arg(lengthText(value(Id::historyRawLength))) : QString();
+      isByLength ? tr("N = %1 → ").arg(lengthText(value(Id::historyKeptLength))) : QString();
   return length + tr("α = %1").arg(text);
 }
 
@@ -94,6 +106,20 @@ QStringList outputLines(const reference::PixelRecord& record, const OutputSettin
   }
   if (settings.motionBlur == Switch::On && trust < 1) parts << tr("%1 motion blur").arg(percent(1 - trust));
   return parts.isEmpty() ? QStringList() : QStringList(tr("Shown ") + parts.join(QStringLiteral(", ")));
+}
+
+QString classWords(int number) {
+  switch (static_cast<ObjectClass>(number)) {
+  case ObjectClass::Sky:
+    return tr("sky");
+  case ObjectClass::Still:
+    return tr("still");
+  case ObjectClass::Moving:
+    return tr("moves as a whole");
+  case ObjectClass::Deforming:
+    return tr("deforms");
+  }
+  return {};
 }
 
 } // namespace
@@ -126,7 +152,15 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
   case Id::overlayAlpha:
     return x > 0 ? tr("%1 hidden").arg(percent(x)) : tr("nothing over it");
   case Id::alphaInvalid:
-    return x != 0 ? tr("rejected") : tr("not rejected");
+    return x == 0 ? tr("not rejected") : x < 1 ? tr("counts less") : tr("rejected");
+  case Id::objectClass:
+    return classWords(static_cast<int>(x));
+  case Id::historyObjectId:
+    return x == 0 ? tr("sky, or not kept") : QString();
+  case Id::lock:
+    return x > 0 ? tr("takes back %1").arg(percent(x)) : tr("not locked");
+  case Id::instability:
+    return x > 0 ? tr("comes and goes") : tr("steady");
   case Id::alpha:
   case Id::blendFactor:
     return tr("%1 current").arg(percent(x));

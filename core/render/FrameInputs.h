@@ -29,7 +29,7 @@ struct FrameInputs {
   gl::Texture color;    ///< RGBA16F or RGBA32F, scene-linear Rec. 709
   gl::Texture depth;    ///< Depth32F, reversed, 0 = sky
   gl::Texture motion;   ///< RG16F or RG32F, px, current − previous, jitter removed; see kNoPreviousPosition
-  gl::Texture normal;   ///< RGBA16F, world space, 0 for the sky
+  gl::Texture normal;   ///< RGBA16F, world space, 0 for the sky; alpha: number of the ObjectClass
   gl::Texture objectId; ///< R32UI, 0 = sky
   gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
   // None where the settings ask for none.

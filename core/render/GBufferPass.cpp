@@ -60,6 +60,7 @@ bool isBlended(BlendedAs blended) {
 } // namespace
 
 GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
+  const std::vector<bool> moves = movingNodes(scene);
   for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
     const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
     if (mesh < 0) continue;
@@ -67,7 +68,10 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
     for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
       const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
       const Variant variant = variantFor(primitive, scene.nodes[static_cast<std::size_t>(node)], scene);
-      items_.push_back({node, mesh, index, primitive.material, variant});
+      const ObjectClass objectClass = variant.deforms()                       ? ObjectClass::Deforming
+                                      : moves[static_cast<std::size_t>(node)] ? ObjectClass::Moving
+                                                                              : ObjectClass::Still;
+      items_.push_back({node, mesh, index, primitive.material, objectClass, variant});
       if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
     }
   }
@@ -168,7 +172,8 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
   block.normalFromModel = normalMatrix(glm::mat3(world), sign);
   const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
-  block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f, 0.0f};
+  block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f,
+                     static_cast<float>(item.objectClass)};
   block.uvCell = animatedUv(material.uvAnimation, view.pose.time);
   // What is not followed is deformed as it is now in the previous frame too.
   const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;

@@ -5,6 +5,7 @@
 #include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
+#include "core/scene/ObjectClass.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
 
@@ -56,6 +57,7 @@ class GBufferPass {
   /// One primitive at one node.
   struct Item {
     int node = 0, mesh = 0, primitive = 0, material = 0;
+    ObjectClass objectClass = ObjectClass::Still;
     Variant variant;
   };
   static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);

@@ -192,6 +192,10 @@ inline constexpr Choice kRectifyMethods[] = {
      "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
      "which "
      "no box and no γ widens (catalogue 10.12)."},
+    {"clampForget", "Clamp and forget",
+     "Nearest point of the box, and history that was moved counts as no more than 1.6 frames, a tenth of "
+     "what "
+     "FSR2 can accumulate (catalogue 11.7)."},
 };
 inline constexpr Choice kOffScreens[] = {
     {"keep", "Keep", "Border pixels streak into the picture (catalogue 5.0)."},
@@ -200,6 +204,18 @@ inline constexpr Choice kOffScreens[] = {
     {"oneSided", "One-sided, as printed",
      "As in the first listing of source 002: only the left edge is tested, the others streak "
      "(catalogue 5.7, D9)."},
+};
+inline constexpr Choice kVelocityTests[] = {
+    {"none", "None", "Motion may change as it likes."},
+    {"vector", "Vector", "Length of the difference: ‖v − v′‖ (catalogue 12.5, CryEngine 3, Godot)."},
+    {"length", "Length",
+     "Difference of the lengths: |‖v‖ − ‖v′‖|; a turn is no change (catalogue 12.5, HDRP)."},
+};
+inline constexpr Choice kRejectActions[] = {
+    {"restart", "Restart", "α = 1 and N = 1: the history is dropped (catalogue §12, hard)."},
+    {"raiseAlpha", "Raise α",
+     "The history stays, and α is at least a value of choice; only what is off the screen or has no history "
+     "starts anew (catalogue §12, soft)."},
 };
 inline constexpr Choice kAlphaSources[] = {
     {"constant", "Constant", "The same α everywhere (catalogue 13.1)."},

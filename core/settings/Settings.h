@@ -151,6 +151,7 @@ enum class RectifyMethod : std::int32_t {
   ClampThenClip,
   RayToCurrent,
   ClipToHull,
+  ClampForget,
 };
 struct RectifySettings {
   RectifyMethod method = RectifyMethod::ClipToFiltered;
@@ -158,16 +159,30 @@ struct RectifySettings {
   Switch relaxAtRest = Switch::Off; ///< only a part of the correction where little moves
   float leastStrength = 0.25f;      ///< that part at rest
   float restSpeed = 1.0f;           ///< px a frame from which on all of it is applied
+  Switch locks = Switch::Off;       ///< thin features keep their history
+  float lockFrames = 16.0f;         ///< frames a lock lasts
+  Switch instability = Switch::Off; ///< what comes and goes with the jitter keeps its history
 };
 
 enum class OffScreen : std::int32_t { Keep, Reject, Margin, OneSided };
+enum class VelocityTest : std::int32_t { None, Vector, Length };
+enum class RejectAction : std::int32_t { Restart, RaiseAlpha };
 struct ValidateSettings {
   OffScreen offScreen = OffScreen::Reject;
   Switch depth = Switch::On;
-  float depthTolerance = 0.03f; ///< τ, relative to the expected view depth
-  float slopeAllowance = 2.0f;  ///< render px along the depth slope that count as the same depth
-  Switch speed = Switch::Off;   ///< reject what moves faster than the limit
-  float speedLimit = 128.0f;    ///< px a frame
+  float depthTolerance = 0.03f;     ///< τ, relative to the expected view depth
+  float slopeAllowance = 2.0f;      ///< render px along the depth slope that count as the same depth
+  Switch speed = Switch::Off;       ///< reject what moves faster than the limit
+  float speedLimit = 128.0f;        ///< px a frame
+  Switch object = Switch::Off;      ///< reject the history of another object
+  Switch objectClass = Switch::Off; ///< reject the history of another class: still, moving, deforming
+  Switch normal = Switch::Off;      ///< reject the history of a surface that faces another way
+  float normalLimit = 0.9f;         ///< least cosine between the normals
+  VelocityTest velocity = VelocityTest::None;
+  float velocityLimit = 2.5f; ///< px a frame of change that count nothing
+  float velocityGain = 0.01f; ///< share of history that is lost for each px beyond
+  RejectAction action = RejectAction::Restart;
+  float softAlpha = 0.5f; ///< α of rejected history where it is not dropped
 };
 
 enum class AlphaSource : std::int32_t {
@@ -192,7 +207,11 @@ struct WeightSettings {
   MotionAlpha motion = MotionAlpha::None;
   float motionSpeed = 64.0f; ///< px a frame from which on only the current frame counts
   MaskAlpha mask = MaskAlpha::Off;
-  float maskAlpha = 0.3f; ///< least weight of the current frame where the mask is 1
+  float maskAlpha = 0.3f;              ///< least weight of the current frame where the mask is 1
+  Switch velocityChange = Switch::Off; ///< more where a surface moves otherwise than a frame ago
+  float velocityChangeSpeed = 8.0f;    ///< px a frame of change from which on only the current frame counts
+  Switch divergence = Switch::Off;     ///< more where neighbors move apart
+  float divergenceSpeed = 12.8f;       ///< px a frame from which on that counts fully
 };
 
 enum class ToneWeight : std::int32_t { None, Luma, ReinhardChannel, MaxChannel, LumaAsPrinted };

@@ -61,8 +61,9 @@ std::vector<std::string> channelNames(const Intermediate& row) {
 }
 
 std::string_view rejectReasonText(int reason) {
-  static constexpr std::string_view kTexts[] = {"kept",       "no history", "no previous position",
-                                                "off screen", "depth",      "too fast"};
+  static constexpr std::string_view kTexts[] = {
+      "kept",     "no history",     "no previous position", "off screen",     "depth",
+      "too fast", "another object", "another class",        "another normal", "another velocity"};
   if (reason < 0 || reason >= static_cast<int>(std::size(kTexts))) return "unknown";
   return kTexts[reason];
 }

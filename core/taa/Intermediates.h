@@ -51,6 +51,8 @@ enum class Visual : std::uint8_t {
       "What is laid over the output, without jitter, times its opacity; 0 where nothing is.")                \
   ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
       "How much of the output the overlay hides.")                                                           \
+  ROW(objectClass, "Object class", Inputs, 1, "", 0, 3, Index, 0,                                            \
+      "What the object is: 0 the sky, 1 still, 2 moves as a whole, 3 deforms.")                              \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
       "Step to the neighbor whose motion is used, render px.")                                               \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \
@@ -90,6 +92,14 @@ enum class Visual : std::uint8_t {
       "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
   ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                        \
       "Part of the correction that is applied.")                                                             \
+  ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                               \
+      "How much of the correction a lock takes back; 0 when off.")                                           \
+  ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar, 1e-3,                                      \
+      "2: locked in this frame; less than 1 does nothing, 0: no lock.")                                      \
+  ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask, 0,                                 \
+      "1 where luma comes and goes, which takes back all of the correction; 0 when off.")                    \
+  ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
+      "N after rectification: less than before only where that forgets.")                                    \
   ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
       "View depth this surface had in the previous frame.")                                                  \
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
@@ -98,9 +108,16 @@ enum class Visual : std::uint8_t {
       "Relative difference of expected and stored depth; above what is allowed history is rejected.")        \
   ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
       "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
-  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 5, Index, 0,                                 \
+  ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index, 0,                        \
+      "Object stored with the history: that of this pixel when it is one of the four texels around, else "   \
+      "the nearest one; 0: the sky, or not kept.")                                                           \
+  ROW(normalAgreement, "Normal agreement", ValidateHistory, 1, "", -1, 1, Signed, 1e-3,                      \
+      "Cosine between the normals of now and then, the best of four; 1 when off.")                           \
+  ROW(velocityChange, "Velocity change", ValidateHistory, 1, "px", 0, 16, Scalar, 1e-3,                      \
+      "Change of motion since the previous frame, the smallest of four; 0 when off.")                        \
+  ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 9, Index, 0,                                 \
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
-      "too fast.")                                                                                           \
+      "too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.")                  \
   ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "α of the chosen source.")                \
   ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
   ROW(alphaLumaFlicker, "α calm luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
@@ -112,13 +129,17 @@ enum class Visual : std::uint8_t {
   ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                         \
       "Factor on α where the mask is set; 1 when off.")                                                      \
   ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
+  ROW(alphaVelocityChange, "α velocity change", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
+      "What a change of motion adds to α; 0 when off.")                                                      \
+  ROW(alphaDivergence, "α divergence", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
+      "What motion that parts adds to α; 0 when off.")                                                       \
   ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                           \
       "The least that the mask asks of α; 0 when off.")                                                      \
-  ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 0,                                        \
-      "1 where history was rejected, else 0.")                                                               \
+  ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                     \
+      "Least α where history was rejected: 1 where it is dropped, 0 where it was kept.")                     \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
-      "Weight of the current frame: base times the calming factors, at least the floor, motion joined, "     \
-      "times κ, at least what the mask asks, 1 where invalid.")                                              \
+      "Weight of the current frame: base times the calming factors, at least the floor, what motion adds "   \
+      "joined, times κ, at least α mask and α invalid.")                                                     \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
@@ -191,7 +212,7 @@ constexpr bool isOfOutput(IntermediateId id) {
 std::vector<IntermediateId> rowsOfOutput(const std::vector<IntermediateId>& watched);
 std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& watched);
 
-/// Color targets of the resolve that are the history's; watched rows come after them.
+/// Color targets of the resolve that are always the history's; see historyTargets().
 inline constexpr std::size_t kHistoryTargets = 2;
 
 /// Whether so few are watched that each gets a color target of its own behind the `taken` first, which costs

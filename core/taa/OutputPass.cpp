@@ -14,9 +14,13 @@ Settings relevantSettings(const Settings& settings) {
   return relevant;
 }
 
+std::string prelude(const Settings&, const std::vector<IntermediateId>& watched) {
+  return exposePrelude(watched, 0);
+}
+
 } // namespace
 
-OutputPass::OutputPass() : programs("taa/output.frag", "output", 0) {}
+OutputPass::OutputPass() : programs("taa/output.frag", "output", prelude) {}
 
 void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
                       const Exposure& exposure) {
@@ -25,7 +29,7 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   std::vector<gl::Attachment> targets;
   for (const IntermediateId id : rows) targets.push_back({&exposure.texture(id), exposure.layer(id)});
   const gl::Program& program = programs.program(relevantSettings(settings), rows);
-  passInputs_.update(inputs, settings, false, {exposure.region().x, exposure.region().y});
+  passInputs_.update(inputs, settings, 0, {exposure.region().x, exposure.region().y});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
   pass.program(program);

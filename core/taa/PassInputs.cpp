@@ -15,7 +15,7 @@ namespace {
 // Units of shaders/taa/inputs.glsl for what a frame may be without.
 constexpr unsigned kMaskUnit = 14, kOverlayUnit = 15;
 
-shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, bool hasHistory,
+shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, int historyState,
                                const glm::ivec2& corner) {
   const std::array<float, 9> w = currentFilterWeights(settings.current, inputs.info.jitterPx);
   shared::ResolveBlock block{};
@@ -27,7 +27,7 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   block.currentWeights0 = glm::vec4(w[0], w[1], w[2], 0.0f);
   block.currentWeights1 = glm::vec4(w[3], w[4], w[5], 0.0f);
   block.currentWeights2 = glm::vec4(w[6], w[7], w[8], 0.0f);
-  block.state = glm::ivec4(hasHistory ? 1 : 0, corner.x, corner.y, inputs.info.frame);
+  block.state = glm::ivec4(historyState, corner.x, corner.y, inputs.info.frame);
   return block;
 }
 
@@ -45,9 +45,9 @@ PassInputs::PassInputs()
       resolveBlock_(sizeof(shared::ResolveBlock), nullptr, "ResolveBlock"),
       settingsBlock_(taa::settingsBlock(Settings{}).size(), nullptr, "SettingsBlock") {}
 
-void PassInputs::update(const FrameInputs& inputs, const Settings& settings, bool hasHistory,
+void PassInputs::update(const FrameInputs& inputs, const Settings& settings, int historyState,
                         const glm::ivec2& corner) {
-  const shared::ResolveBlock block = makeBlock(inputs, settings, hasHistory, corner);
+  const shared::ResolveBlock block = makeBlock(inputs, settings, historyState, corner);
   const std::vector<std::byte> numbers = taa::settingsBlock(settings);
   resolveBlock_.update(0, &block, sizeof(block));
   settingsBlock_.update(0, numbers.data(), numbers.size());

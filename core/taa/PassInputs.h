@@ -14,8 +14,10 @@ class PassInputs {
  public:
   PassInputs();
 
-  /// Fills the blocks: before the pass begins. `corner`: the picture's pixel at the target's top left.
-  void update(const FrameInputs& inputs, const Settings& settings, bool hasHistory, const glm::ivec2& corner);
+  /// Fills the blocks: before the pass begins. `historyState`: bits of what history there is (ResolveBlock).
+  /// `corner`: the picture's pixel at the target's top left.
+  void update(const FrameInputs& inputs, const Settings& settings, int historyState,
+              const glm::ivec2& corner);
   /// Blocks, and all textures but those of the history.
   void bind(gl::RenderPass& pass, const FrameInputs& inputs) const;
   /// Reads single texels: bind what else there is with it.

@@ -16,8 +16,8 @@ constexpr std::uint64_t kRunsInUse = 16;
 
 } // namespace
 
-ProgramCache::ProgramCache(std::string fragment, std::string label, std::size_t taken)
-    : fragment_(std::move(fragment)), label_(std::move(label)), taken_(taken) {}
+ProgramCache::ProgramCache(std::string fragment, std::string label, Prelude prelude)
+    : fragment_(std::move(fragment)), label_(std::move(label)), prelude_(prelude) {}
 
 gl::Program ProgramCache::compile(const std::string& prelude) const {
   return gl::Program(gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource(fragment_, prelude),
@@ -31,7 +31,7 @@ const gl::Program& ProgramCache::program(const Settings& settings,
   const auto found = variants_.find(key);
   Variant& variant = found != variants_.end() ? found->second : [&]() -> Variant& {
     Variant made;
-    made.prelude = glslPrelude(settings) + exposePrelude(watched, taken_);
+    made.prelude = glslPrelude(settings) + prelude_(settings, watched);
     made.program = compile(made.prelude);
     dropOldest();
     return variants_[key] = std::move(made);
@@ -47,7 +47,7 @@ void ProgramCache::dropOldest() {
 }
 
 ProgramCache ProgramCache::compiledAnew() const {
-  ProgramCache fresh(fragment_, label_, taken_);
+  ProgramCache fresh(fragment_, label_, prelude_);
   fresh.runs_ = runs_;
   for (const auto& [key, variant] : variants_) {
     if (variant.lastUse + kRunsInUse < runs_) continue;

@@ -14,8 +14,9 @@ namespace taa {
 /// Programs kept besides those in use are enough for a lane's choices to be flipped back and forth.
 class ProgramCache {
  public:
-  /// `taken`: color targets that are not for watched rows (see exposePrelude).
-  ProgramCache(std::string fragment, std::string label, std::size_t taken);
+  /// What stands before the shader, behind glslPrelude(): at least exposePrelude().
+  using Prelude = std::string (*)(const Settings& settings, const std::vector<IntermediateId>& watched);
+  ProgramCache(std::string fragment, std::string label, Prelude prelude);
 
   /// The program of these settings that exposes `watched`, compiled now when it is new.
   const gl::Program& program(const Settings& settings, const std::vector<IntermediateId>& watched);
@@ -33,7 +34,7 @@ class ProgramCache {
   void dropOldest();
 
   std::string fragment_, label_;
-  std::size_t taken_;
+  Prelude prelude_;
   std::map<std::string, Variant> variants_; // by what their prelude depends on
   std::uint64_t runs_ = 0;
 };

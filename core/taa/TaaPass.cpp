@@ -23,12 +23,32 @@ gl::TextureSize outputSize(const FrameInputs& inputs) {
   return {inputs.outputWidth(), inputs.outputHeight()};
 }
 
+std::string prelude(const Settings& settings, const Watched& watched) {
+  return historyPrelude(settings) + exposePrelude(watched, historyTargets(settings));
+}
+
+// Bit 0: there is history; the others: the layers of it that these settings need and it holds.
+int historyState(const History* previous, const Settings& settings) {
+  if (!previous) return 0;
+  int state = 1, bit = 2;
+  for (const HistoryLayer& layer : historyLayers()) {
+    if (layer.isNeeded(settings) && previous->*layer.texture) state |= bit;
+    bit *= 2;
+  }
+  return state;
+}
+
 // Where the resolve draws: into the history, if there is one to write, and into the exposure's targets.
-std::vector<gl::Attachment> attachments(const History* out, const Exposure* exposure) {
-  std::vector<gl::Attachment> targets(kHistoryTargets);
-  if (out) targets = {{&out->color}, {&out->surface}};
+std::vector<gl::Attachment> attachments(const History* out, const Exposure* exposure,
+                                        const Settings& settings) {
+  std::vector<gl::Attachment> targets(historyTargets(settings));
+  if (out) {
+    targets = {{&out->color}, {&out->surface}};
+    for (const HistoryLayer& layer : historyLayers())
+      if (layer.isNeeded(settings)) targets.push_back({&(out->*layer.texture)});
+  }
   const std::vector<IntermediateId> rows = exposure ? rowsOfResolve(exposure->watched()) : Watched{};
-  if (exposesAsTargets(rows))
+  if (exposesAsTargets(rows, targets.size()))
     for (const IntermediateId id : rows) targets.push_back({&exposure->texture(id), exposure->layer(id)});
   return targets;
 }
@@ -36,31 +56,46 @@ std::vector<gl::Attachment> attachments(const History* out, const Exposure* expo
 } // namespace
 
 struct TaaPass::Parts {
-  ProgramCache programs{"taa/resolve.frag", "resolve", kHistoryTargets};
+  ProgramCache programs{"taa/resolve.frag", "resolve", prelude};
   PassInputs passInputs;
   OutputPass output;
 
+  void bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
+                   const Settings& settings) const;
   void run(const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
            const Settings& settings, const Exposure* exposure);
 };
 
+void TaaPass::Parts::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
+                                 const Settings& settings) const {
+  // Without history the shader uses nothing of what it reads there, but the reads want a texture of this
+  // size.
+  pass.texture(6, previous ? previous->color : inputs.color, passInputs.nearest());
+  pass.texture(7, previous ? previous->surface : inputs.motion, passInputs.nearest());
+  unsigned unit = kFirstLayerUnit;
+  for (const HistoryLayer& layer : historyLayers()) {
+    const bool isHeld = previous && previous->*layer.texture;
+    if (layer.isNeeded(settings))
+      pass.texture(unit, isHeld ? previous->*layer.texture : inputs.motion, passInputs.nearest());
+    ++unit;
+  }
+}
+
 void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
                          const Settings& settings, const Exposure* exposure) {
-  const bool hasHistory = previous && !inputs.info.startsHistory;
-  assert(!hasHistory || previous->color.size() == outputSize(inputs));
+  if (inputs.info.startsHistory) previous = nullptr;
+  assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
   const Watched rows = exposure ? rowsOfResolve(exposure->watched()) : Watched{};
   const gl::Program& resolve = programs.program(relevantSettings(settings), rows);
   const gl::Rect region = exposure ? exposure->region() : gl::Rect{};
-  passInputs.update(inputs, settings, hasHistory, {region.x, region.y});
+  passInputs.update(inputs, settings, historyState(previous, settings), {region.x, region.y});
 
   gl::RenderPass pass(target, {}, "TaaPass");
   pass.program(resolve);
   passInputs.bind(pass, inputs);
-  // Without history the shader uses nothing of what it reads there, but the reads want a texture.
-  pass.texture(6, hasHistory ? previous->color : inputs.color, passInputs.nearest());
-  pass.texture(7, hasHistory ? previous->surface : inputs.motion, passInputs.nearest());
-  const bool stores = !exposesAsTargets(rows);
+  bindHistory(pass, inputs, previous, settings);
+  const bool stores = !exposesAsTargets(rows, historyTargets(settings));
   if (stores) {
     const gl::Texture* images[] = {&exposure->one_, &exposure->two_, &exposure->four_};
     for (unsigned unit = 0; unit < std::size(images); ++unit)
@@ -80,8 +115,8 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
   assert(&out != previous);
   const gl::TextureSize size = outputSize(inputs);
   assert(!exposure || exposure->region() == (gl::Rect{0, 0, size.width, size.height}));
-  fitHistory(out, size.width, size.height, settings.history.precision);
-  const gl::Framebuffer target(attachments(&out, exposure), nullptr, "resolved");
+  fitHistory(out, size.width, size.height, settings);
+  const gl::Framebuffer target(attachments(&out, exposure, settings), nullptr, "resolved");
   parts_->run(target, inputs, previous, settings, exposure);
   if (exposure) parts_->output.fill(inputs, out.color, settings, *exposure);
 }
@@ -92,8 +127,9 @@ void TaaPass::expose(const FrameInputs& inputs, const History* previous, const H
   const gl::Rect& region = exposure.region();
   if (!rows.empty()) {
     const gl::Framebuffer target =
-        exposesAsTargets(rows) ? gl::Framebuffer(attachments(nullptr, &exposure), nullptr, "exposed region")
-                               : gl::Framebuffer(region.width, region.height, "exposed region");
+        exposesAsTargets(rows, historyTargets(settings))
+            ? gl::Framebuffer(attachments(nullptr, &exposure, settings), nullptr, "exposed region")
+            : gl::Framebuffer(region.width, region.height, "exposed region");
     parts_->run(target, inputs, previous, settings, &exposure);
   }
   parts_->output.fill(inputs, resolved.color, settings, exposure);

@@ -6,6 +6,7 @@
 #include "core/gl/RenderPass.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
+#include "core/taa/History.h"
 #include "core/taa/Intermediates.h"
 
 #include <memory>
@@ -13,16 +14,6 @@
 #include <vector>
 
 namespace taa {
-
-/// What one frame leaves for the next. Written once, then only read.
-struct History {
-  gl::Texture color;   ///< RGBA16F or RGBA32F by history.precision: the resolved color, alpha 1
-  gl::Texture surface; ///< RG32F: history length N, view depth of the dilated sample (m, 0 = sky)
-  std::size_t bytes() const { return color.bytes() + surface.bytes(); }
-};
-
-/// Makes the textures of `history` fit size and precision; keeps them when they do.
-void fitHistory(History& history, int width, int height, Precision precision);
 
 /// Textures that hold the watched intermediates of a region, one layer each, 32-bit floats.
 class Exposure {

@@ -138,7 +138,7 @@ void main() {
   }
   if (kMask > 0) o_mask = vec2(kMask == 2 ? min(baseColor.a, 1.0) : 0.0, draw.drawTerms.z);
   o_motion = motionFromClip(v_clip, v_previousClip);
-  o_normal = vec4(normal, 0.0);
+  o_normal = vec4(normal, draw.drawTerms.w);
   o_objectId = uint(draw.drawTerms.x + 0.5);
   o_previousDepth = v_previousDepthView > 0.0 ? v_previousDepthView : 0.0;
 }

@@ -16,7 +16,7 @@ layout(std140, binding = 4) uniform DrawBlock {
   mat4 clipFromModel;         // unjittered
   mat4 previousClipFromModel; // unjittered, of the previous frame
   vec4 previousDepthRow;      // · (position, 1) = view depth in the previous frame, m
-  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1, 1 when responsive; w unused
+  vec4 drawTerms;             // object id, −1 when the transform mirrors else 1, 1 when responsive; w: ObjectClass
   vec4 moments;               // time, previous time, seconds between them; w unused
   vec4 uvCell;                // first uv set: factor, then shift
   ivec4 deform;               // first joint, first morph weight, frame of the cache; w unused

@@ -20,7 +20,7 @@ layout(std140, binding = 0) uniform ResolveBlock {
   vec4 currentWeights0; // weights of the current filter, row-major over 3×3: first row, w unused
   vec4 currentWeights1; // middle row
   vec4 currentWeights2; // last row
-  ivec4 state;          // x: 1 when there is history; y, z: pixel at the target's top left; w: the frame's number
+  ivec4 state;          // x: bit 0 when there is history, others for its layers; y, z: pixel at the target's top left; w: the frame's number
 #ifdef __cplusplus
 };
 } // namespace taa::shared

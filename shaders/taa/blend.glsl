@@ -1,5 +1,5 @@
 // Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, history length N,
-// reject reason. Out: the
+// least α of invalid history. Out: the
 // resolved color as it will be stored, and N after this frame.
 
 struct Blended {
@@ -80,9 +80,8 @@ vec3 asStored(vec3 color) {
   return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
 }
 
-Blended blend(Samples samples, CurrentColor filtered, vec3 history, float alpha, float historyFrames,
-              int rejectReason) {
-  bool isRestarted = kBlendRestart == kBlendRestart_blurred && rejectReason != kRejectReason_kept;
+Blended blend(Samples samples, CurrentColor filtered, vec3 history, float alpha, float historyFrames, float invalid) {
+  bool isRestarted = kBlendRestart == kBlendRestart_blurred && invalid >= 1.0;
   precise vec3 current = isRestarted ? blurredRestart(samples) : filtered.color;
   precise float currentWeight = toneWeight(current);
   precise float historyWeight = toneWeight(history);

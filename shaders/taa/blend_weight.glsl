@@ -1,5 +1,5 @@
 // Decides α, the weight of the current frame, from its terms (catalogue §13): a base, calming factors, a floor, motion
-// joined to it, and 1 where history is invalid. In: what the stages before found. Out: α, 0 to 1.
+// joined to it, and more where history is invalid. In: what the stages before found. Out: α, 0 to 1.
 
 /// What the terms look at.
 struct WeightInputs {
@@ -8,10 +8,12 @@ struct WeightInputs {
   vec3 rawHistory;
   Box box;
   DilatedMotion dilated;
-  float speed;  // px
-  float frames; // N where history was read
-  vec2 mask;    // reactive, responsive
-  float confidence; // κ
+  float speed;          // px
+  float frames;         // N of the rectified history
+  float velocityChange; // px
+  float divergence;     // 0 to 1
+  vec2 mask;            // reactive, responsive
+  float confidence;     // κ
 };
 
 const bool kUsesLumaDifference = kWeightSource == kWeightSource_lumaDifference ||
@@ -112,14 +114,58 @@ float motionWeight(WeightInputs x) {
   return kWeightMotion == kWeightMotion_squaredAsPrinted ? saturated(asPrinted) : 0.0;
 }
 
-float blendWeight(WeightInputs x, int rejectReason) {
+/// Least cosine of the motions of 3×3 with the pixel's, scaled down by the faster of the two (12.7, FSR2): 1 where all
+/// move alike. `fastest`: the largest squared speed.
+float leastAgreement(ivec2 texel, vec2 own, out float fastest) {
+  fastest = squaredLength(own);
+  precise float least = 1.0;
+  for (int k = 0; k < 9; ++k) {
+    vec2 other = pictureMotion(texelAt(u_motion, texel + ivec2(k % 3 - 1, k / 3 - 1)).rg);
+    if (other.x == kNoPreviousPosition) continue;
+    precise float along = (other.x * own.x + other.y * own.y) / greater(squaredLength(other), squaredLength(own));
+    if (along < least) least = along;
+    fastest = greater(fastest, squaredLength(other));
+  }
+  return least;
+}
+
+/// How far the motion around a render texel parts, 0 to 1; what hardly moves does not.
+float motionDivergence(ivec2 texel) {
+  if (!kWeightDivergence) return 0.0;
+  vec2 own = pictureMotion(texelAt(u_motion, texel).rg);
+  float fastest;
+  precise float parted = saturated(1.0 - leastAgreement(texel, own, fastest));
+  precise float divergence = parted * saturated(sqrt(fastest) / settings.weightDivergenceSpeed);
+  return squaredLength(own) > 1e-4 ? divergence : 0.0;
+}
+
+/// a ⊔ b = 1 − (1 − a)(1 − b).
+float joined(float a, float b) {
+  precise float result = 1.0 - (1.0 - a) * (1.0 - b);
+  return result;
+}
+
+/// Joins what motion adds (13.4 to 13.7, 12.7).
+float movedWeight(WeightInputs x, float calmed) {
+  float motion = motionWeight(x);
+  float velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
+  float moved = calmed;
+  if (kWeightMotion != kWeightMotion_none) moved = joined(moved, motion);
+  if (kWeightVelocityChange) moved = joined(moved, velocityChange);
+  if (kWeightDivergence) moved = joined(moved, x.divergence);
+  expose_alphaMotion(motion);
+  expose_alphaVelocityChange(velocityChange);
+  expose_alphaDivergence(x.divergence);
+  return moved;
+}
+
+float blendWeight(WeightInputs x, float invalid) {
   float base = baseWeight(x);
   float least = leastWeight(base);
   float lumaFlicker = lumaFlickerFactor(x);
   float nearClamp = nearClampFactor(x);
   float historyContrast = historyContrastFactor(x);
   float relax = relaxFactor(x);
-  float motion = motionWeight(x);
   float mask = maskWeight(x);
   precise float calmed = base * lumaFlicker;
   calmed = calmed * nearClamp;
@@ -127,18 +173,15 @@ float blendWeight(WeightInputs x, int rejectReason) {
   calmed = calmed * relax;
   calmed = greater(calmed, least);
   calmed = calmed < 1.0 ? calmed : 1.0;
-  precise float joined = 1.0 - (1.0 - calmed) * (1.0 - motion);
-  if (kWeightMotion == kWeightMotion_none) joined = calmed;
-  if (kUpsampled) joined = joined * x.confidence; // §22: 0 keeps history as it is
-  float invalid = rejectReason != kRejectReason_kept ? 1.0 : 0.0;
-  float alpha = greater(greater(joined, mask), invalid);
+  precise float moved = movedWeight(x, calmed);
+  if (kUpsampled) moved = moved * x.confidence; // §22: 0 keeps history as it is
+  float alpha = greater(greater(moved, mask), invalid);
   expose_alphaBase(base);
   expose_alphaFloor(least);
   expose_alphaLumaFlicker(lumaFlicker);
   expose_alphaNearClamp(nearClamp);
   expose_alphaHistoryContrast(historyContrast);
   expose_alphaRelax(relax);
-  expose_alphaMotion(motion);
   expose_alphaMask(mask);
   expose_alphaInvalid(invalid);
   expose_alpha(alpha);

@@ -7,11 +7,17 @@
 layout(binding = 0) uniform sampler2D u_color;          // scene-linear, jittered
 layout(binding = 1) uniform sampler2D u_depth;          // device depth, reversed, 0 = sky
 layout(binding = 2) uniform sampler2D u_motion;         // render px, current − previous
-layout(binding = 3) uniform sampler2D u_normal;         // world space
+layout(binding = 3) uniform sampler2D u_normal;         // world space; alpha: class of the object
 layout(binding = 4) uniform usampler2D u_objectId;      // 0 = sky
 layout(binding = 5) uniform sampler2D u_previousDepth;  // view depth in the previous frame, m
 layout(binding = 6) uniform sampler2D u_historyColor;   // scene-linear
 layout(binding = 7) uniform sampler2D u_historySurface; // history length N, view depth in m
+// Bound where the settings need them (core/taa/History.h).
+layout(binding = 8) uniform sampler2D u_historyObject; // number, class
+layout(binding = 9) uniform sampler2D u_historyNormal; // world space
+layout(binding = 10) uniform sampler2D u_historyMotion; // px
+layout(binding = 11) uniform sampler2D u_historyLock;   // life, luma
+layout(binding = 12) uniform sampler2D u_historyLumas;  // of the last four frames, latest first
 layout(binding = 14) uniform sampler2D u_mask;          // reactive, responsive; one black texel when none is drawn
 layout(binding = 15) uniform sampler2D u_overlay;       // premultiplied, not jittered; likewise
 
@@ -32,7 +38,10 @@ vec4 historyAt(sampler2D picture, ivec2 texel) {
   return textureLod(picture, (vec2(texel) + 0.5) * (1.0 / resolveBlock.sizePx), 0.0);
 }
 
-bool hasHistory() { return resolveBlock.state.x != 0; }
+bool hasHistory() { return (resolveBlock.state.x & 1) != 0; }
+
+/// Whether the history holds a layer that not all settings keep.
+bool keeps(int layer) { return (resolveBlock.state.x & layer) != 0; }
 
 /// View depth in m of a device depth; 0 stands for the sky.
 float viewDepth(float depth) {
@@ -71,7 +80,7 @@ struct Samples {
   vec2 mask; // of the pixel: reactive, responsive; read where a stage uses it
 };
 
-const bool kUsesMask = kNeighborhoodMaskRelax || kWeightMask != kWeightMask_off;
+const bool kUsesMask = kNeighborhoodMaskRelax || kWeightMask != kWeightMask_off || kRectifyLocks || kRectifyInstability;
 
 Samples readInputs(Place place) {
   ivec2 texel = place.texel;
@@ -90,6 +99,7 @@ Samples readInputs(Place place) {
   expose_responsive(texelAt(u_mask, texel).g);
   expose_overlay(texelAt(u_overlay, place.still).rgb);
   expose_overlayAlpha(texelAt(u_overlay, place.still).a);
+  expose_objectClass(texelFetch(u_normal, texel, 0).w);
   return samples;
 }
 

@@ -1,5 +1,6 @@
 // Pulls history that lies outside the box back to it (catalogue §11). In: scene-linear history and filtered
-// color, neighborhood in box space, speed in px. Out: scene-linear; history inside the box comes out untouched, bit for bit.
+// color, neighborhood in box space, speed in px, how much of the correction is taken back. Out: scene-linear, and N;
+// history inside the box comes out untouched, bit for bit.
 
 struct Rectified {
   vec3 color;   // box space
@@ -123,11 +124,12 @@ Rectified clipToHull(vec3 history, Neighborhood around, vec3 currentFiltered) {
   return Rectified(color, amount);
 }
 
+const bool kIsClampForget = kRectifyMethod == kRectifyMethod_clampForget;
 const bool kIsClampThenClip = kRectifyMethod == kRectifyMethod_clampThenClip;
 
 Rectified rectifiedByMethod(vec3 history, Neighborhood around, vec3 currentFiltered) {
   Box box = around.box;
-  if (kRectifyMethod == kRectifyMethod_clamp) return clampHistory(history, box);
+  if (kRectifyMethod == kRectifyMethod_clamp || kIsClampForget) return clampHistory(history, box);
   if (kRectifyMethod == kRectifyMethod_clipToCenter) return clipToCenter(history, box);
   if (kRectifyMethod == kRectifyMethod_clipToFiltered) return clipToFiltered(history, box, currentFiltered);
   if (kRectifyMethod == kRectifyMethod_shrinkAxes) return shrinkAxes(history, box, around.moments.mean);
@@ -157,20 +159,38 @@ float rectifyStrength(float speed) {
   return kRectifyRelaxAtRest ? strength : 1.0;
 }
 
-vec3 rectifyHistory(vec3 historyColor, Neighborhood around, vec3 currentFiltered, float speed) {
-  precise vec3 history = toBox(historyColor);
+/// N of history that was moved: a tenth of what FSR2 accumulates, 0.1 of a mean weight of 0.74/12 a frame (11.7).
+float framesKept(float frames, float held) {
+  float forgotten = lesser(frames, 1.6216216);
+  precise float result = forgotten + held * (frames - forgotten);
+  return result;
+}
+
+struct RectifiedHistory {
+  vec3 color;   // scene-linear
+  float frames; // N
+};
+
+RectifiedHistory rectifyHistory(HistorySample raw, Neighborhood around, vec3 currentFiltered, float speed, float held) {
+  precise vec3 history = toBox(raw.color);
   Rectified rectified = rectifiedByMethod(history, around, currentFiltered);
   float strength = rectifyStrength(speed);
   bool kept = isKept(history, around, rectified);
   precise vec3 corrected = storable(fromBox(rectified.color));
   precise float amount = rectified.amount;
   if (kRectifyRelaxAtRest) {
-    corrected = historyColor + strength * (corrected - historyColor);
+    corrected = raw.color + strength * (corrected - raw.color);
     amount = amount * strength;
   }
-  precise vec3 result = kept ? historyColor : corrected;
-  expose_historyRectified(result);
+  if (kHolds) {
+    corrected = corrected + held * (raw.color - corrected);
+    amount = amount * (1.0 - held);
+  }
+  precise vec3 color = kept ? raw.color : corrected;
+  float frames = kIsClampForget && !kept ? framesKept(raw.frames, held) : raw.frames;
+  expose_historyRectified(color);
   expose_clipAmount(kept ? 0.0 : amount);
   expose_rectifyStrength(strength);
-  return result;
+  expose_historyKeptLength(frames);
+  return RectifiedHistory(color, frames);
 }

@@ -8,8 +8,9 @@
 #include "taa/upsample.glsl"
 #include "taa/filter_current.glsl"
 #include "taa/neighborhood.glsl"
-#include "taa/rectify_history.glsl"
 #include "taa/validate_history.glsl"
+#include "taa/hold_history.glsl"
+#include "taa/rectify_history.glsl"
 #include "taa/blend_weight.glsl"
 #include "taa/blend.glsl"
 
@@ -26,12 +27,15 @@ void main() {
   CurrentColor filtered = filterCurrent(samples, place, reprojection.speed);
   vec3 current = filtered.color;
   Neighborhood around = boundNeighborhood(samples, current, history.color, reprojection.speed);
-  vec3 rectified = rectifyHistory(history.color, around, current, reprojection.speed);
-  int reason = validateHistory(place.texel, dilated, reprojection, history);
-  WeightInputs weighed = WeightInputs(current, rectified, history.color, around.box, dilated, reprojection.speed,
-                                      history.frames, samples.mask, filtered.confidence);
-  float alpha = blendWeight(weighed, reason);
-  Blended blended = blend(samples, filtered, rectified, alpha, history.frames, reason);
+  // Before it is rectified, because invalid history is not held.
+  Validity validity = validateHistory(place.texel, dilated, reprojection, history);
+  float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
+  RectifiedHistory rectified = rectifyHistory(history, around, current, reprojection.speed, held);
+  WeightInputs weighed =
+      WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
+                   validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence);
+  float alpha = blendWeight(weighed, validity.invalid);
+  Blended blended = blend(samples, filtered, rectified.color, alpha, rectified.frames, validity.invalid);
   o_color = vec4(blended.color, 1.0);
   o_surface = vec2(blended.frames, viewDepth(dilated.depth));
 }

@@ -5,6 +5,7 @@ struct HistorySample {
   vec3 color;
   float frames;    // N
   float depths[4]; // view depths in m of the four texels around, row-major
+  vec2 position;   // px, where it was read: the history position when that is sane
 };
 
 /// The four texels around x (px), mixed by their distance, clamped to the edge.
@@ -226,8 +227,9 @@ HistorySample sampleHistory(ivec2 pixel, vec2 historyPosition) {
   bool isNear = historyPosition.x >= -1e6 && historyPosition.x <= 1e6 && historyPosition.y >= -1e6 &&
                 historyPosition.y <= 1e6;
   precise vec2 position = isNear ? historyPosition : vec2(pixel) + 0.5;
-  HistorySample result = HistorySample(vec3(0.0), 0.0, float[4](0.0, 0.0, 0.0, 0.0));
+  HistorySample result = HistorySample(vec3(0.0), 0.0, float[4](0.0, 0.0, 0.0, 0.0), position);
   if (hasHistory()) result = readHistory(position);
+  result.position = position;
   expose_historyRaw(result.color);
   expose_historyRawLength(result.frames);
   return result;

@@ -1,5 +1,7 @@
-// Decides whether history shows the same surface (catalogue §5, §12). In: the render texel, where depth and motion came from, the
-// reprojection, and the depths stored with history. Out: a reject reason.
+// Decides whether history shows the same surface (catalogue §5, §12). In: the render texel, where depth and motion came
+// from, the reprojection, and what is stored with history. Out: a reject reason, and how much that weighs.
+
+#include "taa/compare_geometry.glsl"
 
 const int kRejectReason_kept = 0;
 const int kRejectReason_noHistory = 1;
@@ -7,6 +9,16 @@ const int kRejectReason_noPrevious = 2;
 const int kRejectReason_offScreen = 3;
 const int kRejectReason_depth = 4;
 const int kRejectReason_speed = 5;
+const int kRejectReason_object = 6;
+const int kRejectReason_class = 7;
+const int kRejectReason_normal = 8;
+const int kRejectReason_velocity = 9;
+
+struct Validity {
+  int reason;
+  float invalid;        // least α: 1 where history is dropped, 0 where it is kept
+  float velocityChange; // px a frame
+};
 
 /// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
 float depthMismatch(float expected, float stored) {
@@ -50,23 +62,48 @@ float allowedMismatch(ivec2 texel, float expected) {
   return expected == 0.0 || center == 0.0 ? settings.validateDepthTolerance : sloped;
 }
 
-int validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
+/// The weightiest of what speaks against history.
+int rejectReason(Reprojection reprojection, bool isDeeper, GeometryMatch geometry, float changed) {
+  int reason = kRejectReason_kept;
+  if (changed > 0.0) reason = kRejectReason_velocity;
+  if (kValidateSpeed && reprojection.speed > settings.validateSpeedLimit) reason = kRejectReason_speed;
+  if (kValidateNormal && geometry.normalAgreement < settings.validateNormalLimit) reason = kRejectReason_normal;
+  if (kValidateClass && !geometry.isSameClass) reason = kRejectReason_class;
+  if (kValidateObject && !geometry.isSameObject) reason = kRejectReason_object;
+  if (kValidateDepth && isDeeper) reason = kRejectReason_depth;
+  if (reprojection.isOutside) reason = kRejectReason_offScreen;
+  if (!reprojection.hasPrevious) reason = kRejectReason_noPrevious;
+  return hasHistory() ? reason : kRejectReason_noHistory;
+}
+
+/// Least α for a reason: what is off the screen or not there starts anew whatever is chosen.
+float invalidity(int reason, float changed) {
+  if (reason == kRejectReason_kept) return 0.0;
+  bool isSoft = kValidateAction == kValidateAction_raiseAlpha && reason >= kRejectReason_depth;
+  float whole = isSoft ? settings.validateSoftAlpha : 1.0;
+  precise float part = changed * whole;
+  return reason == kRejectReason_velocity ? part : whole;
+}
+
+/// Share of history that a change of velocity rejects (12.5).
+float changedShare(float velocityChange) {
+  precise float share = (velocityChange - settings.validateVelocityLimit) * settings.validateVelocityGain;
+  return kValidateVelocity == kValidateVelocity_none ? 0.0 : saturated(share);
+}
+
+Validity validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {
   float expected = texelAt(u_previousDepth, texel + ivec2(dilated.offset)).r;
   DepthMatch match = DepthMatch(0.0, 0.0);
   if (hasHistory()) match = bestMatch(expected, history.depths);
 
   float allowed = allowedMismatch(texel, expected);
-
-  int reason = kRejectReason_kept;
-  if (kValidateSpeed && reprojection.speed > settings.validateSpeedLimit) reason = kRejectReason_speed;
-  if (kValidateDepth && match.mismatch > allowed) reason = kRejectReason_depth;
-  if (reprojection.isOutside) reason = kRejectReason_offScreen;
-  if (!reprojection.hasPrevious) reason = kRejectReason_noPrevious;
-  if (!hasHistory()) reason = kRejectReason_noHistory;
+  GeometryMatch geometry = compareGeometry(texel, dilated, history.position);
+  float changed = changedShare(geometry.velocityChange);
+  int reason = rejectReason(reprojection, match.mismatch > allowed, geometry, changed);
   expose_depthExpected(expected);
   expose_historyDepth(match.depth);
   expose_depthMismatch(match.mismatch);
   expose_depthAllowed(allowed);
   expose_rejectReason(float(reason));
-  return reason;
+  return Validity(reason, invalidity(reason, changed), geometry.velocityChange);
 }

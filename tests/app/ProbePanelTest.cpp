@@ -34,7 +34,7 @@ TEST(ProbeWords, TellHowAlphaCameAbout) {
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
                                     IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
     reference::at(record, calm).x = 1.0f;
-  reference::at(record, IntermediateId::historyRawLength).x = 7;
+  reference::at(record, IntermediateId::historyKeptLength).x = 7;
   reference::at(record, IntermediateId::alphaBase).x = 0.125f;
   reference::at(record, IntermediateId::alphaFloor).x = 0.1f;
   reference::at(record, IntermediateId::alpha).x = 0.125f;
@@ -56,7 +56,7 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
                                     IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
     set(calm, 1.0f);
-  set(IntermediateId::historyRawLength, 1.3f);
+  set(IntermediateId::historyKeptLength, 1.3f);
   set(IntermediateId::alphaBase, 0.0625f);
   set(IntermediateId::alphaFloor, 0.0625f);
   set(IntermediateId::alpha, 0.0625f);
@@ -86,6 +86,33 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   set(IntermediateId::sampleConfidence, 0.5f);
   set(IntermediateId::alpha, 0.03125f);
   EXPECT_EQ(line(), QStringLiteral("α = κ 0.5 × (constant 0.0625) = 0.03125"));
+  settings.inputs.renderScale = 1.0f;
+  set(IntermediateId::alphaLumaFlicker, 0.5f);
+  set(IntermediateId::alphaDivergence, 0.25f);
+  set(IntermediateId::alpha, 0.2734375f);
+  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by divergence = 0.2734"));
+}
+
+// Soft rejection leaves history its part; hard rejection does not.
+TEST(ProbeWords, TellHowMuchARejectionTakes) {
+  reference::PixelRecord record;
+  record.fill(glm::vec4(0));
+  const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
+  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
+    set(calm, 1.0f);
+  Settings settings;
+  settings.weight.source = AlphaSource::Constant;
+  set(IntermediateId::alphaBase, 0.125f);
+  set(IntermediateId::rejectReason, 6.0f);
+  set(IntermediateId::alphaInvalid, 0.5f);
+  set(IntermediateId::alpha, 0.5f);
+  EXPECT_TRUE(probeSummary(record, settings).at(0).contains(QStringLiteral("counts less: another object")));
+  EXPECT_EQ(probeSummary(record, settings).at(1),
+            QStringLiteral("α = constant 0.125, at least 0.5 when rejected = 0.5"));
+  set(IntermediateId::alphaInvalid, 1.0f);
+  EXPECT_TRUE(probeSummary(record, settings).at(0).contains(QStringLiteral("rejected: another object")));
+  EXPECT_EQ(valueWords(intermediate(IntermediateId::objectClass), glm::vec4(3)), "deforms");
 }
 
 TEST(ProbeWords, SayWhatIsShownInsteadOfTheResolvedColor) {

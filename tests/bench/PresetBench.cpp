@@ -53,7 +53,7 @@ void resolveOfPreset(benchmark::State& state, const taa::Preset& preset) {
   for (int frame = 0; frame < 4; ++frame) player.step(pass);
   player.draw();
   taa::History out;
-  taa::fitHistory(out, kWidth, kHeight, preset.settings.history.precision);
+  taa::fitHistory(out, kWidth, kHeight, preset.settings);
   const auto resolve = [&] { pass.resolve(player.inputs(), &player.history(), preset.settings, out); };
   resolve();
   copy.draw(player.inputs(), player.history(), out);

@@ -45,6 +45,12 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
   if (previous) {
     twin.historyColor = previous->color.download();
     twin.historySurface = previous->surface.download();
+    const auto download = [](const gl::Texture& texture) { return texture ? texture.download() : Image(); };
+    twin.historyObject = download(previous->object);
+    twin.historyNormal = download(previous->normal);
+    twin.historyMotion = download(previous->motion);
+    twin.historyLock = download(previous->lock);
+    twin.historyLumas = download(previous->lumas);
   }
   twin.outputPx = inputs.outputPx;
   twin.frame = inputs.info.frame;
@@ -86,7 +92,7 @@ void Accumulator::resolve(TaaPass& pass, const FrameInputs& inputs, const Settin
                           Exposure* exposure) {
   hadHistory_ = !inputs.info.startsHistory;
   current_ = 1 - current_;
-  fitHistory(histories_[current_], inputs.outputWidth(), inputs.outputHeight(), settings.history.precision);
+  fitHistory(histories_[current_], inputs.outputWidth(), inputs.outputHeight(), settings);
   pass.resolve(inputs, previous(), settings, histories_[current_], exposure);
 }
 

@@ -92,6 +92,7 @@ class Maker {
         *made.objectId.at(x, y) = depth == 0.0f ? 0.0f : std::floor(uniform(1.0f, 200.0f));
         *made.previousDepth.at(x, y) = viewDepth(depth) * (chance(0.2f) ? uniform(0.8f, 1.2f) : 1.0f);
         for (int channel = 0; channel < 3; ++channel) made.normal.at(x, y)[channel] = uniform(-1.0f, 1.0f);
+        made.normal.at(x, y)[3] = depth == 0.0f ? 0.0f : std::floor(uniform(1.0f, 4.0f));
         const float reach = chance(0.1f) ? 80.0f : chance(0.5f) ? 3.0f : 0.0f;
         for (int channel = 0; channel < 2; ++channel) made.motion.at(x, y)[channel] = uniform(-reach, reach);
       }
@@ -123,6 +124,33 @@ class Maker {
         made.historySurface.at(x, y)[1] = viewDepth(*made.depth.at(drawnColumn(x), drawnRow(y))) *
                                           (chance(0.3f) ? uniform(0.9f, 1.1f) : 1.0f);
       }
+  }
+
+  // What the previous frame was of: in part the same as now.
+  void past(reference::Inputs& made) {
+    const int width = shape_.width, height = shape_.height;
+    made.historyObject = Image(width, height, 2);
+    made.historyNormal = made.normal;
+    made.historyMotion = made.motion;
+    made.historyLock = Image(width, height, 2);
+    made.historyLumas = Image(width, height, 4);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        made.historyObject.at(x, y)[0] =
+            chance(0.5f) ? *made.objectId.at(x, y) : std::floor(uniform(0.0f, 200.0f));
+        made.historyObject.at(x, y)[1] =
+            chance(0.5f) ? made.normal.at(x, y)[3] : std::floor(uniform(0.0f, 4.0f));
+        if (chance(0.3f)) made.historyNormal.at(x, y)[random_() % 3] = uniform(-1.0f, 1.0f);
+        if (chance(0.3f)) made.historyMotion.at(x, y)[random_() % 2] = uniform(-40.0f, 40.0f);
+        if (chance(0.02f))
+          made.historyMotion.at(x, y)[0] = made.historyMotion.at(x, y)[1] = kNoPreviousPosition;
+        made.historyLock.at(x, y)[0] = chance(0.5f) ? 0.0f : uniform(0.0f, 2.0f);
+        made.historyLock.at(x, y)[1] = chance(0.2f) ? 0.0f : uniform(0.0f, 3.0f);
+        for (int channel = 0; channel < 4; ++channel)
+          made.historyLumas.at(x, y)[channel] = std::floor(uniform(0.0f, 255.99f)) / 255.0f;
+      }
+    quantize(made.historyNormal, gl::Format::RGBA16F);
+    quantize(made.historyLumas, gl::Format::RGBA8);
   }
 
   void makeWild(reference::Inputs& made) {
@@ -171,6 +199,7 @@ reference::Inputs randomFrame(const FrameShape& shape, std::uint32_t seed, bool 
   maker.colors(made.color);
   maker.surfaces(made);
   maker.history(made);
+  maker.past(made);
   maker.layers(made);
   if (wild) maker.makeWild(made);
   quantize(made.color, colorFormat(shape.inputs));
@@ -208,12 +237,26 @@ History uploadHistory(const reference::Inputs& images, const FrameShape& shape) 
   if (images.historyColor.empty()) return made;
   made.color = texture(images.historyColor, colorFormat(shape.history));
   made.surface = texture(images.historySurface, gl::Format::RG32F);
+  const auto layer = [](const Image& image, gl::Format format) {
+    return image.empty() ? gl::Texture() : texture(image, format);
+  };
+  made.object = layer(images.historyObject, gl::Format::RG32F);
+  made.normal = layer(images.historyNormal, gl::Format::RGBA16F);
+  made.motion = layer(images.historyMotion, gl::Format::RG32F);
+  made.lock = layer(images.historyLock, gl::Format::RG32F);
+  made.lumas = layer(images.historyLumas, gl::Format::RGBA8);
   return made;
 }
 
 void downloadHistory(const History& history, reference::Inputs& images) {
   images.historyColor = history.color.download();
   images.historySurface = history.surface.download();
+  const auto layer = [](const gl::Texture& texture) { return texture ? texture.download() : Image(); };
+  images.historyObject = layer(history.object);
+  images.historyNormal = layer(history.normal);
+  images.historyMotion = layer(history.motion);
+  images.historyLock = layer(history.lock);
+  images.historyLumas = layer(history.lumas);
 }
 
 } // namespace taa::test

@@ -71,11 +71,11 @@ TEST(Intermediates, HaveAsManyChannelNamesAsChannels) {
 
 TEST(Intermediates, EveryRejectReasonHasItsOwnText) {
   std::set<std::string_view> texts;
-  for (int reason = 0; reason <= 5; ++reason) texts.insert(taa::rejectReasonText(reason));
-  EXPECT_EQ(texts.size(), 6u);
+  for (int reason = 0; reason <= 9; ++reason) texts.insert(taa::rejectReasonText(reason));
+  EXPECT_EQ(texts.size(), 10u);
   EXPECT_EQ(taa::rejectReasonText(0), "kept");
   EXPECT_EQ(taa::rejectReasonText(3), "off screen");
-  EXPECT_EQ(taa::rejectReasonText(6), "unknown");
+  EXPECT_EQ(taa::rejectReasonText(10), "unknown");
   EXPECT_EQ(taa::rejectReasonText(-1), "unknown");
 }
 

@@ -225,7 +225,13 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom9",
         "space.tone=reinhardChannel", "space.color=yCoCg", "neighborhood.weights=luma",
         "neighborhood.gammaMoving=0.4", "weight.minimum=0.0588", "rectify.method=shrinkAxes",
-        "weight.lumaFlicker=on"}},
+        "weight.lumaFlicker=on", "validate.velocity=vector", "validate.velocityLimit=2.5",
+        "validate.velocityGain=0.01"}},
+      {"fsr2",
+       {"jitter.period=8", "dilate.method=closest3x3", "history.filter=lanczos", "space.color=yCoCg",
+        "neighborhood.box=intersection", "neighborhood.gamma=1", "rectify.method=clampForget",
+        "rectify.locks=on", "rectify.lockFrames=8", "rectify.instability=on", "weight.divergence=on",
+        "inputs.mask=autoReactive", "weight.mask=reactive", "validate.depth=on", "blend.tone=maxChannel"}},
       {"bevy",
        {"jitter.period=8", "dilate.method=closestX2", "history.filter=catmullRom5AsPrinted",
         "space.tone=maxChannel", "space.color=yCoCg", "rectify.method=clipToCenter", "weight.minimum=0.015",
@@ -244,7 +250,7 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
         "weight.motion=linear"}},
       {"source004",
        {"jitter.sequence=whiteNoise", "history.filter=bilinear", "rectify.method=none", "validate.depth=on",
-        "weight.source=historyLength", "blend.length=variance"}}};
+        "validate.object=on", "validate.normal=on", "weight.source=historyLength", "blend.length=variance"}}};
   for (const auto& [id, assignments] : peers)
     for (const char* assignment : assignments) {
       Settings wanted = preset(id).settings;

@@ -99,13 +99,13 @@ TEST(ReferenceValidate, GivesTheFirstReasonThatApplies) {
 
 TEST(ReferenceWeight, TakesTheLargestOfItsTerms) {
   const WeightSettings length{AlphaSource::HistoryLength, 0.5f, 0.1f};
-  EXPECT_EQ(weigh(length, 3.0f, RejectReason::Kept).alpha, 0.25f);
-  EXPECT_EQ(weigh(length, 99.0f, RejectReason::Kept).alpha, 0.1f);
-  EXPECT_EQ(weigh(length, 99.0f, RejectReason::Depth).alpha, 1.0f);
-  EXPECT_EQ(weigh(length, 0.0f, RejectReason::NoHistory).base, 1.0f);
+  EXPECT_EQ(weigh(length, 3.0f, 0.0f).alpha, 0.25f);
+  EXPECT_EQ(weigh(length, 99.0f, 0.0f).alpha, 0.1f);
+  EXPECT_EQ(weigh(length, 99.0f, 1.0f).alpha, 1.0f);
+  EXPECT_EQ(weigh(length, 0.0f, 1.0f).base, 1.0f);
   const WeightSettings constant{AlphaSource::Constant, 0.05f, 0.1f};
-  EXPECT_EQ(weigh(constant, 3.0f, RejectReason::Kept).alpha, 0.05f); // the floor is not for constants
-  EXPECT_EQ(weigh(constant, 3.0f, RejectReason::OffScreen).alpha, 1.0f);
+  EXPECT_EQ(weigh(constant, 3.0f, 0.0f).alpha, 0.05f); // the floor is not for constants
+  EXPECT_EQ(weigh(constant, 3.0f, 1.0f).alpha, 1.0f);
 }
 
 } // namespace

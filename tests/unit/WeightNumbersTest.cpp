@@ -28,7 +28,7 @@ float playdead(float current, float history) {
   settings.most = 0.12f;
   settings.least = 0.03f;
   settings.minimum = 0.0f;
-  return 1.0f - weigh(settings, 5.0f, RejectReason::Kept, lumas(current, history)).alpha;
+  return 1.0f - weigh(settings, 5.0f, 0.0f, lumas(current, history)).alpha;
 }
 
 TEST(WeightNumbers, TheLumaDifferenceOfPlaydeadTrustsWhatLooksAlike) {
@@ -48,7 +48,7 @@ TEST(WeightNumbers, TheLumaDifferenceAsPrintedTrustsWhatDiffers) {
   settings.source = AlphaSource::LumaDifferenceAsPrinted;
   settings.minimum = 0.0f;
   const auto alpha = [&settings](float history) {
-    return weigh(settings, 5.0f, RejectReason::Kept, lumas(0.5f, history)).alpha;
+    return weigh(settings, 5.0f, 0.0f, lumas(0.5f, history)).alpha;
   };
   EXPECT_EQ(alpha(0.5f), 1.0f);
   EXPECT_GT(alpha(0.5f), alpha(0.6f));
@@ -63,7 +63,7 @@ float nearClampFactor(float history) {
   seen.boxHistoryRaw = history;
   seen.boxLow = 1.0f;
   seen.boxHigh = 2.0f;
-  return weigh(settings, 5.0f, RejectReason::Kept, seen).nearClamp;
+  return weigh(settings, 5.0f, 0.0f, seen).nearClamp;
 }
 
 TEST(WeightNumbers, NearTheWallsHistoryIsKeptAndFarOutsideItIsNot) {
@@ -79,10 +79,10 @@ TEST(WeightNumbers, SquaredMotionAsPrintedIsNothing) {
   Seen seen = lumas(0.5f, 0.5f);
   seen.speed = 50.0f;
   seen.motionUv = {50.0f / 1920.0f, 0.0f};
-  EXPECT_NEAR(weigh(settings, 5.0f, RejectReason::Kept, seen).motion, 6.8e-4f, 2e-6f);
+  EXPECT_NEAR(weigh(settings, 5.0f, 0.0f, seen).motion, 6.8e-4f, 2e-6f);
   settings.motion = MotionAlpha::Squared; // in pixels it does something
   settings.motionSpeed = 64.0f;
-  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, RejectReason::Kept, seen).motion, 0.6103515625f);
+  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, 0.0f, seen).motion, 0.6103515625f);
 }
 
 TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
@@ -91,9 +91,9 @@ TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
   settings.minimum = 0.0f;
   Seen seen = lumas(0.5f, 0.5f);
   seen.boxCurrent = seen.boxLow = seen.boxHigh = 0.5f;
-  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, RejectReason::Kept, seen).alpha, 0.75f);
+  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, 0.0f, seen).alpha, 0.75f);
   seen.boxHigh = 2.0f;
-  EXPECT_NEAR(weigh(settings, 5.0f, RejectReason::Kept, seen).alpha, 0.15f, 1e-6f);
+  EXPECT_NEAR(weigh(settings, 5.0f, 0.0f, seen).alpha, 0.15f, 1e-6f);
 }
 
 TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
@@ -104,7 +104,7 @@ TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
   const auto alpha = [&settings](float depth) {
     Seen seen;
     seen.depth = depth;
-    return weigh(settings, 5.0f, RejectReason::Kept, seen).alpha;
+    return weigh(settings, 5.0f, 0.0f, seen).alpha;
   };
   EXPECT_EQ(alpha(0.0f), 1.0f);
   EXPECT_FLOAT_EQ(alpha(0.25f), 0.025f + 0.075f * 0.5f);
@@ -117,11 +117,11 @@ TEST(WeightNumbers, AFactorBySizeOfTheBoxIsOneWhereThereIsNoContrast) {
   Seen seen = lumas(0.5f, 0.5f);
   seen.boxHistory = 0.5f;
   seen.boxLow = seen.boxHigh = 0.5f;
-  EXPECT_EQ(weigh(settings, 5.0f, RejectReason::Kept, seen).historyContrast, 1.0f);
+  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 1.0f);
   seen.boxHigh = 1.0f; // 1/(1 + 0.5/0.5)
-  EXPECT_EQ(weigh(settings, 5.0f, RejectReason::Kept, seen).historyContrast, 0.5f);
+  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 0.5f);
   seen.boxHistory = 0.0f; // divided by nothing: α stays, instead of 0 forever
-  EXPECT_EQ(weigh(settings, 5.0f, RejectReason::Kept, seen).historyContrast, 1.0f);
+  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 1.0f);
 }
 
 Settings constantAlpha(float alpha) {

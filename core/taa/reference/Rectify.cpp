@@ -160,6 +160,8 @@ Clipped rectified(const RectifySettings& settings, const glm::vec3& h, const glm
     return clipToHull(h, current, n);
   case RectifyMethod::RayToCurrent:
     return rayToCurrent(h, current, n, settings.mostSteps);
+  case RectifyMethod::ClampForget:
+    return clip(RectifyMethod::Clamp, h, current, n.boxMin, n.boxMax);
   default:
     return clip(settings.method, h, current, n.boxMin, n.boxMax);
   }
@@ -176,17 +178,33 @@ float strengthAt(const RectifySettings& settings, float speed) {
 } // namespace
 
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood, float speed) {
-  const float strength = strengthAt(settings.rectify, speed);
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                       const Applied& applied) {
+  const RectifySettings& rectify = settings.rectify;
+  const float strength = strengthAt(rectify, applied.speed);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
   const glm::vec3 h = toBox(historyRaw, settings.space);
   const Clipped clipped =
       rectified(settings.rectify, h, toBox(currentFiltered, settings.space), neighborhood);
   // Kept history is kept exactly: no way there and back through the box's space.
   if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f, strength};
-  const glm::vec3 color = storable(fromBox(clipped.value, settings.space));
-  if (settings.rectify.relaxAtRest == Switch::Off) return {color, clipped.amount, strength};
-  return {historyRaw + strength * (color - historyRaw), clipped.amount * strength, strength};
+  glm::vec3 color = storable(fromBox(clipped.value, settings.space));
+  float amount = clipped.amount;
+  if (rectify.relaxAtRest == Switch::On) {
+    color = historyRaw + strength * (color - historyRaw);
+    amount = amount * strength;
+  }
+  if (rectify.locks == Switch::On || rectify.instability == Switch::On) {
+    color = color + applied.held * (historyRaw - color);
+    amount = amount * (1.0f - applied.held);
+  }
+  return {color, amount, strength, true};
+}
+
+float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held) {
+  if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return length;
+  const float forgotten = length < 1.6216216f ? length : 1.6216216f; // 0.1 / (0.74/12)
+  return forgotten + held * (length - forgotten);
 }
 
 } // namespace taa::reference

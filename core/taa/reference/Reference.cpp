@@ -35,6 +35,7 @@ void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place)
       inputs.overlay.empty() ? glm::vec4(0.0f) : inputs.overlay.texel(place.still.x, place.still.y);
   set(record, IntermediateId::overlay, glm::vec3(overlay));
   set(record, IntermediateId::overlayAlpha, overlay.w);
+  set(record, IntermediateId::objectClass, inputs.normal.texel(p.x, p.y).w);
 }
 
 void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
@@ -55,6 +56,18 @@ void recordValidation(PixelRecord& record, const Validated& validated) {
   set(record, IntermediateId::rejectReason, static_cast<float>(validated.reason));
 }
 
+void recordGeometry(PixelRecord& record, const GeometryMatch& match) {
+  set(record, IntermediateId::historyObjectId, match.object);
+  set(record, IntermediateId::normalAgreement, match.normalAgreement);
+  set(record, IntermediateId::velocityChange, match.velocityChange);
+}
+
+void recordHeld(PixelRecord& record, const Held& held) {
+  set(record, IntermediateId::lock, held.lock);
+  set(record, IntermediateId::lockLife, held.lockLife);
+  set(record, IntermediateId::instability, held.instability);
+}
+
 void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaBase, weights.base);
   set(record, IntermediateId::alphaFloor, weights.floor);
@@ -63,6 +76,8 @@ void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaHistoryContrast, weights.historyContrast);
   set(record, IntermediateId::alphaRelax, weights.relax);
   set(record, IntermediateId::alphaMotion, weights.motion);
+  set(record, IntermediateId::alphaVelocityChange, weights.velocityChange);
+  set(record, IntermediateId::alphaDivergence, weights.divergence);
   set(record, IntermediateId::alphaMask, weights.mask);
   set(record, IntermediateId::alphaInvalid, weights.invalid);
   set(record, IntermediateId::alpha, weights.alpha);
@@ -80,6 +95,21 @@ void recordOutput(PixelRecord& record, const Shown& shown) {
   set(record, IntermediateId::sharpenDetail, shown.detail);
   set(record, IntermediateId::blurTrust, shown.trust);
   set(record, IntermediateId::output, shown.color);
+}
+
+void recordRectified(PixelRecord& record, const Clipped& rectified, float length) {
+  set(record, IntermediateId::historyRectified, rectified.value);
+  set(record, IntermediateId::clipAmount, rectified.amount);
+  set(record, IntermediateId::rectifyStrength, rectified.strength);
+  set(record, IntermediateId::historyKeptLength, length);
+}
+
+Kept keptOf(const Geometry& geometry, const Held& held) {
+  return {{geometry.object, geometry.objectClass},
+          glm::vec4(geometry.normal, 0.0f),
+          geometry.motion,
+          held.keptLock,
+          held.keptLumas};
 }
 
 Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
@@ -110,7 +140,7 @@ glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
   return inputs.mask.empty() ? glm::vec2(0.0f) : glm::vec2(inputs.mask.texel(texel.x, texel.y));
 }
 
-PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y) {
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept) {
   const glm::ivec2 p(x, y);
   const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
   const glm::ivec2& texel = place.texel;
@@ -141,15 +171,20 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
       measureNeighborhood(inputs, settings, current, texel, {history.color, reprojected.speed, largestMask});
   recordNeighborhood(record, neighborhood);
 
-  const Clipped rectified =
-      rectifyHistory(inputs, settings, history.color, current, neighborhood, reprojected.speed);
-  set(record, IntermediateId::historyRectified, rectified.value);
-  set(record, IntermediateId::clipAmount, rectified.amount);
-  set(record, IntermediateId::rectifyStrength, rectified.strength);
-
+  const Geometry geometry = geometryOf(inputs, dilated, texel);
+  const GeometryMatch match = compareGeometry(inputs, settings, geometry, history.position);
+  recordGeometry(record, match);
   const Validated validated =
-      validateHistory(inputs, settings.validate, dilated, reprojected, history.position, texel);
+      validateHistory(inputs, settings.validate, dilated, reprojected, history.position, texel, match);
   recordValidation(record, validated);
+
+  const Held held = holdHistory(inputs, settings, reprojected, history.position, neighborhood,
+                                validated.reason == RejectReason::Kept, p, texel);
+  recordHeld(record, held);
+  const Clipped rectified =
+      rectifyHistory(inputs, settings, history.color, current, neighborhood, {reprojected.speed, held.share});
+  const float length = lengthKept(settings, history.length, rectified, held.share);
+  recordRectified(record, rectified, length);
 
   Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
   seen.depth = dilated.depth;
@@ -158,12 +193,15 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   seen.confidence = confidence;
   seen.mask = mask;
   seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
-  const Weights weights = weigh(settings.weight, history.length, validated.reason, seen);
+  seen.velocityChange = match.velocityChange;
+  seen.divergence = motionDivergence(inputs, settings.weight, texel);
+  const Weights weights = weigh(settings.weight, length, validated.invalid, seen);
   recordWeights(record, weights);
-  const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.reason != RejectReason::Kept;
+  const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
-  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, history.length, confidence));
+  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, length, confidence));
   if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
+  if (kept) *kept = keptOf(geometry, held);
   return record;
 }
 

@@ -27,7 +27,13 @@ struct Inputs {
   Image historyColor;   ///< 4; empty: no history
   Image historySurface; ///< 2: N, view depth
   Image resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
-  int frame = 0;        ///< its number
+  // What only some settings keep; empty: not kept.
+  Image historyObject; ///< 2: number, class
+  Image historyNormal; ///< 4
+  Image historyMotion; ///< 2
+  Image historyLock;   ///< 2: life, luma
+  Image historyLumas;  ///< 4: latest first, as L/(1 + L)
+  int frame = 0;       ///< its number
   glm::vec2 jitterPx{0.0f};
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
   glm::ivec2 outputPx{0};     ///< size of the picture; 0: that of the inputs
@@ -47,8 +53,17 @@ inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
 }
 
+/// What the pixel leaves in the layers that only some settings keep; see History.
+struct Kept {
+  glm::vec2 object{0.0f};
+  glm::vec4 normal{0.0f};
+  glm::vec2 motion{0.0f};
+  glm::vec2 lock{0.0f};
+  glm::vec4 lumas{0.0f};
+};
+
 /// All intermediates of pixel (x, y) of the picture, in 32-bit floats rounded after every operation. Those of
-/// stage Output are 0 without `inputs.resolved`.
-PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y);
+/// stage Output are 0 without `inputs.resolved`. Fills `kept` when given.
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept = nullptr);
 
 } // namespace taa::reference

@@ -93,27 +93,77 @@ struct Clipped {
   glm::vec3 value{0.0f};
   float amount = 0.0f;
   float strength = 1.0f;
+  bool moved = false; ///< it was outside
 };
 /// Of the methods that need no more than the box (11.1 to 11.3).
 Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
              const glm::vec3& boxMax);
+/// What rectification may depend on besides colors.
+struct Applied {
+  float speed = 0.0f; ///< px a frame
+  float held = 0.0f;  ///< share of the correction that is taken back
+};
 /// History pulled into the box, scene-linear (catalogue §11).
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
                        const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
-                       float speed = 0.0f);
+                       const Applied& applied = {});
+/// N of history after it was rectified (catalogue 11.7).
+float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held);
 
-enum class RejectReason : int { Kept, NoHistory, NoPrevious, OffScreen, Depth, Speed };
-/// Whether the history belongs to this surface (catalogue §5, 12.1, 12.6).
+/// What of the correction is taken back (catalogue 17.3, 17.4).
+struct Held {
+  float lock = 0.0f, lockLife = 0.0f, instability = 0.0f;
+  float share = 0.0f; ///< of the correction
+  glm::vec2 keptLock{0.0f};
+  glm::vec4 keptLumas{0.0f};
+};
+Held holdHistory(const Inputs& inputs, const Settings& settings, const Reprojected& reprojected,
+                 const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
+                 const glm::ivec2& pixel, const glm::ivec2& drawn);
+
+/// What the dilated sample belongs to.
+struct Geometry {
+  float object = 0.0f, objectClass = 0.0f;
+  glm::vec3 normal{0.0f};
+  glm::vec2 motion{0.0f};
+};
+Geometry geometryOf(const Inputs& inputs, const Dilated& dilated, const glm::ivec2& drawn);
+/// How that agrees with what history was of, the best of four texels (catalogue 12.2 to 12.5, 13.7).
+struct GeometryMatch {
+  float object = 0.0f; ///< stored with history
+  bool isSameObject = true, isSameClass = true;
+  float normalAgreement = 1.0f; ///< cosine
+  float velocityChange = 0.0f;  ///< px a frame
+};
+GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, const Geometry& own,
+                              const glm::vec2& readPosition);
+/// How far the motion around a render texel parts (catalogue 12.7).
+float motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
+
+enum class RejectReason : int {
+  Kept,
+  NoHistory,
+  NoPrevious,
+  OffScreen,
+  Depth,
+  Speed,
+  Object,
+  Class,
+  Normal,
+  Velocity
+};
+/// Whether the history belongs to this surface (catalogue §5, §12).
 struct Validated {
   float depthExpected = 0.0f; ///< m
   float historyDepth = 0.0f;  ///< m
   float depthMismatch = 0.0f; ///< relative to depthExpected
   float depthAllowed = 0.0f;  ///< the largest mismatch that is kept
   RejectReason reason = RejectReason::Kept;
+  float invalid = 0.0f; ///< least α
 };
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
                           const Reprojected& reprojected, const glm::vec2& readPosition,
-                          const glm::ivec2& pixel);
+                          const glm::ivec2& pixel, const GeometryMatch& geometry = {});
 
 /// What the terms of α look at: luma of scene-linear colors, luma of box space, and motion.
 struct Seen {
@@ -123,22 +173,23 @@ struct Seen {
   float depth = 0.0f; ///< device
   float speed = 0.0f; ///< px a frame
   glm::vec2 motionUv{0.0f};
-  glm::vec2 mask{0.0f};    ///< reactive, responsive
-  float relax = 0.0f;      ///< the larger of them where it relaxes the box
-  float confidence = 1.0f; ///< κ
+  glm::vec2 mask{0.0f};        ///< reactive, responsive
+  float relax = 0.0f;          ///< the larger of them where it relaxes the box
+  float velocityChange = 0.0f; ///< px a frame
+  float divergence = 0.0f;     ///< 0 to 1
+  float confidence = 1.0f;     ///< κ
 };
 /// Terms of α, the weight of the current frame (catalogue §13).
 struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
   float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f, relax = 1.0f; ///< factors
-  float motion = 0.0f;
+  float motion = 0.0f, velocityChange = 0.0f, divergence = 0.0f;
   float mask = 0.0f;
   float invalid = 0.0f;
   float alpha = 0.0f; ///< composed
 };
-Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason,
-              const Seen& seen = {});
+Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen = {});
 
 /// The output (catalogue §14–16).
 struct Blended {

@@ -61,29 +61,39 @@ bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
            q.y <= static_cast<float>(inputs.outputHeight()) - margin);
 }
 
+/// The first of the reasons to reject history, the weightiest first.
+RejectReason reasonOf(const Inputs& inputs, const ValidateSettings& settings, const Reprojected& reprojected,
+                      const GeometryMatch& geometry, const Validated& depths, float changed) {
+  const auto isOn = [](Switch value) { return value == Switch::On; };
+  if (inputs.historyColor.empty()) return RejectReason::NoHistory;
+  if (reprojected.noPrevious) return RejectReason::NoPrevious;
+  if (isOutside(inputs, settings.offScreen, reprojected.position)) return RejectReason::OffScreen;
+  if (isOn(settings.depth) && depths.depthMismatch > depths.depthAllowed) return RejectReason::Depth;
+  if (isOn(settings.object) && !geometry.isSameObject) return RejectReason::Object;
+  if (isOn(settings.objectClass) && !geometry.isSameClass) return RejectReason::Class;
+  if (isOn(settings.normal) && geometry.normalAgreement < settings.normalLimit) return RejectReason::Normal;
+  if (isOn(settings.speed) && reprojected.speed > settings.speedLimit) return RejectReason::Speed;
+  return changed > 0.0f ? RejectReason::Velocity : RejectReason::Kept;
+}
+
 } // namespace
 
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
                           const Reprojected& reprojected, const glm::vec2& readPosition,
-                          const glm::ivec2& pixel) {
+                          const glm::ivec2& pixel, const GeometryMatch& geometry) {
   Validated result;
   const glm::ivec2 chosen = pixel + dilated.offset;
   result.depthExpected = inputs.previousDepth.texel(chosen.x, chosen.y).x;
   result.depthAllowed = allowedMismatch(inputs, settings, pixel, result.depthExpected);
-  if (inputs.historyColor.empty()) {
-    result.reason = RejectReason::NoHistory;
-    return result;
-  }
-  compareDepth(inputs, readPosition, result);
-  if (reprojected.noPrevious) {
-    result.reason = RejectReason::NoPrevious;
-  } else if (isOutside(inputs, settings.offScreen, reprojected.position)) {
-    result.reason = RejectReason::OffScreen;
-  } else if (settings.depth == Switch::On && result.depthMismatch > result.depthAllowed) {
-    result.reason = RejectReason::Depth;
-  } else if (settings.speed == Switch::On && reprojected.speed > settings.speedLimit) {
-    result.reason = RejectReason::Speed;
-  }
+  if (!inputs.historyColor.empty()) compareDepth(inputs, readPosition, result);
+  float changed = 0.0f; // share that a change of velocity rejects, 12.5
+  if (settings.velocity != VelocityTest::None)
+    changed = saturated((geometry.velocityChange - settings.velocityLimit) * settings.velocityGain);
+  result.reason = reasonOf(inputs, settings, reprojected, geometry, result, changed);
+  if (result.reason == RejectReason::Kept) return result;
+  const bool isSoft = settings.action == RejectAction::RaiseAlpha && result.reason >= RejectReason::Depth;
+  const float whole = isSoft ? settings.softAlpha : 1.0f;
+  result.invalid = result.reason == RejectReason::Velocity ? changed * whole : whole;
   return result;
 }
 

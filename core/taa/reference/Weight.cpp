@@ -93,7 +93,7 @@ float maskTerm(const WeightSettings& settings, const Seen& seen) {
 
 } // namespace
 
-Weights weigh(const WeightSettings& settings, float historyLength, RejectReason reason, const Seen& seen) {
+Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen) {
   Weights result;
   result.base = baseOf(settings, historyLength, seen);
   result.floor = settings.source == AlphaSource::HistoryLength ? settings.minimum
@@ -102,14 +102,20 @@ Weights weigh(const WeightSettings& settings, float historyLength, RejectReason 
   result.relax = 1.0f / (1.0f + 0.5f * seen.relax);
   result.motion = motionTerm(settings, seen);
   result.mask = maskTerm(settings, seen);
-  result.invalid = reason == RejectReason::Kept ? 0.0f : 1.0f;
+  if (settings.velocityChange == Switch::On)
+    result.velocityChange = saturated(seen.velocityChange / settings.velocityChangeSpeed);
+  result.divergence = seen.divergence;
+  result.invalid = invalid;
   float alpha = result.base * result.lumaFlicker;
   alpha = alpha * result.nearClamp;
   alpha = alpha * result.historyContrast;
   alpha = alpha * result.relax;
   alpha = larger(alpha, result.floor);
   alpha = alpha < 1.0f ? alpha : 1.0f;
-  if (settings.motion != MotionAlpha::None) alpha = 1.0f - (1.0f - alpha) * (1.0f - result.motion);
+  const auto join = [&alpha](float term) { alpha = 1.0f - (1.0f - alpha) * (1.0f - term); };
+  if (settings.motion != MotionAlpha::None) join(result.motion);
+  if (settings.velocityChange == Switch::On) join(result.velocityChange);
+  if (settings.divergence == Switch::On) join(result.divergence);
   alpha = alpha * seen.confidence; // catalogue §22
   result.alpha = larger(larger(alpha, result.mask), result.invalid);
   return result;
