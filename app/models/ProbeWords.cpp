@@ -74,7 +74,8 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   const QString source = sourceText(record, settings);
   QString text = source;
   float product = value(Id::alphaBase);
-  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax}) {
+  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                        Id::alphaSampleDistance}) {
     if (value(calm) == 1.0f) continue;
     text += QStringLiteral(" × ") + number(calm);
     product *= value(calm);
@@ -85,11 +86,16 @@ QString alphaLine(const reference::PixelRecord& record, const Settings& settings
   if (value(Id::alphaVelocityChange) > 0)
     text += tr(" and %1 by its change").arg(number(Id::alphaVelocityChange));
   if (value(Id::alphaDivergence) > 0) text += tr(" and %1 by divergence").arg(number(Id::alphaDivergence));
+  if (settings.weight.frameRate == Switch::On) text += tr(" by the frame's time");
   if (isUpsampled(settings)) text = tr("κ %1 × (%2)").arg(number(Id::sampleConfidence), text);
   if (value(Id::alphaMask) > 0) text = tr("max(%1, %2 by mask)").arg(text, number(Id::alphaMask));
   if (value(Id::alphaInvalid) > 0) text += tr(", at least %1 when rejected").arg(number(Id::alphaInvalid));
   if (text != source)
     text += QStringLiteral(" = ") + number(Id::alpha); // a source alone is told with its value
+  if (settings.weight.source == AlphaSource::ContrastPerChannel) {
+    const glm::vec4 channels = reference::at(record, Id::alphaChannels);
+    text += tr(", of channels %1").arg(tupleText(std::array{channels.x, channels.y, channels.z}, 3));
+  }
   const QString length =
       isByLength ? tr("N = %1 → ").arg(lengthText(value(Id::historyKeptLength))) : QString();
   return length + tr("α = %1").arg(text);
@@ -144,6 +150,8 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
     return x == 0 ? tr("keeps history") : QString();
   case Id::clipAmount:
     return x > 0 ? tr("pulled %1").arg(percent(x)) : tr("not clipped");
+  case Id::depthEdge:
+    return x != 0 ? tr("one bilinear tap") : QString();
   case Id::rejectReason:
     return qtext(rejectReasonText(static_cast<int>(x)));
   case Id::reactive:

@@ -25,6 +25,7 @@ FrameInfo frameInfo(const Scene& scene, const JitterSettings& jitter, int frame)
   FrameInfo info;
   info.frame = frame;
   info.time = frameTime(scene, frame);
+  info.stepSeconds = 1.0 / scene.shot.framesPerSecond;
   info.jitterIndex = jitterIndex(jitter, frame);
   info.jitterPx = jitterPx(jitter, frame);
   info.startsHistory = startsHistory(scene, frame);

@@ -16,10 +16,11 @@ inline constexpr float kNoPreviousPosition = 65504.0f;
 /// Where in time and in the jitter pattern a frame lies.
 struct FrameInfo {
   int frame = 0;
-  double time = 0.0;          ///< seconds
-  int jitterIndex = 0;        ///< 0 to period − 1
-  glm::vec2 jitterPx{0.0f};   ///< displacement of image content, x right, y down, |j| ≤ ½
-  bool startsHistory = false; ///< first frame or cut: no history may be used
+  double time = 0.0;               ///< seconds
+  int jitterIndex = 0;             ///< 0 to period − 1
+  glm::vec2 jitterPx{0.0f};        ///< displacement of image content, x right, y down, |j| ≤ ½
+  bool startsHistory = false;      ///< first frame or cut: no history may be used
+  double stepSeconds = 1.0 / 60.0; ///< from frame to frame
 };
 
 /// All textures have the same size, row 0 at the top; pixels are theirs, not those of the picture.

@@ -3,6 +3,7 @@
 #include "core/gl/Context.h"
 #include "core/render/CameraMotionPass.h"
 #include "core/render/GBufferPass.h"
+#include "core/render/NoisePass.h"
 #include "core/render/ReactivePass.h"
 #include "core/render/SkyPass.h"
 
@@ -49,6 +50,7 @@ struct SceneRenderer::Parts {
   GBufferPass gbuffer;
   SkyPass sky;
   CameraMotionPass cameraMotion;
+  NoisePass noise;
   ReactivePass reactive;
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
 
@@ -112,16 +114,19 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   if (request.inputs.mask == MaskSource::AutoReactive) parts.reactive.draw(out.color, out.mask);
   if (request.inputs.motion != MotionSource::Objects)
     parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);
+  if (request.inputs.noise != InputNoise::None) parts.noise.draw(request.inputs, parts.frame, out);
 }
 
 void SceneRenderer::reloadShaders() {
   SkyPass sky;
   CameraMotionPass cameraMotion = parts_->cameraMotion.reloaded();
   ReactivePass reactive = parts_->reactive.reloaded();
+  NoisePass noise = parts_->noise.reloaded();
   parts_->gbuffer.reloadShaders();
   parts_->sky = std::move(sky);
   parts_->cameraMotion = std::move(cameraMotion);
   parts_->reactive = std::move(reactive);
+  parts_->noise = std::move(noise);
 }
 
 } // namespace taa

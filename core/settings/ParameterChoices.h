@@ -31,6 +31,24 @@ inline constexpr Choice kPrecisions[] = {
     {"half", "16-bit", "Half floats, as engines store it."},
     {"full", "32-bit", "Full floats, for reference runs."},
 };
+inline constexpr Choice kHistoryPrecisions[] = {
+    {"half", "16-bit", "Half floats, as engines store it."},
+    {"full", "32-bit", "Full floats, for reference runs."},
+    {"unorm8", "8-bit",
+     "Multiples of 1/255 from 0 to 1, as Playdead stores it: the average stops half a step over α before its "
+     "goal (catalogue 1.6, 20.6). Kept in 32-bit floats here, which hold them exactly."},
+    {"unorm10", "10-bit", "Multiples of 1/1023, likewise (catalogue 1.6, 20.6)."},
+};
+inline constexpr Choice kInputNoises[] = {
+    {"none", "None", "Colors as they were shaded."},
+    {"gradientNoise", "Gradient noise",
+     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
+     "(catalogue "
+     "20.1)."},
+    {"blueNoise", "Blue noise",
+     "A tile of 32×32 by void-and-cluster, moved on by the golden ratio in each of 256 frames: no low "
+     "frequencies in space, evenly spread in time (catalogue 20.2)."},
+};
 inline constexpr Choice kMotionSources[] = {
     {"objects", "Objects", "Each object's own motion, the camera's included (catalogue 3.2 to 3.7)."},
     {"cameraFromDepth", "Camera from depth", "Camera motion only, reprojected from depth (catalogue 3.1)."},
@@ -85,6 +103,9 @@ inline constexpr Choice kDilateMethods[] = {
     {"closest3x3AsPrinted", "Closest 3×3, as printed",
      "As printed in Raptor's chapter 11: where all nine are sky the motion of pixel (0, 0) is taken, because "
      "the search starts from there and finds nothing nearer (catalogue §26, D4)."},
+    {"closestXAsPrinted", "Closest ×, as printed",
+     "As in HDRP: with each offset the depth of another tap is kept, so that later taps are compared with "
+     "the wrong one, and a farther surface may win (catalogue §26, D13)."},
 };
 inline constexpr Choice kHistoryFilters[] = {
     {"point", "Point", "The nearest texel: no blur, but half a pixel of error (catalogue 6.0)."},
@@ -99,6 +120,13 @@ inline constexpr Choice kHistoryFilters[] = {
     {"catmullRom5AsPrinted", "Catmull-Rom 5, as printed",
      "As in Bevy: not divided by the sum of its weights, so that moving pictures darken (catalogue 6.4b, "
      "D15)."},
+    {"catmullRom5Corners", "Catmull-Rom 5, corners",
+     "Each corner taken for the mean of the two taps beside it, so that the weights sum to 1 by themselves "
+     "(catalogue 6.4c, Intel)."},
+    {"cubic5", "Cubic 5", "Five taps of the cubic of a sharpness, normalized (catalogue 6.5)."},
+    {"cubic5AsPrinted", "Cubic 5, as printed",
+     "As in HDRP: the right tap is read in the row above, at its corner, so that steps to the right bend "
+     "(catalogue §26, D13)."},
 };
 inline constexpr Choice kCurrentFilters[] = {
     {"center", "Center", "The pixel's own sample (catalogue 7.0)."},
@@ -229,6 +257,12 @@ inline constexpr Choice kAlphaSources[] = {
     {"lumaDifferenceAsPrinted", "Luma difference, as printed",
      "As printed in Raptor's chapter 11: the weights are swapped, so that equal luma takes only the current "
      "frame and nothing is averaged (catalogue 13.12, D1)."},
+    {"contrastPerChannel", "Contrast, by channel",
+     "Each of red, green and blue by its own contrast, as Raptor's weights are vectors; N counts with the "
+     "α of luma (catalogue 13.14, 14.2)."},
+    {"confidence", "Confidence",
+     "1 over a confidence that grows by 10 in each frame without motion and is 1 with it, between two "
+     "limits. Wants N counted likewise (catalogue §16, Bevy)."},
 };
 inline constexpr Choice kMotionAlphas[] = {
     {"none", "None", "Motion does not matter."},
@@ -237,6 +271,19 @@ inline constexpr Choice kMotionAlphas[] = {
     {"squaredAsPrinted", "Squared, as printed",
      "As printed in source 000: the square of a length in fractions of the picture, which stays near 0 "
      "(catalogue 13.4, D11)."},
+    {"doubled", "Doubled", "α grows to 2α at v₀ and no further (catalogue 13.6, HDRP)."},
+};
+inline constexpr Choice kFlickerScales[] = {
+    {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (catalogue 13.11, Filament)."},
+    {"compressed", "Compressed",
+     "Of lumas after c/(1 + c), against 1.001: dark differences count for little (catalogue 13.11, Godot)."},
+};
+inline constexpr Choice kSampleDistances[] = {
+    {"none", "None", "A sample counts alike wherever in the pixel it lies."},
+    {"gaussian", "Gaussian", "exp(−‖j‖²/2σ²) with σ² = 0.22 px² (catalogue 7.7, 7.4, source 004)."},
+    {"parabola", "Parabola, at rest",
+     "1 − ‖j‖², and 1 from a motion of 1 px on: max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²) (catalogue 13.6, "
+     "Donut)."},
 };
 inline constexpr Choice kMaskAlphas[] = {
     {"off", "Off", "The mask does not matter."},
@@ -262,6 +309,11 @@ inline constexpr Choice kLengthRules[] = {
     {"count", "Count", "N + 1, as if every frame counted alike (catalogue §16, eq. 2.3)."},
     {"varianceAsPrinted", "Variance, as printed",
      "As printed in source 004: without the inverse, so that N falls to 0.618 (catalogue §26, D12)."},
+    {"confidence", "Confidence",
+     "N + 10 where nothing moves, else 1: the count that α from confidence goes by (catalogue §16, Bevy)."},
+    {"reciprocal", "1/α",
+     "As if every α were the mean's, so that after motion the count starts low again: w′ = 1/(2 − w) of "
+     "history's weight (catalogue §16, Intel, MiniEngine, DiligentFX)."},
 };
 inline constexpr Choice kSharpens[] = {
     {"none", "None", "What is resolved is shown."},

@@ -37,7 +37,7 @@ struct JitterSettings {
   float scale = 1.0f;          ///< of the offsets, 0 to 1
 };
 
-enum class Precision : std::int32_t { Half, Full };
+enum class Precision : std::int32_t { Half, Full, Unorm8, Unorm10 }; ///< inputs have the first two
 enum class MotionSource : std::int32_t {
   Objects,
   CameraFromDepth,
@@ -48,6 +48,7 @@ enum class MotionSource : std::int32_t {
 };
 enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, After };
 enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
+enum class InputNoise : std::int32_t { None, Gradient, Blue };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
   MotionSource motion = MotionSource::Objects;
@@ -55,7 +56,10 @@ struct InputSettings {
   Switch unjitterTextures = Switch::Off; ///< textures are read at the pixel's center, whatever the jitter
   BlendedAs blended = BlendedAs::Mask;   ///< how transparent materials are drawn
   MaskSource mask = MaskSource::None;    ///< where the masks of special content come from
-  float renderScale = 1.0f; ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
+  float renderScale = 1.0f;            ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
+  InputNoise noise = InputNoise::None; ///< added to the shaded color
+  float noiseAmount = 1.0f;            ///< width of the noise, 1/255
+  Switch noiseTriangular = Switch::On; ///< two noises summed: twice as wide, variance the same everywhere
 };
 
 enum class DilateMethod : std::int32_t {
@@ -67,6 +71,7 @@ enum class DilateMethod : std::int32_t {
   Longest3x3,
   LongestCross,
   Closest3x3AsPrinted,
+  ClosestXAsPrinted,
 };
 struct DilateSettings {
   DilateMethod method = DilateMethod::Closest3x3;
@@ -82,12 +87,18 @@ enum class HistoryFilter : std::int32_t {
   Mitchell,
   Lanczos,
   CatmullRom5AsPrinted,
+  CatmullRom5Corners,
+  Cubic5,
+  Cubic5AsPrinted,
 };
 struct HistorySettings {
   HistoryFilter filter = HistoryFilter::CatmullRom5;
   Switch dering = Switch::On;            ///< clamp to the filter's own taps; cubics and Lanczos
   Precision precision = Precision::Half; ///< of the stored history
   float sharpness = 0.5f;                ///< c of the tunable cubic, 0 to 1; 0.5 is Catmull-Rom
+  Switch bilinearAtEdges = Switch::Off;  ///< one tap instead of the filter where depth has an edge
+  float edgeDepth = 0.1f;      ///< range of view depth over 3×3 that is an edge, relative to the farthest
+  Switch dither = Switch::Off; ///< round up or down at random, so that the mean is kept
 };
 
 enum class CurrentFilter : std::int32_t {
@@ -140,6 +151,7 @@ struct NeighborhoodSettings {
   Switch chromaShrink = Switch::Off;   ///< chroma no wider than an eighth of the luma range
   MomentWeights weights = MomentWeights::Equal;
   Switch maskRelax = Switch::Off; ///< wider box and less of the current frame where the mask is set
+  Switch unjitter = Switch::Off;  ///< samples around where the pixel's center landed
 };
 
 enum class RectifyMethod : std::int32_t {
@@ -192,9 +204,13 @@ enum class AlphaSource : std::int32_t {
   Contrast,
   Depth,
   LumaDifferenceAsPrinted,
+  ContrastPerChannel,
+  Confidence,
 };
-enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted };
+enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted, Doubled };
 enum class MaskAlpha : std::int32_t { Off, Responsive, Reactive, Exclude };
+enum class FlickerScale : std::int32_t { Relative, Compressed };
+enum class SampleDistance : std::int32_t { None, Gaussian, Parabola };
 struct WeightSettings {
   AlphaSource source = AlphaSource::HistoryLength;
   float alpha = 0.1f;               ///< weight of the current frame when constant
@@ -212,11 +228,15 @@ struct WeightSettings {
   float velocityChangeSpeed = 8.0f;    ///< px a frame of change from which on only the current frame counts
   Switch divergence = Switch::Off;     ///< more where neighbors move apart
   float divergenceSpeed = 12.8f;       ///< px a frame from which on that counts fully
+  FlickerScale flickerScale = FlickerScale::Relative;   ///< what a difference of luma is measured against
+  SampleDistance sampleDistance = SampleDistance::None; ///< less the farther the sample is from the center
+  Switch frameRate = Switch::Off;                       ///< α as if frames took 1/referenceRate
+  float referenceRate = 60.0f;                          ///< frames a second that α is meant for
 };
 
 enum class ToneWeight : std::int32_t { None, Luma, ReinhardChannel, MaxChannel, LumaAsPrinted };
 enum class Restart : std::int32_t { Filtered, Blurred };
-enum class LengthRule : std::int32_t { Variance, Count, VarianceAsPrinted };
+enum class LengthRule : std::int32_t { Variance, Count, VarianceAsPrinted, Confidence, Reciprocal };
 struct BlendSettings {
   ToneWeight tone = ToneWeight::Luma;
   Restart restart = Restart::Filtered;

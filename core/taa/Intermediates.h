@@ -68,6 +68,8 @@ enum class Visual : std::uint8_t {
       "The accumulated color at the history position.")                                                      \
   ROW(historyRawLength, "History length before", SampleHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
       "N at the history position: how many frames' worth of samples it holds.")                              \
+  ROW(depthEdge, "Depth edge", SampleHistory, 1, "", 0, 1, Mask, 0,                                          \
+      "1 where history was read by one bilinear tap because of an edge in depth; 0 when off.")               \
   ROW(currentFiltered, "Current filtered", FilterCurrent, 3, "", 0, 1, Color, 1e-3,                          \
       "This frame's color at the pixel's center.")                                                           \
   ROW(sampleConfidence, "κ", FilterCurrent, 1, "", 0, 1, Scalar, 1e-3,                                       \
@@ -128,18 +130,24 @@ enum class Visual : std::uint8_t {
       "Factor on α by the size of the box; 1 when off.")                                                     \
   ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                         \
       "Factor on α where the mask is set; 1 when off.")                                                      \
+  ROW(alphaSampleDistance, "α sample distance", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
+      "Factor on α by how far the sample is from the pixel's center; 1 when off.")                           \
   ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
   ROW(alphaVelocityChange, "α velocity change", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
       "What a change of motion adds to α; 0 when off.")                                                      \
   ROW(alphaDivergence, "α divergence", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
       "What motion that parts adds to α; 0 when off.")                                                       \
+  ROW(alphaFrameRate, "α by frame rate", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                             \
+      "α after motion, for the time this frame took; unchanged when off.")                                   \
   ROW(alphaMask, "α mask", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                           \
       "The least that the mask asks of α; 0 when off.")                                                      \
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                     \
       "Least α where history was rejected: 1 where it is dropped, 0 where it was kept.")                     \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
       "Weight of the current frame: base times the calming factors, at least the floor, what motion adds "   \
-      "joined, times κ, at least α mask and α invalid.")                                                     \
+      "joined, for the frame's time, times κ, at least α mask and α invalid.")                               \
+  ROW(alphaChannels, "α of channels", BlendWeight, 3, "", 0, 1, Color, 1e-3,                                 \
+      "Weight of the current frame in red, green and blue: α in each, unless its source has three.")         \
   ROW(toneWeightCurrent, "Tone weight current", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \
       "1/(1+luma) of the current color, 1 without tone weighting.")                                          \
   ROW(toneWeightHistory, "Tone weight history", Blend, 1, "", 0, 1, Scalar, 1e-3,                            \

@@ -1,6 +1,5 @@
-// Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, history length N,
-// least α of invalid history. Out: the
-// resolved color as it will be stored, and N after this frame.
+// Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, motion in px, history length N,
+// least α of invalid history. Out: the resolved color as it will be stored, and N after this frame.
 
 struct Blended {
   vec3 color;
@@ -35,15 +34,20 @@ vec3 decompressed(vec3 color) {
 }
 
 /// history + factor · (current − history), of compressed colors where they are mixed so (15.3, 15.4).
-vec3 mixed(vec3 current, vec3 history, float factor) {
-  precise vec3 plain = history + factor * (current - history);
-  if (factor >= 1.0) return current;
-  if (kUpsampled && factor <= 0.0) return history; // not through compression and back (invariant 65)
-  if (!kMixesCompressed) return plain;
-  precise vec3 from = compressed(history);
-  precise vec3 to = compressed(current);
-  precise vec3 between = from + factor * (to - from);
-  return current == history ? history : decompressed(between);
+vec3 mixed(vec3 current, vec3 history, vec3 factor) {
+  precise vec3 result = history + factor * (current - history);
+  if (kMixesCompressed) {
+    precise vec3 from = compressed(history);
+    precise vec3 to = compressed(current);
+    precise vec3 between = from + factor * (to - from);
+    result = current == history ? history : decompressed(between);
+  }
+  if (kUpsampled) { // a share of 0 does not go through compression and back (invariant 65)
+    result = vec3(factor.r <= 0.0 ? history.r : result.r, factor.g <= 0.0 ? history.g : result.g,
+                  factor.b <= 0.0 ? history.b : result.b);
+  }
+  return vec3(factor.r >= 1.0 ? current.r : result.r, factor.g >= 1.0 ? current.g : result.g,
+              factor.b >= 1.0 ? current.b : result.b);
 }
 
 /// Mean of the pixel and its diagonals, for pixels without history (5.6).
@@ -56,11 +60,13 @@ vec3 blurredRestart(Samples samples) {
 
 /// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise. A frame of
 /// confidence κ counts as κ frames.
-float framesAfter(float alpha, float framesBefore, float confidence) {
+float framesAfter(float alpha, float framesBefore, float confidence, vec2 motion) {
   precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / framesBefore;
   precise float frames = 1.0 / variance;
   if (kBlendLength == kBlendLength_count) frames = framesBefore + (kUpsampled ? confidence : 1.0);
   if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
+  if (kBlendLength == kBlendLength_reciprocal) frames = 1.0 / greater(alpha, 1e-6);
+  if (kBlendLength == kBlendLength_confidence) frames = confidenceAfter(framesBefore, motion);
   return alpha >= 1.0 ? 1.0 : frames;
 }
 
@@ -74,22 +80,65 @@ float nearestHalf(float x) {
   return x < 6.103515625e-5 ? subnormal : normal;
 }
 
-/// The nearest half floats where history is stored as such: drivers may truncate instead.
-vec3 asStored(vec3 color) {
-  if (kHistoryPrecision != kHistoryPrecision_half) return color;
+/// One of the two half floats around x, the nearer one more often, so that the mean is x. `random`: 13 bits. Halves
+/// stay what they are.
+float ditheredHalf(float x, uint random) {
+  float normal = uintBitsToFloat((floatBitsToUint(x) + random) & 0xFFFFE000u);
+  precise float subnormal = floor(x * 16777216.0 + (float(random) + 0.5) / 8192.0) / 16777216.0;
+  return x < 6.103515625e-5 ? subnormal : normal;
+}
+
+/// The multiple of 1/steps below x + u/steps, from 0 to 1.
+float unorm(float x, float steps, float u) {
+  precise float result = floor(saturated(x) * steps + u) / steps;
+  return result;
+}
+
+/// PCG's permutation (O'Neill 2014; Jarzynski and Olano 2020).
+uint hashed(uint x) {
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// 13 random bits for each channel of a pixel in a frame (20.6): white, so nothing of the jitter's period is in them.
+uvec3 ditherBits(ivec2 pixel) {
+  uint seed = hashed(hashed(hashed(uint(pixel.x)) + uint(pixel.y)) + uint(resolveBlock.state.w));
+  return uvec3(hashed(seed), hashed(seed + 1u), hashed(seed + 2u)) >> 19u;
+}
+
+const bool kIsHalf = kHistoryPrecision == kHistoryPrecision_half;
+const bool kIsUnorm = kHistoryPrecision == kHistoryPrecision_unorm8 || kHistoryPrecision == kHistoryPrecision_unorm10;
+
+/// What the history can hold: halves are rounded here, because drivers may truncate; the multiples of 8 and 10 bits are
+/// kept in floats. To the nearest, or up and down at random (14.7, 20.6).
+vec3 asStored(vec3 color, ivec2 pixel) {
+  if (!kIsHalf && !kIsUnorm) return color;
+  uvec3 random = kHistoryDither ? ditherBits(pixel) : uvec3(0u);
+  vec3 u = kHistoryDither ? (vec3(random) + 0.5) / 8192.0 : vec3(0.5);
+  float steps = kHistoryPrecision == kHistoryPrecision_unorm8 ? 255.0 : 1023.0;
+  if (kIsUnorm) return vec3(unorm(color.r, steps, u.r), unorm(color.g, steps, u.g), unorm(color.b, steps, u.b));
+  if (kHistoryDither)
+    return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
   return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
 }
 
-Blended blend(Samples samples, CurrentColor filtered, vec3 history, float alpha, float historyFrames, float invalid) {
+Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float invalid) {
   bool isRestarted = kBlendRestart == kBlendRestart_blurred && invalid >= 1.0;
-  precise vec3 current = isRestarted ? blurredRestart(samples) : filtered.color;
+  precise vec3 current = isRestarted ? blurredRestart(samples) : x.current;
+  vec3 history = x.history;
   precise float currentWeight = toneWeight(current);
   precise float historyWeight = toneWeight(history);
-  precise float factor = blendFactor(alpha, currentWeight, historyWeight);
-  precise vec3 color = mixed(current, history, factor);
+  precise float factor = blendFactor(weight.alpha, currentWeight, historyWeight);
+  vec3 factors = vec3(factor);
+  if (kHasChannelWeights) // 14.2: α and 1 − α, so that never all weights are 0
+    factors = vec3(blendFactor(weight.channels.r, currentWeight, historyWeight),
+                   blendFactor(weight.channels.g, currentWeight, historyWeight),
+                   blendFactor(weight.channels.b, currentWeight, historyWeight));
+  precise vec3 color = mixed(current, history, factors);
   precise vec3 sane = vec3(isSane(color.r) ? color.r : current.r, isSane(color.g) ? color.g : current.g,
                            isSane(color.b) ? color.b : current.b);
-  Blended result = Blended(asStored(sane), framesAfter(alpha, historyFrames, filtered.confidence));
+  Blended result = Blended(asStored(sane, pixel), framesAfter(weight.alpha, x.frames, x.confidence, x.dilated.motion));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);
   expose_blendFactor(factor);

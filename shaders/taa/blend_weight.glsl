@@ -1,5 +1,6 @@
 // Decides α, the weight of the current frame, from its terms (catalogue §13): a base, calming factors, a floor, motion
-// joined to it, and more where history is invalid. In: what the stages before found. Out: α, 0 to 1.
+// joined to it, the time a frame takes, and more where history is invalid. In: what the stages before found. Out: α, 0
+// to 1, and that of each channel.
 
 /// What the terms look at.
 struct WeightInputs {
@@ -16,8 +17,12 @@ struct WeightInputs {
   float confidence;     // κ
 };
 
-const bool kUsesLumaDifference = kWeightSource == kWeightSource_lumaDifference ||
-                                 kWeightSource == kWeightSource_lumaDifferenceAsPrinted;
+struct Weight {
+  float alpha;
+  vec3 channels; // α of red, green and blue
+};
+
+const bool kHasChannelWeights = kWeightSource == kWeightSource_contrastPerChannel;
 
 /// 1 where current and history have the same luma, squared (13.10).
 float lumaLikeness(WeightInputs x) {
@@ -37,13 +42,39 @@ float contrastWeight(WeightInputs x) {
   return weight;
 }
 
+/// The same of one channel, by the nine scene-linear samples (13.14, 14.2).
+vec3 channelWeights(Samples samples, vec3 current) {
+  vec3 lowest = samples.color[0];
+  vec3 highest = samples.color[0];
+  for (int k = 1; k < 9; ++k) {
+    lowest = lesser(lowest, samples.color[k]);
+    highest = greater(highest, samples.color[k]);
+  }
+  precise vec3 contrast = (highest - lowest) / greater(current, vec3(1e-5));
+  precise vec3 weight = 1.0 - (0.25 + 0.6 * vec3(saturated(contrast.r), saturated(contrast.g), saturated(contrast.b)));
+  return weight;
+}
+
+/// Bevy's confidence (§16): 10 more in each frame without motion, else 1.
+float confidenceAfter(float before, vec2 motion) {
+  bool isStill = abs(motion.x) < 0.01 && abs(motion.y) < 0.01;
+  precise float grown = before + 10.0;
+  return isStill ? grown : 1.0;
+}
+
+float confidenceWeight(WeightInputs x) {
+  precise float weight = 1.0 / confidenceAfter(x.frames, x.dilated.motion);
+  return lesser(greater(weight, settings.weightLeast), settings.weightMost);
+}
+
 float baseWeight(WeightInputs x) {
   precise float base = settings.weightAlpha;
   if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.frames + 1.0);
   if (kWeightSource == kWeightSource_lumaDifference)
     base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
   if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // §26, D1
-  if (kWeightSource == kWeightSource_contrast) base = contrastWeight(x);
+  if (kWeightSource == kWeightSource_contrast || kHasChannelWeights) base = contrastWeight(x);
+  if (kWeightSource == kWeightSource_confidence) base = confidenceWeight(x);
   if (kWeightSource == kWeightSource_depth) { // 13.8
     base = 0.025 + (settings.weightAlpha - 0.025) * sqrt(x.dilated.depth);
     base = x.dilated.depth == 0.0 ? 1.0 : base;
@@ -57,11 +88,15 @@ float leastWeight(float base) {
   return lesser(base, settings.weightMinimum);
 }
 
-/// Less where luma differs (13.11).
+/// Less where luma differs (13.11), of compressed colors with Godot's divisor.
 float lumaFlickerFactor(WeightInputs x) {
-  precise float current = luma(x.current);
-  precise float history = luma(x.history);
-  precise float rest = 1.0 - abs(current - history) / (0.001 + greater(current, history));
+  const bool kIsCompressed = kWeightFlickerScale == kWeightFlickerScale_compressed;
+  precise float current = luma(kIsCompressed ? reinhardChannel(x.current) : x.current);
+  precise float history = luma(kIsCompressed ? reinhardChannel(x.history) : x.history);
+  float largest = greater(current, history);
+  precise float divisor = 0.001 + largest;
+  if (kIsCompressed) divisor = greater(largest, 1.001);
+  precise float rest = 1.0 - abs(current - history) / divisor;
   precise float factor = rest * rest;
   return kWeightLumaFlicker && hasHistory() ? factor : 1.0;
 }
@@ -103,14 +138,26 @@ float maskWeight(WeightInputs x) {
   return kWeightMask == kWeightMask_exclude && x.mask.y > 0.0 ? 1.0 : 0.0;
 }
 
-/// What motion adds (13.4 to 13.6).
-float motionWeight(WeightInputs x) {
+/// Less the farther the sample lies from the pixel's center; Donut's (13.6) is 1 again where things move.
+float sampleDistanceFactor(WeightInputs x) {
+  float factor = resolveBlock.weightTerms.x;
+  float t = saturated(x.speed);
+  precise float moving = (t * t) * (3.0 - 2.0 * t);
+  if (kWeightSampleDistance == kWeightSampleDistance_parabola) factor = greater(moving, factor);
+  return kWeightSampleDistance == kWeightSampleDistance_none ? 1.0 : factor;
+}
+
+/// What motion adds to α (13.4 to 13.6).
+float motionWeight(WeightInputs x, float alpha) {
   precise float share = saturated(x.speed / settings.weightMotionSpeed);
   precise float squared = share * share;
   precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
   precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: §26, D11
   if (kWeightMotion == kWeightMotion_linear) return share;
   if (kWeightMotion == kWeightMotion_squared) return squared;
+  precise float twice = 2.0 * alpha;
+  precise float added = share * (lesser(twice, 1.0) - alpha);
+  if (kWeightMotion == kWeightMotion_doubled) return added;
   return kWeightMotion == kWeightMotion_squaredAsPrinted ? saturated(asPrinted) : 0.0;
 }
 
@@ -145,45 +192,87 @@ float joined(float a, float b) {
   return result;
 }
 
-/// Joins what motion adds (13.4 to 13.7, 12.7).
-float movedWeight(WeightInputs x, float calmed) {
-  float motion = motionWeight(x);
-  float velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
-  float moved = calmed;
-  if (kWeightMotion != kWeightMotion_none) moved = joined(moved, motion);
-  if (kWeightVelocityChange) moved = joined(moved, velocityChange);
-  if (kWeightDivergence) moved = joined(moved, x.divergence);
-  expose_alphaMotion(motion);
-  expose_alphaVelocityChange(velocityChange);
-  expose_alphaDivergence(x.divergence);
-  return moved;
+/// α for the time this frame took: 1 − (1 − α)^(Δt/Δt₀), the exponent in eighths (13.19). Whole powers and square roots
+/// are exact, pow is not.
+float byFrameRate(float alpha) {
+  if (!kWeightFrameRate) return alpha;
+  int eighths = int(resolveBlock.weightTerms.y);
+  precise float kept = 1.0 - alpha;
+  precise float power = 1.0;
+  for (int whole = 0; whole < eighths / 8; ++whole) power = power * kept;
+  precise float root = kept;
+  for (int bit = 4; bit > 0; bit /= 2) {
+    root = sqrt(root);
+    if ((eighths & bit) != 0) power = power * root;
+  }
+  precise float result = 1.0 - power;
+  return eighths == 8 ? alpha : result;
 }
 
-float blendWeight(WeightInputs x, float invalid) {
-  float base = baseWeight(x);
-  float least = leastWeight(base);
-  float lumaFlicker = lumaFlickerFactor(x);
-  float nearClamp = nearClampFactor(x);
-  float historyContrast = historyContrastFactor(x);
-  float relax = relaxFactor(x);
-  float mask = maskWeight(x);
-  precise float calmed = base * lumaFlicker;
-  calmed = calmed * nearClamp;
-  calmed = calmed * historyContrast;
-  calmed = calmed * relax;
-  calmed = greater(calmed, least);
+struct Calming { // factors
+  float lumaFlicker, nearClamp, historyContrast, relax, sampleDistance;
+};
+
+struct Composed {
+  float least;
+  float motion;         // added by it
+  float velocityChange; // added by its change
+  float alpha;  // for the time of the frame
+};
+
+Composed composed(WeightInputs x, float base, Calming calming) {
+  Composed result;
+  result.least = leastWeight(base);
+  precise float calmed = base * calming.lumaFlicker;
+  calmed = calmed * calming.nearClamp;
+  calmed = calmed * calming.historyContrast;
+  calmed = calmed * calming.relax;
+  calmed = calmed * calming.sampleDistance;
+  calmed = greater(calmed, result.least);
   calmed = calmed < 1.0 ? calmed : 1.0;
-  precise float moved = movedWeight(x, calmed);
-  if (kUpsampled) moved = moved * x.confidence; // §22: 0 keeps history as it is
-  float alpha = greater(greater(moved, mask), invalid);
+  result.motion = motionWeight(x, calmed);
+  result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
+  precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);
+  if (kWeightMotion == kWeightMotion_doubled) moved = calmed + result.motion;
+  if (kWeightVelocityChange) moved = joined(moved, result.velocityChange);
+  if (kWeightDivergence) moved = joined(moved, x.divergence);
+  result.alpha = byFrameRate(moved);
+  return result;
+}
+
+/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for.
+float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
+  precise float alpha = kUpsampled ? terms.alpha * x.confidence : terms.alpha;
+  return greater(greater(alpha, mask), invalid);
+}
+
+Weight blendWeight(WeightInputs x, Samples samples, float invalid) {
+  float base = baseWeight(x);
+  Calming calming = Calming(lumaFlickerFactor(x), nearClampFactor(x), historyContrastFactor(x),
+                            relaxFactor(x), sampleDistanceFactor(x));
+  Composed terms = composed(x, base, calming);
+  float mask = maskWeight(x);
+  float alpha = wholeWeight(x, terms, mask, invalid);
+  Weight result = Weight(alpha, vec3(alpha));
+  if (kHasChannelWeights) {
+    vec3 bases = channelWeights(samples, x.current);
+    for (int channel = 0; channel < 3; ++channel)
+      result.channels[channel] = wholeWeight(x, composed(x, bases[channel], calming), mask, invalid);
+  }
   expose_alphaBase(base);
-  expose_alphaFloor(least);
-  expose_alphaLumaFlicker(lumaFlicker);
-  expose_alphaNearClamp(nearClamp);
-  expose_alphaHistoryContrast(historyContrast);
-  expose_alphaRelax(relax);
+  expose_alphaFloor(terms.least);
+  expose_alphaLumaFlicker(calming.lumaFlicker);
+  expose_alphaNearClamp(calming.nearClamp);
+  expose_alphaHistoryContrast(calming.historyContrast);
+  expose_alphaRelax(calming.relax);
+  expose_alphaSampleDistance(calming.sampleDistance);
+  expose_alphaMotion(terms.motion);
+  expose_alphaVelocityChange(terms.velocityChange);
+  expose_alphaDivergence(x.divergence);
+  expose_alphaFrameRate(terms.alpha);
   expose_alphaMask(mask);
   expose_alphaInvalid(invalid);
   expose_alpha(alpha);
-  return alpha;
+  expose_alphaChannels(result.channels);
+  return result;
 }

@@ -64,12 +64,31 @@ ivec2 longestOf(ivec2 pixel) {
   return chosen;
 }
 
+/// As HDRP prints it: with each diagonal goes the depth of the next one in this order (§26, D13).
+ivec2 closestXAsPrinted(ivec2 pixel, out float depth) {
+  const ivec2 kSteps[4] = ivec2[](ivec2(1, 1), ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1));
+  float depths[4];
+  for (int k = 0; k < 4; ++k) depths[k] = texelAt(u_depth, clamped(pixel + kSteps[k])).r;
+  ivec2 chosen = pixel;
+  float closest = texelAt(u_depth, pixel).r;
+  for (int k = 0; k < 4; ++k) {
+    if (depths[k] > closest) {
+      closest = depths[(k + 1) % 4];
+      chosen = clamped(pixel + kSteps[k]);
+    }
+  }
+  depth = texelAt(u_depth, chosen).r;
+  return chosen;
+}
+
 DilatedMotion dilateMotion(ivec2 pixel) {
   DilatedMotion result;
   ivec2 chosen = pixel;
   if (kIsLongest) chosen = longestOf(pixel);
   if (kIsLongest || kDilateMethod == kDilateMethod_none) {
     result.depth = texelAt(u_depth, chosen).r;
+  } else if (kDilateMethod == kDilateMethod_closestXAsPrinted) {
+    chosen = closestXAsPrinted(pixel, result.depth);
   } else {
     chosen = closestOf(pixel, result.depth);
   }

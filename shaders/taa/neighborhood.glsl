@@ -30,6 +30,25 @@ float momentWeight(int k, vec3 color) {
   return kNeighborhoodWeights == kNeighborhoodWeights_distance ? byDistance : 1.0;
 }
 
+/// The samples where the pixels' centers landed: each a bilinear tap at +j (8.8).
+Samples unjittered(ivec2 pixel, Samples samples) {
+  ivec2 way = ivec2(resolveBlock.jitterPx.x < 0.0 ? -1 : 1, resolveBlock.jitterPx.y < 0.0 ? -1 : 1);
+  vec2 f = abs(resolveBlock.jitterPx);
+  Samples result = samples;
+  for (int k = 0; k < 9; ++k) {
+    ivec2 place = pixel + ivec2(k % 3 - 1, k / 3 - 1);
+    precise vec3 here = sanitized(texelAt(u_color, place).rgb);
+    precise vec3 beside = sanitized(texelAt(u_color, place + ivec2(way.x, 0)).rgb);
+    precise vec3 over = sanitized(texelAt(u_color, place + ivec2(0, way.y)).rgb);
+    precise vec3 across = sanitized(texelAt(u_color, place + way).rgb);
+    precise vec3 near = here + f.x * (beside - here);
+    precise vec3 far = over + f.x * (across - over);
+    precise vec3 color = near + f.y * (far - near);
+    result.color[k] = storable(color);
+  }
+  return result;
+}
+
 Moments measure(Samples samples, vec3 boxed[9], bool isMember[9]) {
   // Moments about the pixel's own color: those about 0 cancel badly for bright colors (invariant 37).
   precise vec3 sum = vec3(0.0);

@@ -23,10 +23,12 @@ void main() {
   Samples samples = readInputs(place);
   DilatedMotion dilated = dilateMotion(place.texel);
   Reprojection reprojection = reproject(pixel, dilated.motion);
-  HistorySample history = sampleHistory(pixel, reprojection.position);
+  HistorySample history = sampleHistory(pixel, place.texel, reprojection.position);
   CurrentColor filtered = filterCurrent(samples, place, reprojection.speed);
   vec3 current = filtered.color;
-  Neighborhood around = boundNeighborhood(samples, current, history.color, reprojection.speed);
+  Samples measured = samples;
+  if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
+  Neighborhood around = boundNeighborhood(measured, current, history.color, reprojection.speed);
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);
   float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
@@ -34,8 +36,8 @@ void main() {
   WeightInputs weighed =
       WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
                    validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence);
-  float alpha = blendWeight(weighed, validity.invalid);
-  Blended blended = blend(samples, filtered, rectified.color, alpha, rectified.frames, validity.invalid);
+  Weight weight = blendWeight(weighed, samples, validity.invalid);
+  Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
   o_color = vec4(blended.color, 1.0);
   o_surface = vec2(blended.frames, viewDepth(dilated.depth));
 }

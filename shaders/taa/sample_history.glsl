@@ -1,4 +1,5 @@
-// Reads the accumulated picture between its pixels (catalogue §6). In: the pixel, its previous position in px.
+// Reads the accumulated picture between its pixels (catalogue §6). In: the pixel, its previous position in px, and this
+// frame's depth around it.
 // Out: scene-linear color, not negative, history length N and stored depths there; all 0 without history.
 
 struct HistorySample {
@@ -76,11 +77,15 @@ vec2 lanczos(vec2 x) {
   return result;
 }
 
+const bool kIsCubic5AsPrinted = kHistoryFilter == kHistoryFilter_cubic5AsPrinted;
+const bool kIsCubic5 = kHistoryFilter == kHistoryFilter_cubic5 || kIsCubic5AsPrinted;
+const bool kHasSharpness = kHistoryFilter == kHistoryFilter_cubic || kIsCubic5;
+
 CubicWeights historyWeights(vec2 f) {
   precise vec2 x0 = 1.0 + f;
   precise vec2 x2 = 1.0 - f;
   precise vec2 x3 = 2.0 - f;
-  if (kHistoryFilter == kHistoryFilter_cubic) return sharpnessWeights(f);
+  if (kHasSharpness) return sharpnessWeights(f);
   if (kHistoryFilter == kHistoryFilter_mitchell)
     return CubicWeights(mitchellFar(x0), mitchellNear(f), mitchellNear(x2), mitchellFar(x3));
   if (kHistoryFilter == kHistoryFilter_lanczos)
@@ -92,6 +97,8 @@ CubicWeights historyWeights(vec2 f) {
 const bool kIsCatmullRom5 = kHistoryFilter == kHistoryFilter_catmullRom5;
 const bool kIsCatmullRom9 = kHistoryFilter == kHistoryFilter_catmullRom9;
 const bool kIsCatmullRom5AsPrinted = kHistoryFilter == kHistoryFilter_catmullRom5AsPrinted;
+const bool kIsCatmullRom5Corners = kHistoryFilter == kHistoryFilter_catmullRom5Corners;
+const bool kIsFiveTaps = kIsCatmullRom5 || kIsCatmullRom5AsPrinted || kIsCatmullRom5Corners || kIsCubic5;
 
 struct Taps {
   vec3 above, left, middle, right, below;
@@ -109,25 +116,32 @@ Taps historyTaps(ivec2 t, vec2 share) {
 
 vec3 historyTexel(ivec2 texel) { return sanitized(historyAt(u_historyColor, texel).rgb); }
 
-/// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b).
-vec3 historyCatmullRom5(vec2 x) {
+/// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b). Or each corner
+/// taken for the mean of the two taps beside it (6.4c): half of its weight goes to either.
+vec3 historyFiveTaps(vec2 x) {
   precise vec2 corner = floor(x - 0.5);
   precise vec2 f = x - (corner + 0.5);
-  CubicWeights w = catmullRomWeights(f);
+  CubicWeights w = historyWeights(f);
   precise vec2 w12 = w.w1 + w.w2;
   precise vec2 share = w.w2 / w12;
   Taps taps = historyTaps(ivec2(corner), share);
-  precise float wAbove = w12.x * w.w0.y;
-  precise float wLeft = w.w0.x * w12.y;
+  if (kIsCubic5AsPrinted) taps.right = historyTexel(ivec2(corner) + ivec2(2, -1)); // the row above: §26, D13
+  precise vec2 beside = w12;
+  if (kIsCatmullRom5Corners) {
+    precise vec2 outer = w.w0 + w.w3;
+    beside = w12 + 0.5 * outer;
+  }
+  precise float wAbove = beside.x * w.w0.y;
+  precise float wLeft = w.w0.x * beside.y;
   precise float wMiddle = w12.x * w12.y;
-  precise float wRight = w.w3.x * w12.y;
-  precise float wBelow = w12.x * w.w3.y;
+  precise float wRight = w.w3.x * beside.y;
+  precise float wBelow = beside.x * w.w3.y;
   precise float sum = (((wAbove + wLeft) + wMiddle) + wRight) + wBelow;
   // Differences to the middle, so that a constant stays exactly constant.
   precise vec3 weighted = (((taps.above - taps.middle) * wAbove + (taps.left - taps.middle) * wLeft) +
                            (taps.right - taps.middle) * wRight) +
                           (taps.below - taps.middle) * wBelow;
-  precise vec3 result = taps.middle + weighted / sum;
+  precise vec3 result = taps.middle + (kIsCatmullRom5Corners ? weighted : weighted / sum);
   if (kIsCatmullRom5AsPrinted) {
     precise vec3 asPrinted = taps.middle * sum + weighted;
     result = asPrinted;
@@ -199,17 +213,36 @@ vec3 historySixteen(vec2 x) {
   return storable(result);
 }
 
+/// Whether depth has an edge among the nine pixels around (6.8); the sky is far beyond everything.
+bool isDepthEdge(ivec2 texel) {
+  float nearest = 1e30;
+  float farthest = 0.0;
+  for (int k = 0; k < 9; ++k) {
+    float depth = viewDepth(texelAt(u_depth, texel + ivec2(k % 3 - 1, k / 3 - 1)).r);
+    if (depth == 0.0) depth = 1e30;
+    nearest = lesser(nearest, depth);
+    farthest = greater(farthest, depth);
+  }
+  precise float range = farthest - nearest;
+  precise float limit = settings.historyEdgeDepth * farthest;
+  return range > limit;
+}
+
+const bool kTakesEdges = kHistoryBilinearAtEdges && kHistoryFilter != kHistoryFilter_point &&
+                         kHistoryFilter != kHistoryFilter_bilinear;
+
 vec3 historyColor(vec2 x) {
   if (kHistoryFilter == kHistoryFilter_point) return historyTexel(ivec2(floor(x)));
   if (kHistoryFilter == kHistoryFilter_bilinear) return historyBilinear(x);
-  if (kIsCatmullRom5 || kIsCatmullRom5AsPrinted) return historyCatmullRom5(x);
+  if (kIsFiveTaps) return historyFiveTaps(x);
   if (kIsCatmullRom9) return historyCatmullRom9(x);
   return historySixteen(x);
 }
 
-HistorySample readHistory(vec2 position) {
+HistorySample readHistory(vec2 position, bool isEdge) {
   HistorySample result;
   result.color = historyColor(position);
+  if (kTakesEdges && isEdge) result.color = historyBilinear(position);
   precise vec2 corner = floor(position - 0.5);
   ivec2 first = ivec2(corner);
   ivec2 nearest = ivec2(floor(position)) - first;
@@ -222,14 +255,17 @@ HistorySample readHistory(vec2 position) {
   return result;
 }
 
-HistorySample sampleHistory(ivec2 pixel, vec2 historyPosition) {
+HistorySample sampleHistory(ivec2 pixel, ivec2 texel, vec2 historyPosition) {
   // Far away, or NaN: anywhere will do, for it is off the screen.
   bool isNear = historyPosition.x >= -1e6 && historyPosition.x <= 1e6 && historyPosition.y >= -1e6 &&
                 historyPosition.y <= 1e6;
   precise vec2 position = isNear ? historyPosition : vec2(pixel) + 0.5;
   HistorySample result = HistorySample(vec3(0.0), 0.0, float[4](0.0, 0.0, 0.0, 0.0), position);
-  if (hasHistory()) result = readHistory(position);
+  bool isEdge = false;
+  if (kTakesEdges) isEdge = isDepthEdge(texel);
+  if (hasHistory()) result = readHistory(position, isEdge);
   result.position = position;
+  expose_depthEdge(isEdge ? 1.0 : 0.0);
   expose_historyRaw(result.color);
   expose_historyRawLength(result.frames);
   return result;

@@ -32,7 +32,8 @@ TEST(ProbeWords, TellHowAlphaCameAbout) {
   reference::PixelRecord record;
   record.fill(glm::vec4(0));
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
+                                    IntermediateId::alphaSampleDistance})
     reference::at(record, calm).x = 1.0f;
   reference::at(record, IntermediateId::historyKeptLength).x = 7;
   reference::at(record, IntermediateId::alphaBase).x = 0.125f;
@@ -54,7 +55,8 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   Settings settings;
   const auto line = [&] { return probeSummary(record, settings).at(1); };
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
+                                    IntermediateId::alphaSampleDistance})
     set(calm, 1.0f);
   set(IntermediateId::historyKeptLength, 1.3f);
   set(IntermediateId::alphaBase, 0.0625f);
@@ -79,9 +81,16 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   set(IntermediateId::alphaMask, 0.5f);
   set(IntermediateId::alpha, 0.5f);
   EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5 and 0.25 by motion, 0.5 by mask) = 0.5"));
-  settings.inputs.renderScale = 0.5f;
   set(IntermediateId::alphaMask, 0.0f);
+  set(IntermediateId::alphaSampleDistance, 0.25f);
+  set(IntermediateId::alpha, 0.5f);
+  settings.weight.frameRate = Switch::On;
+  EXPECT_EQ(line(),
+            QStringLiteral("α = constant 0.0625 × 0.5 × 0.25 and 0.25 by motion by the frame's time = 0.5"));
+  settings.weight.frameRate = Switch::Off;
+  set(IntermediateId::alphaSampleDistance, 1.0f);
   set(IntermediateId::alphaMotion, 0.0f);
+  settings.inputs.renderScale = 0.5f;
   set(IntermediateId::alphaLumaFlicker, 1.0f);
   set(IntermediateId::sampleConfidence, 0.5f);
   set(IntermediateId::alpha, 0.03125f);
@@ -91,6 +100,10 @@ TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
   set(IntermediateId::alphaDivergence, 0.25f);
   set(IntermediateId::alpha, 0.2734375f);
   EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by divergence = 0.2734"));
+  set(IntermediateId::alphaDivergence, 0.0f);
+  settings.weight.source = AlphaSource::ContrastPerChannel;
+  reference::at(record, IntermediateId::alphaChannels) = {0.5f, 0.25f, 0.125f, 0.0f};
+  EXPECT_TRUE(line().contains(QStringLiteral("= 0.2734, of channels "))) << line().toStdString();
 }
 
 // Soft rejection leaves history its part; hard rejection does not.
@@ -99,7 +112,8 @@ TEST(ProbeWords, TellHowMuchARejectionTakes) {
   record.fill(glm::vec4(0));
   const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax})
+                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
+                                    IntermediateId::alphaSampleDistance})
     set(calm, 1.0f);
   Settings settings;
   settings.weight.source = AlphaSource::Constant;

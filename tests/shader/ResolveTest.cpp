@@ -46,6 +46,12 @@ void setMotion(taa::reference::Inputs& frame, float x, float y) {
     }
 }
 
+// Whether a history of that precision can hold the level at all.
+bool canStore(Precision precision, float level) {
+  const bool isUnorm = precision == Precision::Unorm8 || precision == Precision::Unorm10;
+  return !isUnorm || level == 0.0f || level == 1.0f;
+}
+
 // α = max(1/(N+1), least); nothing else that changes colors.
 Settings averaging(float least) {
   Settings settings = bareSettings();
@@ -67,6 +73,7 @@ TEST_F(ResolveTest, KeepsAConstantImageThroughEveryOption) {
   for (const Variant& variant : taa::test::presetsAndChoices()) {
     const FrameShape shape = taa::test::shapeFor(variant.settings, {24, 16});
     for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f}) {
+      if (!canStore(variant.settings.history.precision, level)) continue;
       taa::reference::Inputs frame = taa::test::flatFrame(shape, taa::roundedToHalf(level));
       const Image expected = taa::test::flatFrame({24, 16}, taa::roundedToHalf(level)).color;
       for (int n = 0; n < 4; ++n) {

@@ -54,6 +54,7 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous)
   }
   twin.outputPx = inputs.outputPx;
   twin.frame = inputs.info.frame;
+  twin.stepSeconds = inputs.info.stepSeconds;
   twin.jitterPx = inputs.block.jitterPx;
   twin.depthTerms = inputs.block.depthTerms;
   return twin;

@@ -219,6 +219,7 @@ FrameInputs upload(const reference::Inputs& images, const FrameShape& shape) {
   FrameInputs made;
   made.outputPx = images.outputPx;
   made.info.frame = images.frame;
+  made.info.stepSeconds = images.stepSeconds;
   made.info.jitterPx = images.jitterPx;
   made.block.depthTerms = images.depthTerms;
   made.color = texture(images.color, colorFormat(shape.inputs));

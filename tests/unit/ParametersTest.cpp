@@ -164,7 +164,8 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=bilinear", "current.filter=unjitter",
         "neighborhood.shape=rounded", "neighborhood.box=minMax", "space.color=rgb",
         "rectify.method=clipToCenter", "validate.offScreen=keep", "weight.source=lumaDifference",
-        "weight.most=0.12", "weight.least=0.03", "blend.tone=none", "output.motionBlur=on"}},
+        "weight.most=0.12", "weight.least=0.03", "history.precision=unorm8", "history.dither=on",
+        "blend.tone=none", "output.motionBlur=on"}},
       {"ue4",
        {"jitter.period=8", "dilate.method=closestX2", "current.variance=0.22", "neighborhood.shape=rounded",
         "space.color=yCoCg", "rectify.method=clipToFiltered", "weight.alpha=0.04", "weight.nearClamp=on",
@@ -186,17 +187,17 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
        {"current.filter=gaussian", "current.variance=0.22", "current.jitterAware=on",
         "rectify.method=clipToCenter"}},
       {"hdrp-low",
-       {"jitter.period=8", "dilate.method=closestX", "space.color=rgb", "neighborhood.shape=cross",
+       {"jitter.period=8", "dilate.method=closestXAsPrinted", "space.color=rgb", "neighborhood.shape=cross",
         "neighborhood.box=minMax", "validate.offScreen=margin", "weight.alpha=0.125",
         "output.sharpen=inResolve", "output.amount=0.5", "current.upsample=hdrp"}},
       {"hdrp-medium",
-       {"history.filter=cubic", "history.sharpness=0.35", "neighborhood.shape=cross",
+       {"history.filter=cubic5AsPrinted", "history.sharpness=0.35", "neighborhood.shape=cross",
         "neighborhood.gamma=1.5", "neighborhood.contrastGrowth=1.75", "neighborhood.gammaMoving=0.75",
         "neighborhood.gammaSpeed=50", "rectify.method=clipToCenter", "weight.alpha=0.125",
-        "weight.motion=linear", "weight.motionSpeed=350"}},
+        "weight.motion=doubled", "weight.motionSpeed=50"}},
       {"hdrp-high",
        {"neighborhood.shape=square3x3", "current.filter=gaussian", "current.variance=0.22",
-        "weight.motion=linear", "weight.motionSpeed=350"}},
+        "weight.motion=doubled", "weight.motionSpeed=50"}},
       {"filament",
        {"jitter.firstIndex=0", "inputs.motion=singleMatrix", "inputs.mipBias=-1",
         "history.filter=catmullRom5", "history.dering=on", "current.filter=lanczos", "current.dering=on",
@@ -205,28 +206,28 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"donut",
        {"jitter.sequence=msaa8", "dilate.method=longest3x3", "history.filter=catmullRom9",
         "neighborhood.box=variance", "neighborhood.gamma=1", "rectify.method=clamp", "weight.alpha=0.1",
-        "current.upsample=sampleWeight"}},
+        "weight.sampleDistance=parabola", "weight.minimum=0", "current.upsample=sampleWeight"}},
       {"intel",
-       {"jitter.firstIndex=0", "dilate.method=longest3x3", "history.filter=catmullRom5",
+       {"jitter.firstIndex=0", "dilate.method=longest3x3", "history.filter=catmullRom5Corners",
         "neighborhood.gamma=2", "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=128",
         "validate.depth=on", "validate.speedLimit=128", "rectify.method=clamp", "blend.restart=blurred",
         "weight.source=historyLength", "weight.motion=linear", "weight.motionSpeed=128",
-        "output.sharpen=logarithm", "output.amount=0.5"}},
+        "blend.length=reciprocal", "output.sharpen=logarithm", "output.amount=0.5"}},
       {"miniengine",
        {"jitter.period=8", "jitter.firstIndex=0", "dilate.method=closestCross", "rectify.method=clipToCenter",
         "inputs.motion=singleMatrix", "validate.depth=on", "validate.speedLimit=64", "space.color=rgb",
-        "weight.motion=linear", "weight.motionSpeed=64"}},
+        "weight.motion=linear", "weight.motionSpeed=64", "blend.length=reciprocal"}},
       {"diligent",
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom5", "space.color=rgb",
         "rectify.method=rayToCurrent", "rectify.mostSteps=10", "neighborhood.gamma=2.5",
         "neighborhood.gammaMoving=0.75", "neighborhood.gammaSpeed=2.8125", "weight.minimum=0.0625",
-        "weight.motion=linear", "weight.motionSpeed=2.8125"}},
+        "weight.motion=linear", "weight.motionSpeed=2.8125", "blend.length=reciprocal"}},
       {"godot",
        {"jitter.period=16", "dilate.method=closest3x3", "history.filter=catmullRom9",
         "space.tone=reinhardChannel", "space.color=yCoCg", "neighborhood.weights=luma",
         "neighborhood.gammaMoving=0.4", "weight.minimum=0.0588", "rectify.method=shrinkAxes",
-        "weight.lumaFlicker=on", "validate.velocity=vector", "validate.velocityLimit=2.5",
-        "validate.velocityGain=0.01"}},
+        "weight.lumaFlicker=on", "weight.flickerScale=compressed", "validate.velocity=vector",
+        "validate.velocityLimit=2.5", "validate.velocityGain=0.01"}},
       {"fsr2",
        {"jitter.period=8", "dilate.method=closest3x3", "history.filter=lanczos", "space.color=yCoCg",
         "neighborhood.box=intersection", "neighborhood.gamma=1", "rectify.method=clampForget",
@@ -234,7 +235,8 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
         "inputs.mask=autoReactive", "weight.mask=reactive", "validate.depth=on", "blend.tone=maxChannel"}},
       {"bevy",
        {"jitter.period=8", "dilate.method=closestX2", "history.filter=catmullRom5AsPrinted",
-        "space.tone=maxChannel", "space.color=yCoCg", "rectify.method=clipToCenter", "weight.minimum=0.015",
+        "space.tone=maxChannel", "space.color=yCoCg", "rectify.method=clipToCenter",
+        "weight.source=confidence", "weight.most=0.1", "weight.least=0.015", "blend.length=confidence",
         "inputs.mipBias=-1"}},
       {"falcor",
        {"dilate.method=longest3x3", "history.filter=catmullRom9", "space.color=yCoCg",
@@ -246,8 +248,8 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
        {"dilate.method=none", "history.filter=bilinear", "rectify.method=none", "weight.alpha=0.1"}},
       {"source002",
        {"dilate.method=closestX", "history.precision=full", "current.filter=unjitter", "space.color=yCoCg",
-        "neighborhood.box=minMax", "rectify.method=clipToCenter", "weight.alpha=0.05",
-        "weight.motion=linear"}},
+        "neighborhood.box=minMax", "neighborhood.unjitter=on", "rectify.method=clipToCenter",
+        "weight.alpha=0.05", "weight.motion=linear"}},
       {"source004",
        {"jitter.sequence=whiteNoise", "history.filter=bilinear", "rectify.method=none", "validate.depth=on",
         "validate.object=on", "validate.normal=on", "weight.source=historyLength", "blend.length=variance"}}};
@@ -261,15 +263,6 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(builtinPresets(), "ours", &Preset::group)) +
                 peers.size(),
             builtinPresets().size());
-}
-
-// HDRP doubles α at 50 px; a linear term does the same when its full speed is 50 (1 − α)/α.
-TEST(Presets, DoubleTheAlphaOfHdrpAtFiftyPixels) {
-  for (const char* id : {"hdrp-medium", "hdrp-high"}) {
-    const WeightSettings weight = preset(id).settings.weight;
-    const double motion = 50.0 / weight.motionSpeed;
-    EXPECT_DOUBLE_EQ(1.0 - (1.0 - weight.alpha) * (1.0 - motion), 2.0 * weight.alpha) << id;
-  }
 }
 
 TEST(Presets, DifferFromEachOtherAndSayWhatTheyAre) {

@@ -37,6 +37,96 @@ TEST(ReferenceHistory, CubicWeightsAreCatmullRoms) {
   }
 }
 
+// Catalogue 6.4c: Σw = 1, so a constant stays without a division, and a ramp is off by half of what its share
+// of the corners is.
+TEST(ReferenceHistory, CornersFromTheirNeighborsKeepConstantsAndRampsNearly) {
+  const HistorySettings settings{HistoryFilter::CatmullRom5Corners, Switch::Off, Precision::Full};
+  const Inputs constant = withHistory(8, 8, glm::vec3(0.7f));
+  Inputs ramp = withHistory(8, 8, glm::vec3(0.0f));
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      test::setColor(ramp.historyColor, x, y, glm::vec3(static_cast<float>(x) + 0.5f, 0.0f, 0.0f));
+  float worst = 0.0f;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const float fx = static_cast<float>(i) / 64.0f, fy = static_cast<float>(j) / 64.0f;
+      const glm::vec2 q(3.5f + fx, 3.5f + fy);
+      ASSERT_EQ(sampleHistory(constant, settings, q, {3, 3}).color, glm::vec3(0.7f));
+      const std::array<float, 4> wx = catmullRomWeights(fx), wy = catmullRomWeights(fy);
+      const float expected = q.x + 0.5f * (wy[0] + wy[3]) * (wx[2] / (wx[1] + wx[2]) - fx);
+      const float read = sampleHistory(ramp, settings, q, {3, 3}).color.x;
+      ASSERT_NEAR(read, expected, 2e-6f) << fx << ", " << fy; // a few roundings of 4
+      worst = std::max(worst, std::fabs(read - q.x));
+    }
+  }
+  EXPECT_NEAR(worst, 0.00278f, 1e-5f) << "less than half of the 0.00608 without the corners (invariant 28)";
+}
+
+TEST(ReferenceHistory, FiveTapsOfTheCubicAreCatmullRomsAtOneHalf) {
+  Inputs inputs = withHistory(8, 8, glm::vec3(0.0f));
+  for (int k = 0; k < 64; ++k)
+    test::setColor(inputs.historyColor, k % 8, k / 8, glm::vec3(static_cast<float>((k * 37) % 64) / 64.0f));
+  HistorySettings cubic{HistoryFilter::Cubic5, Switch::Off, Precision::Full};
+  float difference = 0.0f;
+  for (int i = 0; i < 64; ++i) {
+    const glm::vec2 q(3.5f + static_cast<float>(i) / 64.0f, 3.5f + static_cast<float>((i * 29) % 64) / 64.0f);
+    cubic.sharpness = 0.5f;
+    const float expected = sampleHistory(inputs, kCatmullRom, q, {3, 3}).color.x;
+    EXPECT_NEAR(sampleHistory(inputs, cubic, q, {3, 3}).color.x, expected, 1e-6f);
+    cubic.sharpness = 0.35f;
+    difference = std::max(difference, std::fabs(sampleHistory(inputs, cubic, q, {3, 3}).color.x - expected));
+  }
+  EXPECT_GT(difference, 0.01f);
+}
+
+// Catalogue §26, D13.
+TEST(ReferenceHistory, AsHdrpPrintsItTheRightTapComesFromTheRowAbove) {
+  HistorySettings cubic{HistoryFilter::Cubic5, Switch::Off, Precision::Full};
+  HistorySettings printed = cubic;
+  printed.filter = HistoryFilter::Cubic5AsPrinted;
+  const glm::vec2 q(3.75f, 3.75f); // texel (3, 3) and a quarter: the corner is (5, 2)
+  Inputs inputs = withHistory(8, 8, glm::vec3(1.0f));
+  EXPECT_EQ(sampleHistory(inputs, printed, q, {3, 3}).color, glm::vec3(1.0f));
+  test::setColor(inputs.historyColor, 5, 2, glm::vec3(2.0f));
+  const std::array<float, 4> w = catmullRomWeights(0.25f);
+  const float both = w[1] + w[2], corners = (w[0] + w[3]) * (w[0] + w[3]);
+  EXPECT_EQ(sampleHistory(inputs, cubic, q, {3, 3}).color.x, 1.0f) << "corners are not read";
+  EXPECT_NEAR(sampleHistory(inputs, printed, q, {3, 3}).color.x, 1.0f + w[3] * both / (1.0f - corners),
+              1e-6f);
+  Inputs columns = withHistory(8, 8, glm::vec3(0.0f));
+  for (int k = 0; k < 64; ++k)
+    test::setColor(columns.historyColor, k % 8, k / 8, glm::vec3(static_cast<float>(k % 8)));
+  EXPECT_EQ(sampleHistory(columns, printed, q, {3, 3}).color, sampleHistory(columns, cubic, q, {3, 3}).color)
+      << "rows alike: the wrong row does not show";
+}
+
+// Catalogue 6.8.
+TEST(ReferenceHistory, ReadsOneTapWhereDepthHasAnEdge) {
+  Inputs inputs = withHistory(12, 8, glm::vec3(0.0f));
+  for (int k = 0; k < 96; ++k)
+    test::setColor(inputs.historyColor, k % 12, k / 12, glm::vec3(static_cast<float>((k * 37) % 96)));
+  const HistorySettings always = kCatmullRom;
+  HistorySettings settings = kCatmullRom;
+  settings.bilinearAtEdges = Switch::On;
+  settings.edgeDepth = 0.1f;
+  const auto isEdge = [&](int x) { return sampleHistory(inputs, settings, {3.7f, 3.3f}, {x, 4}).isEdge; };
+  const auto setLeft = [&inputs](float depth) {
+    for (int k = 0; k < 96; ++k) inputs.depth.at(k % 12, k / 12)[0] = k % 12 < 6 ? depth : 0.1f; // right: 1 m
+  };
+  for (const float left : {0.2f, 0.112f, 0.05f, 0.0f}) { // 0.5 m, 0.89 m, 2 m, the sky
+    setLeft(left);
+    for (int x = 0; x < 12; ++x) EXPECT_EQ(isEdge(x), x == 5 || x == 6) << left << ", " << x;
+  }
+  EXPECT_EQ(sampleHistory(inputs, settings, {3.7f, 3.3f}, {5, 4}).color,
+            bilinearHistory(inputs, {3.7f, 3.3f}));
+  EXPECT_EQ(sampleHistory(inputs, settings, {3.7f, 3.3f}, {4, 4}).color,
+            sampleHistory(inputs, always, {3.7f, 3.3f}, {4, 4}).color);
+  setLeft(0.11f); // 0.909 m: 9 % of the farthest
+  for (int x = 0; x < 12; ++x) EXPECT_FALSE(isEdge(x)) << x;
+  for (float& depth : inputs.depth.pixels) depth = 0.0f;
+  EXPECT_FALSE(isEdge(5)) << "sky beside sky";
+}
+
 TEST(ReferenceHistory, BilinearMixesTheFourTexelsAround) {
   Inputs inputs = withHistory(2, 2, glm::vec3(0.0f));
   test::setColor(inputs.historyColor, 1, 0, glm::vec3(4.0f));

@@ -35,6 +35,32 @@ constexpr SpaceSettings kRgb{ColorSpace::Rgb, ToneSpace::Linear};
 constexpr SpaceSettings kYCoCg{ColorSpace::YCoCg, ToneSpace::Linear};
 constexpr SpaceSettings kToned{ColorSpace::YCoCg, ToneSpace::ReinhardLuma};
 
+// Catalogue 8.8, as invariant 33: rendered with jitter j, pixel p holds what belongs to p − j.
+TEST(ReferenceNeighborhood, TapsAtTheJitterFindTheSamplesOfARampWhereTheyWouldBeWithoutIt) {
+  const auto ramp = [](float x, float y) { return 8.0f + 0.5f * x + 0.25f * y; };
+  NeighborhoodSettings settings{NeighborhoodShape::Square3x3, BoxKind::MinMax, 1.0f, Switch::Off};
+  const auto measuredAt = [&](const glm::vec2& jitter) {
+    Inputs inputs = test::constantInputs(7, 7, glm::vec3(0.0f));
+    inputs.jitterPx = jitter;
+    for (int y = 0; y < 7; ++y)
+      for (int x = 0; x < 7; ++x)
+        test::setColor(inputs.color, x, y,
+                       glm::vec3(ramp(static_cast<float>(x) - jitter.x, static_cast<float>(y) - jitter.y)));
+    Settings all = test::plainSettings();
+    all.neighborhood = settings;
+    return measureNeighborhood(inputs, all, glm::vec3(0.0f), {3, 3});
+  };
+  for (const glm::vec2& jitter :
+       {glm::vec2(0.25f, 0.375f), glm::vec2(-0.5f, 0.125f), glm::vec2(-0.375f, -0.25f)}) {
+    settings.unjitter = Switch::On; // all products are exact
+    EXPECT_EQ(measuredAt(jitter).min, glm::vec3(ramp(2.0f, 2.0f)));
+    EXPECT_EQ(measuredAt(jitter).max, glm::vec3(ramp(4.0f, 4.0f)));
+    EXPECT_EQ(measuredAt(jitter).mean, glm::vec3(ramp(3.0f, 3.0f)));
+    settings.unjitter = Switch::Off;
+    EXPECT_EQ(measuredAt(jitter).mean, glm::vec3(ramp(3.0f - jitter.x, 3.0f - jitter.y)));
+  }
+}
+
 bool isWithin(const glm::vec3& low, const glm::vec3& value, const glm::vec3& high) {
   return clamped(value, low, high) == value;
 }

@@ -52,6 +52,24 @@ TEST(ReferenceDilate, TakesTheFirstOfEquallyNearNeighborsAndStaysInThePicture) {
   EXPECT_EQ(dilateMotion(inputs, kClosest, {0, 1}).offset, glm::ivec2(0, 1));
 }
 
+// Catalogue §26, D13: each tap is compared with the depth of the one after the last chosen.
+TEST(ReferenceDilate, AsHdrpPrintsItAFartherTapMayWin) {
+  Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
+  inputs.depth.at(1, 1)[0] = 0.1f;
+  inputs.depth.at(2, 2)[0] = 0.3f;  // first, and the nearest
+  inputs.depth.at(0, 0)[0] = 0.05f; // second: this is what is kept with the first
+  inputs.depth.at(2, 0)[0] = 0.2f;  // third: nearer than 0.05
+  inputs.depth.at(0, 2)[0] = 0.15f; // fourth: kept with the third
+  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestX}, {1, 1}).offset, glm::ivec2(1, 1));
+  const Dilated printed = dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1});
+  EXPECT_EQ(printed.offset, glm::ivec2(1, -1));
+  EXPECT_EQ(printed.depth, 0.2f) << "of the pixel that was chosen";
+  inputs.depth.at(0, 2)[0] = 0.25f; // now it is nearer than itself, which is kept with the third, is not
+  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1}).offset, glm::ivec2(1, -1));
+  for (float& depth : inputs.depth.pixels) depth = 0.1f;
+  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1}).offset, glm::ivec2(0));
+}
+
 TEST(ReferenceDilate, GivesViewDepthInMetersAndZeroForTheSky) {
   const Inputs inputs = constantInputs(1, 1, glm::vec3(0.5f));
   EXPECT_EQ(viewDepth(0.1f, inputs.depthTerms), 1.0f);

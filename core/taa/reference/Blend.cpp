@@ -3,6 +3,10 @@
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
 namespace taa::reference {
 namespace {
 
@@ -22,22 +26,74 @@ float toneWeight(const glm::vec3& color, ToneWeight tone) {
 
 /// The mix itself, of compressed colors where the choice says so (catalogue 15.3, 15.4). `keepsHistory`: a
 /// share of 0 leaves it as it is, even then (invariant 65).
-glm::vec3 mix(const glm::vec3& current, const glm::vec3& history, float k, ToneWeight tone,
-              bool keepsHistory) {
-  if (k >= 1.0f) return current;
-  if (k <= 0.0f && keepsHistory) return history;
-  if (tone != ToneWeight::ReinhardChannel && tone != ToneWeight::MaxChannel)
-    return history + k * (current - history);
-  if (current == history) return history;
-  const ToneSpace space =
-      tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel : ToneSpace::MaxChannel;
-  const glm::vec3 from = compress(history, space);
-  return decompress(from + k * (compress(current, space) - from), space);
+glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::vec3& k, ToneWeight tone,
+                bool keepsHistory) {
+  glm::vec3 result = history + k * (current - history);
+  if (tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel) {
+    const ToneSpace space =
+        tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel : ToneSpace::MaxChannel;
+    const glm::vec3 from = compress(history, space);
+    const glm::vec3 between = from + k * (compress(current, space) - from);
+    result = current == history ? history : decompress(between, space);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (k[i] >= 1.0f) result[i] = current[i];
+    if (k[i] <= 0.0f && keepsHistory) result[i] = history[i];
+  }
+  return result;
+}
+
+/// PCG's permutation of 32 bits.
+std::uint32_t hashed(std::uint32_t x) {
+  const std::uint32_t state = x * 747796405u + 2891336453u;
+  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+/// 0 to 8191, white over pixels, frames and channels (catalogue 20.6).
+std::uint32_t ditherNumber(const Mix& mix, std::uint32_t channel) {
+  std::uint32_t seed = hashed(static_cast<std::uint32_t>(mix.pixel.x));
+  seed = hashed(seed + static_cast<std::uint32_t>(mix.pixel.y));
+  seed = hashed(seed + static_cast<std::uint32_t>(mix.frame));
+  return hashed(seed + channel) >> 19u;
+}
+
+/// x as a multiple of 1/steps, of those around it the one that `u`, 0 to 1, chooses.
+float quantized(float x, float steps, float u) {
+  return std::floor(saturated(x) * steps + u) / steps;
+}
+
+/// The half below or above x: cutting off 13 bits after `number` was added to them.
+float ditheredHalf(float x, std::uint32_t number) {
+  constexpr float kLeastNormal = 0x1p-14f;
+  if (x < kLeastNormal)
+    return std::floor(x * 0x1p24f + (static_cast<float>(number) + 0.5f) / 8192.0f) / 0x1p24f;
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + number) & 0xFFFFE000u);
+}
+
+/// A channel as the history holds it (catalogue 1.6, 14.7, 20.6).
+float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint32_t channel) {
+  const bool isDithered = settings.dither == Switch::On;
+  const std::uint32_t number = isDithered ? ditherNumber(mix, channel) : 0;
+  const float u = isDithered ? (static_cast<float>(number) + 0.5f) / 8192.0f : 0.5f;
+  switch (settings.precision) {
+  case Precision::Full:
+    return x;
+  case Precision::Half:
+    return isDithered ? ditheredHalf(x, number) : roundedToHalf(x);
+  case Precision::Unorm8:
+    return quantized(x, 255.0f, u);
+  case Precision::Unorm10:
+    return quantized(x, 1023.0f, u);
+  }
+  return x;
 }
 
 /// N after the frame (catalogue §16).
-float lengthAfter(float alpha, float before, float confidence, LengthRule rule) {
+float lengthAfter(float alpha, float before, float confidence, LengthRule rule, const glm::vec2& motion) {
   if (alpha >= 1.0f) return 1.0f;
+  if (rule == LengthRule::Reciprocal) return 1.0f / (alpha > 1e-6f ? alpha : 1e-6f);
+  if (rule == LengthRule::Confidence) return confidenceAfter(before, motion);
   if (rule == LengthRule::Count) return before + confidence;
   const float rest = 1.0f - alpha;
   const float variance = alpha * alpha + (rest * rest) / before;
@@ -46,18 +102,25 @@ float lengthAfter(float alpha, float before, float confidence, LengthRule rule) 
 
 } // namespace
 
-Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
-              float historyLength, float confidence) {
+Blended blend(const Settings& settings, const Mix& mix) {
+  const ToneWeight tone = settings.blend.tone;
   Blended result;
-  result.toneWeightCurrent = toneWeight(current, settings.blend.tone);
-  result.toneWeightHistory = toneWeight(history, settings.blend.tone);
-  result.factor = blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, settings.blend.tone);
-  const glm::vec3 mixed = mix(current, history, result.factor, settings.blend.tone, isUpsampled(settings));
+  result.toneWeightCurrent = toneWeight(mix.current, tone);
+  result.toneWeightHistory = toneWeight(mix.history, tone);
+  const auto factorOf = [&](float alpha) {
+    return blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, tone);
+  };
+  result.factor = factorOf(mix.alpha);
+  glm::vec3 factors(result.factor);
+  if (settings.weight.source == AlphaSource::ContrastPerChannel)
+    for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
+  const glm::vec3 color = mixed(mix.current, mix.history, factors, tone, isUpsampled(settings));
   for (int i = 0; i < 3; ++i) {
-    const float channel = isBad(mixed[i]) ? current[i] : mixed[i];
-    result.resolved[i] = settings.history.precision == Precision::Half ? roundedToHalf(channel) : channel;
+    const float channel = isBad(color[i]) ? mix.current[i] : color[i];
+    result.resolved[i] = stored(settings.history, channel, mix, static_cast<std::uint32_t>(i));
   }
-  result.historyLength = lengthAfter(alpha, historyLength, confidence, settings.blend.length);
+  result.historyLength =
+      lengthAfter(mix.alpha, mix.historyLength, mix.confidence, settings.blend.length, mix.motion);
   return result;
 }
 

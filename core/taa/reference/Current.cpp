@@ -74,16 +74,6 @@ glm::vec3 mixed(const glm::vec3& a, const glm::vec3& b, float share) {
   return a + share * (b - a);
 }
 
-/// A bilinear tap where the pixel's center landed (7.1).
-glm::vec3 unjittered(const Inputs& inputs, const glm::ivec2& pixel) {
-  const glm::ivec2 x(inputs.jitterPx.x < 0.0f ? -1 : 1, 0);
-  const glm::ivec2 y(0, inputs.jitterPx.y < 0.0f ? -1 : 1);
-  const float fx = std::fabs(inputs.jitterPx.x), fy = std::fabs(inputs.jitterPx.y);
-  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
-  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
-  return mixed(near, far, fy);
-}
-
 glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   const std::array<float, 9> weights = currentWeights(settings, inputs.jitterPx);
   const glm::vec3 center = currentColor(inputs, pixel);
@@ -102,7 +92,7 @@ glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const 
 
 glm::vec3 filtered(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Unjitter) return unjittered(inputs, pixel);
+  if (settings.filter == CurrentFilter::Unjitter) return unjitteredColor(inputs, pixel);
   const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
                        settings.filter == CurrentFilter::CatmullRom ||
                        settings.filter == CurrentFilter::Lanczos;
@@ -154,6 +144,15 @@ std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::
 
 std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) {
   return currentWeights({.filter = CurrentFilter::Gaussian, .variance = variance}, jitterPx);
+}
+
+glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel) {
+  const glm::ivec2 x(inputs.jitterPx.x < 0.0f ? -1 : 1, 0);
+  const glm::ivec2 y(0, inputs.jitterPx.y < 0.0f ? -1 : 1);
+  const float fx = std::fabs(inputs.jitterPx.x), fy = std::fabs(inputs.jitterPx.y);
+  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
+  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
+  return mixed(near, far, fy);
 }
 
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,

@@ -62,6 +62,21 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
   }
 }
 
+/// HDRP's four taps as printed (D13): a tap that is nearer than what is kept is chosen, but the depth kept
+/// with it is the next tap's.
+void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilated& result) {
+  const auto tap = [&](int dx, int dy) { return clampedToPicture(pixel + glm::ivec2(dx, dy), inputs); };
+  const std::array taps{tap(1, 1), tap(-1, -1), tap(1, -1), tap(-1, 1), tap(1, 1)};
+  const auto depthAt = [&inputs](const glm::ivec2& p) { return inputs.depth.texel(p.x, p.y).x; };
+  float kept = result.depth;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!(depthAt(taps[k]) > kept)) continue;
+    kept = depthAt(taps[k + 1]);
+    result.offset = taps[k] - pixel;
+  }
+  result.depth = depthAt(pixel + result.offset);
+}
+
 } // namespace
 
 Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel) {
@@ -78,6 +93,9 @@ Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const
     result.depth = 0.0f;
     result.offset = -texel;
     findClosest(inputs, settings.method, texel, result);
+    break;
+  case DilateMethod::ClosestXAsPrinted:
+    findClosestXAsPrinted(inputs, pixel, result);
     break;
   default:
     findClosest(inputs, settings.method, texel, result);

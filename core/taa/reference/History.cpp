@@ -39,12 +39,12 @@ glm::vec3 bilinear(const Inputs& inputs, const Place& x, const Place& y) {
 }
 
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4) unless
-/// as printed (6.4b).
-glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
+/// as printed (6.4b), or each corner given to its two neighbors (6.4c).
+glm::vec3 fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const Place x = placeAt(position.x);
   const Place y = placeAt(position.y);
-  const std::array<float, 4> wx = catmullRomWeights(x.fraction);
-  const std::array<float, 4> wy = catmullRomWeights(y.fraction);
+  const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
+  const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
   const float middleX = wx[1] + wx[2];
   const float middleY = wy[1] + wy[2];
   const Place x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
@@ -54,11 +54,16 @@ glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, const His
     float weight;
   };
   constexpr std::size_t kMiddle = 2;
-  const std::array<Tap, 5> taps{{{x12, {y.texel - 1, 0.0f}, middleX * wy[0]},
-                                 {{x.texel - 1, 0.0f}, y12, wx[0] * middleY},
+  const bool givesCorners = settings.filter == HistoryFilter::CatmullRom5Corners;
+  const float besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
+  const float besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
+  // HDRP reads the right tap a row higher (D13).
+  const Place rightY = settings.filter == HistoryFilter::Cubic5AsPrinted ? Place{y.texel - 1, 0.0f} : y12;
+  const std::array<Tap, 5> taps{{{x12, {y.texel - 1, 0.0f}, besideX * wy[0]},
+                                 {{x.texel - 1, 0.0f}, y12, wx[0] * besideY},
                                  {x12, y12, middleX * middleY},
-                                 {{x.texel + 2, 0.0f}, y12, wx[3] * middleY},
-                                 {x12, {y.texel + 2, 0.0f}, middleX * wy[3]}}};
+                                 {{x.texel + 2, 0.0f}, rightY, wx[3] * besideY},
+                                 {x12, {y.texel + 2, 0.0f}, besideX * wy[3]}}};
   std::array<glm::vec3, 5> colors;
   for (std::size_t i = 0; i < 5; ++i) colors[i] = sanitized(bilinear(inputs, taps[i].x, taps[i].y));
 
@@ -75,7 +80,8 @@ glm::vec3 catmullRom5(const Inputs& inputs, const glm::vec2& position, const His
     high = larger(high, colors[i]);
   }
   const bool isPrinted = settings.filter == HistoryFilter::CatmullRom5AsPrinted;
-  const glm::vec3 result = isPrinted ? c * sum + difference : c + difference / sum;
+  const glm::vec3 result =
+      isPrinted ? c * sum + difference : c + (givesCorners ? difference : difference / sum);
   return settings.dering == Switch::On ? clamped(result, low, high) : result;
 }
 
@@ -151,12 +157,29 @@ glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const 
     return bilinearHistory(inputs, q);
   case HistoryFilter::CatmullRom5:
   case HistoryFilter::CatmullRom5AsPrinted:
-    return catmullRom5(inputs, q, settings);
+  case HistoryFilter::CatmullRom5Corners:
+  case HistoryFilter::Cubic5:
+  case HistoryFilter::Cubic5AsPrinted:
+    return fiveTaps(inputs, q, settings);
   case HistoryFilter::CatmullRom9:
     return catmullRom9(inputs, q, settings.dering);
   default:
     return sixteen(inputs, q, settings);
   }
+}
+
+/// Whether view depth spans more than a share of the farthest among the nine pixels (catalogue 6.8).
+bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
+  constexpr float kSky = 1e30f; // m
+  float nearest = kSky, farthest = 0.0f;
+  for (int k = 0; k < 9; ++k) {
+    const glm::ivec2 p = clampedToDrawn(pixel + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
+    const float device = inputs.depth.texel(p.x, p.y).x;
+    const float depth = device == 0.0f ? kSky : viewDepth(device, inputs.depthTerms);
+    nearest = depth < nearest ? depth : nearest;
+    farthest = depth > farthest ? depth : farthest;
+  }
+  return farthest - nearest > share * farthest;
 }
 
 } // namespace
@@ -179,6 +202,8 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
   };
   switch (settings.filter) {
   case HistoryFilter::Cubic:
+  case HistoryFilter::Cubic5:
+  case HistoryFilter::Cubic5AsPrinted:
     return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
             ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
   case HistoryFilter::Mitchell:
@@ -195,13 +220,18 @@ glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx) {
 }
 
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
-                            const glm::vec2& positionPx, const glm::ivec2& pixel) {
+                            const glm::vec2& positionPx, const glm::ivec2& pixel, const glm::ivec2& drawn) {
   const auto isSane = [](float value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
   HistorySample result;
   result.position = isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
+  const bool mayBeEdge = settings.bilinearAtEdges == Switch::On && settings.filter != HistoryFilter::Point &&
+                         settings.filter != HistoryFilter::Bilinear;
+  result.isEdge = mayBeEdge && hasDepthEdge(inputs, drawn, settings.edgeDepth);
   if (inputs.historyColor.empty()) return result;
   const glm::vec2& q = result.position;
-  result.color = storable(filtered(inputs, settings, q)); // negative lobes overshoot both ways
+  result.color =
+      storable(result.isEdge ? bilinearHistory(inputs, q)
+                             : filtered(inputs, settings, q)); // negative lobes overshoot both ways
   const glm::ivec2 nearest =
       clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
   result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;

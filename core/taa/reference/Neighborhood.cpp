@@ -23,6 +23,12 @@ Set setOf(NeighborhoodShape shape, int frame) {
   return Set::Square;
 }
 
+/// The sample of a pixel: its color, or what a tap where its center landed finds (catalogue 8.8).
+glm::vec3 sampleOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+  if (settings.neighborhood.unjitter == Switch::Off) return currentColor(inputs, pixel);
+  return storable(unjitteredColor(inputs, pixel));
+}
+
 /// What the sample at a step counts (catalogue 10.7).
 float momentWeight(MomentWeights weights, const glm::vec3& color, int dx, int dy) {
   constexpr float kByDistance[] = {1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
@@ -32,7 +38,7 @@ float momentWeight(MomentWeights weights, const glm::vec3& color, int dx, int dy
 
 void measureSet(const Inputs& inputs, const Settings& settings, Set set, const glm::ivec2& pixel,
                 Neighborhood& result) {
-  const glm::vec3 center = toBox(currentColor(inputs, pixel), settings.space);
+  const glm::vec3 center = toBox(sampleOf(inputs, settings, pixel), settings.space);
   float total = 0.0f;
   glm::vec3 first(0.0f);
   glm::vec3 second(0.0f);
@@ -40,7 +46,7 @@ void measureSet(const Inputs& inputs, const Settings& settings, Set set, const g
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (!belongs(set, dx, dy)) continue;
-      const glm::vec3 color = currentColor(inputs, pixel + glm::ivec2(dx, dy));
+      const glm::vec3 color = sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy));
       const glm::vec3 sample = toBox(color, settings.space);
       result.min = smaller(result.min, sample);
       result.max = larger(result.max, sample);
@@ -128,8 +134,8 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
   measureSamples(inputs, settings, pixel, result);
   for (int k = 0; k < 9; ++k)
     result.samples[static_cast<std::size_t>(k)] =
-        toBox(currentColor(inputs, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1)), settings.space);
-  const glm::vec3 center = toBox(currentColor(inputs, pixel), settings.space);
+        toBox(sampleOf(inputs, settings, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1)), settings.space);
+  const glm::vec3 center = result.samples[4];
   result.gamma = gammaUsed(inputs, settings, result, center, moved);
   boundByMoments(settings.neighborhood.box, result);
   if (settings.neighborhood.chromaShrink == Switch::On && settings.space.color != ColorSpace::Rgb) {

@@ -75,12 +75,15 @@ void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaNearClamp, weights.nearClamp);
   set(record, IntermediateId::alphaHistoryContrast, weights.historyContrast);
   set(record, IntermediateId::alphaRelax, weights.relax);
+  set(record, IntermediateId::alphaSampleDistance, weights.sampleDistance);
   set(record, IntermediateId::alphaMotion, weights.motion);
   set(record, IntermediateId::alphaVelocityChange, weights.velocityChange);
   set(record, IntermediateId::alphaDivergence, weights.divergence);
+  set(record, IntermediateId::alphaFrameRate, weights.byFrameRate);
   set(record, IntermediateId::alphaMask, weights.mask);
   set(record, IntermediateId::alphaInvalid, weights.invalid);
   set(record, IntermediateId::alpha, weights.alpha);
+  set(record, IntermediateId::alphaChannels, weights.channels);
 }
 
 void recordBlend(PixelRecord& record, const Blended& blended) {
@@ -124,7 +127,22 @@ Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& c
   seen.boxHistory = boxed(history);
   seen.boxLow = boxLuma(n.boxMin, space);
   seen.boxHigh = boxLuma(n.boxMax, space);
+  seen.compressedCurrent = luma(compress(current, ToneSpace::ReinhardChannel));
+  seen.compressedHistory = luma(compress(history, ToneSpace::ReinhardChannel));
+  seen.jitterPx = inputs.jitterPx;
+  seen.stepSeconds = inputs.stepSeconds;
   return seen;
+}
+
+/// Range of each channel over the nine samples, over the filtered color.
+glm::vec3 contrastAround(const Inputs& inputs, const glm::ivec2& drawn, const glm::vec3& current) {
+  glm::vec3 low = currentColor(inputs, drawn), high = low;
+  for (int k = 0; k < 9; ++k) {
+    const glm::vec3 sample = currentColor(inputs, drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    low = smaller(low, sample);
+    high = larger(high, sample);
+  }
+  return (high - low) / larger(current, glm::vec3(1e-5f));
 }
 
 CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
@@ -157,9 +175,10 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   set(record, IntermediateId::speed, reprojected.speed);
   set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
 
-  const HistorySample history = sampleHistory(inputs, settings.history, reprojected.position, p);
+  const HistorySample history = sampleHistory(inputs, settings.history, reprojected.position, p, texel);
   set(record, IntermediateId::historyRaw, history.color);
   set(record, IntermediateId::historyRawLength, history.length);
+  set(record, IntermediateId::depthEdge, history.isEdge ? 1.0f : 0.0f);
 
   const auto [current, confidence] = filteredAt(inputs, settings, place, reprojected.speed);
   set(record, IntermediateId::currentFiltered, current);
@@ -189,6 +208,8 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
   seen.depth = dilated.depth;
   seen.speed = reprojected.speed;
+  seen.contrast = contrastAround(inputs, texel, current);
+  seen.motion = dilated.motion;
   seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
   seen.confidence = confidence;
   seen.mask = mask;
@@ -199,7 +220,8 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   recordWeights(record, weights);
   const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
-  recordBlend(record, blend(settings, shown, rectified.value, weights.alpha, length, confidence));
+  recordBlend(record, blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length,
+                                       confidence, dilated.motion, p, inputs.frame}));
   if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, held);
   return record;

@@ -28,12 +28,13 @@ struct Inputs {
   Image historySurface; ///< 2: N, view depth
   Image resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
   // What only some settings keep; empty: not kept.
-  Image historyObject; ///< 2: number, class
-  Image historyNormal; ///< 4
-  Image historyMotion; ///< 2
-  Image historyLock;   ///< 2: life, luma
-  Image historyLumas;  ///< 4: latest first, as L/(1 + L)
-  int frame = 0;       ///< its number
+  Image historyObject;             ///< 2: number, class
+  Image historyNormal;             ///< 4
+  Image historyMotion;             ///< 2
+  Image historyLock;               ///< 2: life, luma
+  Image historyLumas;              ///< 4: latest first, as L/(1 + L)
+  int frame = 0;                   ///< its number
+  double stepSeconds = 1.0 / 60.0; ///< from frame to frame
   glm::vec2 jitterPx{0.0f};
   glm::vec4 depthTerms{0.0f}; ///< (P33, P32, P23, P22)
   glm::ivec2 outputPx{0};     ///< size of the picture; 0: that of the inputs

@@ -48,9 +48,15 @@ struct HistorySample {
   glm::vec3 color{0.0f};
   float length = 0.0f;      ///< N, frames; 0 without history
   glm::vec2 position{0.0f}; ///< px, where it was read: the history position when that is sane
+  bool isEdge = false;      ///< read by one bilinear tap because depth has an edge (6.8)
 };
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
-                            const glm::vec2& positionPx, const glm::ivec2& pixel);
+                            const glm::vec2& positionPx, const glm::ivec2& pixel, const glm::ivec2& drawn);
+/// At full size, where a pixel is its own render texel.
+inline HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
+                                   const glm::vec2& positionPx, const glm::ivec2& pixel) {
+  return sampleHistory(inputs, settings, positionPx, pixel, pixel);
+}
 
 /// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (catalogue 7.4).
 std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
@@ -63,6 +69,8 @@ glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const 
 /// `color`, filtered around a texel, sharpened (catalogue 18.2); itself where that is off.
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
                          const glm::vec3& color);
+/// A bilinear tap where the center of `pixel` landed (catalogue 7.1, 8.8).
+glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel);
 /// This frame's color at the pixel's center (catalogue §7).
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 
@@ -170,24 +178,33 @@ struct Seen {
   bool hasHistory = false;
   float lumaCurrent = 0.0f, lumaHistory = 0.0f; ///< filtered; rectified
   float boxCurrent = 0.0f, boxHistoryRaw = 0.0f, boxHistory = 0.0f, boxLow = 0.0f, boxHigh = 0.0f;
-  float depth = 0.0f; ///< device
-  float speed = 0.0f; ///< px a frame
+  float compressedCurrent = 0.0f, compressedHistory = 0.0f; ///< luma of c/(1 + c)
+  glm::vec3 contrast{0.0f}; ///< range of the nine samples over the filtered color
+  float depth = 0.0f;       ///< device
+  float speed = 0.0f;       ///< px a frame
+  glm::vec2 motion{0.0f};   ///< px
   glm::vec2 motionUv{0.0f};
   glm::vec2 mask{0.0f};        ///< reactive, responsive
   float relax = 0.0f;          ///< the larger of them where it relaxes the box
   float velocityChange = 0.0f; ///< px a frame
   float divergence = 0.0f;     ///< 0 to 1
   float confidence = 1.0f;     ///< κ
+  glm::vec2 jitterPx{0.0f};
+  double stepSeconds = 1.0 / 60.0;
 };
+/// Bevy's confidence after a frame (catalogue §16).
+float confidenceAfter(float before, const glm::vec2& motionPx);
 /// Terms of α, the weight of the current frame (catalogue §13).
 struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
-  float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f, relax = 1.0f; ///< factors
+  float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f, relax = 1.0f, sampleDistance = 1.0f;
   float motion = 0.0f, velocityChange = 0.0f, divergence = 0.0f;
+  float byFrameRate = 0.0f; ///< all of that, for the time the frame took
   float mask = 0.0f;
   float invalid = 0.0f;
-  float alpha = 0.0f; ///< composed
+  float alpha = 0.0f;       ///< composed
+  glm::vec3 channels{0.0f}; ///< α of red, green and blue
 };
 Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen = {});
 
@@ -199,8 +216,19 @@ struct Blended {
   float historyLength = 1.0f; ///< N after this frame
   glm::vec3 resolved{0.0f};
 };
-Blended blend(const Settings& settings, const glm::vec3& current, const glm::vec3& history, float alpha,
-              float historyLength, float confidence = 1.0f);
+/// What is mixed.
+struct Mix {
+  glm::vec3 current{0.0f};
+  glm::vec3 history{0.0f};
+  float alpha = 1.0f;
+  glm::vec3 channels{1.0f}; ///< α of each channel, where the source has three
+  float historyLength = 0.0f;
+  float confidence = 1.0f; ///< κ
+  glm::vec2 motion{0.0f};  ///< px
+  glm::ivec2 pixel{0};     ///< it and the frame's number choose the dither
+  int frame = 0;
+};
+Blended blend(const Settings& settings, const Mix& mix);
 
 /// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,

@@ -1,0 +1,59 @@
+#include "core/render/NoisePass.h"
+
+#include "core/render/NoiseTile.h"
+#include "shaders/shared/NoiseBlock.h"
+
+#include <cassert>
+#include <string>
+
+namespace taa {
+
+namespace {
+
+gl::Program compile(InputNoise noise, bool isTriangular) {
+  const auto constant = [](const char* name, InputNoise value) {
+    return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
+  };
+  const std::string prelude = constant("kNoise", noise) + constant("kBlueNoise", InputNoise::Blue) +
+                              "const bool kTriangular = " + (isTriangular ? "true" : "false") + ";\n";
+  return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/noise.frag", prelude),
+          "NoisePass"};
+}
+
+} // namespace
+
+NoisePass::NoisePass() : block_(sizeof(shared::NoiseBlock), nullptr, "noise"), nearest_(gl::SamplerState{}) {}
+
+NoisePass NoisePass::reloaded() const {
+  NoisePass pass;
+  for (const auto& [variant, program] : programs_)
+    pass.programs_.emplace(variant, compile(variant.first, variant.second));
+  return pass;
+}
+
+void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out) {
+  assert(settings.noise != InputNoise::None);
+  const Variant variant(settings.noise, settings.noiseTriangular == Switch::On);
+  if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant.first, variant.second));
+  if (!tile_) {
+    tile_ = gl::Texture({kNoiseTileSize, kNoiseTileSize}, gl::Format::R32F, "blue noise");
+    tile_.upload(blueNoiseTile());
+  }
+  if (!other_ || other_.size() != out.color.size() || other_.format() != out.color.format())
+    other_ = gl::Texture(out.color.size(), out.color.format(), "color");
+  const shared::NoiseBlock block{
+      {settings.noiseAmount / 255.0f, static_cast<float>(out.info.frame % 256), 0.0f, 0.0f}};
+  block_.update(0, &block, sizeof(block));
+
+  const gl::Framebuffer target({{&other_}}, nullptr, "noise");
+  gl::RenderPass pass(target, {}, "NoisePass");
+  pass.program(programs_.at(variant));
+  pass.uniformBlock(2, frame);
+  pass.uniformBlock(6, block_);
+  pass.texture(0, out.color, nearest_);
+  pass.texture(1, tile_, nearest_);
+  pass.drawFullscreen();
+  std::swap(out.color, other_);
+}
+
+} // namespace taa
