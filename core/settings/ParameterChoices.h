@@ -75,8 +75,8 @@ inline constexpr Choice kBlendedAs[] = {
      "Blended over the opaque picture before the resolve, back to front; motion, depth and id stay those of "
      "what is behind, so that what moves smears (catalogue 21.2, most engines)."},
     {"beforeWithMotion", "Before, with motion",
-     "As before, and the surface in front writes its motion: it is sharp, and what is behind it follows the "
-     "wrong motion (catalogue 21.3, HDRP)."},
+     "As before, and the surface in front writes its motion where that comes from objects: it is sharp, and "
+     "what is behind it follows the wrong motion (catalogue 21.3, HDRP)."},
     {"after", "Blended after",
      "Drawn without jitter into a layer that is laid over the output: no smear and no anti-aliasing "
      "(catalogue 21.1, Bevy, Unity)."},
