@@ -111,6 +111,8 @@ QStringList outputLines(const reference::PixelRecord& record, const OutputSettin
     parts << (detail > 0 ? tr("sharpened: %1 brighter") : tr("sharpened: %1 darker")).arg(amount);
   }
   if (settings.motionBlur == Switch::On && trust < 1) parts << tr("%1 motion blur").arg(percent(1 - trust));
+  if (const float hidden = reference::at(record, Id::overlayAlpha).x; hidden > 0)
+    parts << tr("%1 hidden by the overlay").arg(percent(hidden));
   return parts.isEmpty() ? QStringList() : QStringList(tr("Shown ") + parts.join(QStringLiteral(", ")));
 }
 

@@ -163,8 +163,8 @@ enum class Visual : std::uint8_t {
   ROW(blurTrust, "Blur trust", Output, 1, "", 0, 1, Scalar, 1e-3,                                            \
       "Share of the resolved color in what is shown; the rest is this frame blurred along its motion.")      \
   ROW(output, "Output", Output, 3, "", 0, 1, Color, 1e-3,                                                    \
-      "What is shown: the resolved color sharpened, or blurred where it moves fast; the same as resolved "   \
-      "when both are off.")
+      "What is shown: the resolved color sharpened, or blurred where it moves fast, and the overlay over "   \
+      "it; the same as resolved when all are off.")
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,

@@ -1,6 +1,8 @@
 // The pass after the resolve.
 #include "core/taa/OutputPass.h"
 
+#include <string>
+
 namespace taa {
 
 namespace {
@@ -18,6 +20,11 @@ std::string prelude(const Settings&, const std::vector<IntermediateId>& watched)
   return exposePrelude(watched, 0);
 }
 
+// Whether there is a layer to lay over the picture.
+std::string overlayConstant(bool hasOverlay) {
+  return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n";
+}
+
 } // namespace
 
 OutputPass::OutputPass() : programs("taa/output.frag", "output", prelude) {}
@@ -28,7 +35,8 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   if (rows.empty()) return;
   std::vector<gl::Attachment> targets;
   for (const IntermediateId id : rows) targets.push_back({&exposure.texture(id), exposure.layer(id)});
-  const gl::Program& program = programs.program(relevantSettings(settings), rows);
+  const gl::Program& program =
+      programs.program(relevantSettings(settings), rows, overlayConstant(bool(inputs.overlay)));
   passInputs_.update(inputs, settings, 0, {exposure.region().x, exposure.region().y});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
@@ -40,7 +48,9 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
 
 void OutputPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {
   const std::vector<IntermediateId> rows = rowsOfOutput(watched);
-  if (!rows.empty()) programs.program(relevantSettings(settings), rows);
+  if (rows.empty()) return;
+  const bool hasOverlay = settings.inputs.blended == BlendedAs::After;
+  programs.program(relevantSettings(settings), rows, overlayConstant(hasOverlay));
 }
 
 } // namespace taa

@@ -24,14 +24,14 @@ gl::Program ProgramCache::compile(const std::string& prelude) const {
                      label_);
 }
 
-const gl::Program& ProgramCache::program(const Settings& settings,
-                                         const std::vector<IntermediateId>& watched) {
-  std::string key = programKey(settings);
+const gl::Program& ProgramCache::program(const Settings& settings, const std::vector<IntermediateId>& watched,
+                                         const std::string& more) {
+  std::string key = programKey(settings) + more;
   for (const IntermediateId id : watched) key += std::to_string(static_cast<int>(id)) + ",";
   const auto found = variants_.find(key);
   Variant& variant = found != variants_.end() ? found->second : [&]() -> Variant& {
     Variant made;
-    made.prelude = glslPrelude(settings) + prelude_(settings, watched);
+    made.prelude = glslPrelude(settings) + more + prelude_(settings, watched);
     made.program = compile(made.prelude);
     dropOldest();
     return variants_[key] = std::move(made);

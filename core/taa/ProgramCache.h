@@ -18,8 +18,10 @@ class ProgramCache {
   using Prelude = std::string (*)(const Settings& settings, const std::vector<IntermediateId>& watched);
   ProgramCache(std::string fragment, std::string label, Prelude prelude);
 
-  /// The program of these settings that exposes `watched`, compiled now when it is new.
-  const gl::Program& program(const Settings& settings, const std::vector<IntermediateId>& watched);
+  /// The program of these settings that exposes `watched`, compiled now when it is new. `more`: constants
+  /// that no setting gives.
+  const gl::Program& program(const Settings& settings, const std::vector<IntermediateId>& watched,
+                             const std::string& more = {});
 
   /// The same programs compiled again, those used lately at least. Throws Error when one does not compile.
   ProgramCache compiledAnew() const;

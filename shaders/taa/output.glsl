@@ -1,5 +1,6 @@
-// What is shown: the resolved color sharpened, and where it moves fast this frame blurred along its motion
-// (catalogue §18, 14.4). In: pixel of the resolved picture, which may be larger than the inputs.
+// What is shown: the resolved color sharpened, where it moves fast this frame blurred along its motion, and over it
+// what was drawn without jitter, where kHasOverlay (catalogue §18, 14.4, 21.1). In: pixel of the resolved picture, which
+// may be larger than the inputs; the layer has their size.
 
 layout(binding = 8) uniform sampler2D u_resolved; // scene-linear: History::color of this frame
 
@@ -73,6 +74,11 @@ void showOutput(ivec2 pixel) {
     precise vec2 position = (vec2(pixel) + 0.5) * resolveBlock.renderRatio; // render px
     precise vec3 blurred = blurredAlong(position, motion, gradientNoise(pixel));
     color = blurred + trust * (sharp - blurred);
+  }
+  if (kHasOverlay) {
+    vec4 layer = texelAt(u_overlay, place.still);
+    precise vec3 covered = color * (1.0 - layer.a) + layer.rgb;
+    color = storable(covered);
   }
   precise float detail = luma(sharp) - luma(resolved.color[4]);
   expose_sharpenDetail(detail);

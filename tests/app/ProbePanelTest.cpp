@@ -142,6 +142,8 @@ TEST(ProbeWords, SayWhatIsShownInsteadOfTheResolvedColor) {
   reference::at(record, IntermediateId::blurTrust).x = 0.6f;
   EXPECT_EQ(probeSummary(record, settings).last(),
             QStringLiteral("Shown sharpened: 0.25 darker, 40 % motion blur"));
+  reference::at(record, IntermediateId::overlayAlpha).x = 0.5f;
+  EXPECT_EQ(probeSummary(record, {}).last(), QStringLiteral("Shown 50 % hidden by the overlay"));
 }
 
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {

@@ -5,6 +5,8 @@
 #include "tests/support/ResolveTest.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <algorithm>
+
 using taa::Exposure;
 using taa::History;
 using taa::IntermediateId;
@@ -44,10 +46,36 @@ TEST_F(OutputTest, IsTheResolvedPictureWhenAllIsOff) {
     shape.history = precision;
     Settings settings;
     settings.history.precision = precision;
-    const Exposed all = expose(taa::test::randomFrame(shape, 11, true), shape, settings);
+    taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
+    frame.overlay = {};
+    const Exposed all = expose(frame, shape, settings);
     EXPECT_EQ(difference(all.at(IntermediateId::output), all.at(IntermediateId::resolved)), "");
     EXPECT_EQ(difference(all.at(IntermediateId::sharpenDetail), taa::Image(shape.width, shape.height, 1)),
               "");
+  }
+}
+
+// output·(1 − a) + overlay, in what is shown and nowhere else (21.1).
+TEST_F(OutputTest, LaysTheOverlayOverWhatIsShown) {
+  const FrameShape shape;
+  taa::reference::Inputs frame = taa::test::randomFrame(shape, 14, true);
+  for (const Settings& settings : outputs()) {
+    const Exposed with = expose(frame, shape, settings);
+    taa::reference::Inputs bare = frame;
+    bare.overlay = {};
+    const Exposed without = expose(bare, shape, settings);
+    EXPECT_EQ(difference(with.at(IntermediateId::resolved), without.at(IntermediateId::resolved)), "");
+    EXPECT_EQ(difference(with.at(IntermediateId::sharpenDetail), without.at(IntermediateId::sharpenDetail)),
+              "");
+    taa::Image expected = without.at(IntermediateId::output);
+    for (int y = 0; y < shape.height; ++y)
+      for (int x = 0; x < shape.width; ++x) {
+        const glm::vec4 layer = frame.overlay.texel(x, y);
+        for (int channel = 0; channel < 3; ++channel)
+          expected.at(x, y)[channel] =
+              std::min(expected.at(x, y)[channel] * (1.0f - layer.w) + layer[channel], 65504.0f);
+      }
+    EXPECT_EQ(difference(with.at(IntermediateId::output), expected, isExact() ? 0.0f : 1e-6f), "");
   }
 }
 

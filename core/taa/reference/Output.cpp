@@ -127,6 +127,31 @@ glm::vec3 blurred(const Inputs& inputs, const glm::vec2& position, const glm::ve
   return first + sum / 7.0f;
 }
 
+/// The layer drawn without jitter over a color (catalogue 21.1); `texel`: the one that holds the pixel's
+/// center.
+glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
+  if (inputs.overlay.empty()) return color;
+  const glm::vec4 layer = inputs.overlay.texel(texel.x, texel.y);
+  return storable(color * (1.0f - layer.w) + glm::vec3(layer));
+}
+
+/// The sharp color, and where it is fast the blurred one joined to it (catalogue 14.4). `texel`: the pixel's
+/// nearest sample.
+Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                       const glm::ivec2& texel, const Shown& sharp) {
+  const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
+  const float speed = reproject(inputs, motion, pixel).speed;
+  Shown shown = sharp;
+  if (speed >= kUnknownSpeed) return shown;
+  shown.trust = 1.0f - saturated((speed - 2.0f) / 13.0f);
+  if (shown.trust >= 1.0f) return shown;
+  const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs); // render px, as the blur's way
+  const glm::vec3 fast =
+      blurred(inputs, position, motion * renderRatio(inputs), noiseAt(pixel, inputs.frame));
+  shown.color = fast + shown.trust * (sharp.color - fast);
+  return shown;
+}
+
 } // namespace
 
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& c,
@@ -158,16 +183,9 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
   const glm::vec3 sharp = sharpen(settings.output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);
   shown.color = sharp;
-  if (settings.output.motionBlur == Switch::Off) return shown;
-  const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
-  const float speed = reproject(inputs, motion, pixel).speed;
-  if (speed >= kUnknownSpeed) return shown;
-  shown.trust = 1.0f - saturated((speed - 2.0f) / 13.0f);
-  if (shown.trust >= 1.0f) return shown;
-  const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs); // render px, as the blur's way
-  const glm::vec3 fast =
-      blurred(inputs, position, motion * renderRatio(inputs), noiseAt(pixel, inputs.frame));
-  shown.color = fast + shown.trust * (sharp - fast);
+  if (settings.output.motionBlur == Switch::On)
+    shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
+  shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);
   return shown;
 }
 
