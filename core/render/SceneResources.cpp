@@ -83,6 +83,7 @@ gl::Buffer deltaBuffer(const Primitive& primitive) {
     for (const MorphDelta& delta : target) {
       vectors.emplace_back(delta.position, 0.0f);
       vectors.emplace_back(delta.normal, 0.0f);
+      vectors.emplace_back(delta.tangent, 0.0f);
     }
   return vectorBuffer(vectors, "morph deltas");
 }

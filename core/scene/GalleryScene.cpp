@@ -1,5 +1,6 @@
 // builtin:gallery: one object for each source of motion, on a labelled pedestal.
 #include "core/scene/BuiltinScenes.h"
+#include "core/scene/Geometry.h"
 #include "core/scene/Lettering.h"
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
@@ -70,10 +71,11 @@ void addMorph(SceneBuilder& builder, const glm::vec3& place, int material) {
   for (const Vertex& vertex : ball.vertices) {
     const glm::vec3 d = vertex.normal;
     const float cube = 1.0f / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    ball.targets[0].push_back({0.36f * 0.8f * (cube - 1.2f) * d, glm::vec3(0.0f)});
+    ball.targets[0].push_back({0.36f * 0.8f * (cube - 1.2f) * d, {}, {}});
     const float wave = std::cos(6.0f * std::atan2(d.z, d.x)) * (1.0f - d.y * d.y);
-    ball.targets[1].push_back({0.14f * wave * d, glm::vec3(0.0f)});
+    ball.targets[1].push_back({0.14f * wave * d, {}, {}});
   }
+  makeMorphNormals(ball);
   builder.addObject("morph", {std::move(ball)});
   Scene& scene = builder.scene();
   Node& node = scene.nodes.back();

@@ -54,7 +54,35 @@ std::vector<T> taken(const std::vector<T>& from, const std::vector<std::uint32_t
   return result;
 }
 
+/// Sums of the normals of the faces around each vertex, by area; `place` tells where a vertex is.
+template <class Place>
+std::vector<glm::vec3> facesAround(const Primitive& primitive, Place place) {
+  std::vector<glm::vec3> sums(primitive.vertices.size(), glm::vec3(0.0f));
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    const std::uint32_t* corner = &primitive.indices[i];
+    const glm::vec3 a = place(corner[0]);
+    const glm::vec3 face = glm::cross(place(corner[1]) - a, place(corner[2]) - a);
+    for (int k = 0; k < 3; ++k) sums[corner[k]] += face;
+  }
+  return sums;
+}
+
 } // namespace
+
+void makeMorphNormals(Primitive& primitive) {
+  if (primitive.topology != Topology::Triangles) return;
+  // Differences of such sums, so that the mesh's own normals stay as they are.
+  const std::vector<glm::vec3> rest =
+      facesAround(primitive, [&](std::size_t i) { return primitive.vertices[i].position; });
+  for (std::vector<MorphDelta>& target : primitive.targets) {
+    const std::vector<glm::vec3> moved = facesAround(
+        primitive, [&](std::size_t i) { return primitive.vertices[i].position + target[i].position; });
+    for (std::size_t i = 0; i < target.size(); ++i) {
+      const glm::vec3 before = normalizedOr(rest[i], primitive.vertices[i].normal);
+      target[i].normal = normalizedOr(moved[i], before) - before;
+    }
+  }
+}
 
 void makeFlatNormals(Primitive& primitive) {
   if (primitive.topology != Topology::Triangles) {

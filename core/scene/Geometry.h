@@ -10,6 +10,10 @@ namespace taa {
 /// +y, so that the sky lights them.
 void makeFlatNormals(Primitive& primitive);
 
+/// Gives each morph target the way to the smooth normals of the moved mesh, from the faces around each
+/// vertex.
+void makeMorphNormals(Primitive& primitive);
+
 /// Tangents along growing u of the normal map, summed over a vertex's triangles.
 /// The bitangent cross(normal, tangent)·w points along falling v: up in the picture, as normal maps have it.
 void makeTangents(Primitive& primitive, const TextureSlot& normalMap = {});

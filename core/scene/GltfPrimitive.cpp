@@ -140,8 +140,8 @@ void readDeltas(GltfContext& context, const std::map<std::string, int>& target, 
 }
 
 void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primitive& primitive) {
-  // As vec4 for position and normal in one storage block, which every driver lets have 128 MiB.
-  constexpr std::size_t kMaxDeltas = (std::size_t(128) << 20) / 32;
+  // As vec4 for position, normal and tangent in one storage block, which every driver lets have 128 MiB.
+  constexpr std::size_t kMaxDeltas = (std::size_t(128) << 20) / 48;
   if (source.targets.size() * primitive.vertices.size() > kMaxDeltas)
     throw Error("targets: they have more than " + std::to_string(kMaxDeltas) + " vertices together");
   for (std::size_t i = 0; i < source.targets.size(); ++i) try {
@@ -151,6 +151,7 @@ void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primit
       std::vector<MorphDelta>& deltas = primitive.targets.emplace_back(primitive.vertices.size());
       readDeltas(context, source.targets[i], "POSITION", &MorphDelta::position, deltas);
       readDeltas(context, source.targets[i], "NORMAL", &MorphDelta::normal, deltas);
+      readDeltas(context, source.targets[i], "TANGENT", &MorphDelta::tangent, deltas);
     } catch (const Error& error) {
       throw Error(gltfPlace("targets", i) + "." + error.what());
     }

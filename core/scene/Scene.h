@@ -116,7 +116,7 @@ struct Influence {
 
 /// What a morph target of weight 1 adds to a vertex.
 struct MorphDelta {
-  glm::vec3 position{0.0f}, normal{0.0f};
+  glm::vec3 position{0.0f}, normal{0.0f}, tangent{0.0f};
 };
 
 /// Positions baked for each vertex, frame after frame, as Alembic has them (catalogue 3.6).

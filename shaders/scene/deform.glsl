@@ -2,7 +2,7 @@
 // order. Specialised by kInfluenceSets, kMorphed, kCached and kWind. This frame and the previous one go through the
 // same function, so that what does not move has exactly no motion.
 layout(std430, binding = 0) readonly buffer Influences { vec4 influences[]; }; // joints, weights of each set
-layout(std430, binding = 1) readonly buffer Deltas { vec4 deltas[]; };         // position, normal of each vertex
+layout(std430, binding = 1) readonly buffer Deltas { vec4 deltas[]; };         // position, normal, tangent
 layout(std430, binding = 2) readonly buffer Cache { vec4 cached[]; };          // position, normal, velocity
 layout(std430, binding = 3) readonly buffer Joints { mat4 joints[]; };         // world from model; then the previous
 layout(std430, binding = 4) readonly buffer MorphWeights { float morphWeights[]; }; // then the previous
@@ -10,7 +10,7 @@ layout(std430, binding = 4) readonly buffer MorphWeights { float morphWeights[];
 struct Deformed {
   vec3 position;
   vec3 normal;
-  mat3 linear; // of the skin
+  vec3 tangent;
 };
 
 mat4 skinMatrix(int firstJoint) {
@@ -25,9 +25,16 @@ mat4 skinMatrix(int firstJoint) {
   return sum;
 }
 
-Deformed deformedVertex(vec3 position, vec3 normal, float bend, int firstJoint, int firstWeight, float time,
-                        float secondsBack) {
-  Deformed result = Deformed(position, normal, mat3(1.0));
+/// The normal and tangent of a surface that a wave along x + z moves by `way` times its height, whose slope is given:
+/// as if the wave were equally high all over. Cofactors of I + way·slopeᵀ for the normal.
+void tilt(inout Deformed vertex, vec3 way, vec3 slope) {
+  vertex.normal = (1.0 + dot(way, slope)) * vertex.normal - slope * dot(way, vertex.normal);
+  vertex.tangent += way * dot(slope, vertex.tangent);
+}
+
+Deformed deformedVertex(vec3 position, vec3 normal, vec3 tangent, float bend, int firstJoint, int firstWeight,
+                        float time, float secondsBack) {
+  Deformed result = Deformed(position, normal, tangent);
   precise vec3 moved = position; // the same bits from the same numbers, however the compiler arranges them
   if (kCached) {
     int place = 3 * (draw.deform.z * draw.deformCounts.y + gl_VertexID);
@@ -36,20 +43,23 @@ Deformed deformedVertex(vec3 position, vec3 normal, float bend, int firstJoint, 
   }
   if (kMorphed) {
     for (int target = 0; target < draw.deformCounts.x; ++target) {
-      int place = 2 * (target * draw.deformCounts.y + gl_VertexID);
+      int place = 3 * (target * draw.deformCounts.y + gl_VertexID);
       float weight = morphWeights[firstWeight + target];
       moved += weight * deltas[place].xyz;
       result.normal += weight * deltas[place + 1].xyz;
+      result.tangent += weight * deltas[place + 2].xyz;
     }
   }
   if (kWind) {
     float phase = material.wind.y * (moved.x + moved.z) + material.wind.z * time;
     moved += material.windDirection.xyz * (material.wind.x * bend * sin(phase));
+    float slope = material.wind.x * bend * material.wind.y * cos(phase);
+    tilt(result, material.windDirection.xyz, vec3(slope, 0.0, slope));
   }
   if (kInfluenceSets > 0) {
     mat4 skin = skinMatrix(firstJoint);
     moved = (skin * vec4(moved, 1.0)).xyz;
-    result.linear = mat3(skin);
+    result.tangent = mat3(skin) * result.tangent;
     // Cofactors, as the draw's own matrix of normals has them.
     result.normal = mat3(cross(skin[1].xyz, skin[2].xyz), cross(skin[2].xyz, skin[0].xyz),
                          cross(skin[0].xyz, skin[1].xyz)) * result.normal;

@@ -22,8 +22,9 @@ out vec3 v_previousClip;
 out float v_previousDepthView;
 
 void main() {
-  Deformed now = deformedVertex(a_position, a_normal, a_uv1.y, draw.deform.x, draw.deform.y, draw.moments.x, 0.0);
-  Deformed then = deformedVertex(a_position, a_normal, a_uv1.y, draw.deform.x + draw.deformCounts.z,
+  Deformed now = deformedVertex(a_position, a_normal, a_tangent.xyz, a_uv1.y, draw.deform.x, draw.deform.y,
+                                draw.moments.x, 0.0);
+  Deformed then = deformedVertex(a_position, a_normal, a_tangent.xyz, a_uv1.y, draw.deform.x + draw.deformCounts.z,
                                  draw.deform.y + draw.deformCounts.w, draw.moments.y, draw.moments.z);
   vec4 position = vec4(now.position, 1.0);
   vec4 previousPosition = vec4(then.position, 1.0);
@@ -35,7 +36,7 @@ void main() {
 
   v_worldPosition = (draw.worldFromModel * position).xyz;
   v_normal = mat3(draw.normalFromModel) * now.normal;
-  v_tangent = vec4(mat3(draw.worldFromModel) * (now.linear * a_tangent.xyz), a_tangent.w * draw.drawTerms.y);
+  v_tangent = vec4(mat3(draw.worldFromModel) * now.tangent, a_tangent.w * draw.drawTerms.y);
   v_uv = vec4(kMovingUv ? a_uv0 * draw.uvCell.xy + draw.uvCell.zw : a_uv0, a_uv1);
   v_color = a_color;
 

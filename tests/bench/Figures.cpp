@@ -22,7 +22,7 @@ struct Row {
   int digits;
 };
 
-constexpr std::array<Row, 7> kRows{{
+constexpr std::array<Row, 9> kRows{{
     {"firstPicture",
      "From the start of the program to its first picture, no shader cached (at the size it opens with)", "s",
      3.0, 2},
@@ -32,6 +32,9 @@ constexpr std::array<Row, 7> kRows{{
     {"watchAll", "The same while every intermediate is watched", "×", 0.0, 2},
     {"probe", "Every intermediate of one pixel", "ms", 0.5, 2},
     {"stepBack", "Stepping back a frame, against stepping forward", "×", 1.2, 2},
+    {"switchChoice", "From another choice of a stage to its picture, no shader cached (960×540)", "ms", 300.0,
+     0},
+    {"switchBack", "The same, back to a combination that was there before", "ms", 0.0, 0},
 }};
 
 std::string valueText(double value, const Row& row) {

@@ -1,6 +1,7 @@
 // What looking costs: paired measurements of the façade. Every figure is a counter named as in Figures.cpp.
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/settings/Parameters.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
@@ -98,6 +99,40 @@ void stepBack(benchmark::State& state) {
   state.counters["stepBack"] = median(ratios);
 }
 
+/// From the choice of another option to its picture, s.
+double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
+  return seconds([&] {
+    inspector.setSettings(settings);
+    benchmark::DoNotOptimize(inspector.picture(IntermediateId::resolved, {}, {}, kWidth, kHeight));
+  });
+}
+
+/// Every choice of the resolve, each new to the program, and back to the one it had; at the size a software
+/// driver opens with.
+void switchChoice(benchmark::State& state) {
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  taa::Inspector inspector;
+  inspector.open("builtin:fan");
+  inspector.watch({IntermediateId::resolved});
+  inspector.seek(kWarmUpFrames);
+  std::vector<double> first, again;
+  for (auto _ : state) {
+    double total = 0.0;
+    for (const taa::Parameter& row : taa::parameters()) {
+      if (row.effect != taa::Effect::Program || row.kind != taa::ParameterKind::Choice) continue;
+      taa::Settings settings;
+      const double other = row.get(settings) == 0.0 ? 1.0 : 0.0;
+      row.set(settings, other);
+      total += first.emplace_back(switchTime(inspector, settings) * 1000.0);
+      again.push_back(switchTime(inspector, {}) * 1000.0);
+    }
+    state.SetIterationTime(total / 1000.0);
+  }
+  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
+  state.counters["switchChoice"] = median(first);
+  state.counters["switchBack"] = median(again);
+}
+
 /// What the window says of itself with --timing: seconds from the start of its process to its first picture.
 double firstPictureTime(const std::string& picture) {
   const taa::test::ProcessResult result = taa::test::runProcess(
@@ -127,6 +162,7 @@ void firstPicture(benchmark::State& state) {
 } // namespace
 
 BENCHMARK(firstPicture)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(switchChoice)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(watchAll)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
 BENCHMARK(watchOne)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(60);
 BENCHMARK(probe)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(200);

@@ -71,7 +71,7 @@ void skin(Scene& scene, int node, const std::vector<int>& joints, float share) {
 /// A morph target that moves all vertices of `node` by `delta`.
 void addTarget(Scene& scene, int node, const glm::vec3& delta, float weight) {
   Primitive& primitive = primitiveOf(scene, node);
-  primitive.targets.emplace_back(primitive.vertices.size(), MorphDelta{delta, glm::vec3(0.0f)});
+  primitive.targets.emplace_back(primitive.vertices.size(), MorphDelta{delta, {}, {}});
   if (primitive.targets.size() == 1)
     scene.nodes[static_cast<std::size_t>(node)].firstWeight = static_cast<int>(scene.morphWeights.size());
   scene.morphWeights.push_back(weight);

@@ -117,6 +117,18 @@ TEST(GltfLoader, GivesMorphTargetsWithoutNormalsThoseOfTheMovedFaces) {
   }
 }
 
+TEST(GltfLoader, ReadsWhatMorphTargetsDoToNormalsAndTangents) {
+  GltfSample sample = morphSample("LINEAR", {0.25f, 0.75f});
+  nlohmann::json& target = sample.json["meshes"][0]["primitives"][0]["targets"][0];
+  target["TANGENT"] = sample.addFloats({1, 0, 0, 0, 2, 0, 0, 0, 3}, "VEC3");
+  const Scene scene = openScene(sample.writeEmbedded("tangents").string());
+  const std::vector<MorphDelta>& deltas =
+      scene.meshes[std::size_t(scene.nodes[1].mesh)].primitives.at(0).targets.at(0);
+  EXPECT_EQ(deltas[0].tangent, glm::vec3(1, 0, 0));
+  EXPECT_EQ(deltas[1].tangent, glm::vec3(0, 2, 0));
+  EXPECT_EQ(deltas[2].tangent, glm::vec3(0, 0, 3));
+}
+
 TEST(GltfLoader, AnimatesMorphWeightsByStepsAndSplines) {
   const auto weightAt = [](const char* interpolation, const std::vector<float>& weights, double time) {
     const Scene scene = openScene(morphSample(interpolation, weights).writeEmbedded("weights").string());
