@@ -57,7 +57,10 @@ vec3 channelWeights(Samples samples, vec3 current) {
 
 /// Bevy's confidence (§16): 10 more in each frame without motion, else 1.
 float confidenceAfter(float before, vec2 motion) {
-  bool isStill = abs(motion.x) < 0.01 && abs(motion.y) < 0.01;
+  precise vec2 way = abs(motion);
+  bool isKnown = way.x <= kNoPreviousPosition && way.y <= kNoPreviousPosition; // NaN moves
+  precise float farther = isKnown ? greater(way.x, way.y) : kNoPreviousPosition;
+  bool isStill = farther < 0.01;
   precise float grown = before + 10.0;
   return isStill ? grown : 1.0;
 }

@@ -130,16 +130,19 @@ class Maker {
   void past(reference::Inputs& made) {
     const int width = shape_.width, height = shape_.height;
     made.historyObject = Image(width, height, 2);
-    made.historyNormal = made.normal;
-    made.historyMotion = made.motion;
+    made.historyNormal = Image(width, height, 4);
+    made.historyMotion = Image(width, height, 2);
     made.historyLock = Image(width, height, 2);
     made.historyLumas = Image(width, height, 4);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
+        const int column = drawnColumn(x), row = drawnRow(y);
+        std::copy_n(made.normal.at(column, row), 4, made.historyNormal.at(x, y));
+        std::copy_n(made.motion.at(column, row), 2, made.historyMotion.at(x, y));
         made.historyObject.at(x, y)[0] =
-            chance(0.5f) ? *made.objectId.at(x, y) : std::floor(uniform(0.0f, 200.0f));
+            chance(0.5f) ? *made.objectId.at(column, row) : std::floor(uniform(0.0f, 200.0f));
         made.historyObject.at(x, y)[1] =
-            chance(0.5f) ? made.normal.at(x, y)[3] : std::floor(uniform(0.0f, 4.0f));
+            chance(0.5f) ? made.normal.at(column, row)[3] : std::floor(uniform(0.0f, 4.0f));
         if (chance(0.3f)) made.historyNormal.at(x, y)[random_() % 3] = uniform(-1.0f, 1.0f);
         if (chance(0.3f)) made.historyMotion.at(x, y)[random_() % 2] = uniform(-40.0f, 40.0f);
         if (chance(0.02f))

@@ -16,7 +16,7 @@ WeightSettings constant(float alpha) {
 }
 
 float alphaOf(const WeightSettings& settings, const Seen& seen) {
-  return weigh(settings, 4.0f, RejectReason::Kept, seen).alpha;
+  return weigh(settings, 4.0f, 0.0f, seen).alpha;
 }
 
 // Catalogue 7.7: as the Gaussian of 7.4 weighs one sample.
@@ -25,7 +25,7 @@ TEST(ReferenceWeight, FallsWithTheDistanceOfTheSample) {
   settings.sampleDistance = SampleDistance::Gaussian;
   const std::array<float, 9> gaussian = gaussianWeights(0.22f, {0.25f, -0.5f});
   Seen seen{.speed = 3.0f, .jitterPx = {0.25f, -0.5f}};
-  EXPECT_EQ(weigh(settings, 4.0f, RejectReason::Kept, seen).sampleDistance, gaussian[4]);
+  EXPECT_EQ(weigh(settings, 4.0f, 0.0f, seen).sampleDistance, gaussian[4]);
   EXPECT_EQ(alphaOf(settings, seen), 0.5f * gaussian[4]);
   seen.jitterPx = {};
   EXPECT_EQ(alphaOf(settings, seen), 0.5f);
@@ -52,7 +52,7 @@ TEST(ReferenceWeight, TheResolveIsGivenTheSameDistancesAndTimes) {
       WeightSettings settings = constant(0.5f);
       settings.sampleDistance = form;
       EXPECT_EQ(sampleDistanceFactor(form, jitter),
-                weigh(settings, 4.0f, RejectReason::Kept, {.jitterPx = jitter}).sampleDistance);
+                weigh(settings, 4.0f, 0.0f, {.jitterPx = jitter}).sampleDistance);
     }
   EXPECT_EQ(frameEighths(1.0 / 60.0, 60.0f), 8);
   EXPECT_EQ(frameEighths(1.0 / 24.0, 60.0f), 20);
@@ -72,7 +72,7 @@ TEST(ReferenceWeight, MotionDoublesAlphaAndStops) {
   EXPECT_EQ(alphaOf(settings, {.speed = 5000.0f}), 0.25f);
   settings.alpha = 0.75f;
   EXPECT_EQ(alphaOf(settings, {.speed = 50.0f}), 1.0f);
-  EXPECT_EQ(weigh(settings, 4.0f, RejectReason::Kept, {.speed = 50.0f}).motion, 0.25f);
+  EXPECT_EQ(weigh(settings, 4.0f, 0.0f, {.speed = 50.0f}).motion, 0.25f);
 }
 
 // Catalogue 13.11: Godot measures after c/(1 + c) against 1.001, Filament against the larger luma.
@@ -108,7 +108,7 @@ TEST(ReferenceWeight, TwoHalfFramesWeighAsOne) {
   settings.alpha = 0.0f;
   EXPECT_EQ(at(24.0), 0.0);
   settings.frameRate = Switch::Off;
-  EXPECT_EQ(weigh(constant(0.36f), 4.0f, RejectReason::Kept, {.stepSeconds = 1.0}).alpha, 0.36f);
+  EXPECT_EQ(weigh(constant(0.36f), 4.0f, 0.0f, {.stepSeconds = 1.0}).alpha, 0.36f);
 }
 
 // Catalogue 13.14, 14.2: β = lerp(0.25, 0.85, κ) of each channel.

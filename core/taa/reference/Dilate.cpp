@@ -65,7 +65,7 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
 /// HDRP's four taps as printed (D13): a tap that is nearer than what is kept is chosen, but the depth kept
 /// with it is the next tap's.
 void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilated& result) {
-  const auto tap = [&](int dx, int dy) { return clampedToPicture(pixel + glm::ivec2(dx, dy), inputs); };
+  const auto tap = [&](int dx, int dy) { return clampedToDrawn(pixel + glm::ivec2(dx, dy), inputs); };
   const std::array taps{tap(1, 1), tap(-1, -1), tap(1, -1), tap(-1, 1), tap(1, 1)};
   const auto depthAt = [&inputs](const glm::ivec2& p) { return inputs.depth.texel(p.x, p.y).x; };
   float kept = result.depth;
@@ -95,7 +95,7 @@ Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const
     findClosest(inputs, settings.method, texel, result);
     break;
   case DilateMethod::ClosestXAsPrinted:
-    findClosestXAsPrinted(inputs, pixel, result);
+    findClosestXAsPrinted(inputs, texel, result);
     break;
   default:
     findClosest(inputs, settings.method, texel, result);

@@ -10,9 +10,6 @@
 namespace taa::reference {
 namespace {
 
-/// The mark of a point without a previous position, px; as in render/FrameInputs.h.
-constexpr float kNoPreviousPosition = 65504.0f;
-
 std::array<glm::vec4, 4> around(const Inputs& inputs, const Image& stored, const glm::vec2& position) {
   const glm::ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
                           static_cast<int>(std::floor(position.y - 0.5f)));
