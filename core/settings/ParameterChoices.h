@@ -279,7 +279,10 @@ inline constexpr Choice kFlickerScales[] = {
      "Of lumas after c/(1 + c), against 1.001: dark differences count for little (catalogue 13.11, Godot)."},
 };
 inline constexpr Choice kSampleDistances[] = {
-    {"none", "None", "A sample counts alike wherever in the pixel it lies."},
+    {"none", "None",
+     "A sample counts alike wherever in the pixel it lies. Below a render scale of 1 κ weighs its distance, "
+     "whatever "
+     "is chosen here (catalogue §22)."},
     {"gaussian", "Gaussian", "exp(−‖j‖²/2σ²) with σ² = 0.22 px² (catalogue 7.7, 7.4, source 004)."},
     {"parabola", "Parabola, at rest",
      "1 − ‖j‖², and 1 from a motion of 1 px on: max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²) (catalogue 13.6, "

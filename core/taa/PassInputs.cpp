@@ -27,7 +27,9 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   block.currentWeights0 = glm::vec4(w[0], w[1], w[2], 0.0f);
   block.currentWeights1 = glm::vec4(w[3], w[4], w[5], 0.0f);
   block.currentWeights2 = glm::vec4(w[6], w[7], w[8], 0.0f);
-  block.weightTerms.x = sampleDistanceFactor(settings.weight.sampleDistance, inputs.info.jitterPx);
+  const glm::vec2 distance =
+      isUpsampled(settings) ? glm::vec2(0.0f) : inputs.info.jitterPx; // else it is in κ
+  block.weightTerms.x = sampleDistanceFactor(settings.weight.sampleDistance, distance);
   block.weightTerms.y =
       static_cast<float>(frameEighths(inputs.info.stepSeconds, settings.weight.referenceRate));
   block.state = glm::ivec4(historyState, corner.x, corner.y, inputs.info.frame);

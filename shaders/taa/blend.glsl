@@ -65,7 +65,7 @@ float framesAfter(float alpha, float framesBefore, float confidence, vec2 motion
   precise float frames = 1.0 / variance;
   if (kBlendLength == kBlendLength_count) frames = framesBefore + (kUpsampled ? confidence : 1.0);
   if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
-  if (kBlendLength == kBlendLength_reciprocal) frames = 1.0 / greater(alpha, 1e-6);
+  if (kBlendLength == kBlendLength_reciprocal) frames = alpha > 1e-6 ? greater(confidence / alpha, 1.0) : framesBefore;
   if (kBlendLength == kBlendLength_confidence) frames = confidenceAfter(framesBefore, motion);
   return alpha >= 1.0 ? 1.0 : frames;
 }

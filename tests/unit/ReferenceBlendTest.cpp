@@ -329,7 +329,10 @@ TEST(ReferenceBlend, ReciprocalLengthIsTheRecursionOfTheWeight) {
   Mix mix{.alpha = 0.5f, .historyLength = 30.0f};
   EXPECT_EQ(blend(settings, mix).historyLength, 2.0f) << "a large α starts the count again";
   mix.alpha = 0.0f;
-  EXPECT_EQ(blend(settings, mix).historyLength, 1e6f);
+  EXPECT_EQ(blend(settings, mix).historyLength, 30.0f) << "nothing was added";
+  mix.alpha = 0.0625f;
+  mix.confidence = 0.25f;
+  EXPECT_EQ(blend(settings, mix).historyLength, 4.0f) << "κ is no part of the count";
 }
 
 // Invariant 51: Bevy's schedule.

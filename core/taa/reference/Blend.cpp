@@ -89,10 +89,13 @@ float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint
   return x;
 }
 
-/// N after the frame (catalogue §16).
+/// N after the frame (catalogue §16), of a sample of confidence κ.
 float lengthAfter(float alpha, float before, float confidence, LengthRule rule, const glm::vec2& motion) {
   if (alpha >= 1.0f) return 1.0f;
-  if (rule == LengthRule::Reciprocal) return 1.0f / (alpha > 1e-6f ? alpha : 1e-6f);
+  if (rule == LengthRule::Reciprocal) {
+    if (!(alpha > 1e-6f)) return before;
+    return confidence / alpha > 1.0f ? confidence / alpha : 1.0f;
+  }
   if (rule == LengthRule::Confidence) return confidenceAfter(before, motion);
   if (rule == LengthRule::Count) return before + confidence;
   const float rest = 1.0f - alpha;

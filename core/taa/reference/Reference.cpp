@@ -129,7 +129,6 @@ Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& c
   seen.boxHigh = boxLuma(n.boxMax, space);
   seen.compressedCurrent = luma(compress(current, ToneSpace::ReinhardChannel));
   seen.compressedHistory = luma(compress(history, ToneSpace::ReinhardChannel));
-  seen.jitterPx = inputs.jitterPx;
   seen.stepSeconds = inputs.stepSeconds;
   return seen;
 }
@@ -212,6 +211,7 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
   seen.motion = dilated.motion;
   seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
   seen.confidence = confidence;
+  if (!isUpsampled(settings)) seen.jitterPx = inputs.jitterPx; // else κ knows how far the sample is
   seen.mask = mask;
   seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
   seen.velocityChange = match.velocityChange;
