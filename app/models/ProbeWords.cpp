@@ -123,7 +123,7 @@ QString classWords(int number) {
   case ObjectClass::Still:
     return tr("still");
   case ObjectClass::Moving:
-    return tr("moves as a whole");
+    return tr("moves rigidly");
   case ObjectClass::Deforming:
     return tr("deforms");
   }

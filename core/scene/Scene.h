@@ -1,6 +1,8 @@
 // A scene as data: what a glTF file or a procedural builder makes and the renderer draws. No GL.
 #pragma once
 
+#include "core/scene/Material.h"
+#include "core/scene/Mesh.h"
 #include "core/scene/MotionMode.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -16,136 +18,6 @@
 #include <vector>
 
 namespace taa {
-
-/// An axis-aligned box, world or model space as the owner says; empty until something is added.
-struct Bounds {
-  glm::vec3 min{std::numeric_limits<float>::max()};
-  glm::vec3 max{std::numeric_limits<float>::lowest()};
-  bool isEmpty() const { return min.x > max.x; }
-  glm::vec3 center() const { return 0.5f * (min + max); }
-  float radius() const { return isEmpty() ? 0.0f : 0.5f * glm::length(max - min); }
-  void add(const glm::vec3& point) {
-    min = glm::min(min, point);
-    max = glm::max(max, point);
-  }
-};
-
-/// 8-bit RGBA, row 0 at v = 0 (the top of the file's picture, as glTF has it). Whether the bytes are sRGB or
-/// linear is decided by the slot of the material that uses it.
-struct SceneImage {
-  std::string name;
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;
-};
-
-enum class Filter : std::uint8_t { Nearest, Linear };
-enum class Mipmaps : std::uint8_t { None, Nearest, Linear };
-enum class Wrap : std::uint8_t { Repeat, MirroredRepeat, ClampToEdge };
-
-struct SamplerSettings {
-  Filter magnify = Filter::Linear, minify = Filter::Linear;
-  Mipmaps mipmaps = Mipmaps::Linear;
-  Wrap wrapU = Wrap::Repeat, wrapV = Wrap::Repeat;
-  bool operator==(const SamplerSettings&) const = default;
-};
-
-/// One texture slot of a material.
-struct TextureSlot {
-  int image = -1; ///< into Scene::images; −1: no texture, the slot's factor alone
-  SamplerSettings sampler;
-  int uvSet = 0;            ///< 0 or 1
-  glm::mat3 uvFromUv{1.0f}; ///< KHR_texture_transform as a matrix on (u, v, 1)
-};
-
-enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< how Blend is drawn is a setting
-
-/// Vertices that sway: each moves by direction · amplitude · uv1.y · sin(waveNumber·(x + z) + frequency·t) in
-/// model space (catalogue 3.7).
-struct Wind {
-  float amplitude = 0.0f;  ///< model units; 0: still
-  float waveNumber = 0.0f; ///< radians a model unit
-  float frequency = 0.0f;  ///< radians a second
-  glm::vec3 direction{1.0f, 0.0f, 0.0f};
-};
-
-/// A picture that changes on a surface that does not: cells of an atlas one after another, row by row, and a
-/// steady shift (catalogue 21.7). Of the first uv set, before the slots' own transforms.
-struct UvAnimation {
-  int columns = 1, rows = 1;
-  float cellsPerSecond = 0.0f;
-  glm::vec2 scroll{0.0f}; ///< uv a second
-  bool operator==(const UvAnimation&) const = default;
-};
-
-struct Material {
-  std::string name;
-  glm::vec4 baseColor{1.0f}; ///< linear
-  float metallic = 1.0f, roughness = 1.0f;
-  glm::vec3 emissive{0.0f}; ///< linear, KHR_materials_emissive_strength multiplied in
-  float normalScale = 1.0f, occlusionStrength = 1.0f;
-  AlphaMode alphaMode = AlphaMode::Opaque;
-  float alphaCutoff = 0.5f;
-  bool doubleSided = false;
-  bool unlit = false;      ///< KHR_materials_unlit
-  bool responsive = false; ///< changes without motion that could be followed: screens, particles
-  Wind wind;
-  UvAnimation uvAnimation;
-  TextureSlot baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
-};
-
-/// Interleaved as the vertex buffer holds it.
-struct Vertex {
-  glm::vec3 position{0.0f};
-  glm::vec3 normal{0.0f, 0.0f, 1.0f};
-  glm::vec4 tangent{1.0f, 0.0f, 0.0f, 1.0f}; ///< w: sign of the bitangent
-  glm::vec2 uv0{0.0f}, uv1{0.0f};
-  glm::vec4 color{1.0f}; ///< linear
-};
-
-enum class Topology : std::uint8_t {
-  Triangles,
-  Lines,
-  Points
-}; ///< strips, fans and loops are unrolled by the loader
-
-/// Four of the joints that move a vertex, and how much.
-struct Influence {
-  glm::vec4 joints{0.0f};  ///< into Skin::joints, whole numbers
-  glm::vec4 weights{0.0f}; ///< their sum over all sets of a vertex is 1
-};
-
-/// What a morph target of weight 1 adds to a vertex.
-struct MorphDelta {
-  glm::vec3 position{0.0f}, normal{0.0f}, tangent{0.0f};
-};
-
-/// Positions baked for each vertex, frame after frame, as Alembic has them (catalogue 3.6).
-struct VertexCache {
-  struct Entry {
-    glm::vec3 position{0.0f}, normal{0.0f};
-    glm::vec3 velocity{0.0f}; ///< model units a second
-  };
-  int frames = 0;               ///< 0: none; they repeat
-  double framesPerSecond = 0.0; ///< 0: always the first
-  std::vector<Entry> entries;   ///< frames × vertices
-};
-
-struct Primitive {
-  Topology topology = Topology::Triangles;
-  std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;           ///< always given
-  int material = 0;                             ///< into Scene::materials, always valid
-  Bounds bounds;                                ///< model space, undeformed
-  int influenceSets = 0;                        ///< 0 to 2; 0: no skin moves it
-  std::vector<Influence> influences;            ///< influenceSets for each vertex
-  std::vector<std::vector<MorphDelta>> targets; ///< one delta a vertex each
-  VertexCache cache;
-};
-
-struct Mesh {
-  std::string name;
-  std::vector<Primitive> primitives;
-};
 
 struct Node {
   std::string name;

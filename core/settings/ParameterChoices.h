@@ -266,12 +266,16 @@ inline constexpr Choice kAlphaSources[] = {
 };
 inline constexpr Choice kMotionAlphas[] = {
     {"none", "None", "Motion does not matter."},
-    {"linear", "Linear", "‖v‖/v₀ (catalogue 13.5, 13.6)."},
+    {"linear", "Linear", "‖v‖/v₀ (catalogue 13.6)."},
     {"squared", "Squared", "(‖v‖/v₀)² with pixels (catalogue 13.4)."},
     {"squaredAsPrinted", "Squared, as printed",
      "As printed in source 000: the square of a length in fractions of the picture, which stays near 0 "
      "(catalogue 13.4, D11)."},
     {"doubled", "Doubled", "α grows to 2α at v₀ and no further (catalogue 13.6, HDRP)."},
+    {"added", "Added",
+     "α + ‖v‖/v₀, up to 1: v₀ is 1/k of the picture's width, 19.2 px of 1920 for k = 100, 1.92 px for k = "
+     "1000 "
+     "(catalogue 13.5, source 002)."},
 };
 inline constexpr Choice kFlickerScales[] = {
     {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (catalogue 13.11, Filament)."},
@@ -281,8 +285,7 @@ inline constexpr Choice kFlickerScales[] = {
 inline constexpr Choice kSampleDistances[] = {
     {"none", "None",
      "A sample counts alike wherever in the pixel it lies. Below a render scale of 1 κ weighs its distance, "
-     "whatever "
-     "is chosen here (catalogue §22)."},
+     "whatever is chosen here (catalogue §22)."},
     {"gaussian", "Gaussian", "exp(−‖j‖²/2σ²) with σ² = 0.22 px² (catalogue 7.7, 7.4, source 004)."},
     {"parabola", "Parabola, at rest",
      "1 − ‖j‖², and 1 from a motion of 1 px on: max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²) (catalogue 13.6, "

@@ -207,7 +207,7 @@ enum class AlphaSource : std::int32_t {
   ContrastPerChannel,
   Confidence,
 };
-enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted, Doubled };
+enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted, Doubled, Added };
 enum class MaskAlpha : std::int32_t { Off, Responsive, Reactive, Exclude };
 enum class FlickerScale : std::int32_t { Relative, Compressed };
 enum class SampleDistance : std::int32_t { None, Gaussian, Parabola };

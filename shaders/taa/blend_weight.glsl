@@ -156,7 +156,7 @@ float motionWeight(WeightInputs x, float alpha) {
   precise float squared = share * share;
   precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
   precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: §26, D11
-  if (kWeightMotion == kWeightMotion_linear) return share;
+  if (kWeightMotion == kWeightMotion_linear || kWeightMotion == kWeightMotion_added) return share;
   if (kWeightMotion == kWeightMotion_squared) return squared;
   precise float twice = 2.0 * alpha;
   precise float added = share * (lesser(twice, 1.0) - alpha);
@@ -236,7 +236,9 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   result.motion = motionWeight(x, calmed);
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
   precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);
-  if (kWeightMotion == kWeightMotion_doubled) moved = calmed + result.motion;
+  precise float added = calmed + result.motion;
+  if (kWeightMotion == kWeightMotion_doubled) moved = added;
+  if (kWeightMotion == kWeightMotion_added) moved = lesser(added, 1.0);
   if (kWeightVelocityChange) moved = joined(moved, result.velocityChange);
   if (kWeightDivergence) moved = joined(moved, x.divergence);
   result.alpha = byFrameRate(moved);

@@ -140,7 +140,7 @@ const std::map<int, Tests>& invariants() {
         "WeightNumbers.TheLumaDifferenceAsPrintedTrustsWhatDiffers"}},
       {59,
        {"WeightNumbers.NearTheWallsHistoryIsKeptAndFarOutsideItIsNot",
-        "WeightNumbers.SquaredMotionAsPrintedIsNothing"}},
+        "WeightNumbers.AddedMotionIsThatOfSource002", "WeightNumbers.SquaredMotionAsPrintedIsNothing"}},
       {60,
        {"Reference.AConstantImageStaysExactlyConstantThroughEveryOption",
         "ResolveTest.KeepsAConstantImageThroughEveryOption"}},

@@ -249,7 +249,7 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"source002",
        {"dilate.method=closestX", "history.precision=full", "current.filter=unjitter", "space.color=yCoCg",
         "neighborhood.box=minMax", "neighborhood.unjitter=on", "rectify.method=clipToCenter",
-        "weight.alpha=0.05", "weight.motion=linear"}},
+        "weight.alpha=0.05", "weight.motion=added", "weight.motionSpeed=1"}},
       {"source004",
        {"jitter.sequence=whiteNoise", "history.filter=bilinear", "rectify.method=none", "validate.depth=on",
         "validate.object=on", "validate.normal=on", "weight.source=historyLength", "blend.length=variance"}}};

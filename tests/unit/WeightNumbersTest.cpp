@@ -85,6 +85,23 @@ TEST(WeightNumbers, SquaredMotionAsPrintedIsNothing) {
   EXPECT_FLOAT_EQ(weigh(settings, 5.0f, 0.0f, seen).motion, 0.6103515625f);
 }
 
+TEST(WeightNumbers, AddedMotionIsThatOfSource002) {
+  WeightSettings settings;
+  settings.source = AlphaSource::Constant;
+  settings.alpha = 0.05f;
+  settings.minimum = 0.0f;
+  settings.motion = MotionAlpha::Added;
+  const auto alpha = [&settings](float k, float speed) { // of a picture 1920 px wide
+    settings.motionSpeed = 1920.0f / k;
+    Seen seen = lumas(0.5f, 0.5f);
+    seen.speed = speed;
+    return weigh(settings, 5.0f, 0.0f, seen).alpha;
+  };
+  EXPECT_NEAR(alpha(100.0f, 1.0f), 0.1021f, 5e-5f);
+  EXPECT_NEAR(alpha(1000.0f, 1.0f), 0.5708f, 5e-5f);
+  EXPECT_EQ(alpha(1000.0f, 2.0f), 1.0f) << "accumulation is off";
+}
+
 TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
   WeightSettings settings;
   settings.source = AlphaSource::Contrast;

@@ -108,6 +108,7 @@ float motionTerm(const WeightSettings& settings, const Seen& seen, float alpha) 
   case MotionAlpha::None:
     return 0.0f;
   case MotionAlpha::Linear:
+  case MotionAlpha::Added:
     return x;
   case MotionAlpha::Squared:
     return x * x;
@@ -150,6 +151,8 @@ void compose(const WeightSettings& settings, const Seen& seen, Weights& result) 
   const auto join = [&alpha](float term) { alpha = 1.0f - (1.0f - alpha) * (1.0f - term); };
   if (settings.motion == MotionAlpha::Doubled) {
     alpha = alpha + result.motion;
+  } else if (settings.motion == MotionAlpha::Added) {
+    alpha = smaller(alpha + result.motion, 1.0f);
   } else if (settings.motion != MotionAlpha::None) {
     join(result.motion);
   }

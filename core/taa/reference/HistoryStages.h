@@ -1,0 +1,113 @@
+// Stages 5 to 7 of the resolve on the CPU: the box around this frame's colors, history brought into it, and
+// whether history belongs to the surface at all.
+#pragma once
+
+#include "core/taa/reference/SampleStages.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+
+namespace taa::reference {
+
+/// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
+struct Neighborhood {
+  glm::vec3 mean{0.0f};
+  glm::vec3 deviation{0.0f};
+  glm::vec3 min{0.0f};
+  glm::vec3 max{0.0f};
+  float gamma = 0.0f; ///< the one used
+  glm::vec3 boxMin{0.0f};
+  glm::vec3 boxMax{0.0f};
+  std::array<glm::vec3, 9> samples{}; ///< in box space, row-major
+};
+/// What γ may depend on.
+struct Moved {
+  glm::vec3 history{0.0f}; ///< scene-linear, as it was read
+  float speed = 0.0f;      ///< px a frame
+  float relax = 0.0f;      ///< the larger mask
+};
+Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
+                                 const glm::vec3& currentFiltered, const glm::ivec2& pixel,
+                                 const Moved& moved = {});
+
+/// A point moved into a box, box space, how far on its way (0 kept, 1 all the way), and which part of that is
+/// applied.
+struct Clipped {
+  glm::vec3 value{0.0f};
+  float amount = 0.0f;
+  float strength = 1.0f;
+  bool moved = false; ///< it was outside
+};
+/// Of the methods that need no more than the box (11.1 to 11.3).
+Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
+             const glm::vec3& boxMax);
+/// What rectification may depend on besides colors.
+struct Applied {
+  float speed = 0.0f; ///< px a frame
+  float held = 0.0f;  ///< share of the correction that is taken back
+};
+/// History pulled into the box, scene-linear (catalogue §11).
+Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                       const Applied& applied = {});
+/// N of history after it was rectified (catalogue 11.7).
+float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held);
+
+/// What of the correction is taken back (catalogue 17.3, 17.4).
+struct Held {
+  float lock = 0.0f, lockLife = 0.0f, instability = 0.0f;
+  float share = 0.0f; ///< of the correction
+  glm::vec2 keptLock{0.0f};
+  glm::vec4 keptLumas{0.0f};
+};
+Held holdHistory(const Inputs& inputs, const Settings& settings, const Reprojected& reprojected,
+                 const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
+                 const glm::ivec2& pixel, const glm::ivec2& drawn);
+
+/// What the dilated sample belongs to.
+struct Geometry {
+  float object = 0.0f, objectClass = 0.0f;
+  glm::vec3 normal{0.0f};
+  glm::vec2 motion{0.0f};
+};
+Geometry geometryOf(const Inputs& inputs, const Dilated& dilated, const glm::ivec2& drawn);
+/// How that agrees with what history was of, the best of four texels (catalogue 12.2 to 12.5, 13.7).
+struct GeometryMatch {
+  float object = 0.0f; ///< stored with history
+  bool isSameObject = true, isSameClass = true;
+  float normalAgreement = 1.0f; ///< cosine
+  float velocityChange = 0.0f;  ///< px a frame
+};
+GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, const Geometry& own,
+                              const glm::vec2& readPosition);
+/// How far the motion around a render texel parts (catalogue 12.7).
+float motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
+
+enum class RejectReason : int {
+  Kept,
+  NoHistory,
+  NoPrevious,
+  OffScreen,
+  Depth,
+  Speed,
+  Object,
+  Class,
+  Normal,
+  Velocity
+};
+/// Whether the history belongs to this surface (catalogue §5, §12).
+struct Validated {
+  float depthExpected = 0.0f; ///< m
+  float historyDepth = 0.0f;  ///< m
+  float depthMismatch = 0.0f; ///< relative to depthExpected
+  float depthAllowed = 0.0f;  ///< the largest mismatch that is kept
+  RejectReason reason = RejectReason::Kept;
+  float invalid = 0.0f; ///< least α
+};
+Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
+                          const Reprojected& reprojected, const glm::vec2& readPosition,
+                          const glm::ivec2& pixel, const GeometryMatch& geometry = {});
+
+} // namespace taa::reference
