@@ -102,14 +102,6 @@ TEST_F(RenderedNumbersTest, MotionInHalvesIsOffByHalfAStepAtMost) {
   }
 }
 
-/// The plain average of all frames: no filter, nothing rectified, rejected or weighted.
-Settings averaging() {
-  Settings settings = test::plainSettings();
-  settings.inputs.precision = Precision::Full;
-  settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
-  return settings;
-}
-
 /// Largest error of the accumulated coverage of edges at 32 places within a pixel, after one period.
 float coverageError(JitterSequence sequence, int period) {
   constexpr int kEdges = 32, kColumn = 160;
@@ -120,7 +112,7 @@ float coverageError(JitterSequence sequence, int period) {
     addQuad(scene, 0.5f * (low + high), {high.x - low.x, 0, 0}, {0, high.y - low.y, 0});
   }
   SceneRenderer renderer(std::make_shared<const Scene>(scene));
-  Settings settings = averaging();
+  Settings settings = test::averagingSettings();
   settings.jitter.sequence = sequence;
   settings.jitter.period = period;
   TaaPass pass;
@@ -202,7 +194,7 @@ double variance(const Image& image) {
 TEST_F(RenderedNumbersTest, NoiseIsAveragedByAsManySamplesAsTheTableSays) {
   constexpr int kFrames = 90;
   SceneRenderer renderer(std::make_shared<const Scene>(noiseScene(kFrames)));
-  Settings settings = averaging();
+  Settings settings = test::averagingSettings();
   settings.weight = {AlphaSource::Constant, 0.1f, 0.0f};
   settings.jitter.sequence = JitterSequence::None;
   FrameRequest asked = request();

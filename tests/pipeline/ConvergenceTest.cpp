@@ -2,6 +2,7 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/Frames.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/ReferenceInputs.h"
 
 #include <cmath>
 #include <vector>
@@ -13,21 +14,6 @@ class ConvergenceTest : public test::GlTest {};
 
 constexpr int kWidth = 120;
 constexpr int kHeight = 67; // neither a power of two nor even: texel centers are not round numbers
-
-/// Nothing but the average: no filter, no rectification, nothing rejected, 32-bit floats.
-Settings averaging(int period) {
-  Settings settings;
-  settings.jitter.period = period;
-  settings.inputs.precision = Precision::Full;
-  settings.dilate.method = DilateMethod::None;
-  settings.history = {HistoryFilter::Bilinear, Switch::Off, Precision::Full};
-  settings.current.filter = CurrentFilter::Center;
-  settings.rectify.method = RectifyMethod::None;
-  settings.validate = {OffScreen::Keep, Switch::Off, 0.03f, 0.0f};
-  settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
-  settings.blend.tone = ToneWeight::None;
-  return settings;
-}
 
 /// Largest |resolved − sum/count|, relative to values above 1.
 double largestError(const Image& resolved, const std::vector<double>& sum, double count) {
@@ -51,7 +37,7 @@ void add(std::vector<double>& sum, const Image& image) {
 
 TEST_F(ConvergenceTest, AlphaByLengthOnAStillCameraIsTheAverageOfTheJitteredFrames) {
   for (const HistoryFilter filter : {HistoryFilter::Bilinear, HistoryFilter::CatmullRom5}) {
-    Settings settings = averaging(16);
+    Settings settings = test::averagingSettings(16);
     settings.history.filter = filter;
     TaaPass pass;
     test::Player player("builtin:fence", "still", kWidth, kHeight, settings);
@@ -74,7 +60,7 @@ TEST_F(ConvergenceTest, AlphaByLengthOnAStillCameraIsTheAverageOfTheJitteredFram
 TEST_F(ConvergenceTest, AConstantAlphaSettlesToACycleWhoseMeanIsTheAverage) {
   constexpr int kPeriod = 8;
   constexpr float kAlpha = 0.25f;
-  Settings settings = averaging(kPeriod);
+  Settings settings = test::averagingSettings(kPeriod);
   settings.weight = {AlphaSource::Constant, kAlpha, 0.0f};
   TaaPass pass;
   test::Player player("builtin:fence", "still", kWidth, kHeight, settings);

@@ -6,6 +6,7 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/Frames.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/ReferenceInputs.h"
 #include "tests/support/ResolveTest.h"
 #include "tests/support/Variants.h"
 
@@ -45,21 +46,6 @@ TEST_F(UpsampledFramesTest, AreWhatTheTwinSaysAtOddSizes) {
       EXPECT_EQ(player.inputs().width(), static_cast<int>(std::ceil(scale * kWidth)));
       EXPECT_EQ(player.history().color.width(), kWidth);
     }
-}
-
-/// The plain average: no filter, no rectification, nothing rejected.
-Settings averaging(int period) {
-  Settings settings;
-  settings.jitter.period = period;
-  settings.inputs.precision = Precision::Full;
-  settings.dilate.method = DilateMethod::None;
-  settings.history = {HistoryFilter::Bilinear, Switch::Off, Precision::Full};
-  settings.current.filter = CurrentFilter::Center;
-  settings.rectify.method = RectifyMethod::None;
-  settings.validate = {OffScreen::Keep, Switch::Off, 0.03f, 0.0f};
-  settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
-  settings.blend.tone = ToneWeight::None;
-  return settings;
 }
 
 /// c/(1 + c), so that a few highlights do not decide.
@@ -110,8 +96,8 @@ Image accumulated(const std::string& scene, const Settings& settings, int frames
 TEST_F(UpsampledFramesTest, GatherDetailThatOneFrameDoesNotHave) {
   constexpr int kWidth = 120, kHeight = 67;
   constexpr int kPeriod = 32; // 8/r²
-  const Image reference = accumulated("builtin:fence", averaging(64), 64, kWidth, kHeight);
-  Settings small = averaging(kPeriod);
+  const Image reference = accumulated("builtin:fence", test::averagingSettings(64), 64, kWidth, kHeight);
+  Settings small = test::averagingSettings(kPeriod);
   small.inputs.renderScale = 0.5f;
   Settings still = small;
   still.jitter.sequence = JitterSequence::None;

@@ -61,6 +61,14 @@ Settings plainSettings() {
   return settings;
 }
 
+Settings averagingSettings(int period) {
+  Settings settings = plainSettings();
+  settings.jitter.period = period;
+  settings.inputs.precision = Precision::Full;
+  settings.weight = {AlphaSource::HistoryLength, 0.1f, 0.0f};
+  return settings;
+}
+
 reference::PixelRecord advance(reference::Inputs& inputs, const Settings& settings, int x, int y) {
   using reference::at;
   Image color(inputs.outputWidth(), inputs.outputHeight(), 4);

@@ -23,6 +23,9 @@ void setGrays(Image& image, const std::array<float, 9>& grays);
 /// constant α, plain blend, full precision.
 Settings plainSettings();
 
+/// The plain average of all frames: that pipeline with α = 1/(N + 1) and 32-bit inputs.
+Settings averagingSettings(int period = 16);
+
 /// Everything about pixel (x, y) after every pixel was resolved and became the history of `inputs`.
 reference::PixelRecord advance(reference::Inputs& inputs, const Settings& settings, int x, int y);
 

@@ -1,4 +1,4 @@
-// Shapes of the box and the hull, chroma and the other color spaces (invariants 35, 41 to 43).
+// Shapes of the box, chroma and the other color spaces (invariants 35, 42, 43).
 #include "tests/support/ReferenceInputs.h"
 
 #include "core/taa/reference/Color.h"
@@ -61,56 +61,6 @@ TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
       EXPECT_NEAR(n.boxMin[k], own[k] - eighth, 1e-6f);
       EXPECT_NEAR(n.boxMax[k], own[k] + eighth, 1e-6f);
     }
-  }
-}
-
-Settings hull() {
-  Settings settings;
-  settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
-  settings.rectify.method = RectifyMethod::ClipToHull;
-  return settings;
-}
-
-Inputs withHistory() {
-  Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.0f));
-  test::setHistory(inputs, glm::vec3(0.0f), 1.0f);
-  return inputs;
-}
-
-TEST(BoxNumbers, TheSlabsHoldEveryMixtureOfTheSamples) {
-  std::mt19937 random(41);
-  std::uniform_real_distribution<float> level(0.0f, 1.0f);
-  for (int i = 0; i < 300; ++i) {
-    Neighborhood n;
-    glm::vec3 mixture(0.0f);
-    float sum = 0.0f;
-    for (glm::vec3& sample : n.samples) {
-      sample = {level(random), level(random), level(random)};
-      const float weight = level(random);
-      mixture += weight * sample;
-      sum += weight;
-    }
-    // A point of the convex hull lies in every slab, up to the roundings of its own making.
-    EXPECT_LE(rectifyHistory(withHistory(), hull(), mixture / sum, n.samples[4], n).amount, 1e-5f);
-  }
-}
-
-TEST(BoxNumbers, TheSlabsAreTheBoxWhenItsCornersAreSamples) {
-  Neighborhood n;
-  for (int k = 0; k < 8; ++k)
-    n.samples[std::size_t(k)] = {k & 1 ? 1.0f : 0.0f, k & 2 ? 1.0f : 0.0f, k & 4 ? 1.0f : 0.0f};
-  n.samples[8] = glm::vec3(0.5f);
-  n.boxMin = n.min = glm::vec3(0.0f);
-  n.boxMax = n.max = glm::vec3(1.0f);
-  Settings box = hull();
-  box.rectify.method = RectifyMethod::ClipToFiltered;
-  std::mt19937 random(8);
-  std::uniform_real_distribution<float> level(0.0f, 2.0f), inside(0.0f, 1.0f);
-  for (int i = 0; i < 300; ++i) {
-    const glm::vec3 history(level(random), level(random), level(random));
-    const glm::vec3 target(inside(random), inside(random), inside(random));
-    EXPECT_NEAR(rectifyHistory(withHistory(), hull(), history, target, n).amount,
-                rectifyHistory(withHistory(), box, history, target, n).amount, 1e-6f);
   }
 }
 

@@ -1,4 +1,4 @@
-// Rectification of the CPU twin (invariants 38 to 40).
+// Rectification of the CPU twin (invariants 38 to 41).
 #include "tests/support/ReferenceInputs.h"
 
 #include "core/taa/reference/Color.h"
@@ -207,6 +207,43 @@ TEST(ReferenceRectify, TheHullIsNeverWiderThanTheBoxOfItsSamples) {
     tighter += hull > box;
   }
   EXPECT_GT(tighter, 250);
+}
+
+TEST(ReferenceRectify, TheSlabsHoldEveryMixtureOfTheSamples) {
+  std::mt19937 random(41);
+  std::uniform_real_distribution<float> level(0.0f, 1.0f);
+  for (int i = 0; i < 300; ++i) {
+    Neighborhood n;
+    glm::vec3 mixture(0.0f);
+    float sum = 0.0f;
+    for (glm::vec3& sample : n.samples) {
+      sample = {level(random), level(random), level(random)};
+      const float weight = level(random);
+      mixture += weight * sample;
+      sum += weight;
+    }
+    // A point of the convex hull lies in every slab, up to the roundings of its own making.
+    EXPECT_LE(rectifyHistory(oneHistory(), hullSettings(), mixture / sum, n.samples[4], n).amount, 1e-5f);
+  }
+}
+
+TEST(ReferenceRectify, TheSlabsAreTheBoxWhenItsCornersAreSamples) {
+  Neighborhood n;
+  for (int k = 0; k < 8; ++k)
+    n.samples[std::size_t(k)] = {k & 1 ? 1.0f : 0.0f, k & 2 ? 1.0f : 0.0f, k & 4 ? 1.0f : 0.0f};
+  n.samples[8] = glm::vec3(0.5f);
+  n.boxMin = n.min = glm::vec3(0.0f);
+  n.boxMax = n.max = glm::vec3(1.0f);
+  Settings box = hullSettings();
+  box.rectify.method = RectifyMethod::ClipToFiltered;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> level(0.0f, 2.0f), inside(0.0f, 1.0f);
+  for (int i = 0; i < 300; ++i) {
+    const glm::vec3 history(level(random), level(random), level(random));
+    const glm::vec3 target(inside(random), inside(random), inside(random));
+    EXPECT_NEAR(rectifyHistory(oneHistory(), hullSettings(), history, target, n).amount,
+                rectifyHistory(oneHistory(), box, history, target, n).amount, 1e-6f);
+  }
 }
 
 } // namespace
