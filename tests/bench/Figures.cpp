@@ -3,7 +3,6 @@
 #include "core/base/Files.h"
 #include "core/settings/Presets.h"
 
-#include <array>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
@@ -22,7 +21,7 @@ struct Row {
   int digits;
 };
 
-constexpr std::array<Row, 9> kRows{{
+constexpr Row kRows[] = {
     {"firstPicture",
      "From the start of the program to its first picture, no shader cached (at the size it opens with)", "s",
      3.0, 2},
@@ -35,7 +34,7 @@ constexpr std::array<Row, 9> kRows{{
     {"switchChoice", "From another choice of a stage to its picture, no shader cached (960×540)", "ms", 300.0,
      0},
     {"switchBack", "The same, back to a combination that was there before", "ms", 0.0, 0},
-}};
+};
 
 std::string valueText(double value, const Row& row) {
   std::ostringstream text;
