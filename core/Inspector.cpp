@@ -1,6 +1,6 @@
 #include "core/Inspector.h"
 
-#include "core/inspect/FrameMaker.h"
+#include "core/InspectorParts.h"
 #include "core/inspect/Probe.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
@@ -15,7 +15,6 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kDefaultBudget = std::size_t(256) << 20;
 constexpr int kMostLanes = 4;
 
 std::string sizeText(int width, int height) {
@@ -55,81 +54,6 @@ Image valuesOf(const Exposure& exposure, IntermediateId id, const gl::Rect& regi
 }
 
 } // namespace
-
-struct Inspector::Parts {
-  gl::Context context; // first: everything else needs it
-  Subject subject;
-  FrameMaker maker;
-  Visualizer visualizer;
-  std::vector<Checkpoints> checkpoints{1}; // one a lane
-  ShownFrame shown;
-  std::size_t budget = kDefaultBudget;
-
-  bool isOpen() const { return subject.scene != nullptr; }
-  const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
-  const Settings& settings(int index) const { return subject.lanes.at(static_cast<std::size_t>(index)); }
-  const FrameInputs& inputs(int index) const { return shown.inputs[lane(index).inputs]; }
-  bool isExact() const { return std::ranges::all_of(shown.lanes, &ShownLane::exact); }
-
-  void show(ShownFrame&& next);
-  void keepShown();
-  void goTo(int frame, const Progress& progress);
-  void startAnew(Subject next, std::vector<Checkpoints> kept, int frame);
-  void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
-};
-
-void Inspector::Parts::show(ShownFrame&& next) {
-  std::swap(shown, next);
-  maker.recycle(std::move(next));
-}
-
-// The histories of the frame on show are checkpoints, whatever else was given up meanwhile.
-void Inspector::Parts::keepShown() {
-  for (std::size_t index = 0; index < shown.lanes.size(); ++index) {
-    const ShownLane& lane = shown.lanes[index];
-    if (!lane.exact) continue;
-    checkpoints[index].keep(shown.frame, lane.current);
-    if (lane.previous) checkpoints[index].keep(shown.frame - 1, lane.previous);
-  }
-}
-
-void Inspector::Parts::goTo(int frame, const Progress& progress) {
-  try {
-    show(maker.replay(subject, checkpoints, frame, budget, progress));
-  } catch (...) {
-    keepShown();
-    throw;
-  }
-}
-
-// Another source or other lanes: all is made first, then put in place of what there was.
-void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
-  ShownFrame made = maker.replay(next, kept, frame, budget, {});
-  subject = std::move(next);
-  checkpoints = std::move(kept);
-  show(std::move(made));
-}
-
-// The frame on show with other settings, at once: changed lanes on the history they had, or on none.
-void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
-  if (!isOpen()) {
-    subject = std::move(next);
-    return;
-  }
-  FrameStep step{shown.frame, {}, std::vector<bool>(changed.size(), true)};
-  for (std::size_t index = 0; index < changed.size(); ++index)
-    step.previous.push_back(changed[index] && !keepsHistory ? nullptr : shown.lanes[index].previous);
-  ShownFrame made = maker.take();
-  maker.make(next, step, made);
-  for (std::size_t index = 0; index < changed.size(); ++index) {
-    const bool starts = made.inputs[made.lanes[index].inputs].info.startsHistory;
-    made.lanes[index].exact = changed[index] ? starts : shown.lanes[index].exact;
-    if (changed[index]) checkpoints[index].clear();
-  }
-  subject = std::move(next);
-  show(std::move(made));
-  keepShown();
-}
 
 Inspector::Inspector() : parts_(std::make_unique<Parts>()) {
   // Without a GPU 720p plays at half the rate of this.
@@ -255,7 +179,7 @@ int Inspector::frame() const {
 }
 
 FrameInfo Inspector::info(int lane) const {
-  return parts_->inputs(lane).info;
+  return frameInfo(scene(), settings(lane).jitter, frame());
 }
 
 void Inspector::seek(int frame, const Progress& progress) {
@@ -269,16 +193,16 @@ void Inspector::seek(int frame, const Progress& progress) {
 void Inspector::advance() {
   assert(frame() + 1 < frameCount());
   const std::size_t lanes = parts_->subject.lanes.size();
-  FrameStep step{frame() + 1, {}, std::vector<bool>(lanes, true)};
+  FrameStep step{
+      .frame = frame() + 1, .previous = {}, .active = std::vector<bool>(lanes, true), .inputs = {}};
   for (const ShownLane& lane : parts_->shown.lanes) step.previous.push_back(lane.current);
   ShownFrame next = parts_->maker.take();
   parts_->maker.make(parts_->subject, step, next);
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    next.lanes[lane].exact =
-        parts_->shown.lanes[lane].exact || next.inputs[next.lanes[lane].inputs].info.startsHistory;
+    next.lanes[lane].exact = parts_->shown.lanes[lane].exact || startsHistory(parts_->subject, step.frame);
   parts_->show(std::move(next));
   parts_->keepShown();
-  for (Checkpoints& kept : parts_->checkpoints) kept.trim(parts_->budget / lanes, frame(), frameCount());
+  for (Checkpoints& kept : parts_->checkpoints) kept.trim(parts_->budget / lanes, frame(), scene().shot);
 }
 
 void Inspector::refine(const Progress& progress) {
@@ -293,11 +217,23 @@ FrameTimes Inspector::times() const {
   return {parts_->shown.sceneMs, parts_->shown.resolveMs};
 }
 
+int Inspector::replayLength(int frame) const {
+  return taa::replayLength(parts_->subject, parts_->checkpoints, frame);
+}
+
+int Inspector::nearestAtHand(int frame) const {
+  return taa::nearestAtHand(parts_->subject, parts_->checkpoints, frame);
+}
+
+std::size_t Inspector::checkpointBudget() const {
+  return parts_->budget;
+}
+
 void Inspector::setCheckpointBudget(std::size_t bytes) {
   parts_->budget = bytes;
   if (!parts_->isOpen()) return;
   for (Checkpoints& kept : parts_->checkpoints)
-    kept.trim(bytes / parts_->checkpoints.size(), frame(), frameCount());
+    kept.trim(bytes / parts_->checkpoints.size(), frame(), scene().shot);
 }
 
 void Inspector::watch(const std::vector<IntermediateId>& ids) {
@@ -320,10 +256,7 @@ std::vector<Image> Inspector::images(const std::vector<IntermediateId>& ids, int
     if (!(shown.isExposed && shown.watched.holds(id)) && std::ranges::find(missing, id) == missing.end())
       missing.push_back(id);
   Exposure exposure;
-  if (!missing.empty()) {
-    exposure = Exposure(missing, {0, 0, width(), height()});
-    parts_->maker.pass.expose(inputs(lane), shown.previous.get(), *shown.current, settings(lane), exposure);
-  }
+  if (!missing.empty()) exposure = parts_->maker.expose(parts_->subject, parts_->shown, missing, lane);
   std::vector<Image> images;
   images.reserve(ids.size());
   for (IntermediateId id : ids) images.push_back((exposure.holds(id) ? exposure : shown.watched).image(id));
@@ -372,6 +305,7 @@ void Inspector::reloadShaders() {
   if (parts_->isOpen()) parts_->subject.renderer->reloadShaders();
   parts_->maker.pass = std::move(pass);
   parts_->visualizer = std::move(visualizer);
+  for (ShownLane& lane : parts_->shown.lanes) lane.inputs->areDrawn = false; // with the old ones
   parts_->redraw(parts_->subject, std::vector<bool>(parts_->subject.lanes.size(), true), true);
 }
 

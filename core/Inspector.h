@@ -20,9 +20,15 @@ namespace taa {
 
 using reference::PixelRecord;
 
-/// Milliseconds of the last frame, by glFinish and the wall clock.
+/// Of 1280 × 720 with the default settings it holds 72 histories.
+inline constexpr std::size_t kDefaultCheckpointBudget = std::size_t(1) << 30;
+/// What a program can be asked for, MiB.
+inline constexpr int kMostCheckpointMiB = 1 << 20;
+
+/// Milliseconds of the frame on show, by glFinish and the wall clock; 0: it was kept, nothing was done for
+/// it.
 struct FrameTimes {
-  double scene = 0.0, resolve = 0.0; ///< resolve: all lanes together
+  double scene = 0.0, resolve = 0.0; ///< of all lanes together
 };
 
 /// Lives on the thread that made it, one at a time there, with its own GL context. Strong guarantee: when a
@@ -81,8 +87,13 @@ class Inspector {
   /// False while the picture rests on history from old settings (the badge).
   bool isExact(int lane = 0) const;
   FrameTimes times() const;
-  /// Bytes that kept histories may use on the GPU; default 256 MiB.
+  /// How many frames seek(frame) resolves: 0 when all of it is kept.
+  int replayLength(int frame) const;
+  /// The frame nearest to `frame` for which that is one at most.
+  int nearestAtHand(int frame) const;
+  /// Bytes that kept histories of all lanes may use on the GPU; default kDefaultCheckpointBudget.
   void setCheckpointBudget(std::size_t bytes);
+  std::size_t checkpointBudget() const;
 
   // Looking: changes nothing that is looked at
   /// Intermediates that each new frame exposes in its own resolve. Others are exposed on demand by running it
@@ -99,6 +110,7 @@ class Inspector {
   /// The finished picture of a view.
   Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
                   int height, int lane = 0);
+  /// Drawn now when they are not.
   const FrameInputs& inputs(int lane = 0) const;
 
   /// Compiles all shaders again; on Error everything stays as it was.

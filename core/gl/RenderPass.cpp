@@ -183,6 +183,13 @@ void RenderPass::draw(const Mesh& mesh, int instances) {
                           instances);
 }
 
+void copyColor(const Framebuffer& from, const Framebuffer& to) {
+  assert(from.width() == to.width() && from.height() == to.height());
+  glDisable(GL_SCISSOR_TEST);
+  glBlitNamedFramebuffer(from.id(), to.id(), 0, 0, from.width(), from.height(), 0, 0, to.width(), to.height(),
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void imageBarrier() {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                   GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);

@@ -81,6 +81,10 @@ class RenderPass {
   void draw(const Mesh& mesh, int instances = 1);
 };
 
+/// Texels of the first color target of `from` into that of `to`, which has the same size: numbers stay what
+/// they are as far as its format holds them, channels that it has not are dropped.
+void copyColor(const Framebuffer& from, const Framebuffer& to);
+
 /// Makes image stores of earlier passes visible to texture fetches and downloads.
 void imageBarrier();
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <utility>
 
 namespace taa {
 
@@ -11,10 +11,10 @@ namespace {
 // More are never in use at once between two frames of a playing lane.
 constexpr std::size_t kMostFree = 4;
 
-// Distance of the anchors, of which half the budget is made.
-int anchorStride(std::size_t capacity, int frameCount) {
-  const int anchors = static_cast<int>(std::min<std::size_t>(capacity / 2, std::numeric_limits<int>::max()));
-  return anchors > 0 ? std::max(1, (frameCount + anchors - 1) / anchors) : std::numeric_limits<int>::max();
+// Rank by which frames stay: the higher, the longer.
+int rankOf(int frame, const Spread& spread) {
+  if (std::ranges::find(spread.ends, frame) != spread.ends.end()) return 2;
+  return frame % spread.stride == 0 ? 1 : 0;
 }
 
 } // namespace
@@ -37,32 +37,44 @@ void HistoryPool::clear() {
   free_->clear();
 }
 
-std::optional<int> frameToGiveUp(std::span<const int> frames, int playhead, int stride) {
-  std::optional<int> farthest, farthestAnchor;
-  const auto isFarther = [&](int frame, const std::optional<int>& than) {
-    return !than || std::abs(frame - playhead) > std::abs(*than - playhead);
-  };
-  for (int frame : frames) {
-    if (frame == playhead || frame == playhead - 1) continue;
-    std::optional<int>& candidate = frame % stride == 0 ? farthestAnchor : farthest;
-    if (isFarther(frame, candidate)) candidate = frame;
+Spread spreadOver(const Shot& shot, std::size_t capacity, int playhead) {
+  Spread spread{.playhead = playhead, .ends = {}};
+  // More cuts than that would leave too little for the playhead, and one frame is all it takes to be there.
+  if (shot.cuts.size() <= capacity / 4) spread.ends = shot.cuts;
+  for (const int end : {0, shot.frames - 2, shot.frames - 1}) spread.ends.push_back(end);
+  const auto anchors = std::clamp<std::size_t>(capacity / 2, 1, static_cast<std::size_t>(shot.frames));
+  const int count = static_cast<int>(anchors);
+  spread.stride = (shot.frames + count - 1) / count;
+  return spread;
+}
+
+std::optional<int> frameToGiveUp(std::span<const int> frames, const Spread& spread) {
+  // The worst of all: of the lowest rank, and the farthest of those.
+  std::optional<std::pair<int, int>> worst; // − rank, distance
+  std::optional<int> found;
+  for (const int frame : frames) {
+    if (frame == spread.playhead || frame == spread.playhead - 1) continue;
+    const std::pair candidate(-rankOf(frame, spread), std::abs(frame - spread.playhead));
+    if (worst && candidate <= *worst) continue;
+    worst = candidate;
+    found = frame;
   }
-  return farthest ? farthest : farthestAnchor;
+  return found;
 }
 
 void Checkpoints::keep(int frame, HistoryHandle history) {
   kept_[frame] = std::move(history);
 }
 
-void Checkpoints::trim(std::size_t budget, int playhead, int frameCount) {
+void Checkpoints::trim(std::size_t budget, int playhead, const Shot& shot) {
   std::size_t used = bytes();
   if (used <= budget) return;
-  const int stride = anchorStride(budget * kept_.size() / used, frameCount);
+  const Spread spread = spreadOver(shot, budget * kept_.size() / used, playhead);
   std::vector<int> frames;
   frames.reserve(kept_.size());
   for (const auto& [frame, history] : kept_) frames.push_back(frame);
   while (used > budget) {
-    const std::optional<int> frame = frameToGiveUp(frames, playhead, stride);
+    const std::optional<int> frame = frameToGiveUp(frames, spread);
     if (!frame) return;
     used -= kept_.at(*frame)->bytes();
     kept_.erase(*frame);

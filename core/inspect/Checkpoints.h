@@ -1,6 +1,7 @@
 // Kept histories of a lane: what lets it go back in time without starting from frame 0.
 #pragma once
 
+#include "core/scene/Scene.h"
 #include "core/taa/TaaPass.h"
 
 #include <cstddef>
@@ -29,9 +30,21 @@ class HistoryPool {
   std::shared_ptr<Free> free_ = std::make_shared<Free>(); // handles that outlive the pool see it end
 };
 
-/// Which of `frames` (rising) to give up first: the farthest from `playhead` of those that are no multiple of
-/// `stride`, then of all. The playhead and the frame before it stay. Nothing when none is left to give up.
-std::optional<int> frameToGiveUp(std::span<const int> frames, int playhead, int stride);
+/// How the kept frames of a shot are spread.
+struct Spread {
+  int playhead = 0;
+  int stride = 1;        ///< every so many frames one is kept over the whole shot
+  std::vector<int> ends; ///< kept before all others: where history starts, and the last two of the shot
+};
+
+/// Ends and stride for a shot of which `capacity` frames can be kept: half of them near the playhead, half
+/// over the shot.
+Spread spreadOver(const Shot& shot, std::size_t capacity, int playhead);
+
+/// Which of `frames` (rising) to give up first: the farthest from the playhead of those that are neither a
+/// multiple of the stride nor an end, then of those that are no end, then of all. The playhead and the frame
+/// before it stay. Nothing when none is left to give up.
+std::optional<int> frameToGiveUp(std::span<const int> frames, const Spread& spread);
 
 /// Exact histories by frame, as many as a budget allows: half of them around the playhead, half spread over
 /// the shot, so that a step back is cheap and a leap back replays a part of the shot only.
@@ -39,8 +52,8 @@ class Checkpoints {
  public:
   /// Keeps the history that frame `frame` left.
   void keep(int frame, HistoryHandle history);
-  /// Gives up what `budget` bytes cannot hold, for a shot of `frameCount` frames.
-  void trim(std::size_t budget, int playhead, int frameCount);
+  /// Gives up what `budget` bytes cannot hold.
+  void trim(std::size_t budget, int playhead, const Shot& shot);
   /// Null when it is not kept.
   HistoryHandle at(int frame) const;
   void clear() { kept_.clear(); }

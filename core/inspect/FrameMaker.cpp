@@ -1,10 +1,12 @@
 #include "core/inspect/FrameMaker.h"
 
 #include "core/gl/Context.h"
+#include "core/inspect/StoredRows.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace taa {
 
@@ -18,33 +20,24 @@ gl::Rect wholePicture(const Subject& subject) {
   return {0, 0, subject.width, subject.height};
 }
 
-// Gives every lane its inputs: those of the first lane that draws the same.
-void arrange(const Subject& subject, ShownFrame& frame) {
-  frame.lanes.resize(subject.lanes.size());
-  std::vector<std::size_t> drawn; // lane that each of the inputs is drawn for
-  for (std::size_t lane = 0; lane < subject.lanes.size(); ++lane) {
-    const auto found = std::ranges::find_if(
-        drawn, [&](std::size_t other) { return sameInputs(subject.lanes[other], subject.lanes[lane]); });
-    frame.lanes[lane].inputs = static_cast<std::size_t>(found - drawn.begin());
-    if (found == drawn.end()) drawn.push_back(lane);
+// Gives every lane its inputs: those of the step, else those of the first lane that draws the same, else new
+// ones, not drawn, whose textures are used again unless another frame has them too.
+void arrange(const Subject& subject, const std::vector<InputsHandle>& given, ShownFrame& frame) {
+  std::vector<InputsHandle> free;
+  for (ShownLane& lane : frame.lanes) {
+    InputsHandle inputs = std::exchange(lane.inputs, nullptr);
+    if (inputs.use_count() == 1) free.push_back(std::move(inputs)); // its last lane
   }
-  frame.inputs.resize(drawn.size());
-}
-
-void drawInputs(const Subject& subject, const FrameStep& step, ShownFrame& next) {
-  std::vector<bool> done(next.inputs.size(), false);
-  for (std::size_t lane = 0; lane < next.lanes.size(); ++lane) {
-    const std::size_t inputs = next.lanes[lane].inputs;
-    if (!step.active[lane] || done[inputs]) continue;
-    const Settings& settings = subject.lanes[lane];
-    subject.renderer->draw({.camera = subject.camera,
-                            .width = subject.width,
-                            .height = subject.height,
-                            .jitter = settings.jitter,
-                            .inputs = settings.inputs,
-                            .motionModes = subject.motionModes},
-                           step.frame, next.inputs[inputs]);
-    done[inputs] = true;
+  frame.lanes.resize(subject.lanes.size());
+  std::size_t taken = 0;
+  for (std::size_t lane = 0; lane < subject.lanes.size(); ++lane) {
+    InputsHandle& inputs = frame.lanes[lane].inputs;
+    if (!given.empty()) inputs = given[lane];
+    for (std::size_t other = 0; other < lane && !inputs; ++other)
+      if (sameInputs(subject.lanes[other], subject.lanes[lane])) inputs = frame.lanes[other].inputs;
+    if (inputs) continue;
+    inputs = taken < free.size() ? free[taken++] : std::make_shared<LazyInputs>();
+    inputs->areDrawn = false;
   }
 }
 
@@ -54,16 +47,52 @@ void fitExposure(Exposure& exposure, const std::vector<IntermediateId>& ids, con
   exposure = Exposure(ids, region);
 }
 
-/// The first frame that has to be resolved again to reach `frame`.
+/// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
 int firstToResolve(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  if (isKept(subject, checkpoints, frame)) return frame + 1;
   while (!startsHistory(subject, frame) && !checkpoints.at(frame - 1)) --frame;
   return frame;
+}
+
+// Gives a lane what was kept of the frame.
+void restore(const Subject& subject, const Checkpoints& checkpoints, int frame, ShownLane& lane) {
+  lane.previous = startsHistory(subject, frame) ? nullptr : checkpoints.at(frame - 1);
+  lane.current = checkpoints.at(frame);
+  lane.exact = true;
+  lane.isExposed = false;
+  lane.asked.reset();
+}
+
+bool isAtHand(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  return startsHistory(subject, frame) || checkpoints.at(frame - 1);
 }
 
 } // namespace
 
 bool startsHistory(const Subject& subject, int frame) {
   return frameInfo(*subject.scene, {}, frame).startsHistory;
+}
+
+bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  return checkpoints.at(frame) && isAtHand(subject, checkpoints, frame);
+}
+
+int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+  int most = 0;
+  for (const Checkpoints& kept : checkpoints)
+    most = std::max(most, frame + 1 - firstToResolve(subject, kept, frame));
+  return most;
+}
+
+int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+  const auto isFound = [&](int candidate) {
+    return candidate >= 0 && candidate < subject.scene->shot.frames &&
+           std::ranges::all_of(checkpoints,
+                               [&](const Checkpoints& kept) { return isAtHand(subject, kept, candidate); });
+  };
+  int distance = 0; // frame 0 is always at hand
+  while (!isFound(frame - distance) && !isFound(frame + distance)) ++distance;
+  return isFound(frame - distance) ? frame - distance : frame + distance;
 }
 
 ShownFrame FrameMaker::take() {
@@ -86,18 +115,35 @@ void FrameMaker::freeTextures() {
   pool_.clear();
 }
 
-void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
-  arrange(subject, next);
-  next.frame = step.frame;
+const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown, std::size_t lane) {
+  LazyInputs& inputs = *shown.lanes[lane].inputs;
+  if (inputs.areDrawn) return inputs.textures;
   const auto start = std::chrono::steady_clock::now();
-  drawInputs(subject, step, next);
+  const Settings& settings = subject.lanes[lane];
+  subject.renderer->draw({.camera = subject.camera,
+                          .width = subject.width,
+                          .height = subject.height,
+                          .jitter = settings.jitter,
+                          .inputs = settings.inputs,
+                          .motionModes = subject.motionModes},
+                         shown.frame, inputs.textures);
   gl::finish();
-  next.sceneMs = millisecondsSince(start);
+  shown.sceneMs += millisecondsSince(start);
+  inputs.areDrawn = true;
+  return inputs.textures;
+}
+
+void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
+  arrange(subject, step.inputs, next);
+  next.frame = step.frame;
+  next.sceneMs = 0.0;
+  for (std::size_t lane = 0; lane < next.lanes.size(); ++lane)
+    if (step.active[lane]) inputs(subject, next, lane);
   const auto drawn = std::chrono::steady_clock::now();
   for (std::size_t index = 0; index < next.lanes.size(); ++index) {
     if (!step.active[index]) continue;
     ShownLane& lane = next.lanes[index];
-    const FrameInputs& inputs = next.inputs[lane.inputs];
+    const FrameInputs& inputs = lane.inputs->textures;
     lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
     lane.asked.reset();
     lane.isExposed = step.exposes && !watched.empty();
@@ -116,13 +162,17 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
                               std::size_t budget, const Progress& progress) {
   const std::size_t lanes = subject.lanes.size();
   std::vector<int> first(lanes);
-  FrameStep step{0, std::vector<HistoryHandle>(lanes), std::vector<bool>(lanes)};
+  FrameStep step{
+      .previous = std::vector<HistoryHandle>(lanes), .active = std::vector<bool>(lanes), .inputs = {}};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     first[lane] = firstToResolve(subject, checkpoints[lane], frame);
     step.previous[lane] = checkpoints[lane].at(first[lane] - 1);
   }
   const int begin = *std::ranges::min_element(first);
   ShownFrame next = take();
+  next.frame = frame;
+  next.sceneMs = next.resolveMs = 0.0;
+  arrange(subject, {}, next);
   for (step.frame = begin; step.frame <= frame; ++step.frame) {
     report(progress, "Replaying frames", step.frame - begin, frame - begin + 1);
     step.exposes = step.frame == frame;
@@ -133,27 +183,41 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
       next.lanes[lane].exact = true;
       step.previous[lane] = next.lanes[lane].current;
       checkpoints[lane].keep(step.frame, next.lanes[lane].current);
-      checkpoints[lane].trim(budget / lanes, step.frame, subject.scene->shot.frames);
+      checkpoints[lane].trim(budget / lanes, step.frame, subject.scene->shot);
     }
   }
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    if (first[lane] > frame) restore(subject, checkpoints[lane], frame, next.lanes[lane]);
   return next;
+}
+
+Exposure FrameMaker::expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+                            int laneIndex) {
+  const auto index = static_cast<std::size_t>(laneIndex);
+  const ShownLane& lane = shown.lanes[index];
+  const Settings& settings = subject.lanes[index];
+  if (std::ranges::all_of(ids, [&](IntermediateId id) { return isStored(id, settings); }))
+    return storedRows(*lane.current, ids);
+  Exposure exposure(ids, wholePicture(subject));
+  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, settings, exposure);
+  return exposure;
 }
 
 const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, IntermediateId id,
                                     int laneIndex) {
-  ShownLane& lane = shown.lanes[static_cast<std::size_t>(laneIndex)];
-  const Settings& settings = subject.lanes[static_cast<std::size_t>(laneIndex)];
+  const auto index = static_cast<std::size_t>(laneIndex);
+  ShownLane& lane = shown.lanes[index];
+  const Settings& settings = subject.lanes[index];
   if (lane.isExposed && lane.watched.holds(id)) return lane.watched;
   if (lane.asked && lane.asked->holds(id)) return *lane.asked;
-  const FrameInputs& inputs = shown.inputs[lane.inputs];
-  if (std::ranges::find(watched, id) == watched.end()) {
-    Exposure exposure({id}, wholePicture(subject));
-    pass.expose(inputs, lane.previous.get(), *lane.current, settings, exposure);
-    return lane.asked.emplace(std::move(exposure));
-  }
+  const bool isWatched = std::ranges::find(watched, id) != watched.end();
+  if (!isWatched) return lane.asked.emplace(expose(subject, shown, {id}, laneIndex));
+  // What is stored is there at once; when others are watched too, they give it as well.
+  if (std::ranges::all_of(watched, [&](IntermediateId other) { return isStored(other, settings); }))
+    return lane.asked.emplace(storedRows(*lane.current, watched));
   lane.isExposed = false;
   fitExposure(lane.watched, watched, wholePicture(subject));
-  pass.expose(inputs, lane.previous.get(), *lane.current, settings, lane.watched);
+  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, settings, lane.watched);
   lane.isExposed = true;
   return lane.watched;
 }

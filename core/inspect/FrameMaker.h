@@ -26,9 +26,16 @@ struct Subject {
   std::vector<MotionOverride> motionModes;
 };
 
+/// Inputs that are drawn when somebody first wants them. Shared by frames on show that want the same.
+struct LazyInputs {
+  FrameInputs textures; ///< nothing of use before they are drawn
+  bool areDrawn = false;
+};
+using InputsHandle = std::shared_ptr<LazyInputs>;
+
 /// One lane of the frame on show.
 struct ShownLane {
-  std::size_t inputs = 0; ///< into ShownFrame::inputs
+  InputsHandle inputs;    ///< one for lanes whose inputs are the same
   HistoryHandle previous; ///< what the frame was resolved on; null: no history
   HistoryHandle current;
   bool exact = true;             ///< false: `previous` is not what these settings would have left
@@ -40,9 +47,9 @@ struct ShownLane {
 /// A frame as it is looked at.
 struct ShownFrame {
   int frame = 0;
-  std::vector<FrameInputs> inputs; ///< one for lanes whose inputs are the same
   std::vector<ShownLane> lanes;
-  double sceneMs = 0.0, resolveMs = 0.0; ///< wall clock, up to the end of the GPU's work
+  /// Wall clock up to the end of the GPU's work, for what of the frame was drawn and resolved; 0: nothing.
+  double sceneMs = 0.0, resolveMs = 0.0;
 };
 
 /// One frame to make: lanes that are not active are left out.
@@ -50,7 +57,8 @@ struct FrameStep {
   int frame = 0;
   std::vector<HistoryHandle> previous; ///< one a lane; ignored where the frame starts a history
   std::vector<bool> active;
-  bool exposes = true; ///< fill `watched` in the same run
+  bool exposes = true;              ///< fill `watched` in the same run
+  std::vector<InputsHandle> inputs; ///< one a lane: this frame's, when there are some already; empty: none
 };
 
 class FrameMaker {
@@ -65,16 +73,22 @@ class FrameMaker {
   /// Frees textures that are kept for later: they have not the right size any more.
   void freeTextures();
 
-  /// Draws the inputs and resolves the active lanes. `next` is whole only when all lanes are active.
+  /// Resolves the active lanes and draws what inputs that takes. `next` is whole only when all are active.
   void make(const Subject& subject, const FrameStep& step, ShownFrame& next);
 
   /// Frame `frame` of all lanes, exactly: from the nearest checkpoint of each lane, which new ones are added
-  /// to, as many as `budget` bytes hold. Throws Cancelled when `progress` says so; what was kept stays.
+  /// to, as many as `budget` bytes hold. Lanes that have kept it are given back as they were, and nothing is
+  /// drawn for them. Throws Cancelled when `progress` says so; what was kept stays.
   ShownFrame replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
                     std::size_t budget, const Progress& progress);
 
   /// The exposure of the whole picture that holds `id`, made now when there is none.
   const Exposure& exposed(const Subject& subject, ShownFrame& shown, IntermediateId id, int lane);
+  /// The whole picture of several rows, made now.
+  Exposure expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+                  int lane);
+  /// The inputs of a lane, drawn now when they are not.
+  const FrameInputs& inputs(const Subject& subject, ShownFrame& shown, std::size_t lane);
 
  private:
   HistoryPool pool_;
@@ -83,5 +97,12 @@ class FrameMaker {
 
 /// Whether frame `frame` may use no history: the first, and after cuts.
 bool startsHistory(const Subject& subject, int frame);
+
+/// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.
+bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame);
+/// How many frames replay() resolves to reach `frame`.
+int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
+/// The frame nearest to `frame` for which that is one at most.
+int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
 
 } // namespace taa

@@ -5,6 +5,7 @@
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"
 
+#include <algorithm>
 #include <cstring>
 #include <future>
 
@@ -76,15 +77,21 @@ Settings otherJitter() {
   return settings;
 }
 
-/// How many frames a seek replays.
+/// How many frames a seek replays: it tells of each.
 int replayed(Inspector& inspector, int frame) {
-  int total = 0;
+  const int expected = inspector.replayLength(frame);
+  int count = 0;
   inspector.seek(frame, [&](std::string_view, int, int all) {
-    total = all;
+    EXPECT_EQ(all, expected);
+    ++count;
     return true;
   });
-  return total;
+  EXPECT_EQ(count, expected) << "to frame " << frame;
+  return count;
 }
+
+/// Bytes of a history of the default settings: RGBA16F and RG32F.
+constexpr std::size_t kHistoryBytes = std::size_t(kWidth) * kHeight * (8 + 8);
 
 } // namespace
 
@@ -114,13 +121,111 @@ TEST_F(InspectorTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
   EXPECT_EQ(inspector->frame(), 6);
 }
 
-TEST_F(InspectorTest, ReplaysOneFrameForAStepInEitherDirection) {
+TEST_F(InspectorTest, ReplaysOneFrameForAStepAndNoneForAStepBack) {
   const auto inspector = opened();
   EXPECT_EQ(replayed(*inspector, 8), 8) << "frame 0 is there already";
   EXPECT_EQ(replayed(*inspector, 9), 1);
-  EXPECT_EQ(replayed(*inspector, 8), 1);
-  EXPECT_EQ(replayed(*inspector, 7), 1);
-  EXPECT_EQ(replayed(*inspector, 0), 1);
+  EXPECT_EQ(replayed(*inspector, 8), 0);
+  EXPECT_EQ(replayed(*inspector, 7), 0);
+  EXPECT_EQ(replayed(*inspector, 0), 0);
+  EXPECT_EQ(replayed(*inspector, 9), 0) << "and on again";
+}
+
+TEST_F(InspectorTest, RestoresWithoutDrawingWhatIsNotLookedAt) {
+  const std::vector<Image> expected = fresh({}, 6), next = fresh({}, 7);
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::output});
+  inspector->seek(9);
+  inspector->seek(6);
+  EXPECT_EQ(inspector->info().frame, 6);
+  EXPECT_EQ(inspector->info().jitterPx, inspector->inputs().info.jitterPx);
+  inspector->seek(5);
+  inspector->seek(6);
+  for (const IntermediateId id :
+       {IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::output})
+    EXPECT_TRUE(isSame(inspector->image(id), expected[static_cast<std::size_t>(id)]))
+        << taa::intermediate(id).name;
+  EXPECT_TRUE(isSame(inspector->images({IntermediateId::resolved}).front(),
+                     expected[static_cast<std::size_t>(IntermediateId::resolved)]));
+  EXPECT_EQ(inspector->times().scene, 0.0) << "nothing was drawn";
+  EXPECT_EQ(inspector->times().resolve, 0.0);
+  const taa::PixelRecord record = inspector->probe(20, 9);
+  EXPECT_GT(inspector->times().scene, 0.0) << "now it is";
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    EXPECT_EQ(record[static_cast<std::size_t>(row.id)],
+              expected[static_cast<std::size_t>(row.id)].texel(20, 9))
+        << row.name;
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    EXPECT_TRUE(isSame(inspector->image(row.id), expected[static_cast<std::size_t>(row.id)])) << row.name;
+  inspector->seek(5);
+  inspector->seek(6);
+  inspector->advance();
+  expectSame(inspector->images(everything()), next);
+}
+
+TEST_F(InspectorTest, RestoresWhatIsShownOfThePictureToo) {
+  Settings sharp = otherSettings();
+  taa::applyAssignment(sharp, "output.sharpen=rcas");
+  Settings exact;
+  taa::applyAssignment(exact, "history.precision=full");
+  Settings coarse;
+  taa::applyAssignment(coarse, "history.precision=unorm8");
+  for (const Settings& settings : {sharp, exact, coarse}) {
+    const auto inspector = opened({settings});
+    inspector->seek(7);
+    inspector->seek(6);
+    for (const IntermediateId id :
+         {IntermediateId::output, IntermediateId::resolved, IntermediateId::historyLength})
+      EXPECT_TRUE(isSame(inspector->image(id), fresh(settings, 6)[static_cast<std::size_t>(id)]))
+          << taa::intermediate(id).name;
+  }
+}
+
+TEST_F(InspectorTest, DrawsNothingAnewForSettingsOfTheResolve) {
+  const auto inspector = opened({Settings{}, Settings{}});
+  inspector->seek(6);
+  const std::vector<Image> second = inspector->images(everything(), 1);
+  inspector->setSettings(otherSettings(), 0);
+  EXPECT_EQ(inspector->times().scene, 0.0);
+  EXPECT_GT(inspector->times().resolve, 0.0);
+  EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1));
+  expectSame(inspector->images(everything(), 1), second);
+  inspector->setSettings(otherJitter(), 0);
+  EXPECT_GT(inspector->times().scene, 0.0);
+  EXPECT_NE(&inspector->inputs(0), &inspector->inputs(1));
+  expectSame(inspector->images(everything(), 1), second);
+  inspector->refine();
+  expectSame(inspector->images(everything(), 0), fresh(otherJitter(), 6));
+  expectSame(inspector->images(everything(), 1), second);
+}
+
+TEST_F(InspectorTest, GoesAnywhereInAPlayedShotWithinSixteenFrames) {
+  const auto inspector = opened();
+  EXPECT_EQ(inspector->checkpointBudget(), std::size_t(1) << 30);
+  // As many histories as the default budget holds of 1280 × 720.
+  inspector->setCheckpointBudget(kHistoryBytes * (inspector->checkpointBudget() / (1280 * 720 * 16)));
+  ASSERT_EQ(inspector->frameCount(), 240);
+  while (inspector->frame() < 239) inspector->advance();
+  for (int back = 1; back <= 16; ++back) EXPECT_EQ(replayed(*inspector, 239 - back), 0);
+  EXPECT_EQ(replayed(*inspector, 239), 0);
+  std::vector<int> lengths;
+  for (int seek = 0; seek < 80; ++seek) lengths.push_back(replayed(*inspector, (seek * 89 + 40) % 240));
+  std::ranges::sort(lengths);
+  EXPECT_LE(lengths.back(), 16);
+  EXPECT_LE(lengths[lengths.size() / 2], 8);
+  EXPECT_EQ(replayed(*inspector, 0), 0);
+  EXPECT_EQ(replayed(*inspector, 239), 0);
+}
+
+TEST_F(InspectorTest, KnowsTheNearestFrameAtHand) {
+  const auto inspector = opened();
+  EXPECT_EQ(inspector->nearestAtHand(0), 0);
+  EXPECT_EQ(inspector->nearestAtHand(100), 1) << "one frame from the first";
+  inspector->seek(30);
+  EXPECT_EQ(inspector->nearestAtHand(12), 12);
+  EXPECT_EQ(inspector->nearestAtHand(200), 31);
+  EXPECT_EQ(inspector->replayLength(200), 170);
+  EXPECT_LE(replayed(*inspector, 31), 1);
 }
 
 TEST_F(InspectorTest, ReplaysFromTheStartWhenNothingMayBeKept) {
@@ -135,10 +240,9 @@ TEST_F(InspectorTest, ReplaysFromTheStartWhenNothingMayBeKept) {
 
 TEST_F(InspectorTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
   const auto inspector = opened();
-  const std::size_t each = std::size_t(kWidth) * kHeight * (8 + 8); // RGBA16F and RG32F
-  inspector->setCheckpointBudget(12 * each);
+  inspector->setCheckpointBudget(12 * kHistoryBytes);
   inspector->seek(100);
-  EXPECT_EQ(replayed(*inspector, 99), 1);
+  EXPECT_EQ(replayed(*inspector, 99), 0);
   // Six anchors over 240 frames: one each 40.
   EXPECT_EQ(inspector->frameCount(), 240);
   EXPECT_LE(replayed(*inspector, 79), 40);

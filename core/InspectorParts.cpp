@@ -1,0 +1,79 @@
+#include "core/InspectorParts.h"
+
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace taa {
+
+bool Inspector::Parts::isExact() const {
+  return std::ranges::all_of(shown.lanes, &ShownLane::exact);
+}
+
+void Inspector::Parts::show(ShownFrame&& next) {
+  std::swap(shown, next);
+  maker.recycle(std::move(next));
+}
+
+// The histories of the frame on show are checkpoints, whatever else was given up meanwhile.
+void Inspector::Parts::keepShown() {
+  for (std::size_t index = 0; index < shown.lanes.size(); ++index) {
+    const ShownLane& lane = shown.lanes[index];
+    if (!lane.exact) continue;
+    checkpoints[index].keep(shown.frame, lane.current);
+    if (lane.previous) checkpoints[index].keep(shown.frame - 1, lane.previous);
+  }
+}
+
+void Inspector::Parts::goTo(int frame, const Progress& progress) {
+  try {
+    show(maker.replay(subject, checkpoints, frame, budget, progress));
+  } catch (...) {
+    keepShown();
+    throw;
+  }
+}
+
+void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
+  ShownFrame made = maker.replay(next, kept, frame, budget, {});
+  subject = std::move(next);
+  checkpoints = std::move(kept);
+  show(std::move(made));
+}
+
+FrameStep Inspector::Parts::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
+                                         bool keepsHistory) const {
+  const bool isSameView = next.camera == subject.camera && next.width == subject.width &&
+                          next.height == subject.height && next.motionModes == subject.motionModes;
+  FrameStep step{.frame = shown.frame, .previous = {}, .active = changed, .inputs = {}};
+  for (std::size_t index = 0; index < changed.size(); ++index) {
+    const ShownLane& lane = shown.lanes[index];
+    const bool drawsSame = isSameView && sameInputs(next.lanes[index], subject.lanes[index]);
+    step.previous.push_back(keepsHistory ? lane.previous : nullptr);
+    step.inputs.push_back(drawsSame ? lane.inputs : nullptr);
+  }
+  return step;
+}
+
+void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
+  if (!isOpen()) {
+    subject = std::move(next);
+    return;
+  }
+  ShownFrame made = maker.take();
+  maker.make(next, stepOfRedraw(next, changed, keepsHistory), made);
+  for (std::size_t index = 0; index < changed.size(); ++index) {
+    if (changed[index]) {
+      made.lanes[index].exact = startsHistory(next, made.frame);
+      checkpoints[index].clear();
+    } else {
+      std::swap(made.lanes[index], shown.lanes[index]);
+    }
+  }
+  subject = std::move(next);
+  show(std::move(made));
+  keepShown();
+}
+
+} // namespace taa

@@ -1,0 +1,39 @@
+// What the Inspector is made of, for its own files.
+#pragma once
+
+#include "core/Inspector.h"
+#include "core/inspect/FrameMaker.h"
+
+namespace taa {
+
+struct Inspector::Parts {
+  gl::Context context; // first: everything else needs it
+  Subject subject;
+  FrameMaker maker;
+  Visualizer visualizer;
+  std::vector<Checkpoints> checkpoints{1}; // one a lane
+  ShownFrame shown;
+  std::size_t budget = kDefaultCheckpointBudget;
+
+  bool isOpen() const { return subject.scene != nullptr; }
+  const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
+  const Settings& settings(int index) const { return subject.lanes.at(static_cast<std::size_t>(index)); }
+  const FrameInputs& inputs(int index) {
+    return maker.inputs(subject, shown, static_cast<std::size_t>(index));
+  }
+  bool isExact() const;
+
+  void show(ShownFrame&& next);
+  void keepShown();
+  void goTo(int frame, const Progress& progress);
+  /// Another source or other lanes: all is made first, then put in place of what there was.
+  void startAnew(Subject next, std::vector<Checkpoints> kept, int frame);
+  /// The frame on show with other settings, at once: changed lanes on the history they had, or on none. What
+  /// does not depend on what changed stays.
+  void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
+
+ private:
+  FrameStep stepOfRedraw(const Subject& next, const std::vector<bool>& changed, bool keepsHistory) const;
+};
+
+} // namespace taa
