@@ -149,6 +149,10 @@ void RenderThread::probe(std::optional<glm::ivec2> pixel) {
   parts_->post([&](Wishes& wishes) { wishes.probe = pixel; });
 }
 
+void RenderThread::setCheckpointBudget(std::size_t bytes) {
+  parts_->post([&](Wishes& wishes) { wishes.checkpointBudget = bytes; });
+}
+
 void RenderThread::reloadShaders() {
   parts_->post([&](Wishes& wishes) { wishes.reload = true; });
 }

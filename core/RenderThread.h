@@ -42,7 +42,9 @@ struct ProbeResult {
 /// Names of objects that the status holds at most: more than a menu has room for.
 inline constexpr std::size_t kMostObjects = 40;
 
-/// What the window shows about the state; sent whenever any of it changes.
+/// What the window shows about the state; sent whenever any of it changes. Before the pictures of a frame
+/// that is not exact or not the wished one, after those of one that is: who shows badges by it never lacks
+/// one.
 struct Status {
   std::string source, camera;
   std::vector<std::string> cameras, warnings;
@@ -54,6 +56,8 @@ struct Status {
   Settings settings;
   int jitterPeriod = 0;
   bool playing = false, exact = true;
+  std::optional<int> goal; ///< frame that is on its way, while info.frame is another one near it
+  std::size_t checkpointBudget = 0;
   FrameTimes times;
   gl::Driver driver;
 };
@@ -91,11 +95,12 @@ class RenderThread {
   void setSettings(const Settings& settings); ///< answered at once on the old history, then exactly
   void setPlaying(bool playing);
   void setLooping(bool looping); ///< at the end: start again, or pause
-  void seek(int frame);
-  void step(int frames); ///< relative; steps add up while they wait; pauses
+  void seek(int frame);          ///< the nearest frame that is at hand at once, then exactly this one
+  void step(int frames);         ///< relative; steps add up while they wait; pauses
   void setViews(const std::vector<ViewRequest>& views);
   void probe(
       std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back
+  void setCheckpointBudget(std::size_t bytes);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
 

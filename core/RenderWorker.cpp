@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace taa {
 
@@ -39,7 +41,7 @@ bool stopsReplay(const Wishes& wishes) {
 
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
-         !playing && !frame && steps == 0 && !views && !probe;
+         !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget;
 }
 
 bool Wishes::endReplay() const {
@@ -79,7 +81,11 @@ Progress RenderWorker::progress(const std::string& what, bool (*stops)(const Wis
 void RenderWorker::apply(const Wishes& wishes) {
   if (wishes.cancel) {
     goal_.reset();
-    refinementStopped_ = true;
+    refinementStopped_ = statusChanged_ = true;
+  }
+  if (wishes.checkpointBudget) {
+    inspector_.setCheckpointBudget(*wishes.checkpointBudget);
+    statusChanged_ = true;
   }
   if (wishes.looping) looping_ = *wishes.looping;
   // Before the source, so that its first frame exposes what is shown and the resolve is compiled once.
@@ -133,10 +139,12 @@ void RenderWorker::applyTime(const Wishes& wishes) {
     const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
     setPlaying(*wishes.playing);
     if (restarts) goal_ = 0;
+    isNear_ = false;
   }
   if (!wishes.frame && wishes.steps == 0) return;
   const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
   goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
+  isNear_ = false;
   refinementStopped_ = false;
 }
 
@@ -154,12 +162,25 @@ bool RenderWorker::needsRefinement() const {
 
 void RenderWorker::work() {
   if (!isOpen()) return;
+  if (goal_ && goNear()) return;
   if (goal_)
     replay(*goal_, "Going to frame " + std::to_string(*goal_));
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
     replay(inspector_.frame(), "Replaying with the new settings");
+}
+
+// Before a long way: shows the nearest frame at hand when it is much nearer than what is on show, and tells
+// that another one is on its way. Returns whether there is something to deliver.
+bool RenderWorker::goNear() {
+  if (std::exchange(isNear_, true) || inspector_.replayLength(*goal_) <= 1) return false;
+  const int near = inspector_.nearestAtHand(*goal_);
+  statusChanged_ = true;
+  if (2 * std::abs(*goal_ - near) > std::abs(*goal_ - inspector_.frame())) return true;
+  attempt([&] { inspector_.seek(near); });
+  ++version_;
+  return true;
 }
 
 // Goes to a frame, as far as wishes let it; what they interrupt is taken up again by the next work().
@@ -176,7 +197,7 @@ void RenderWorker::replay(int frame, const std::string& what) {
   });
   if (listener_.onWork) listener_.onWork({});
   if (isCancelled) return;
-  goal_.reset();
+  if (std::exchange(goal_, {})) statusChanged_ = true;
   if (!inspector_.isExact()) refinementStopped_ = true; // it failed
   if (inspector_.frame() == oldFrame && inspector_.isExact() == wasExact) return;
   ++version_;
@@ -199,6 +220,7 @@ void RenderWorker::playOn() {
 
 void RenderWorker::deliver() {
   if (isOpen()) {
+    if (statusChanged_ && (goal_ || !inspector_.isExact())) sendStatus();
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
     if (probe_ && probeDelivered_ != version_) deliverProbe();
   }
@@ -248,6 +270,7 @@ void RenderWorker::sendStatus() {
   status.jitterPeriod = jitterPeriod(status.settings.jitter);
   status.playing = playing_;
   status.driver = inspector_.driver();
+  status.checkpointBudget = inspector_.checkpointBudget();
   if (isOpen()) {
     status.source = inspector_.source();
     status.camera = inspector_.camera();
@@ -259,6 +282,7 @@ void RenderWorker::sendStatus() {
     status.framesPerSecond = inspector_.scene().shot.framesPerSecond;
     status.info = inspector_.info();
     status.exact = inspector_.isExact();
+    if (goal_ && isNear_ && *goal_ != inspector_.frame()) status.goal = goal_;
     status.times = inspector_.times();
   }
   listener_.onStatus(std::move(status));

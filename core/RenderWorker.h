@@ -24,6 +24,7 @@ struct Wishes {
   int steps = 0;
   std::optional<std::vector<ViewRequest>> views;
   std::optional<std::optional<glm::ivec2>> probe;
+  std::optional<std::size_t> checkpointBudget;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -60,6 +61,7 @@ class RenderWorker {
   void applySource(const Wishes& wishes);
   void applyTime(const Wishes& wishes);
   void playOn();
+  bool goNear();
   void replay(int frame, const std::string& what);
   void setPlaying(bool playing);
   void deliverView(int index);
@@ -76,6 +78,7 @@ class RenderWorker {
   bool playing_ = false, looping_ = true;
   bool refinementStopped_ = false; // cancelled or failed: not again until something changes
   std::optional<int> goal_;        // frame to go to
+  bool isNear_ = false;            // the nearest frame at hand is shown until then
   Clock::time_point nextFrameAt_;
   std::uint64_t version_ = 1; // of the frame on show; changes with everything that it depends on
   bool statusChanged_ = true;
