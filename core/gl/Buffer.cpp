@@ -10,11 +10,13 @@ namespace taa::gl {
 
 Buffer::Buffer(std::size_t bytes, const void* data, const std::string& label) : bytes_(bytes) {
   assert(bytes > 0);
+  const std::string what = "cannot allocate " + label + " of " + std::to_string(bytes) + " bytes";
+  allocation_ = Allocation(StorageKind::Buffer, label, bytes, what);
   glCreateBuffers(1, &id_);
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
   glObjectLabel(GL_BUFFER, id_, -1, label.c_str());
   try {
-    checkErrors("cannot allocate " + label + " of " + std::to_string(bytes) + " bytes");
+    checkErrors(what);
   } catch (...) {
     glDeleteBuffers(1, &id_);
     id_ = 0;

@@ -1,6 +1,8 @@
 // GL buffers and meshes, owned by value.
 #pragma once
 
+#include "core/gl/Memory.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,14 +16,17 @@ namespace taa::gl {
 class Buffer {
  public:
   Buffer() = default;
-  /// Filled with `data`, or with update() later when that is null.
+  /// Filled with `data`, or with update() later when that is null. Throws Error when the driver has not the
+  /// memory.
   Buffer(std::size_t bytes, const void* data, const std::string& label);
   ~Buffer();
   Buffer(Buffer&& other) noexcept
-      : id_(std::exchange(other.id_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
+      : id_(std::exchange(other.id_, 0)), bytes_(std::exchange(other.bytes_, 0)),
+        allocation_(std::move(other.allocation_)) {}
   Buffer& operator=(Buffer&& other) noexcept {
     std::swap(id_, other.id_);
     std::swap(bytes_, other.bytes_);
+    std::swap(allocation_, other.allocation_);
     return *this;
   }
   void update(std::size_t offset, const void* data, std::size_t bytes);
@@ -32,6 +37,7 @@ class Buffer {
  private:
   unsigned id_ = 0;
   std::size_t bytes_ = 0;
+  Allocation allocation_;
 };
 
 /// One attribute, made of floats, of an interleaved vertex.

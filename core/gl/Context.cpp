@@ -1,6 +1,7 @@
 #include "core/gl/Context.h"
 
 #include "core/base/Error.h"
+#include "core/base/FreeMemory.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -124,14 +125,29 @@ void finish() {
   glFinish();
 }
 
+std::optional<std::size_t> availableMemory(const Driver& driver) {
+  if (driver.isSoftware) return freeMemory();
+  // Both extensions answer in KiB; the second with four numbers, the first of which is the sum.
+  GLint kibibytes[4] = {0, 0, 0, 0};
+  if (epoxy_has_gl_extension("GL_NVX_gpu_memory_info"))
+    glGetIntegerv(GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes);
+  else if (epoxy_has_gl_extension("GL_ATI_meminfo"))
+    glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kibibytes);
+  if (kibibytes[0] <= 0) return std::nullopt;
+  return static_cast<std::size_t>(kibibytes[0]) * 1024;
+}
+
 void checkErrors(const std::string& what) {
   GLenum worst = GL_NO_ERROR;
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
     if (worst != GL_OUT_OF_MEMORY) worst = error;
   if (worst == GL_NO_ERROR) return;
-  if (worst == GL_OUT_OF_MEMORY)
-    throw Error(what + ": the GL driver is out of memory; use a smaller size or fewer lanes");
+  if (worst == GL_OUT_OF_MEMORY) throwOutOfMemory(what);
   throw Error(what + ": GL reports error " + std::to_string(worst));
+}
+
+void throwOutOfMemory(const std::string& what) {
+  throw Error(what + ": the GL driver is out of memory; use a smaller size or fewer lanes");
 }
 
 } // namespace taa::gl

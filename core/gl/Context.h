@@ -1,7 +1,9 @@
 // A GL 4.5 core context of our own: surfaceless EGL, no window system (design §2.7).
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,14 @@ class Context {
 /// Blocks until the GPU has done all that was asked of it; for timing where timer queries lie.
 void finish();
 
+/// Bytes that textures may still take: of the machine's memory for a software driver, else as the driver
+/// says. Nothing where it does not say.
+std::optional<std::size_t> availableMemory(const Driver& driver);
+
 /// Throws Error naming `what` when GL has run out of memory or reported another error since the last check.
 void checkErrors(const std::string& what);
+
+/// The Error of checkErrors() for memory that has run out.
+[[noreturn]] void throwOutOfMemory(const std::string& what);
 
 } // namespace taa::gl

@@ -66,6 +66,11 @@ GLint minifyFilter(const SamplerState& state) {
   return state.mipmapLinear ? GL_NEAREST_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
 }
 
+int levelCount(const TextureSize& size) {
+  return size.levels > 0 ? size.levels
+                         : std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)));
+}
+
 } // namespace
 
 int channels(Format format) {
@@ -75,11 +80,23 @@ std::size_t bytesPerTexel(Format format) {
   return info(format).bytes;
 }
 
+std::size_t textureBytes(const TextureSize& size, Format format) {
+  std::size_t texels = 0;
+  for (int level = 0; level < levelCount(size); ++level)
+    texels += static_cast<std::size_t>(std::max(1, size.width >> level)) *
+              static_cast<std::size_t>(std::max(1, size.height >> level));
+  return bytesPerTexel(format) * texels * static_cast<std::size_t>(std::max(1, size.layers));
+}
+
 Texture::Texture(const TextureSize& size, Format format, const std::string& label)
     : size_(size), format_(format) {
   assert(size.width > 0 && size.height > 0);
-  if (size_.levels == 0)
-    size_.levels = std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)));
+  size_.levels = levelCount(size);
+  const std::string what = "cannot allocate " + label + " of " + std::to_string(size.width) + " x " +
+                           std::to_string(size.height) +
+                           (size.layers > 0 ? " x " + std::to_string(size.layers) : "") + " texels (" +
+                           std::to_string(textureBytes(size_, format) >> 20) + " MiB)";
+  allocation_ = Allocation(StorageKind::Texture, label, textureBytes(size_, format), what);
   glCreateTextures(size.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id_);
   const GLenum internalFormat = info(format).internalFormat;
   if (size.layers > 0)
@@ -88,9 +105,7 @@ Texture::Texture(const TextureSize& size, Format format, const std::string& labe
     glTextureStorage2D(id_, size_.levels, internalFormat, size.width, size.height);
   glObjectLabel(GL_TEXTURE, id_, -1, label.c_str());
   try {
-    checkErrors("cannot allocate " + label + " of " + std::to_string(size.width) + " x " +
-                std::to_string(size.height) + (size.layers > 0 ? " x " + std::to_string(size.layers) : "") +
-                " texels (" + std::to_string(bytes() >> 20) + " MiB)");
+    checkErrors(what);
   } catch (...) {
     glDeleteTextures(1, &id_);
     id_ = 0;
@@ -103,7 +118,7 @@ Texture::~Texture() {
 }
 
 std::size_t Texture::bytes() const {
-  return bytesPerTexel(format_) * size_.width * size_.height * std::max(1, size_.layers);
+  return id_ ? textureBytes(size_, format_) : 0;
 }
 
 void Texture::upload(const Image& image, int layer) {
@@ -123,7 +138,7 @@ void Texture::upload(const Image& image, int layer) {
 
 void Texture::uploadBytes(std::span<const std::uint8_t> bytes) {
   assert(format_ == Format::RGBA8 || format_ == Format::SRGBA8);
-  assert(bytes.size() == this->bytes() && size_.layers == 0);
+  assert(bytes.size() == textureBytes({width(), height()}, format_) && size_.layers == 0);
   glTextureSubImage2D(id_, 0, 0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
@@ -157,7 +172,8 @@ Image Texture::download(const Rect& rect, int layer) const {
 }
 
 void Texture::downloadBytes(std::span<std::uint8_t> bytes) const {
-  assert(format_ == Format::RGBA8 && bytes.size() == this->bytes() && size_.layers == 0);
+  assert(format_ == Format::RGBA8 && bytes.size() == textureBytes({width(), height()}, format_) &&
+         size_.layers == 0);
   glGetTextureImage(id_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()), bytes.data());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/gl/Memory.h"
 
 #include <cstdint>
 #include <span>
@@ -34,6 +35,9 @@ struct TextureSize {
   bool operator==(const TextureSize&) const = default;
 };
 
+/// What a texture takes, bytes; `size.levels` as there.
+std::size_t textureBytes(const TextureSize& size, Format format);
+
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0; ///< texels, (x, y) the top-left one
   bool operator==(const Rect&) const = default;
@@ -58,7 +62,7 @@ class Texture {
   int width() const { return size_.width; }
   int height() const { return size_.height; }
   Format format() const { return format_; }
-  std::size_t bytes() const; ///< of level 0, all layers
+  std::size_t bytes() const; ///< of all levels and layers
 
   /// Level 0 of `layer` from 32-bit floats with as many channels as the format has.
   void upload(const Image& image, int layer = 0);
@@ -82,10 +86,12 @@ class Texture {
     std::swap(id_, other.id_);
     std::swap(size_, other.size_);
     std::swap(format_, other.format_);
+    std::swap(allocation_, other.allocation_);
   }
   unsigned id_ = 0;
   TextureSize size_;
   Format format_ = Format::RGBA8;
+  Allocation allocation_;
 };
 
 enum class TextureWrap : std::uint8_t { ClampToEdge, Repeat, MirroredRepeat };
