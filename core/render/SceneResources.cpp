@@ -1,5 +1,6 @@
 #include "core/render/SceneResources.h"
 
+#include "core/gl/Context.h"
 #include "shaders/shared/MaterialBlock.h"
 
 #include <cassert>
@@ -60,6 +61,10 @@ shared::MaterialBlock materialBlock(const Material& material) {
   block.wind = {wind.amplitude, wind.waveNumber, wind.frequency, 0.0f};
   block.windDirection = glm::vec4(wind.direction, 0.0f);
   return block;
+}
+
+bool isSrgb(Slot slot) {
+  return slot == Slot::BaseColor || slot == Slot::Emissive;
 }
 
 /// Four floats for each vector, as a storage block of the shader has them.
@@ -125,58 +130,69 @@ unsigned textureMask(const Material& material) {
 
 SceneResources::SceneResources(const Scene& scene, const Progress& progress) {
   uploadMeshes(scene, progress);
-  uploadMaterials(scene, progress);
+  uploadTextures(scene, progress);
+  uploadMaterials(scene);
 }
 
 void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) {
   meshes_.resize(scene.meshes.size());
   deformations_.resize(scene.meshes.size());
   for (std::size_t index = 0; index < scene.meshes.size(); ++index) {
-    report(progress, "uploading meshes", static_cast<int>(index), static_cast<int>(scene.meshes.size()));
+    report(progress, "Uploading meshes", static_cast<int>(index), static_cast<int>(scene.meshes.size()));
     for (const Primitive& primitive : scene.meshes[index].primitives) {
       deformations_[index].push_back(
           {influenceBuffer(primitive), deltaBuffer(primitive), cacheBuffer(primitive)});
       const bool isEmpty = primitive.vertices.empty() || primitive.indices.empty();
-      meshes_[index].push_back(
-          isEmpty ? gl::Mesh()
-                  : gl::Mesh(std::as_bytes(std::span(primitive.vertices)), sizeof(Vertex), kAttributes,
-                             primitive.indices, primitiveKind(primitive.topology), scene.meshes[index].name));
+      meshes_[index].push_back(isEmpty ? gl::Mesh()
+                                       : gl::Mesh(std::as_bytes(std::span(primitive.vertices)),
+                                                  sizeof(Vertex), kAttributes, primitive.indices,
+                                                  primitiveKind(primitive.topology),
+                                                  "mesh: " + scene.meshes[index].name));
     }
   }
 }
 
-void SceneResources::uploadMaterials(const Scene& scene, const Progress& progress) {
+// One after the other to its end, so that the progress tells of work done and a cancel waits for one only.
+void SceneResources::uploadTextures(const Scene& scene, const Progress& progress) {
+  for (const Material& material : scene.materials)
+    for (int slot = 0; slot < kSlotCount; ++slot)
+      if (const int image = textureSlot(material, static_cast<Slot>(slot)).image; image >= 0)
+        textures_[{image, isSrgb(static_cast<Slot>(slot))}];
+  int done = 0;
+  const int total = static_cast<int>(textures_.size());
+  for (auto& [key, texture] : textures_) {
+    const SceneImage& image = scene.images[static_cast<std::size_t>(key.first)];
+    report(progress, "Uploading textures", done, total);
+    texture = gl::Texture({image.width, image.height, 0, 0},
+                          key.second ? gl::Format::SRGBA8 : gl::Format::RGBA8, "texture: " + image.name);
+    texture.uploadBytes(image.rgba);
+    report(progress, "Making mip levels", done, total);
+    texture.generateMipmaps();
+    gl::finish();
+    ++done;
+  }
+}
+
+void SceneResources::uploadMaterials(const Scene& scene) {
   const std::size_t alignment = gl::uniformAlignment();
   materialStride_ = (sizeof(shared::MaterialBlock) + alignment - 1) / alignment * alignment;
   std::vector<std::byte> blocks(materialStride_ * scene.materials.size());
   for (std::size_t index = 0; index < scene.materials.size(); ++index) {
-    report(progress, "uploading textures", static_cast<int>(index), static_cast<int>(scene.materials.size()));
     const Material& material = scene.materials[index];
     const shared::MaterialBlock block = materialBlock(material);
     std::memcpy(blocks.data() + index * materialStride_, &block, sizeof(block));
     std::array<BoundTexture, kSlotCount>& textures = materials_.emplace_back();
-    for (int slot = 0; slot < kSlotCount; ++slot) {
-      const bool isSrgb =
-          slot == static_cast<int>(Slot::BaseColor) || slot == static_cast<int>(Slot::Emissive);
-      textures[static_cast<std::size_t>(slot)] =
-          texture(scene, textureSlot(material, static_cast<Slot>(slot)), isSrgb);
+    for (int number = 0; number < kSlotCount; ++number) {
+      const Slot slot = static_cast<Slot>(number);
+      textures[static_cast<std::size_t>(number)] = texture(textureSlot(material, slot), isSrgb(slot));
     }
   }
   materialBlocks_ = gl::Buffer(blocks.size(), blocks.data(), "materials");
 }
 
-SceneResources::BoundTexture SceneResources::texture(const Scene& scene, const TextureSlot& slot,
-                                                     bool isSrgb) {
+SceneResources::BoundTexture SceneResources::texture(const TextureSlot& slot, bool isSrgb) {
   if (slot.image < 0) return {};
-  const SceneImage& image = scene.images[static_cast<std::size_t>(slot.image)];
-  const auto [place, isNew] = textures_.try_emplace({slot.image, isSrgb});
-  if (isNew) {
-    const gl::Format format = isSrgb ? gl::Format::SRGBA8 : gl::Format::RGBA8;
-    place->second = gl::Texture({image.width, image.height, 0, 0}, format, "texture " + image.name);
-    place->second.uploadBytes(image.rgba);
-    place->second.generateMipmaps();
-  }
-  return {&place->second, &sampler(slot.sampler)};
+  return {&textures_.at({slot.image, isSrgb}), &sampler(slot.sampler)};
 }
 
 const gl::Sampler& SceneResources::sampler(const SamplerSettings& settings) {

@@ -40,10 +40,11 @@ class SceneResources {
     const gl::Texture* texture = nullptr; ///< null: the slot has none
     const gl::Sampler* sampler = nullptr;
   };
-  BoundTexture texture(const Scene& scene, const TextureSlot& slot, bool isSrgb);
+  BoundTexture texture(const TextureSlot& slot, bool isSrgb);
   const gl::Sampler& sampler(const SamplerSettings& settings);
   void uploadMeshes(const Scene& scene, const Progress& progress);
-  void uploadMaterials(const Scene& scene, const Progress& progress);
+  void uploadTextures(const Scene& scene, const Progress& progress);
+  void uploadMaterials(const Scene& scene);
 
   struct Deformation {
     gl::Buffer influences, deltas, cache;

@@ -346,8 +346,10 @@ TEST_F(SceneRendererTest, KeepsDrawingWithTheOldShadersWhenTheNewOnesDoNotCompil
 }
 
 TEST_F(SceneRendererTest, StopsUploadingWhenToldTo) {
-  const auto scene = std::make_shared<const Scene>(emptyScene());
-  EXPECT_THROW(SceneRenderer(scene, [](std::string_view, int, int) { return false; }), Cancelled);
+  Scene scene = emptyScene();
+  addQuad(scene, {-5, 3, 0}, kRight, kUp);
+  const auto shared = std::make_shared<const Scene>(std::move(scene));
+  EXPECT_THROW(SceneRenderer(shared, [](std::string_view, int, int) { return false; }), Cancelled);
 }
 
 TEST_F(SceneRendererTest, NamesTheCamerasThereAreWhenAskedForAnother) {
