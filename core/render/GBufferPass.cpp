@@ -22,11 +22,13 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
 }
 
+constexpr float kFarthest = std::numeric_limits<float>::max();
+
 /// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
 /// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
 /// width of points and lines.
 std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx) {
-  if (box.isEmpty()) return std::numeric_limits<float>::max();
+  if (box.isEmpty()) return kFarthest;
   constexpr float marginPx = 3.0f;
   const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
   std::array<int, 5> outside{};
@@ -73,6 +75,10 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
                                                                               : ObjectClass::Still;
       items_.push_back({node, mesh, index, primitive.material, objectClass, variant});
       if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
+      if (variant.deforms() && !extents_.contains({mesh, index}))
+        extents_.emplace(
+            std::pair(mesh, index),
+            deformExtent(primitive, scene.materials[static_cast<std::size_t>(primitive.material)].wind));
     }
   }
   const std::size_t alignment = gl::uniformAlignment();
@@ -186,9 +192,30 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   return block;
 }
 
+Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& item) const {
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  if (!item.variant.deforms()) return primitive.bounds;
+  const Node& node = scene.nodes[static_cast<std::size_t>(item.node)];
+  std::span<const float> weights;
+  if (item.variant.morphed)
+    weights = std::span(view.pose.morphWeights)
+                  .subspan(static_cast<std::size_t>(node.firstWeight), primitive.targets.size());
+  std::span<const glm::mat4> joints;
+  if (item.variant.influenceSets > 0) {
+    const auto skin = static_cast<std::size_t>(node.skin);
+    joints = std::span(jointMatrices_)
+                 .subspan(static_cast<std::size_t>(firstJoints_[skin]), scene.skins[skin].joints.size());
+  }
+  return deformedBounds({primitive, extents_.at({item.mesh, item.primitive}),
+                         scene.materials[static_cast<std::size_t>(item.material)].wind, weights, joints},
+                        view.pose.time);
+}
+
 void GBufferPass::prepare(const Scene& scene, const View& view) {
   visible_.clear();
   blended_.clear();
+  counts_ = {};
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
@@ -197,13 +224,17 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     mirrored_[index] = block.drawTerms.y < 0.0f;
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
-    const auto distance = farthestPoint(item.variant.deforms() ? Bounds() : primitive.bounds,
-                                        block.clipFromModel, view.block.sizePx);
-    if (!distance) continue;
+    ++counts_.objects;
+    const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx);
+    if (culls_ && !distance) continue;
+    ++counts_.drawn;
+    counts_.triangles += primitive.indices.size() / 3;
     if (item.variant.blended)
       blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index});
     else
-      visible_.push_back({item.variant.masked, *distance, index});
+      // What deforms comes last.
+      visible_.push_back(
+          {item.variant.masked, item.variant.deforms() ? kFarthest : distance.value_or(kFarthest), index});
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.

@@ -2,9 +2,11 @@
 // and depth; and what is blended over them.
 #pragma once
 
+#include "core/render/DrawCounts.h"
 #include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
 #include "core/render/View.h"
+#include "core/scene/DeformBounds.h"
 #include "core/scene/ObjectClass.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
@@ -12,6 +14,7 @@
 #include <compare>
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -35,6 +38,11 @@ class GBufferPass {
   /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
   void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
                    const gl::Framebuffer& target);
+
+  /// Of the last draw(), with what it left to drawBlended().
+  const DrawCounts& counts() const { return counts_; }
+  /// For tests: whether what lies outside the view is left out, as it is at first. No bit depends on it.
+  void setCulling(bool culls) { culls_ = culls; }
 
   /// Compiles again; on Error the old programs stay.
   void reloadShaders();
@@ -75,6 +83,8 @@ class GBufferPass {
   };
   /// Fills the blocks of all items, `visible_` and `blended_`.
   void prepare(const Scene& scene, const View& view);
+  /// Around an item in this frame, in the space its draw block starts from; empty when nothing is known.
+  Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
   void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
@@ -93,7 +103,10 @@ class GBufferPass {
   int jointCount_ = 0;                   ///< of all skins
   std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
   gl::Buffer joints_, morphWeights_;
+  std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
   std::vector<Visible> visible_, blended_;
+  DrawCounts counts_;
+  bool culls_ = true;
 };
 
 } // namespace taa

@@ -16,5 +16,6 @@ Scene makeLightsScene();       ///< LightsScene.cpp
 Scene makeFoliageScene();      ///< FoliageScene.cpp
 Scene makeGalleryScene();      ///< GalleryScene.cpp
 Scene makeGlassScene();        ///< GlassScene.cpp
+Scene makeCrowdScene();        ///< CrowdScene.cpp
 
 } // namespace taa

@@ -14,9 +14,9 @@ namespace {
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
 constexpr std::array kMakers{
-    makeFanScene,     makeFenceScene,   makeDisocclusionScene, makeCutScene,
-    makeThinScene,    makeTextScene,    makeFirefliesScene,    makeLightsScene,
-    makeFoliageScene, makeGalleryScene, makeGlassScene}; // in the order of builtinScenes()
+    makeFanScene,   makeFenceScene,     makeDisocclusionScene, makeCutScene,     makeThinScene,
+    makeTextScene,  makeFirefliesScene, makeLightsScene,       makeFoliageScene, makeGalleryScene,
+    makeGlassScene, makeCrowdScene}; // in the order of builtinScenes()
 
 Scene makeBuiltin(const std::string& source) {
   const std::string_view id = std::string_view(source).substr(kBuiltinPrefix.size());
@@ -51,7 +51,9 @@ const std::vector<BuiltinScene>& builtinScenes() {
       {"gallery", "Gallery",
        "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
       {"glass", "Glass",
-       "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history"}};
+       "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history"},
+      {"crowd", "Crowd",
+       "Six hundred things, a million triangles: small, thin and far ones that spin, walk and run"}};
   return scenes;
 }
 
