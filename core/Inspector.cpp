@@ -1,12 +1,11 @@
 #include "core/Inspector.h"
 
 #include "core/InspectorParts.h"
+#include "core/inspect/MemoryNeed.h"
 #include "core/inspect/Probe.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cassert>
@@ -21,23 +20,20 @@ std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
 
-// What a pixel costs at most: two sets of 32-bit inputs for every lane, three 32-bit histories with all they
-// can hold, an exposure.
-constexpr double kBytesPerPixelOfLane = 2.0 * 48.0 + 3.0 * 60.0 + 16.0;
-
-void checkSize(int width, int height, std::size_t lanes, const gl::Driver& driver) {
+/// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
+/// counted on: it goes only when the new is there.
+void checkSize(int width, int height, const std::vector<Settings>& lanes,
+               const std::vector<IntermediateId>& watched, const gl::Driver& driver) {
   const int most = driver.maxTextureSize;
   if (width < 4 || height < 4 || width > most || height > most)
     throw Error("cannot use a picture of " + sizeText(width, height) + " pixels: this driver allows 4 to " +
                 std::to_string(most) + " a side");
-  if (!driver.isSoftware) return; // a GPU's driver says when its memory ends; a software one is killed
-  const double needed = kBytesPerPixelOfLane * width * height * static_cast<double>(lanes);
-  const double memory =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (needed > 0.5 * memory)
-    throw Error("cannot use a picture of " + sizeText(width, height) + " pixels: it takes about " +
-                std::to_string(static_cast<long>(needed / (1 << 20))) +
-                " MiB, more than half of this machine's memory; choose a smaller size or fewer lanes");
+  // Asked before anything is allocated: a software driver does not run out of memory, its process is killed.
+  const std::optional<std::size_t> available = gl::availableMemory(driver);
+  if (!available) return;
+  const std::string refusal =
+      memoryRefusal(memoryNeed(lanes, {width, height}, watched), {width, height}, *available);
+  if (!refusal.empty()) throw Error(refusal);
 }
 
 /// The values of `region` (px of the picture), with the row's channels.
@@ -120,7 +116,7 @@ void Inspector::setMotionModes(const std::vector<MotionOverride>& modes) {
 
 void Inspector::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
-  checkSize(width, height, parts_->subject.lanes.size(), driver());
+  checkSize(width, height, parts_->subject.lanes, parts_->maker.watched, driver());
   Subject next = parts_->subject;
   next.width = width;
   next.height = height;
@@ -141,7 +137,7 @@ void Inspector::setLanes(const std::vector<Settings>& lanes) {
   if (lanes.empty() || lanes.size() > kMostLanes)
     throw Error("cannot run " + std::to_string(lanes.size()) + " lanes: there are one to " +
                 std::to_string(kMostLanes));
-  checkSize(width(), height(), lanes.size(), driver());
+  checkSize(width(), height(), lanes, parts_->maker.watched, driver());
   Subject next = parts_->subject;
   next.lanes = lanes;
   std::vector<Checkpoints> kept(lanes.size());

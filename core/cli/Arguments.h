@@ -41,6 +41,7 @@ struct RenderArguments {
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
   bool json = false;
+  bool verbose = false;
 };
 
 struct ProbeArguments {

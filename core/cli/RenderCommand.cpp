@@ -1,14 +1,16 @@
 // taa-batch render: frames into files.
 #include "core/cli/Commands.h"
 
+#include "core/FrameExport.h"
 #include "core/base/Error.h"
 #include "core/cli/Shot.h"
-#include "core/io/FrameFile.h"
+#include "core/inspect/MemoryNeed.h"
 #include "core/io/FrameJson.h"
 #include "core/io/PictureFile.h"
 
 #include <filesystem>
 #include <iomanip>
+#include <iostream>
 #include <ostream>
 #include <sstream>
 
@@ -42,15 +44,10 @@ std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& p
 
 fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids,
                   const fs::path& folder) {
+  fs::path path = folder / (frameName(inspector.frame()) + ".exr");
   FrameFile frame{
       inspector.source(), inspector.camera(), inspector.driver().renderer, laneHeaders(inspector, plan), {}};
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-    std::vector<Image> images = inspector.images(ids, lane);
-    for (std::size_t index = 0; index < ids.size(); ++index)
-      frame.parts.push_back({lane, ids[index], std::move(images[index])});
-  }
-  fs::path path = folder / (frameName(inspector.frame()) + ".exr");
-  writeFrameFile(path, frame);
+  exportFrame(inspector, std::move(frame), ids, path);
   return path;
 }
 
@@ -70,6 +67,19 @@ std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan,
   return paths;
 }
 
+void sayMemory(const Inspector& inspector, const ShotPlan& plan) {
+  std::vector<Settings> lanes;
+  for (const LaneChoice& lane : plan.lanes) lanes.push_back(lane.settings);
+  const MemoryNeed need = memoryNeed(lanes, plan.size, {});
+  std::cerr << "memory: about " << bytesText(need.total()) << " for " << plan.size.x << " × " << plan.size.y
+            << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories)
+            << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
+            << " at a time";
+  if (const std::optional<std::size_t> available = gl::availableMemory(inspector.driver()))
+    std::cerr << "; " << bytesText(*available) << " are free";
+  std::cerr << '\n';
+}
+
 } // namespace
 
 void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
@@ -78,6 +88,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
   const fs::path folder = arguments.folder;
   Inspector inspector;
+  if (arguments.verbose) sayMemory(inspector, plan);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
   makeFolder(folder);
@@ -87,7 +98,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.seek(frame, frame == range.first ? progress : Progress());
-    inspector.watch(ids);
+    if (arguments.format == "png") inspector.watch(ids);
     std::vector<fs::path> paths;
     if (arguments.format == "png")
       paths = writePngs(inspector, plan, ids, folder);

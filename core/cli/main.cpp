@@ -87,6 +87,8 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
       ->check(CLI::IsMember({"exr", "png"}))
       ->capture_default_str();
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
+  command->add_flag("--verbose", render.verbose,
+                    "Say on standard error how much memory it takes, before it is taken");
   command->callback([&render, &progress] { runRender(render, std::cout, progress); });
 }
 

@@ -37,11 +37,10 @@ void addLane(OIIO::ImageSpec& spec, const FrameLane& lane) {
   addMatrix(spec, "previousViewFromWorld", lane.block.previousViewFromWorld);
 }
 
-OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part) {
+OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm::ivec2& sizePx) {
   const Intermediate& row = intermediate(part.id);
   const FrameLane& lane = frame.lanes.at(static_cast<std::size_t>(part.lane));
-  assert(part.image.channels == row.channels);
-  OIIO::ImageSpec spec(part.image.width, part.image.height, part.image.channels, OIIO::TypeFloat);
+  OIIO::ImageSpec spec(sizePx.x, sizePx.y, row.channels, OIIO::TypeFloat);
   spec.channelnames = channelNames(row);
   spec.attribute("oiio:subimagename", partName(lane, part.id));
   // Lossless; higher levels take longer and save nothing on the noise in the last bits of floats.
@@ -109,10 +108,15 @@ std::string partName(const FrameLane& lane, IntermediateId id) {
   return lane.name.empty() ? name : lane.name + "." + name;
 }
 
-void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame) {
+namespace {
+
+using ImageOf = std::function<const Image&(const FramePart&)>;
+
+void writeParts(const std::filesystem::path& path, const FrameFile& frame, const glm::ivec2& sizePx,
+                const ImageOf& imageOf) {
   assert(!frame.parts.empty());
   std::vector<OIIO::ImageSpec> specs;
-  for (const FramePart& part : frame.parts) specs.push_back(specOf(frame, part));
+  for (const FramePart& part : frame.parts) specs.push_back(specOf(frame, part, sizePx));
   writeAtomically(path, [&](const std::filesystem::path& temporary) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr");
     if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without OpenEXR");
@@ -121,9 +125,28 @@ void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame) {
       if (index > 0)
         require(output->open(temporary.string(), specs[index], OIIO::ImageOutput::AppendSubimage), *output,
                 path);
-      require(output->write_image(OIIO::TypeFloat, frame.parts[index].image.pixels.data()), *output, path);
+      const Image& image = imageOf(frame.parts[index]);
+      assert(image.width == sizePx.x && image.height == sizePx.y && image.channels == specs[index].nchannels);
+      require(output->write_image(OIIO::TypeFloat, image.pixels.data()), *output, path);
     }
     require(output->close(), *output, path);
+  });
+}
+
+} // namespace
+
+void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame) {
+  const Image& first = frame.parts.front().image;
+  writeParts(path, frame, {first.width, first.height},
+             [](const FramePart& part) -> const Image& { return part.image; });
+}
+
+void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame, const glm::ivec2& sizePx,
+                    const std::function<Image(const FramePart&)>& values) {
+  Image held;
+  writeParts(path, frame, sizePx, [&](const FramePart& part) -> const Image& {
+    held = Image(); // before the next one is made
+    return held = values(part);
   });
 }
 

@@ -6,7 +6,10 @@
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 
+#include <glm/vec2.hpp>
+
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +26,7 @@ struct FrameLane {
 struct FramePart {
   int lane = 0; ///< index into FrameFile::lanes
   IntermediateId id = IntermediateId::resolved;
-  Image image; ///< the row's channels
+  Image image = {}; ///< the row's channels; empty where the values are asked for one part at a time
 };
 
 struct FrameFile {
@@ -39,6 +42,11 @@ std::string partName(const FrameLane& lane, IntermediateId id);
 /// camera, driver, lane, settings as JSON, frame, time, jitterPx, matrices, label, unit, description).
 /// Expects images of one size. Throws Error.
 void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame);
+
+/// The same with values that are asked for one part after the other, in their order, and let go when they are
+/// written: not all of a large frame has to be in memory. Expects images of the size given.
+void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame, const glm::ivec2& sizePx,
+                    const std::function<Image(const FramePart&)>& values);
 
 /// Names of the parts of an EXR, in the order of the file. Throws Error.
 std::vector<std::string> partNames(const std::filesystem::path& path);

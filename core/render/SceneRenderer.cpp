@@ -7,6 +7,7 @@
 #include "core/render/ReactivePass.h"
 #include "core/render/SkyPass.h"
 
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -21,28 +22,52 @@ void fit(gl::Texture& texture, int width, int height, gl::Format format, const c
   texture = gl::Texture(size, format, label);
 }
 
+/// One of the textures as settings ask for it.
+struct InputTexture {
+  gl::Texture FrameInputs::*texture;
+  gl::Format format;
+  const char* label;
+  bool isNeeded = true;
+};
+
+std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
+  const bool isHalf = settings.precision == Precision::Half;
+  return {{{&FrameInputs::color, isHalf ? gl::Format::RGBA16F : gl::Format::RGBA32F, "color"},
+           {&FrameInputs::motion, isHalf ? gl::Format::RG16F : gl::Format::RG32F, "motion"},
+           {&FrameInputs::normal, gl::Format::RGBA16F, "normal"},
+           {&FrameInputs::objectId, gl::Format::R32UI, "object id"},
+           {&FrameInputs::previousDepth, gl::Format::R32F, "previous depth"},
+           {&FrameInputs::depth, gl::Format::Depth32F, "depth"},
+           {&FrameInputs::mask, gl::Format::RG8, "mask", settings.mask != MaskSource::None},
+           {&FrameInputs::overlay, gl::Format::RGBA16F, "overlay", settings.blended == BlendedAs::After}}};
+}
+
 void fitInputs(const FrameRequest& request, FrameInputs& out) {
-  const bool isHalf = request.inputs.precision == Precision::Half;
   const glm::ivec2 size = drawnSize({request.width, request.height}, request.inputs.renderScale);
-  const int width = size.x, height = size.y;
   out.outputPx = {request.width, request.height};
-  fit(out.color, width, height, isHalf ? gl::Format::RGBA16F : gl::Format::RGBA32F, "color");
-  fit(out.motion, width, height, isHalf ? gl::Format::RG16F : gl::Format::RG32F, "motion");
-  fit(out.normal, width, height, gl::Format::RGBA16F, "normal");
-  fit(out.objectId, width, height, gl::Format::R32UI, "object id");
-  fit(out.previousDepth, width, height, gl::Format::R32F, "previous depth");
-  fit(out.depth, width, height, gl::Format::Depth32F, "depth");
-  if (request.inputs.mask != MaskSource::None)
-    fit(out.mask, width, height, gl::Format::RG8, "mask");
-  else
-    out.mask = gl::Texture();
-  if (request.inputs.blended == BlendedAs::After)
-    fit(out.overlay, width, height, gl::Format::RGBA16F, "overlay");
-  else
-    out.overlay = gl::Texture();
+  for (const InputTexture& row : inputTextures(request.inputs))
+    if (row.isNeeded)
+      fit(out.*row.texture, size.x, size.y, row.format, row.label);
+    else
+      out.*row.texture = gl::Texture();
 }
 
 } // namespace
+
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
+  const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
+  std::size_t sum = 0;
+  for (const InputTexture& row : inputTextures(settings))
+    if (row.isNeeded) sum += gl::textureBytes({size.x, size.y}, row.format);
+  return sum;
+}
+
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
+  const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
+  const std::size_t color = gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
+  return (settings.noise != InputNoise::None ? color : 0) +
+         (settings.mask == MaskSource::AutoReactive ? color : 0);
+}
 
 struct SceneRenderer::Parts {
   std::shared_ptr<const Scene> scene;
@@ -115,6 +140,14 @@ void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& ou
   if (request.inputs.motion != MotionSource::Objects)
     parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);
   if (request.inputs.noise != InputNoise::None) parts.noise.draw(request.inputs, parts.frame, out);
+}
+
+const DrawCounts& SceneRenderer::counts() const {
+  return parts_->gbuffer.counts();
+}
+
+void SceneRenderer::setCulling(bool culls) {
+  parts_->gbuffer.setCulling(culls);
 }
 
 void SceneRenderer::reloadShaders() {

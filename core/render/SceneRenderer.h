@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/render/DrawCounts.h"
 #include "core/render/FrameInputs.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
@@ -27,6 +28,11 @@ struct FrameRequest {
 /// ⌈r·W⌉ × ⌈r·H⌉ of a picture of W × H: the size of what is drawn at inputs.renderScale r, px.
 glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale);
 
+/// What the textures of a frame's inputs take for a picture, and what the renderer keeps besides while it
+/// draws them; bytes.
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx);
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx);
+
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer {
  public:
@@ -41,6 +47,11 @@ class SceneRenderer {
   /// Pose and camera of frame − 1 give the motion; at frame 0 and at cuts the previous frame is the frame
   /// itself.
   void draw(const FrameRequest& request, int frame, FrameInputs& out);
+
+  /// Of the last frame drawn.
+  const DrawCounts& counts() const;
+  /// For tests: see GBufferPass.
+  void setCulling(bool culls);
 
   /// Compiles the shaders again; on Error the old programs stay.
   void reloadShaders();

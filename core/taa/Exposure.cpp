@@ -14,11 +14,14 @@ int storedChannels(IntermediateId id) {
   return channels == 3 ? 4 : channels;
 }
 
-gl::Texture makeLayers(const std::vector<IntermediateId>& watched, const gl::Rect& region, int channels,
-                       gl::Format format) {
+gl::Format formatOf(int channels) {
+  return channels == 1 ? gl::Format::R32F : channels == 2 ? gl::Format::RG32F : gl::Format::RGBA32F;
+}
+
+gl::Texture makeLayers(const std::vector<IntermediateId>& watched, const gl::Rect& region, int channels) {
   const auto layers = std::ranges::count(watched, channels, storedChannels);
   if (layers == 0) return {};
-  gl::Texture texture({region.width, region.height, static_cast<int>(layers)}, format,
+  gl::Texture texture({region.width, region.height, static_cast<int>(layers)}, formatOf(channels),
                       "exposed " + std::to_string(channels));
   texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
   return texture;
@@ -29,9 +32,16 @@ gl::Texture makeLayers(const std::vector<IntermediateId>& watched, const gl::Rec
 // In the order of the table, so that the same set always means the same program.
 Exposure::Exposure(std::vector<IntermediateId> watched, const gl::Rect& region)
     : watched_(inTableOrder(std::move(watched))), region_(region) {
-  one_ = makeLayers(watched_, region, 1, gl::Format::R32F);
-  two_ = makeLayers(watched_, region, 2, gl::Format::RG32F);
-  four_ = makeLayers(watched_, region, 4, gl::Format::RGBA32F);
+  one_ = makeLayers(watched_, region, 1);
+  two_ = makeLayers(watched_, region, 2);
+  four_ = makeLayers(watched_, region, 4);
+}
+
+std::size_t exposureBytes(const std::vector<IntermediateId>& watched, const gl::Rect& region) {
+  std::size_t sum = 0;
+  for (IntermediateId id : watched)
+    sum += gl::textureBytes({region.width, region.height}, formatOf(storedChannels(id)));
+  return sum;
 }
 
 bool Exposure::holds(IntermediateId id) const {

@@ -34,6 +34,12 @@ gl::Texture cleared(const gl::TextureSize& size, gl::Format format, const std::s
   return texture;
 }
 
+gl::Format colorFormat(const Settings& settings) {
+  return settings.history.precision == Precision::Half ? gl::Format::RGBA16F : gl::Format::RGBA32F;
+}
+
+constexpr gl::Format kSurfaceFormat = gl::Format::RG32F;
+
 bool fits(const gl::Texture& texture, const gl::TextureSize& size, gl::Format format) {
   return texture && texture.size() == size && texture.format() == format;
 }
@@ -49,6 +55,14 @@ std::size_t History::bytes() const {
 
 std::span<const HistoryLayer> historyLayers() {
   return kLayers;
+}
+
+std::size_t historyBytes(int width, int height, const Settings& settings) {
+  const gl::TextureSize size{width, height};
+  std::size_t sum = gl::textureBytes(size, colorFormat(settings)) + gl::textureBytes(size, kSurfaceFormat);
+  for (const HistoryLayer& layer : kLayers)
+    if (layer.isNeeded(settings)) sum += gl::textureBytes(size, layer.format);
+  return sum;
 }
 
 std::size_t historyTargets(const Settings& settings) {
@@ -74,12 +88,11 @@ std::string historyPrelude(const Settings& settings) {
 }
 
 void fitHistory(History& history, int width, int height, const Settings& settings) {
-  const bool isHalf = settings.history.precision == Precision::Half;
-  const gl::Format format = isHalf ? gl::Format::RGBA16F : gl::Format::RGBA32F;
+  const gl::Format format = colorFormat(settings);
   const gl::TextureSize size{width, height};
   if (!fits(history.color, size, format)) {
     gl::Texture color = cleared(size, format, "history color");
-    history.surface = cleared(size, gl::Format::RG32F, "history surface");
+    history.surface = cleared(size, kSurfaceFormat, "history surface");
     history.color = std::move(color);
   }
   for (const HistoryLayer& layer : kLayers) {

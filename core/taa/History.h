@@ -33,6 +33,8 @@ struct HistoryLayer {
   bool (*isNeeded)(const Settings&);
 };
 std::span<const HistoryLayer> historyLayers();
+/// What fitHistory() allocates, bytes.
+std::size_t historyBytes(int width, int height, const Settings& settings);
 inline constexpr unsigned kFirstLayerUnit = 8;
 
 /// Color targets of the resolve that are the history's.

@@ -38,6 +38,9 @@ class Exposure {
   gl::Texture one_, two_, four_; ///< arrays by channel count (3 and 4 share); empty when no row needs them
 };
 
+/// What an Exposure of the same takes, bytes.
+std::size_t exposureBytes(const std::vector<IntermediateId>& watched, const gl::Rect& region);
+
 /// Specialised programs and the draw. Needs the current context for its whole life.
 class TaaPass {
  public:

@@ -1,0 +1,32 @@
+// How much graphics memory a picture takes: known from settings and size alone, before anything is allocated.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/Intermediates.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// Bytes of textures, besides those of the scene, the views and the kept histories.
+struct MemoryNeed {
+  std::size_t inputs = 0;    ///< of the frame on show and of the one that is made, and what drawing keeps
+  std::size_t histories = 0; ///< that a frame is resolved from and into, and those used again
+  std::size_t exposures = 0; ///< of what is watched, for both frames
+  std::size_t total() const { return inputs + histories + exposures; }
+};
+
+MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
+                      const std::vector<IntermediateId>& watched);
+
+/// "512 MiB", "2.4 GiB".
+std::string bytesText(std::size_t bytes);
+
+/// Why a picture cannot be had, as a sentence for the user; empty where it can. `available`: bytes there are.
+std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available);
+
+} // namespace taa

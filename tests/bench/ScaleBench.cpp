@@ -1,0 +1,100 @@
+// What size costs: a scene of a million triangles, and the export of everything there is about a frame. Every
+// figure is a counter named as in Figures.cpp.
+#include "core/FrameExport.h"
+#include "core/Inspector.h"
+#include "core/base/Error.h"
+#include "tests/bench/Timing.h"
+#include "tests/support/Paths.h"
+
+#include <OpenImageIO/imageio.h>
+#include <benchmark/benchmark.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using taa::IntermediateId;
+using taa::bench::median;
+using taa::bench::seconds;
+
+constexpr int kWarmUpFrames = 8;
+constexpr int kWidth = 1280, kHeight = 720;
+
+std::unique_ptr<taa::Inspector> openScene(const char* source) {
+  auto inspector = std::make_unique<taa::Inspector>();
+  inspector->setSize(kWidth, kHeight);
+  inspector->open(source);
+  inspector->seek(kWarmUpFrames);
+  return inspector;
+}
+
+/// As taa-batch does it: expose, read back, write.
+void exportFrame(taa::Inspector& inspector, const std::vector<IntermediateId>& ids, const fs::path& path) {
+  taa::exportFrame(inspector,
+                   {inspector.source(),
+                    inspector.camera(),
+                    inspector.driver().renderer,
+                    {{"", inspector.settings(), inspector.info(), inspector.inputs().block}},
+                    {}},
+                   ids, path);
+}
+
+void require(bool done, const OIIO::ImageOutput& output) {
+  if (!done) throw taa::Error("OpenImageIO cannot write: " + output.geterror());
+}
+
+/// What is the least to say to OpenImageIO: parts, channels and the compression, of values in memory.
+void writePlainly(const std::vector<IntermediateId>& ids, const std::vector<taa::Image>& images,
+                  const fs::path& path) {
+  std::vector<OIIO::ImageSpec> specs;
+  for (std::size_t index = 0; index < ids.size(); ++index) {
+    const taa::Intermediate& row = taa::intermediate(ids[index]);
+    OIIO::ImageSpec& spec = specs.emplace_back(kWidth, kHeight, row.channels, OIIO::TypeFloat);
+    spec.channelnames = taa::channelNames(row);
+    spec.attribute("oiio:subimagename", std::string(row.name));
+    spec.attribute("compression", "zip:1");
+  }
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr");
+  require(output->open(path.string(), static_cast<int>(specs.size()), specs.data()), *output);
+  for (std::size_t index = 0; index < specs.size(); ++index) {
+    if (index > 0)
+      require(output->open(path.string(), specs[index], OIIO::ImageOutput::AppendSubimage), *output);
+    require(output->write_image(OIIO::TypeFloat, images[index].pixels.data()), *output);
+  }
+  require(output->close(), *output);
+}
+
+/// The whole export, which also runs the resolve and reads back, against the writing alone.
+void exportExr(benchmark::State& state) {
+  const std::unique_ptr<taa::Inspector> inspector = openScene("builtin:fan");
+  std::vector<IntermediateId> all;
+  for (const taa::Intermediate& row : taa::kIntermediates) all.push_back(row.id);
+  const std::vector<taa::Image> images = inspector->images(all);
+  const fs::path folder = taa::test::temporaryFolder();
+  std::vector<double> ratios, times;
+  for (auto _ : state) {
+    const double plain = seconds([&] { writePlainly(all, images, folder / "plain.exr"); });
+    const double whole = seconds([&] { exportFrame(*inspector, all, folder / "export.exr"); });
+    ratios.push_back(whole / plain);
+    times.push_back(whole);
+    state.SetIterationTime(whole);
+  }
+  state.counters["exportExr"] = median(ratios);
+  state.counters["exportTime"] = median(times);
+}
+
+/// A frame of the crowd after another.
+void crowd(benchmark::State& state) {
+  const std::unique_ptr<taa::Inspector> inspector = openScene("builtin:crowd");
+  std::vector<double> scene;
+  for (auto _ : state) {
+    const double time = seconds([&] { inspector->advance(); });
+    scene.push_back(inspector->times().scene);
+    state.SetIterationTime(time);
+  }
+  state.counters["crowdScene"] = median(scene);
+}
+
+} // namespace
+
+BENCHMARK(exportExr)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(crowd)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(30);

@@ -1,0 +1,180 @@
+// Wherever the driver runs out of memory, an Error says so and everything is as it was before.
+#include "core/Inspector.h"
+
+#include "core/base/Error.h"
+#include "core/gl/Memory.h"
+#include "core/inspect/MemoryNeed.h"
+#include "core/settings/Parameters.h"
+#include "tests/support/GlTest.h"
+
+#include <cstring>
+#include <functional>
+#include <future>
+
+namespace taa {
+namespace {
+
+constexpr int kWidth = 48, kHeight = 27;
+const std::vector<IntermediateId> kLookedAt{IntermediateId::color, IntermediateId::motion,
+                                            IntermediateId::historyRectified, IntermediateId::resolved};
+
+/// What must not change.
+struct State {
+  std::string source, camera;
+  int frame = 0, width = 0, height = 0;
+  std::vector<Settings> lanes;
+  std::vector<bool> exact;
+  std::vector<Image> images;
+  bool operator==(const State& other) const {
+    return source == other.source && camera == other.camera && frame == other.frame && width == other.width &&
+           height == other.height && lanes == other.lanes && exact == other.exact &&
+           std::ranges::equal(images, other.images, [](const Image& a, const Image& b) {
+             return a.width == b.width && a.pixels.size() == b.pixels.size() &&
+                    std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+           });
+  }
+};
+
+State stateOf(Inspector& inspector) {
+  State state{inspector.source(),
+              inspector.camera(),
+              inspector.frame(),
+              inspector.width(),
+              inspector.height(),
+              {},
+              {},
+              {}};
+  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+    state.lanes.push_back(inspector.settings(lane));
+    state.exact.push_back(inspector.isExact(lane));
+    for (Image& image : inspector.images(kLookedAt, lane)) state.images.push_back(std::move(image));
+  }
+  return state;
+}
+
+class OutOfMemoryTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    inspector_ = std::make_unique<Inspector>();
+    inspector_->setSize(kWidth, kHeight);
+    inspector_->open("builtin:text");
+    inspector_->seek(3);
+  }
+  void TearDown() override {
+    gl::failAllocationsAfter(-1);
+    inspector_.reset();
+    GlTest::TearDown();
+  }
+
+  /// Lets `act` fail at its first allocation, then at its second, until it needs no more; how many there
+  /// were.
+  int failEverywhere(const std::function<void()>& act) {
+    for (int count = 0;; ++count) {
+      const State before = stateOf(*inspector_);
+      gl::failAllocationsAfter(count);
+      try {
+        act();
+        gl::failAllocationsAfter(-1);
+        return count;
+      } catch (const Error& error) {
+        gl::failAllocationsAfter(-1);
+        EXPECT_NE(std::string(error.what()).find("out of memory"), std::string::npos) << error.what();
+        EXPECT_TRUE(stateOf(*inspector_) == before) << "after allocation " << count << ": " << error.what();
+      }
+      if (testing::Test::HasFailure()) return count;
+    }
+  }
+
+  std::unique_ptr<Inspector> inspector_;
+};
+
+/// The same frame of an inspector that never lacked memory; on a thread of its own, for its context.
+State fresh(const std::function<void(Inspector&)>& prepare) {
+  return std::async(std::launch::async,
+                    [&] {
+                      Inspector inspector;
+                      inspector.setSize(kWidth, kHeight);
+                      inspector.open("builtin:text");
+                      inspector.seek(3);
+                      prepare(inspector);
+                      return stateOf(inspector);
+                    })
+      .get();
+}
+
+Settings hungrySettings() {
+  Settings settings;
+  for (const char* assignment : {"validate.object=on", "validate.normal=on", "inputs.noise=blueNoise",
+                                 "inputs.mask=autoReactive", "inputs.precision=full"})
+    applyAssignment(settings, assignment);
+  return settings;
+}
+
+TEST_F(OutOfMemoryTest, LeavesThePictureWhereAnotherSizeDoesNotFit) {
+  const auto change = [](Inspector& inspector) { inspector.setSize(64, 36); };
+  EXPECT_GE(failEverywhere([&] { change(*inspector_); }), 8);
+  inspector_->seek(3);
+  EXPECT_TRUE(stateOf(*inspector_) == fresh([&](Inspector& inspector) {
+                change(inspector);
+                inspector.seek(3);
+              }));
+}
+
+TEST_F(OutOfMemoryTest, LeavesTheSceneWhereAnotherDoesNotFit) {
+  EXPECT_GE(failEverywhere([&] { inspector_->open("builtin:thin"); }), 8);
+  EXPECT_EQ(inspector_->source(), "builtin:thin");
+}
+
+TEST_F(OutOfMemoryTest, LeavesTheLanesWhereMoreDoNotFit) {
+  const auto change = [](Inspector& inspector) { inspector.setLanes({Settings{}, hungrySettings()}); };
+  EXPECT_GE(failEverywhere([&] { change(*inspector_); }), 8);
+  EXPECT_TRUE(stateOf(*inspector_) == fresh(change));
+}
+
+TEST_F(OutOfMemoryTest, LeavesTheSettingsWhereTheirTexturesDoNotFit) {
+  EXPECT_GE(failEverywhere([&] { inspector_->setSettings(hungrySettings()); }), 4);
+  inspector_->seek(3);
+  EXPECT_TRUE(stateOf(*inspector_) == fresh([](Inspector& inspector) {
+                inspector.setSettings(hungrySettings());
+                inspector.seek(3);
+              }));
+}
+
+TEST_F(OutOfMemoryTest, LeavesTheFrameWhereTheNextOneDoesNotFit) {
+  EXPECT_GE(failEverywhere([&] {
+              inspector_->watch({IntermediateId::resolved, IntermediateId::alpha, IntermediateId::motion});
+              inspector_->advance();
+            }),
+            3);
+  EXPECT_TRUE(stateOf(*inspector_) == fresh([](Inspector& inspector) { inspector.advance(); }));
+}
+
+TEST_F(OutOfMemoryTest, LeavesEverythingWhereLookingDoesNotFit) {
+  EXPECT_GE(failEverywhere([&] { inspector_->image(IntermediateId::alpha); }), 1);
+  EXPECT_GE(failEverywhere([&] { inspector_->probe(3, 4); }), 1);
+  EXPECT_GE(failEverywhere([&] { inspector_->picture(IntermediateId::resolved, {}, {}, 200, 100); }), 1);
+}
+
+TEST_F(OutOfMemoryTest, HoldsNoMoreWhilePlayingThanItSaid) {
+  Settings settings = hungrySettings();
+  const std::vector<IntermediateId> watched{IntermediateId::resolved, IntermediateId::alpha};
+  inspector_->setCheckpointBudget(0);
+  inspector_->setSettings(settings);
+  inspector_->setSize(640, 360);
+  inspector_->watch(watched);
+  inspector_->seek(0);
+  const std::size_t need = memoryNeed({settings}, {640, 360}, watched).total();
+  std::size_t others = 0; // of the scene, and what has no pixels of the picture
+  for (const gl::MemoryUse& use : gl::memoryUse())
+    if (use.kind == gl::StorageKind::Buffer || use.label == "texture") others += use.bytes;
+  gl::resetMemoryPeak();
+  for (int frame = 1; frame < 12; ++frame) inspector_->advance();
+  inspector_->seek(4);
+  EXPECT_LE(gl::memoryPeak() - others, need);
+  EXPECT_GE(gl::memoryPeak() - others, need / 2) << "what is said is no idle number";
+}
+
+} // namespace
+} // namespace taa

@@ -1,0 +1,85 @@
+// What a picture takes is added up from its formats, and refused in words when it is not there.
+#include "core/inspect/MemoryNeed.h"
+
+#include "core/base/FreeMemory.h"
+#include "core/settings/Parameters.h"
+
+#include <gtest/gtest.h>
+
+namespace taa {
+namespace {
+
+constexpr std::size_t kPixels = 100 * 50;
+
+MemoryNeed needOf(const std::vector<std::string>& assignments,
+                  const std::vector<IntermediateId>& watched = {}) {
+  Settings settings;
+  for (const std::string& assignment : assignments) applyAssignment(settings, assignment);
+  return memoryNeed({settings}, {100, 50}, watched);
+}
+
+// Bytes of a pixel of the inputs: color 8 or 16, motion 4 or 8, normal 8, object id 4, two depths of 4.
+TEST(MemoryNeed, CountsTheInputsOfTwoFramesInTheFormatsTheyHave) {
+  EXPECT_EQ(needOf({"inputs.precision=half"}).inputs, 2 * 32 * kPixels);
+  EXPECT_EQ(needOf({"inputs.precision=full"}).inputs, 2 * 44 * kPixels);
+  EXPECT_EQ(needOf({"inputs.mask=material"}).inputs, 2 * 34 * kPixels);
+  EXPECT_EQ(needOf({"inputs.mask=autoReactive"}).inputs, (2 * 34 + 8) * kPixels);
+  EXPECT_EQ(needOf({"inputs.blended=after"}).inputs, 2 * 40 * kPixels);
+  EXPECT_EQ(needOf({"inputs.noise=blueNoise"}).inputs, (2 * 32 + 8) * kPixels);
+  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}).inputs, 2 * 32 * kPixels / 4);
+}
+
+// Color 8 or 16, surface 8, and the layers that settings ask for.
+TEST(MemoryNeed, CountsTheHistoriesThatLivePlayingAtOnce) {
+  EXPECT_EQ(needOf({"history.precision=half"}).histories, 7 * 16 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=full"}).histories, 7 * 24 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=half", "validate.object=on"}).histories, 7 * 24 * kPixels);
+  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}).histories, needOf({}).histories)
+      << "they have the picture's size";
+}
+
+TEST(MemoryNeed, CountsWhatIsWatchedInBothFrames) {
+  EXPECT_EQ(needOf({}).exposures, 0u);
+  EXPECT_EQ(needOf({}, {IntermediateId::resolved}).exposures, 2 * 16 * kPixels)
+      << "three channels are stored in four";
+  EXPECT_EQ(needOf({}, {IntermediateId::resolved, IntermediateId::alpha}).exposures, 2 * 20 * kPixels);
+}
+
+TEST(MemoryNeed, CountsSharedInputsOnce) {
+  Settings other;
+  applyAssignment(other, "rectify.method=clamp");
+  Settings elsewhere;
+  applyAssignment(elsewhere, "jitter.period=8");
+  const std::size_t one = memoryNeed({Settings{}}, {100, 50}, {}).inputs;
+  EXPECT_EQ(memoryNeed({Settings{}, other}, {100, 50}, {}).inputs, one);
+  EXPECT_EQ(memoryNeed({Settings{}, elsewhere}, {100, 50}, {}).inputs, 2 * one);
+  EXPECT_EQ(memoryNeed({Settings{}, other}, {100, 50}, {}).histories, (2 * 3 + 4) * needOf({}).histories / 7);
+}
+
+TEST(MemoryNeed, IsRefusedInWordsWhereItIsNotThere) {
+  const MemoryNeed need{3u << 20, 5u << 20, std::size_t(2) << 30};
+  EXPECT_EQ(memoryRefusal(need, {640, 480}, need.total()), "");
+  EXPECT_EQ(
+      memoryRefusal(need, {640, 480}, need.total() - 1),
+      "cannot use a picture of 640 × 480 pixels: it takes about 2.0 GiB of memory (inputs 3 MiB, histories 5 "
+      "MiB, exposures 2.0 GiB) and 2.0 GiB are free; choose a smaller size, fewer lanes or fewer views");
+}
+
+TEST(MemoryNeed, IsSaidInMebibytesAndGibibytes) {
+  EXPECT_EQ(bytesText(0), "0 MiB");
+  EXPECT_EQ(bytesText((std::size_t(1) << 30) - (1u << 20)), "1023 MiB");
+  EXPECT_EQ(bytesText(std::size_t(5) << 29), "2.5 GiB");
+}
+
+TEST(FreeMemory, IsWhatTheSystemSays) {
+  EXPECT_EQ(availableIn("MemTotal:  9 kB\nMemFree: 1 kB\nMemAvailable:    3 kB\nBuffers: 7 kB\n"), 3072u);
+  EXPECT_EQ(availableIn("MemTotal:  9 kB\n"), std::nullopt);
+  EXPECT_EQ(availableIn("MemAvailable: none"), std::nullopt);
+  EXPECT_EQ(availableIn(""), std::nullopt);
+  ASSERT_TRUE(freeMemory());
+  EXPECT_GT(*freeMemory(), std::size_t(1) << 20);
+  EXPECT_LT(*freeMemory(), std::size_t(1) << 46);
+}
+
+} // namespace
+} // namespace taa
