@@ -2,6 +2,7 @@
 
 #include "app/views/ViewportMath.h"
 
+#include "core/Inspector.h"
 #include "core/base/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -27,7 +28,7 @@ glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char
 struct Texts {
   std::string windowSize, size, pixel, theme;
   std::vector<std::string> views;
-  int frame = -1;
+  int frame = -1, checkpoints = -1;
   double zoom = 0.0;
 };
 
@@ -50,6 +51,10 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("ID")
       ->allow_extra_args(false); // else it would take the source, too
   app.add_option("--size", texts.size, "Render size")->type_name("WxH");
+  app.add_option("--checkpoints", texts.checkpoints,
+                 "Memory for the histories that are kept to go back in time; 1024 without it")
+      ->type_name("MiB")
+      ->check(CLI::Range(0, kMostCheckpointMiB));
   app.add_option("--preset", arguments.preset, "Settings to start with: a preset or a .json file")
       ->type_name("NAME");
   app.add_option("--camera", arguments.camera, "Camera or camera path to start with")->type_name("NAME");
@@ -66,6 +71,7 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.size.empty()) arguments.size = parseNumbers("--size", texts.size, 'x', 1);
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
+  if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
   if (texts.zoom > 0) arguments.zoom = texts.zoom;
   ThemeChoice theme{};
   if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;

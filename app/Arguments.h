@@ -21,6 +21,7 @@ struct Arguments {
   std::optional<double> zoom;       ///< screen pixels a pixel, around the probe
   std::optional<int> frame;         ///< go there and pause
   std::optional<glm::ivec2> pixel;  ///< probe
+  std::optional<int> checkpoints;   ///< memory for kept histories, MiB
   std::optional<ThemeChoice> theme;
   std::string camera, preset;        ///< empty: the source's own, "balanced"
   std::vector<IntermediateId> views; ///< up to two

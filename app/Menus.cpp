@@ -30,6 +30,7 @@ QList<QKeySequence> keys(std::initializer_list<const char*> names) {
   return list;
 }
 
+constexpr std::size_t kBudgetsMiB[] = {256, 1024, 2048, 4096};
 constexpr glm::ivec2 kSizes[] = {{640, 360}, {960, 540}, {1280, 720}, {1920, 1080}};
 
 } // namespace
@@ -212,6 +213,12 @@ void Menus::makeFrame() {
     add(sizes, QStringLiteral("%1×%2").arg(size.x).arg(size.y), {},
         [&session, size] { session.setSize(size.x, size.y); });
   add(sizes, tr("Other…"), {}, [this] { window_.askForSize(); });
+  QMenu* budgets = menu->addMenu(tr("Memory for &kept frames"));
+  for (const std::size_t size : kBudgetsMiB) {
+    const QString text = size < 1024 ? tr("%1 MiB").arg(size) : tr("%1 GiB").arg(size / 1024);
+    budgets_ << add(budgets, text, {}, [&session, size] { session.setCheckpointBudget(size << 20); });
+    budgets_.back()->setCheckable(true);
+  }
 }
 
 void Menus::makePipeline() {
@@ -336,6 +343,8 @@ void Menus::refresh() {
   play_->setText(session.status().playing ? tr("&Pause") : tr("&Play"));
   undo_->setEnabled(session.canUndo());
   redo_->setEnabled(session.canRedo());
+  for (int index = 0; index < budgets_.size(); ++index)
+    budgets_[index]->setChecked(session.status().checkpointBudget == kBudgetsMiB[index] << 20);
   themes_[static_cast<int>(window_.theme())]->setChecked(true);
   arrangements_[static_cast<int>(views->arrangement())]->setChecked(true);
   makeCameras();

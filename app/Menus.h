@@ -51,7 +51,7 @@ class Menus : public QObject {
   std::vector<Command> commands_;
   QAction *twoViews_ = nullptr, *linked_ = nullptr, *looping_ = nullptr, *marks_ = nullptr, *play_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
-  QList<QAction*> themes_, arrangements_;
+  QList<QAction*> themes_, arrangements_, budgets_;
   QMenu *cameras_ = nullptr, *objects_ = nullptr;
   std::vector<std::string> cameraNames_, objectNames_;
 };

@@ -19,6 +19,7 @@ class ThreadRenderer final : public Renderer {
   void step(int frames) override { thread_.step(frames); }
   void setViews(const std::vector<ViewRequest>& views) override { thread_.setViews(views); }
   void probe(std::optional<glm::ivec2> pixel) override { thread_.probe(pixel); }
+  void setCheckpointBudget(std::size_t bytes) override { thread_.setCheckpointBudget(bytes); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
 

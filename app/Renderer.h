@@ -26,6 +26,7 @@ class Renderer {
   virtual void step(int frames) = 0;
   virtual void setViews(const std::vector<ViewRequest>& views) = 0;
   virtual void probe(std::optional<glm::ivec2> pixel) = 0;
+  virtual void setCheckpointBudget(std::size_t bytes) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
 };

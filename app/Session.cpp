@@ -193,6 +193,10 @@ void Session::movePick(int dx, int dy) {
   if (pick_) setPick(*pick_ + glm::ivec2(dx, dy));
 }
 
+void Session::setCheckpointBudget(std::size_t bytes) {
+  ask([&](Renderer& renderer) { renderer.setCheckpointBudget(bytes); });
+}
+
 void Session::reloadShaders() {
   ask([&](Renderer& renderer) { renderer.reloadShaders(); });
 }

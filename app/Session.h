@@ -64,6 +64,8 @@ class Session : public QObject {
   void setViews(const std::vector<ViewRequest>& views);
   void setPick(std::optional<glm::ivec2> pixel);
   void movePick(int dx, int dy);
+  /// Memory for histories that are kept, of all lanes together.
+  void setCheckpointBudget(std::size_t bytes);
   void reloadShaders();
   void cancel();
 

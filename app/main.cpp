@@ -68,6 +68,8 @@ void sayWhenPictureArrives(Session& session) {
 void begin(MainWindow& window, const Arguments& arguments) {
   Session& session = window.session();
   if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
+  if (arguments.checkpoints)
+    session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
   if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
   if (!arguments.views.empty()) {
     window.views()->view(0)->setIntermediate(arguments.views[0]);

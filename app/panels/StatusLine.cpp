@@ -19,6 +19,13 @@ QString drawnText(const Status& status) {
   return StatusLine::tr("rendered at %1 × %2 · ").arg(drawn.x).arg(drawn.y);
 }
 
+/// Why the picture is not what is wished for; empty when it is.
+QString cautionText(const Status& status) {
+  if (status.goal)
+    return StatusLine::tr("frame %1 until %2 is there").arg(status.info.frame).arg(*status.goal);
+  return status.exact ? QString() : StatusLine::tr("history from old settings");
+}
+
 } // namespace
 
 StatusLine::StatusLine(QWidget* parent)
@@ -43,9 +50,11 @@ StatusLine::StatusLine(QWidget* parent)
   layout->addLayout(pair);
   setFixedHeight(24);
   times_->setToolTip(tr("Time of the last frame: drawing the scene, and the resolve"));
-  badge_->setToolTip(tr("Whether the picture is exactly what these settings give from frame 0 on. "
-                        "After a change the old history is used until it has been made anew."));
-  refreshBadge(true);
+  badge_->setToolTip(
+      tr("Whether the picture is exactly what these settings give from frame 0 on. "
+         "After a change the old history is used until it has been made anew, and on the way to a "
+         "frame the nearest one that was kept is shown."));
+  refreshBadge({});
 }
 
 void StatusLine::setHover(const QString& text) {
@@ -59,13 +68,14 @@ void StatusLine::setStatus(const Status& status) {
     times_->setText(drawnText(status) + tr("scene %1 ms · resolve %2 ms")
                                             .arg(status.times.scene, 0, 'f', 1)
                                             .arg(status.times.resolve, 0, 'f', 1));
-  if (status.exact != exact_) refreshBadge(status.exact);
+  if (const QString caution = cautionText(status); caution != caution_) refreshBadge(caution);
 }
 
-void StatusLine::refreshBadge(bool exact) {
-  exact_ = exact;
+void StatusLine::refreshBadge(const QString& caution) {
+  caution_ = caution;
+  const bool exact = caution.isEmpty();
   const ThemeColors& colors = themeColors(this);
-  badge_->setText(exact ? tr("history from these settings") : tr("history from old settings"));
+  badge_->setText(exact ? tr("history from these settings") : caution);
   badgeIcon_->setPixmap(exact
                             ? iconPixmap(QStringLiteral("right"), colors.right, 14, devicePixelRatioF())
                             : iconPixmap(QStringLiteral("caution"), colors.caution, 14, devicePixelRatioF()));
@@ -76,7 +86,7 @@ QString StatusLine::hover() const {
 }
 
 bool StatusLine::showsBadge() const {
-  return !exact_;
+  return !caution_.isEmpty();
 }
 
 } // namespace taa::app

@@ -18,14 +18,14 @@ class StatusLine : public QWidget {
   void setHover(const QString& text);
   void setStatus(const Status& status);
   QString hover() const;
-  /// Whether the badge "history from old settings" is shown.
+  /// Whether the badge says that the picture is not what is wished for.
   bool showsBadge() const;
 
  private:
-  void refreshBadge(bool exact);
+  void refreshBadge(const QString& caution);
 
   QLabel *hover_, *driver_, *times_, *badgeIcon_, *badge_;
-  bool exact_ = true;
+  QString caution_; ///< empty: none
 };
 
 } // namespace taa::app

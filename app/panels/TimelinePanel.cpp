@@ -83,10 +83,11 @@ void TimelinePanel::makeReadouts() {
 void TimelinePanel::setStatus(const Status& status) {
   frameCount_ = status.frameCount;
   timeline_->setFrameCount(status.frameCount);
-  timeline_->setFrame(status.info.frame);
+  const int frame = status.goal.value_or(status.info.frame); // stays under the mouse
+  timeline_->setFrame(frame);
   play_->setIconName(status.playing ? QStringLiteral("pause") : QStringLiteral("play"));
   frame_->setScale({0, std::max(1.0, status.frameCount - 1.0), true});
-  frame_->setValue(status.info.frame);
+  frame_->setValue(frame);
   count_->setText(tr("of %1").arg(status.frameCount));
   const FrameInfo& info = status.info;
   jitter_->setText(status.jitterPeriod > 1

@@ -28,6 +28,7 @@ struct ShotArguments {
   std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
   std::vector<std::string> assignments; ///< "path=value", applied to every lane
   std::vector<std::string> motionModes; ///< "NODE=MODE"
+  int checkpointsMiB = 1024;
 };
 
 struct ListArguments {

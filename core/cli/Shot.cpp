@@ -17,6 +17,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
               const Progress& progress) {
   std::vector<Settings> settings;
   for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
+  inspector.setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
   inspector.setLanes(settings);
   inspector.setSize(plan.size.x, plan.size.y);
   inspector.open(arguments.source, progress);

@@ -1,4 +1,5 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
+#include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
 
@@ -47,6 +48,9 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
   command.add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
       ->allow_extra_args(false)
       ->excludes(preset);
+  command.add_option("--checkpoints", shot.checkpointsMiB, "Memory for the histories that are kept, MiB")
+      ->check(CLI::Range(0, taa::kMostCheckpointMiB))
+      ->capture_default_str();
   command
       .add_option(
           "--set", shot.assignments,

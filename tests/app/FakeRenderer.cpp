@@ -28,6 +28,11 @@ void FakeRenderer::setSize(int width, int height) {
   deliver();
 }
 
+void FakeRenderer::setCheckpointBudget(std::size_t bytes) {
+  status.checkpointBudget = bytes;
+  deliver();
+}
+
 void FakeRenderer::setCamera(const std::string& name) {
   status.camera = name;
   deliver();

@@ -23,6 +23,7 @@ class FakeRenderer final : public Renderer {
   void step(int frames) override { seek(status.info.frame + frames); }
   void setViews(const std::vector<ViewRequest>& wanted) override;
   void probe(std::optional<glm::ivec2> pixel) override;
+  void setCheckpointBudget(std::size_t bytes) override;
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
 

@@ -15,8 +15,10 @@
 #include "core/settings/Parameters.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
@@ -24,6 +26,7 @@
 #include <QUrl>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace taa;
@@ -237,6 +240,38 @@ TEST_F(Window, TheBadgeShowsWhileHistoryIsFromOldSettings) {
   renderer->setPlaying(false);
   settle();
   EXPECT_TRUE(window.statusLine()->showsBadge());
+}
+
+TEST_F(Window, TheBadgeShowsWhileAnotherFrameIsOnItsWay) {
+  renderer->status.info.frame = 61;
+  renderer->status.goal = 75;
+  renderer->setPlaying(false);
+  settle();
+  EXPECT_TRUE(window.statusLine()->showsBadge());
+  const QList<QLabel*> labels = window.statusLine()->findChildren<QLabel*>();
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+    return label->text().contains("61") && label->text().contains("75");
+  }));
+  EXPECT_EQ(window.findChild<Timeline*>()->frame(), 75) << "it stays under the mouse";
+  renderer->status.goal.reset();
+  renderer->setPlaying(false);
+  settle();
+  EXPECT_FALSE(window.statusLine()->showsBadge());
+  EXPECT_EQ(window.findChild<Timeline*>()->frame(), 61);
+}
+
+TEST_F(Window, TheMenuChoosesTheMemoryForKeptFrames) {
+  const auto choice = [this](const QString& text) {
+    for (QAction* action : window.findChildren<QAction*>())
+      if (action->text() == text) return action;
+    return static_cast<QAction*>(nullptr);
+  };
+  ASSERT_TRUE(choice("2 GiB"));
+  choice("2 GiB")->trigger();
+  settle();
+  EXPECT_EQ(renderer->status.checkpointBudget, std::size_t(2) << 30);
+  EXPECT_TRUE(choice("2 GiB")->isChecked());
+  EXPECT_FALSE(choice("256 MiB")->isChecked());
 }
 
 TEST_F(Window, KeysAreListedAndCommandsAreFound) {

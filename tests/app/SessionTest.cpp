@@ -70,10 +70,10 @@ TEST(Session, TellsWhyThereIsNoRendererAndStaysUsable) {
 
 TEST(Arguments, ReadEverythingTheWindowStartsWith) {
   Arguments arguments;
-  ASSERT_FALSE(
-      parse({"--frame", "7", "--size", "320x180", "--pixel", "4,5", "--view", "motion", "--view", "alpha",
-             "--theme", "light", "--zoom", "8", "--preset", "minimal", "--window-size", "1280x800", "a.glb"},
-            arguments));
+  ASSERT_FALSE(parse({"--frame",  "7",       "--size",        "320x180",  "--pixel",       "4,5",    "--view",
+                      "motion",   "--view",  "alpha",         "--theme",  "light",         "--zoom", "8",
+                      "--preset", "minimal", "--window-size", "1280x800", "--checkpoints", "512",    "a.glb"},
+                     arguments));
   EXPECT_EQ(arguments.frame, 7);
   EXPECT_EQ(arguments.size, glm::ivec2(320, 180));
   EXPECT_EQ(arguments.pixel, glm::ivec2(4, 5));
@@ -82,6 +82,7 @@ TEST(Arguments, ReadEverythingTheWindowStartsWith) {
   EXPECT_EQ(arguments.zoom, 8.0);
   EXPECT_EQ(arguments.source, "a.glb");
   EXPECT_EQ(arguments.windowSize, glm::ivec2(1280, 800));
+  EXPECT_EQ(arguments.checkpoints, 512);
 }
 
 TEST(Arguments, TakeTheSourceBehindAnyOption) {
@@ -97,6 +98,7 @@ TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
                                                 {"--size", "0x4"},
                                                 {"--pixel", "4;5"},
                                                 {"--frame", "-1"},
+                                                {"--checkpoints", "-1"},
                                                 {"--view", "nothing"},
                                                 {"--view", "color", "--view", "color", "--view", "color"},
                                                 {"--theme", "pink"}})

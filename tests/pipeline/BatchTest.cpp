@@ -144,6 +144,7 @@ TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
   expectUsageError(joined(call, {"--lane", "balanced", "--preset", "balanced"}), {"--lane", "--preset"});
   expectUsageError(joined(call, {"--size", "720p"}), {"720p", "1280x720"});
   expectUsageError(joined(call, {"--format", "bmp"}), {"exr", "png"});
+  expectUsageError(joined(call, {"--checkpoints", "-1"}), {"--checkpoints"});
   expectUsageError({"render", "builtin:fan", "--out", "/nowhere", "--frames", "7..3"}, {"7..3"});
   expectUsageError({"probe", "builtin:fan", "--frame", "0", "--pixel", "middle"}, {"middle", "412,207"});
   expectUsageError({"probe", "builtin:fan", "--frame", "-1", "--pixel", "0,0"}, {"--frame"});
