@@ -81,24 +81,6 @@ void probe(benchmark::State& state) {
   state.counters["probe"] = median(times);
 }
 
-void stepBack(benchmark::State& state) {
-  const std::unique_ptr<taa::Inspector> inspector = openFan();
-  std::vector<double> ratios;
-  // Runs of steps and not single ones, for a step back may be dear now and then.
-  constexpr int kSteps = 12;
-  for (auto _ : state) {
-    const double forward = seconds([&] {
-      for (int step = 0; step < kSteps; ++step) inspector->seek(inspector->frame() + 1);
-    });
-    const double back = seconds([&] {
-      for (int step = 0; step < kSteps; ++step) inspector->seek(inspector->frame() - 1);
-    });
-    ratios.push_back(back / forward);
-    state.SetIterationTime(back / kSteps);
-  }
-  state.counters["stepBack"] = median(ratios);
-}
-
 /// From the choice of another option to its picture, s.
 double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
   return seconds([&] {
@@ -166,4 +148,3 @@ BENCHMARK(switchChoice)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterati
 BENCHMARK(watchAll)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
 BENCHMARK(watchOne)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(60);
 BENCHMARK(probe)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(200);
-BENCHMARK(stepBack)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
