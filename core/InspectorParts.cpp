@@ -7,6 +7,17 @@
 
 namespace taa {
 
+namespace {
+
+// What is shown of the resolved picture is no part of the history.
+bool changesOutputOnly(const Settings& settings, const Settings& old) {
+  Settings same = settings;
+  same.output = old.output;
+  return !(settings == old) && same == old;
+}
+
+} // namespace
+
 bool Inspector::Parts::isExact() const {
   return std::ranges::all_of(shown.lanes, &ShownLane::exact);
 }
@@ -52,6 +63,7 @@ FrameStep Inspector::Parts::stepOfRedraw(const Subject& next, const std::vector<
     const bool drawsSame = isSameView && sameInputs(next.lanes[index], subject.lanes[index]);
     step.previous.push_back(keepsHistory ? lane.previous : nullptr);
     step.inputs.push_back(drawsSame ? lane.inputs : nullptr);
+    if (drawsSame && changesOutputOnly(next.lanes[index], subject.lanes[index])) step.active[index] = false;
   }
   return step;
 }
@@ -62,14 +74,19 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
     return;
   }
   ShownFrame made = maker.take();
-  maker.make(next, stepOfRedraw(next, changed, keepsHistory), made);
+  const FrameStep step = stepOfRedraw(next, changed, keepsHistory);
+  maker.make(next, step, made);
   for (std::size_t index = 0; index < changed.size(); ++index) {
-    if (changed[index]) {
-      made.lanes[index].exact = startsHistory(next, made.frame);
+    ShownLane& lane = made.lanes[index];
+    if (step.active[index]) {
+      lane.exact = startsHistory(next, made.frame);
       checkpoints[index].clear();
-    } else {
-      std::swap(made.lanes[index], shown.lanes[index]);
+      continue;
     }
+    std::swap(lane, shown.lanes[index]);
+    if (!changed[index]) continue;
+    lane.isExposed = false;
+    lane.asked.reset();
   }
   subject = std::move(next);
   show(std::move(made));

@@ -1,0 +1,211 @@
+// The façade: what going through time resolves and draws, and what it leaves alone.
+#include "tests/support/SmallInspector.h"
+
+#include "core/base/Error.h"
+
+#include <algorithm>
+
+namespace {
+
+using taa::Image;
+using taa::Inspector;
+using taa::IntermediateId;
+using taa::Settings;
+using taa::test::small::everything;
+using taa::test::small::expectSame;
+using taa::test::small::fresh;
+using taa::test::small::isSame;
+using taa::test::small::kHeight;
+using taa::test::small::kWidth;
+using taa::test::small::otherJitter;
+using taa::test::small::otherSettings;
+
+class InspectorTimeTest : public taa::test::small::InspectorTest {};
+
+/// How many frames a seek replays: it tells of each.
+int replayed(Inspector& inspector, int frame) {
+  const int expected = inspector.replayLength(frame);
+  int count = 0;
+  inspector.seek(frame, [&](std::string_view, int, int all) {
+    EXPECT_EQ(all, expected);
+    ++count;
+    return true;
+  });
+  EXPECT_EQ(count, expected) << "to frame " << frame;
+  return count;
+}
+
+/// Bytes of a history of the default settings: RGBA16F and RG32F.
+constexpr std::size_t kHistoryBytes = std::size_t(kWidth) * kHeight * (8 + 8);
+
+} // namespace
+
+TEST_F(InspectorTimeTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
+  const std::vector<Image> expected = fresh({}, 6);
+  const auto inspector = opened();
+  for (int frame = 1; frame <= 6; ++frame) inspector->advance();
+  expectSame(inspector->images(everything()), expected);
+  for (int frame = 7; frame <= 11; ++frame) inspector->seek(frame);
+  for (int frame = 10; frame >= 6; --frame) inspector->seek(frame);
+  expectSame(inspector->images(everything()), expected);
+  inspector->seek(20);
+  inspector->seek(6);
+  expectSame(inspector->images(everything()), expected);
+  EXPECT_EQ(inspector->frame(), 6);
+}
+
+TEST_F(InspectorTimeTest, ReplaysOneFrameForAStepAndNoneForAStepBack) {
+  const auto inspector = opened();
+  EXPECT_EQ(replayed(*inspector, 8), 8) << "frame 0 is there already";
+  EXPECT_EQ(replayed(*inspector, 9), 1);
+  EXPECT_EQ(replayed(*inspector, 8), 0);
+  EXPECT_EQ(replayed(*inspector, 7), 0);
+  EXPECT_EQ(replayed(*inspector, 0), 0);
+  EXPECT_EQ(replayed(*inspector, 9), 0) << "and on again";
+}
+
+TEST_F(InspectorTimeTest, RestoresWithoutDrawingWhatIsNotLookedAt) {
+  const std::vector<Image> expected = fresh({}, 6), next = fresh({}, 7);
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::output});
+  inspector->seek(9);
+  inspector->seek(6);
+  EXPECT_EQ(inspector->info().frame, 6);
+  EXPECT_EQ(inspector->info().jitterPx, inspector->inputs().info.jitterPx);
+  inspector->seek(5);
+  inspector->seek(6);
+  for (const IntermediateId id :
+       {IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::output})
+    EXPECT_TRUE(isSame(inspector->image(id), expected[static_cast<std::size_t>(id)]))
+        << taa::intermediate(id).name;
+  EXPECT_TRUE(isSame(inspector->images({IntermediateId::resolved}).front(),
+                     expected[static_cast<std::size_t>(IntermediateId::resolved)]));
+  EXPECT_EQ(inspector->times().scene, 0.0) << "nothing was drawn";
+  EXPECT_EQ(inspector->times().resolve, 0.0);
+  const taa::PixelRecord record = inspector->probe(20, 9);
+  EXPECT_GT(inspector->times().scene, 0.0) << "now it is";
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    EXPECT_EQ(record[static_cast<std::size_t>(row.id)],
+              expected[static_cast<std::size_t>(row.id)].texel(20, 9))
+        << row.name;
+  for (const taa::Intermediate& row : taa::kIntermediates)
+    EXPECT_TRUE(isSame(inspector->image(row.id), expected[static_cast<std::size_t>(row.id)])) << row.name;
+  inspector->seek(5);
+  inspector->seek(6);
+  inspector->advance();
+  expectSame(inspector->images(everything()), next);
+}
+
+TEST_F(InspectorTimeTest, RestoresWhatIsShownOfThePictureToo) {
+  Settings sharp = otherSettings();
+  taa::applyAssignment(sharp, "output.sharpen=rcas");
+  Settings exact;
+  taa::applyAssignment(exact, "history.precision=full");
+  Settings coarse;
+  taa::applyAssignment(coarse, "history.precision=unorm8");
+  for (const Settings& settings : {sharp, exact, coarse}) {
+    const auto inspector = opened({settings});
+    inspector->seek(7);
+    inspector->seek(6);
+    const std::vector<Image> expected = fresh(settings, 6);
+    for (const IntermediateId id :
+         {IntermediateId::output, IntermediateId::resolved, IntermediateId::historyLength})
+      EXPECT_TRUE(isSame(inspector->image(id), expected[static_cast<std::size_t>(id)]))
+          << taa::intermediate(id).name;
+  }
+}
+
+TEST_F(InspectorTimeTest, DrawsNothingAnewForSettingsOfTheResolve) {
+  const auto inspector = opened({Settings{}, Settings{}});
+  inspector->seek(6);
+  const std::vector<Image> second = inspector->images(everything(), 1);
+  inspector->setSettings(otherSettings(), 0);
+  EXPECT_EQ(inspector->times().scene, 0.0);
+  EXPECT_GT(inspector->times().resolve, 0.0);
+  EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1));
+  expectSame(inspector->images(everything(), 1), second);
+  inspector->setSettings(otherJitter(), 0);
+  EXPECT_GT(inspector->times().scene, 0.0);
+  EXPECT_NE(&inspector->inputs(0), &inspector->inputs(1));
+  expectSame(inspector->images(everything(), 1), second);
+  inspector->refine();
+  expectSame(inspector->images(everything(), 0), fresh(otherJitter(), 6));
+  expectSame(inspector->images(everything(), 1), second);
+}
+
+TEST_F(InspectorTimeTest, StaysExactWhenOnlyWhatIsShownOfThePictureChanges) {
+  Settings sharp;
+  taa::applyAssignment(sharp, "output.sharpen=rcas");
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::output});
+  inspector->seek(6);
+  const Image blurry = inspector->image(IntermediateId::output);
+  inspector->setSettings(sharp);
+  EXPECT_TRUE(inspector->isExact());
+  EXPECT_EQ(inspector->times().scene, 0.0);
+  EXPECT_FALSE(isSame(inspector->image(IntermediateId::output), blurry));
+  expectSame(inspector->images(everything()), fresh(sharp, 6));
+  EXPECT_EQ(replayed(*inspector, 5), 0);
+  expectSame(inspector->images(everything()), fresh(sharp, 5));
+}
+
+TEST_F(InspectorTimeTest, GoesAnywhereInAPlayedShotWithinSixteenFrames) {
+  const auto inspector = opened();
+  EXPECT_EQ(inspector->checkpointBudget(), std::size_t(1) << 30);
+  // As many histories as the default budget holds of 1280 × 720.
+  inspector->setCheckpointBudget(kHistoryBytes * (inspector->checkpointBudget() / (1280 * 720 * 16)));
+  ASSERT_EQ(inspector->frameCount(), 240);
+  while (inspector->frame() < 239) inspector->advance();
+  for (int back = 1; back <= 16; ++back) EXPECT_EQ(replayed(*inspector, 239 - back), 0);
+  EXPECT_EQ(replayed(*inspector, 239), 0);
+  std::vector<int> lengths;
+  for (int seek = 0; seek < 80; ++seek) lengths.push_back(replayed(*inspector, (seek * 89 + 40) % 240));
+  std::ranges::sort(lengths);
+  EXPECT_LE(lengths.back(), 16);
+  EXPECT_LE(lengths[lengths.size() / 2], 8);
+  EXPECT_EQ(replayed(*inspector, 0), 0);
+  EXPECT_EQ(replayed(*inspector, 239), 0);
+}
+
+TEST_F(InspectorTimeTest, KnowsTheNearestFrameAtHand) {
+  const auto inspector = opened();
+  EXPECT_EQ(inspector->nearestAtHand(0), 0);
+  EXPECT_EQ(inspector->nearestAtHand(100), 1) << "one frame from the first";
+  inspector->seek(30);
+  EXPECT_EQ(inspector->nearestAtHand(12), 12);
+  EXPECT_EQ(inspector->nearestAtHand(200), 31);
+  EXPECT_EQ(inspector->replayLength(200), 170);
+  EXPECT_LE(replayed(*inspector, 31), 1);
+}
+
+TEST_F(InspectorTimeTest, ReplaysFromTheStartWhenNothingMayBeKept) {
+  const std::vector<Image> expected = fresh({}, 4);
+  const auto inspector = opened();
+  inspector->seek(9);
+  inspector->setCheckpointBudget(0);
+  EXPECT_EQ(replayed(*inspector, 10), 1) << "the histories in use stay";
+  EXPECT_EQ(replayed(*inspector, 4), 5);
+  expectSame(inspector->images(everything()), expected);
+}
+
+TEST_F(InspectorTimeTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
+  const auto inspector = opened();
+  inspector->setCheckpointBudget(12 * kHistoryBytes);
+  inspector->seek(100);
+  EXPECT_EQ(replayed(*inspector, 99), 0);
+  // Six anchors over 240 frames: one each 40.
+  EXPECT_EQ(inspector->frameCount(), 240);
+  EXPECT_LE(replayed(*inspector, 79), 40);
+}
+
+TEST_F(InspectorTimeTest, StaysWhereItWasWhenASeekIsCancelled) {
+  const auto inspector = opened();
+  inspector->watch({IntermediateId::alpha});
+  inspector->seek(3);
+  const std::vector<Image> before = inspector->images(everything());
+  EXPECT_THROW(inspector->seek(12, [](std::string_view, int done, int) { return done < 4; }), taa::Cancelled);
+  EXPECT_EQ(inspector->frame(), 3);
+  expectSame(inspector->images(everything()), before);
+  EXPECT_EQ(replayed(*inspector, 12), 5) << "what was replayed is kept";
+  expectSame(inspector->images(everything()), fresh({}, 12));
+}

@@ -1,0 +1,104 @@
+// A render thread on a small picture whose results are taken down.
+#pragma once
+
+#include "core/RenderThread.h"
+
+#include "core/settings/Parameters.h"
+#include "tests/support/GlTest.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::test::onThread {
+
+inline constexpr int kWidth = 32, kHeight = 18;
+
+/// Takes down all that a render thread says.
+struct Recorder {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<ViewResult> pictures;
+  std::vector<ProbeResult> probes;
+  std::vector<Status> statuses;
+  std::vector<Work> works;
+  std::vector<std::string> errors;
+  std::function<void(const Work&)> onWork; ///< also called, without the lock
+
+  template <typename T>
+  void add(std::vector<T>& list, T value) {
+    {
+      const std::lock_guard lock(mutex);
+      list.push_back(std::move(value));
+    }
+    changed.notify_all();
+  }
+  RenderListener listener() {
+    return {.onPicture = [this](ViewResult result) { add(pictures, std::move(result)); },
+            .onProbe = [this](ProbeResult result) { add(probes, std::move(result)); },
+            .onStatus = [this](Status status) { add(statuses, std::move(status)); },
+            .onWork =
+                [this](Work work) {
+                  if (onWork) onWork(work);
+                  add(works, std::move(work));
+                },
+            .onError = [this](std::string text) { add(errors, std::move(text)); }};
+  }
+  /// Until `holds` is true of what was said; false after a minute.
+  template <typename Condition>
+  bool waitFor(Condition holds) {
+    std::unique_lock lock(mutex);
+    return changed.wait_for(lock, std::chrono::minutes(1), holds);
+  }
+  template <typename Action>
+  auto read(Action action) {
+    const std::lock_guard lock(mutex);
+    return action();
+  }
+  int frame() {
+    return read([&] { return statuses.empty() ? -1 : statuses.back().info.frame; });
+  }
+  void clear() {
+    const std::lock_guard lock(mutex);
+    pictures.clear();
+    probes.clear();
+    statuses.clear();
+    works.clear();
+    errors.clear();
+  }
+};
+
+inline ViewRequest viewOf(IntermediateId id) {
+  return {
+      .id = id, .style = defaultStyle(intermediate(id)), .transform = {}, .width = kWidth, .height = kHeight};
+}
+
+inline Settings otherJitter() {
+  Settings settings;
+  applyAssignment(settings, "jitter.period=8");
+  return settings;
+}
+
+class RenderThreadTest : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    thread = std::make_unique<RenderThread>(recorder.listener());
+    thread->setSize(kWidth, kHeight);
+    thread->open("builtin:fan");
+    thread->waitUntilIdle();
+  }
+  void TearDown() override {
+    thread.reset();
+    GlTest::TearDown();
+  }
+  Recorder recorder; // outlives the thread
+  std::unique_ptr<RenderThread> thread;
+};
+
+} // namespace taa::test::onThread

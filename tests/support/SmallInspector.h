@@ -1,0 +1,77 @@
+// The façade on a small picture, and what its tests compare with.
+#pragma once
+
+#include "core/Inspector.h"
+
+#include "core/settings/Parameters.h"
+#include "tests/support/GlTest.h"
+
+#include <cstring>
+#include <future>
+#include <memory>
+#include <vector>
+
+namespace taa::test::small {
+
+inline constexpr int kWidth = 48, kHeight = 27;
+
+class InspectorTest : public GlTest {
+ protected:
+  static std::unique_ptr<Inspector> opened(const std::vector<Settings>& lanes = {Settings{}}) {
+    auto inspector = std::make_unique<Inspector>();
+    inspector->setSize(kWidth, kHeight);
+    inspector->setLanes(lanes);
+    inspector->open("builtin:fan");
+    return inspector;
+  }
+};
+
+inline const std::vector<IntermediateId>& everything() {
+  static const std::vector<IntermediateId> ids = [] {
+    std::vector<IntermediateId> all;
+    all.reserve(kIntermediateCount);
+    for (const Intermediate& row : kIntermediates) all.push_back(row.id);
+    return all;
+  }();
+  return ids;
+}
+
+inline bool isSame(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.channels == b.channels &&
+         std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
+}
+
+inline void expectSame(const std::vector<Image>& actual, const std::vector<Image>& expected) {
+  ASSERT_EQ(actual.size(), expected.size());
+  for (std::size_t index = 0; index < actual.size(); ++index)
+    EXPECT_TRUE(isSame(actual[index], expected[index])) << kIntermediates[index].name;
+}
+
+/// All of a frame, from an inspector that went straight there; on a thread of its own, so that the context of
+/// the one under test stays current here.
+inline std::vector<Image> fresh(const Settings& settings, int frame) {
+  const auto make = [&] {
+    Inspector inspector;
+    inspector.setSize(kWidth, kHeight);
+    inspector.setSettings(settings);
+    inspector.open("builtin:fan");
+    inspector.seek(frame);
+    return inspector.images(everything());
+  };
+  return std::async(std::launch::async, make).get();
+}
+
+inline Settings otherSettings() {
+  Settings settings;
+  applyAssignment(settings, "rectify.method=clamp");
+  applyAssignment(settings, "weight.minimum=0.05");
+  return settings;
+}
+
+inline Settings otherJitter() {
+  Settings settings;
+  applyAssignment(settings, "jitter.period=8");
+  return settings;
+}
+
+} // namespace taa::test::small
