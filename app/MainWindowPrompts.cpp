@@ -81,6 +81,11 @@ void MainWindow::askForSize() {
         return true;
       },
       this);
+  prompt->setHint([this](const QString& text) {
+    int width = 0, height = 0;
+    if (!parsePair(text, width, height) || width == 0 || height == 0) return tr("width and height");
+    return tr("takes %1 of memory").arg(session_.memoryText({width, height}));
+  });
   prompt->open();
 }
 

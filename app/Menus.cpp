@@ -31,7 +31,8 @@ QList<QKeySequence> keys(std::initializer_list<const char*> names) {
 }
 
 constexpr std::size_t kBudgetsMiB[] = {256, 1024, 2048, 4096};
-constexpr glm::ivec2 kSizes[] = {{640, 360}, {960, 540}, {1280, 720}, {1920, 1080}};
+constexpr glm::ivec2 kSizes[] = {{640, 360},   {960, 540},   {1280, 720}, {1920, 1080},
+                                 {2560, 1440}, {3840, 2160}, {7680, 4320}};
 
 } // namespace
 
@@ -209,9 +210,13 @@ void Menus::makeFrame() {
   cameras_ = menu->addMenu(tr("&Camera"));
   objects_ = menu->addMenu(tr("&Motion of objects"));
   QMenu* sizes = menu->addMenu(tr("Render si&ze"));
-  for (const glm::ivec2 size : kSizes)
-    add(sizes, QStringLiteral("%1×%2").arg(size.x).arg(size.y), {},
-        [&session, size] { session.setSize(size.x, size.y); });
+  for (const glm::ivec2 size : kSizes) {
+    const QString name = QStringLiteral("%1×%2").arg(size.x).arg(size.y);
+    QAction* action = add(sizes, name, {}, [&session, size] { session.setSize(size.x, size.y); });
+    connect(sizes, &QMenu::aboutToShow, action, [action, name, &session, size] {
+      action->setText(tr("%1 (%2)").arg(name, session.memoryText(size)));
+    });
+  }
   add(sizes, tr("Other…"), {}, [this] { window_.askForSize(); });
   QMenu* budgets = menu->addMenu(tr("Memory for &kept frames"));
   for (const std::size_t size : kBudgetsMiB) {

@@ -2,6 +2,7 @@
 
 #include "app/UserPresets.h"
 #include "core/base/Error.h"
+#include "core/inspect/MemoryNeed.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -32,6 +33,15 @@ Session::~Session() {
 const ViewResult* Session::picture(int view) const {
   const auto& picture = pictures_.at(static_cast<std::size_t>(view));
   return picture ? &*picture : nullptr;
+}
+
+QString Session::memoryText(const glm::ivec2& sizePx) const {
+  std::vector<IntermediateId> watched;
+  for (const std::optional<ViewResult>& picture : pictures_)
+    if (picture && std::ranges::find(watched, picture->request.id) == watched.end())
+      watched.push_back(picture->request.id);
+  const std::size_t bytes = memoryNeed({settings_}, sizePx, watched).total();
+  return tr("about %1").arg(QString::fromStdString(bytesText(bytes)));
 }
 
 bool Session::isPresetChanged() const {

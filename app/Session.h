@@ -30,6 +30,8 @@ class Session : public QObject {
   const Work& work() const { return work_; }
   const ProbeResult* probe() const { return probe_ ? &*probe_ : nullptr; }
   const ViewResult* picture(int view) const;
+  /// What another size takes with these settings and views: "about 155 MiB".
+  QString memoryText(const glm::ivec2& sizePx) const;
   /// The settings asked for, which the picture may not show yet.
   const Settings& settings() const { return settings_; }
   const std::string& presetId() const { return presetId_; }

@@ -26,6 +26,16 @@ Prompt::Prompt(const QString& question, const QString& text, std::function<bool(
   setFocusProxy(field_);
 }
 
+void Prompt::setHint(const std::function<QString(const QString&)>& hint) {
+  hint_ = new QLabel(hint(field_->text()));
+  layout()->addWidget(hint_);
+  connect(field_, &QLineEdit::textChanged, hint_, [this, hint] { hint_->setText(hint(field_->text())); });
+}
+
+QString Prompt::hint() const {
+  return hint_ ? hint_->text() : QString();
+}
+
 void Prompt::open() {
   adjustSize();
   const QWidget* over = parentWidget();

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+class QLabel;
 class QLineEdit;
 
 namespace taa::app {
@@ -17,9 +18,12 @@ class Prompt : public QFrame {
   Prompt(const QString& question, const QString& text, std::function<bool(const QString&)> accept,
          QWidget* parent);
 
+  /// A line below the field that says something about what it holds, as it is typed.
+  void setHint(const std::function<QString(const QString&)>& hint);
   /// In the upper middle of the parent.
   void open();
   QLineEdit* field() const { return field_; }
+  QString hint() const;
 
  protected:
   bool eventFilter(QObject*, QEvent*) override;
@@ -27,6 +31,7 @@ class Prompt : public QFrame {
  private:
   std::function<bool(const QString&)> accept_;
   QLineEdit* field_;
+  QLabel* hint_ = nullptr; ///< null: none
 };
 
 /// Two whole numbers with anything between them: "412, 207", "1280x720". False: there are not two.

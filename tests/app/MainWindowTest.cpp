@@ -170,6 +170,25 @@ TEST_F(Window, GoToPixelTakesTwoNumbers) {
   EXPECT_EQ(session.pick(), glm::ivec2(41, 17));
 }
 
+TEST_F(Window, SaysWhatASizeTakesWhereItIsChosen) {
+  QMenu* sizes = nullptr;
+  for (QMenu* menu : window.findChildren<QMenu*>())
+    if (menu->title().remove(QLatin1Char('&')) == QStringLiteral("Render size")) sizes = menu;
+  ASSERT_TRUE(sizes);
+  Q_EMIT sizes->aboutToShow();
+  const QString first = sizes->actions().first()->text();
+  EXPECT_TRUE(first.startsWith(QStringLiteral("640×360 (about ")) && first.contains(QStringLiteral("MiB")))
+      << first.toStdString();
+  EXPECT_TRUE(sizes->actions().at(6)->text().contains(QStringLiteral("GiB")));
+  window.askForSize();
+  auto* prompt = window.findChild<Prompt*>();
+  ASSERT_TRUE(prompt);
+  prompt->field()->setText(QStringLiteral("7680x4320"));
+  EXPECT_TRUE(prompt->hint().contains(QStringLiteral("GiB"))) << prompt->hint().toStdString();
+  prompt->field()->setText(QStringLiteral("7680"));
+  EXPECT_FALSE(prompt->hint().contains(QStringLiteral("iB"))) << prompt->hint().toStdString();
+}
+
 TEST_F(Window, KeysChangeHowThePictureLooks) {
   ViewPanel* view = window.views()->view(0);
   key(Qt::Key_E);
