@@ -2,10 +2,14 @@
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
+#include "core/gl/ShaderStripper.h"
 
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -14,6 +18,7 @@ namespace taa::gl {
 ShaderSource::ShaderSource(const std::string& path, std::string_view prelude) : files_{"prelude"} {
   text_ = "#version 450 core\n#line 1 0\n" + std::string(prelude) + "\n";
   append(path, "");
+  text_ = withoutUnused(text_);
 }
 
 void ShaderSource::append(const std::string& path, const std::string& includedFrom) {
@@ -89,31 +94,88 @@ struct Shader {
   Shader& operator=(const Shader&) = delete;
 };
 
+// One shader, or two: a single one links into a program for a pipeline.
+void link(GLuint program, GLuint vertex, GLuint fragment, const std::string& what) {
+  glProgramParameteri(program, GL_PROGRAM_SEPARABLE, vertex && fragment ? GL_FALSE : GL_TRUE);
+  for (const GLuint shader : {vertex, fragment})
+    if (shader) glAttachShader(program, shader);
+  glLinkProgram(program);
+  for (const GLuint shader : {vertex, fragment})
+    if (shader) glDetachShader(program, shader);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked) return;
+  char log[4096] = "";
+  glGetProgramInfoLog(program, sizeof(log), nullptr, log);
+  throw Error("cannot link " + what + ":\n" + log);
+}
+
 } // namespace
 
-Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label) {
-  const Shader vertexShader(GL_VERTEX_SHADER, vertex);
-  const Shader fragmentShader(GL_FRAGMENT_SHADER, fragment);
-  id_ = glCreateProgram();
-  glAttachShader(id_, vertexShader.id);
-  glAttachShader(id_, fragmentShader.id);
-  glLinkProgram(id_);
-  glDetachShader(id_, vertexShader.id);
-  glDetachShader(id_, fragmentShader.id);
-  GLint linked = 0;
-  glGetProgramiv(id_, GL_LINK_STATUS, &linked);
-  if (!linked) {
-    char log[4096] = "";
-    glGetProgramInfoLog(id_, sizeof(log), nullptr, log);
+struct Program::VertexStage {
+  GLuint id = glCreateProgram();
+  explicit VertexStage(const ShaderSource& source) {
+    try {
+      const Shader shader(GL_VERTEX_SHADER, source);
+      link(id, shader.id, 0, "shaders/" + source.path());
+    } catch (...) {
+      glDeleteProgram(id);
+      throw;
+    }
+  }
+  ~VertexStage() { glDeleteProgram(id); }
+  VertexStage(const VertexStage&) = delete;
+  VertexStage& operator=(const VertexStage&) = delete;
+};
+
+namespace {
+
+bool handsOnNothing(const ShaderSource& vertex) {
+  return vertex.text().find("out gl_PerVertex") != std::string::npos;
+}
+
+} // namespace
+
+// Drivers translate a vertex shader anew for every program it is in (15 ms each on llvmpipe): programs of a
+// context that draw fullscreen have one in common.
+std::shared_ptr<Program::VertexStage> Program::sharedVertexStage(const ShaderSource& source) {
+  using Key = std::pair<EGLContext, std::string>;
+  thread_local std::map<Key, std::weak_ptr<VertexStage>> stages;
+  std::weak_ptr<VertexStage>& kept = stages[{eglGetCurrentContext(), source.text()}];
+  std::shared_ptr<VertexStage> stage = kept.lock();
+  if (!stage) kept = stage = std::make_shared<VertexStage>(source);
+  return stage;
+}
+
+Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label)
+    : id_(glCreateProgram()) {
+  const bool isAlone = handsOnNothing(vertex);
+  if (isAlone) vertexStage_ = sharedVertexStage(vertex);
+  try {
+    const Shader fragmentShader(GL_FRAGMENT_SHADER, fragment);
+    std::optional<Shader> vertexShader;
+    if (!isAlone) vertexShader.emplace(GL_VERTEX_SHADER, vertex);
+    link(id_, vertexShader ? vertexShader->id : 0, fragmentShader.id,
+         "shaders/" + vertex.path() + " with shaders/" + fragment.path());
+  } catch (...) {
     glDeleteProgram(id_);
-    id_ = 0;
-    throw Error("cannot link shaders/" + vertex.path() + " with shaders/" + fragment.path() + ":\n" + log);
+    throw;
   }
   glObjectLabel(GL_PROGRAM, id_, -1, label.c_str());
+  if (!isAlone) return;
+  glCreateProgramPipelines(1, &pipeline_);
+  glUseProgramStages(pipeline_, GL_VERTEX_SHADER_BIT, vertexStage_->id);
+  glUseProgramStages(pipeline_, GL_FRAGMENT_SHADER_BIT, id_);
 }
 
 Program::~Program() {
+  if (pipeline_) glDeleteProgramPipelines(1, &pipeline_);
   if (id_) glDeleteProgram(id_);
+}
+
+void Program::use() const {
+  glUseProgram(pipeline_ ? 0 : id_);
+  glBindProgramPipeline(pipeline_);
 }
 
 std::vector<std::pair<std::string, int>> Program::blockOffsets(const std::string& block) const {

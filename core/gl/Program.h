@@ -1,6 +1,7 @@
 // Shader programs: source with includes and a prelude, compiled, with errors that name file and line.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,7 +10,8 @@
 namespace taa::gl {
 
 /// The text of a shader after `#include "…"` (paths below shaders/, each file once) is expanded. `#version
-/// 450 core` and the prelude are put before it; line numbers keep naming the files they came from.
+/// 450 core` and the prelude are put before it, and what its constants rule out is left out; line numbers
+/// keep naming the files they came from.
 class ShaderSource {
  public:
   /// `path` is below shaders/ ("taa/resolve.frag"). Throws Error when a file is missing, naming who includes
@@ -32,12 +34,14 @@ class Program {
   Program() = default;
   Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label);
   ~Program();
-  Program(Program&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  Program(Program&& other) noexcept { swap(other); }
   Program& operator=(Program&& other) noexcept {
-    std::swap(id_, other.id_);
+    swap(other);
     return *this;
   }
   unsigned id() const { return id_; }
+  /// For what is drawn next.
+  void use() const;
   explicit operator bool() const { return id_ != 0; }
 
   /// Members of uniform block `block` and their offsets in bytes, for the test that compares shared structs
@@ -45,7 +49,15 @@ class Program {
   std::vector<std::pair<std::string, int>> blockOffsets(const std::string& block) const;
 
  private:
-  unsigned id_ = 0;
+  struct VertexStage;
+  static std::shared_ptr<VertexStage> sharedVertexStage(const ShaderSource& source);
+  void swap(Program& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(pipeline_, other.pipeline_);
+    std::swap(vertexStage_, other.vertexStage_);
+  }
+  unsigned id_ = 0, pipeline_ = 0; ///< with a pipeline, id_ is its fragment stage
+  std::shared_ptr<VertexStage> vertexStage_;
 };
 
 } // namespace taa::gl

@@ -132,7 +132,7 @@ RenderPass::~RenderPass() {
 }
 
 void RenderPass::program(const Program& program) {
-  glUseProgram(program.id());
+  program.use();
 }
 
 void RenderPass::texture(unsigned unit, const Texture& texture, const Sampler& sampler) {

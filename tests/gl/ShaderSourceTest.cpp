@@ -22,10 +22,18 @@ std::string errorOf(const auto& action) {
 
 TEST(ShaderSource, PutsVersionAndPreludeFirst) {
   const ShaderFolder folder;
-  folder.write("test.frag", "void main() {}\n");
+  folder.write("test.frag", "void main() { gl_FragDepth = float(kOne); }\n");
   const std::string text = ShaderSource("test.frag", "const int kOne = 1;").text();
   EXPECT_EQ(text.find("#version 450 core\n"), 0u);
   EXPECT_LT(text.find("kOne"), text.find("main"));
+}
+
+TEST(ShaderSource, LeavesOutWhatConstantsRuleOut) {
+  const ShaderFolder folder;
+  folder.write("test.frag",
+               "float gone() { return 1.0; }\nvoid main() { if (kOff) gl_FragDepth = gone(); }\n");
+  const std::string text = ShaderSource("test.frag", "const bool kOff = false;").text();
+  EXPECT_EQ(text.find("gone"), std::string::npos) << text;
 }
 
 TEST(ShaderSource, ExpandsAnIncludedFileOnce) {
