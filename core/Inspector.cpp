@@ -36,19 +36,6 @@ void checkSize(int width, int height, const std::vector<Settings>& lanes,
   if (!refusal.empty()) throw Error(refusal);
 }
 
-/// The values of `region` (px of the picture), with the row's channels.
-Image valuesOf(const Exposure& exposure, IntermediateId id, const gl::Rect& region) {
-  const gl::Rect& held = exposure.region();
-  Image texels = exposure.texture(id).download(
-      {region.x - held.x, region.y - held.y, region.width, region.height}, exposure.layer(id));
-  const int channels = intermediate(id).channels;
-  if (channels == texels.channels) return texels;
-  Image values(texels.width, texels.height, channels);
-  for (int y = 0; y < values.height; ++y)
-    for (int x = 0; x < values.width; ++x) std::copy_n(texels.at(x, y), channels, values.at(x, y));
-  return values;
-}
-
 } // namespace
 
 Inspector::Inspector() : parts_(std::make_unique<Parts>()) {
@@ -242,7 +229,7 @@ void Inspector::watch(const std::vector<IntermediateId>& ids) {
 Image Inspector::image(IntermediateId id, int lane, std::optional<gl::Rect> region) {
   const gl::Rect part = region.value_or(gl::Rect{0, 0, width(), height()});
   assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= width() && part.y + part.height <= height());
-  return valuesOf(parts_->maker.exposed(parts_->subject, parts_->shown, id, lane), id, part);
+  return parts_->maker.exposed(parts_->subject, parts_->shown, id, lane).image(id, part);
 }
 
 std::vector<Image> Inspector::images(const std::vector<IntermediateId>& ids, int lane) {
@@ -285,8 +272,8 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
 Picture Inspector::picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                            int width, int height, int lane) {
   const Exposure& exposure = parts_->maker.exposed(parts_->subject, parts_->shown, id, lane);
-  return parts_->visualizer.draw(exposure.texture(id), exposure.layer(id), intermediate(id), style, transform,
-                                 width, height);
+  return parts_->visualizer.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id),
+                                 intermediate(id), style, transform, width, height);
 }
 
 const FrameInputs& Inspector::inputs(int lane) const {

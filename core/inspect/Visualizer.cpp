@@ -72,7 +72,7 @@ int channelAlone(const Intermediate& row, const ViewStyle& style) {
   return static_cast<int>(std::ranges::find(shown, true) - shown.begin());
 }
 
-shared::ViewBlock block(const gl::Texture& texture, int layer, const ViewStyle& style,
+shared::ViewBlock block(const gl::Texture& texture, int layer, int firstChannel, const ViewStyle& style,
                         const ViewTransform& transform) {
   const float span = style.high - style.low;
   shared::ViewBlock block;
@@ -81,7 +81,7 @@ shared::ViewBlock block(const gl::Texture& texture, int layer, const ViewStyle& 
   // An empty range is a step at its value.
   block.range = {style.low, span != 0.0f ? span : 1e-30f, std::exp2(style.exposure), transform.zoom};
   block.channels = {style.red, style.green, style.blue, 0};
-  block.layer = {layer, 0, 0, 0};
+  block.layer = {layer, firstChannel, 0, 0};
   return block;
 }
 
@@ -129,7 +129,7 @@ Visualizer::~Visualizer() = default;
 Visualizer::Visualizer(Visualizer&&) noexcept = default;
 Visualizer& Visualizer::operator=(Visualizer&&) noexcept = default;
 
-Picture Visualizer::draw(const gl::Texture& texture, int layer, const Intermediate& row,
+Picture Visualizer::draw(const gl::Texture& texture, int layer, int firstChannel, const Intermediate& row,
                          const ViewStyle& style, const ViewTransform& transform, int width, int height) {
   assert(texture.size().layers > layer && width > 0 && height > 0 && transform.zoom > 0.0f);
   const gl::Program& program = parts_->program({.visual = row.visual,
@@ -139,7 +139,7 @@ Picture Visualizer::draw(const gl::Texture& texture, int layer, const Intermedia
                                                 .marksInvalid = style.markInvalid,
                                                 .isMinified = transform.zoom < 1.0f});
   const Parts::Target& target = parts_->target(width, height);
-  const shared::ViewBlock values = block(texture, layer, style, transform);
+  const shared::ViewBlock values = block(texture, layer, firstChannel, style, transform);
   parts_->blocks.update(0, &values, sizeof(values));
   {
     gl::RenderPass pass(target.framebuffer, {}, "Visualizer");

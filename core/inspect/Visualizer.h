@@ -53,9 +53,10 @@ class Visualizer {
   Visualizer(Visualizer&&) noexcept;
   Visualizer& operator=(Visualizer&&) noexcept;
 
-  /// Draws `layer` of `texture` (an array) as row `row` into a viewport of the given size (px).
-  Picture draw(const gl::Texture& texture, int layer, const Intermediate& row, const ViewStyle& style,
-               const ViewTransform& transform, int width, int height);
+  /// Draws `layer` of `texture` (an array), from its `firstChannel` on, as row `row` into a viewport of the
+  /// given size (px).
+  Picture draw(const gl::Texture& texture, int layer, int firstChannel, const Intermediate& row,
+               const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// One with the same programs, compiled again; throws Error when one does not compile.
   Visualizer reloaded() const;
 

@@ -70,14 +70,16 @@ std::size_t historyTargets(const Settings& settings) {
                                kLayers, [&](const HistoryLayer& layer) { return layer.isNeeded(settings); }));
 }
 
-std::string historyPrelude(const Settings& settings) {
-  std::string text;
+std::string historyPrelude(const Settings& settings, bool keepsHistory) {
+  std::string text = keepsHistory ? "layout(location = 0) out vec4 o_color;\n"
+                                    "layout(location = 1) out vec2 o_surface;\n"
+                                  : "vec4 o_color;\nvec2 o_surface;\n";
   std::size_t target = kHistoryTargets;
   for (std::size_t index = 0; index < std::size(kLayers); ++index) {
     const HistoryLayer& layer = kLayers[index];
     const std::string name(layer.name), keep = "#define keep_" + name + "(value)";
     text += "const int kLayer_" + name + " = " + std::to_string(2 << index) + ";\n";
-    if (!layer.isNeeded(settings)) {
+    if (!keepsHistory || !layer.isNeeded(settings)) {
       text += keep + "\n";
       continue;
     }

@@ -41,8 +41,9 @@ inline constexpr unsigned kFirstLayerUnit = 8;
 std::size_t historyTargets(const Settings& settings);
 
 /// GLSL text: an output and `keep_<name>(value)` for each layer that is kept, an empty macro for the others,
-/// and `const int kLayer_<name>`, the layer's bit in the resolve block's state.
-std::string historyPrelude(const Settings& settings);
+/// and `const int kLayer_<name>`, the layer's bit in the resolve block's state. The outputs o_color and
+/// o_surface as well, which are mere variables of a run that keeps no history.
+std::string historyPrelude(const Settings& settings, bool keepsHistory = true);
 
 /// Makes the textures of `history` fit size and settings; keeps those that do, frees those not needed.
 void fitHistory(History& history, int width, int height, const Settings& settings);

@@ -223,16 +223,4 @@ std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& wat
 /// Color targets of the resolve that are always the history's; see historyTargets().
 inline constexpr std::size_t kHistoryTargets = 2;
 
-/// Whether so few are watched that each gets a color target of its own behind the `taken` first, which costs
-/// less than an image store. GL promises eight targets.
-inline bool exposesAsTargets(const std::vector<IntermediateId>& watched,
-                             std::size_t taken = kHistoryTargets) {
-  return taken + watched.size() <= 8;
-}
-
-/// GLSL text that defines `expose_<id>(value)` for every row: writes the row's layer when it is in `watched`,
-/// nothing otherwise. Layers are given in the order of `watched`, one array for each channel count (see
-/// Exposure). The `taken` first color targets are not for rows.
-std::string exposePrelude(const std::vector<IntermediateId>& watched, std::size_t taken = kHistoryTargets);
-
 } // namespace taa

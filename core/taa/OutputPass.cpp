@@ -16,27 +16,25 @@ Settings relevantSettings(const Settings& settings) {
   return relevant;
 }
 
-std::string prelude(const Settings&, const std::vector<IntermediateId>& watched) {
-  return exposePrelude(watched, 0);
-}
-
-// Whether there is a layer to lay over the picture.
-std::string overlayConstant(bool hasOverlay) {
-  return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n";
+// Whether there is a layer to lay over the picture, and the rows.
+std::string prelude(bool hasOverlay, const ExposureLayout& layout) {
+  return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
+         exposeAsTargets(layout.ofOutput(), 0);
 }
 
 } // namespace
 
-OutputPass::OutputPass() : programs("taa/output.frag", "output", prelude) {}
+OutputPass::OutputPass() : programs("taa/output.frag", "output") {}
 
 void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
                       const Exposure& exposure) {
-  const std::vector<IntermediateId> rows = rowsOfOutput(exposure.watched());
-  if (rows.empty()) return;
+  const ExposureLayout& layout = exposure.layout();
+  if (layout.ofOutput().empty()) return;
   std::vector<gl::Attachment> targets;
-  for (const IntermediateId id : rows) targets.push_back({&exposure.texture(id), exposure.layer(id)});
+  for (const ExposedSlot& slot : layout.ofOutput())
+    targets.push_back({&exposure.textureOf(slot), slot.layer});
   const gl::Program& program =
-      programs.program(relevantSettings(settings), rows, overlayConstant(bool(inputs.overlay)));
+      programs.program(relevantSettings(settings), prelude(bool(inputs.overlay), layout));
   passInputs_.update(inputs, settings, 0, {exposure.region().x, exposure.region().y});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
@@ -46,11 +44,10 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   pass.drawFullscreen();
 }
 
-void OutputPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {
-  const std::vector<IntermediateId> rows = rowsOfOutput(watched);
-  if (rows.empty()) return;
+void OutputPass::prepare(const Settings& settings, const ExposureLayout& layout) {
+  if (layout.ofOutput().empty()) return;
   const bool hasOverlay = settings.inputs.blended == BlendedAs::After;
-  programs.program(relevantSettings(settings), rows, overlayConstant(hasOverlay));
+  programs.program(relevantSettings(settings), prelude(hasOverlay, layout));
 }
 
 } // namespace taa

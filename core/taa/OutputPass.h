@@ -18,8 +18,8 @@ class OutputPass {
   void fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
             const Exposure& exposure);
 
-  /// Compiles the program for `settings` now; not when `watched` holds no row of stage Output.
-  void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);
+  /// Compiles the program for `settings` now; not when `layout` holds no row of stage Output.
+  void prepare(const Settings& settings, const ExposureLayout& layout);
 
   ProgramCache programs;
 

@@ -16,22 +16,20 @@ constexpr std::uint64_t kRunsInUse = 16;
 
 } // namespace
 
-ProgramCache::ProgramCache(std::string fragment, std::string label, Prelude prelude)
-    : fragment_(std::move(fragment)), label_(std::move(label)), prelude_(prelude) {}
+ProgramCache::ProgramCache(std::string fragment, std::string label)
+    : fragment_(std::move(fragment)), label_(std::move(label)) {}
 
 gl::Program ProgramCache::compile(const std::string& prelude) const {
   return gl::Program(gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource(fragment_, prelude),
                      label_);
 }
 
-const gl::Program& ProgramCache::program(const Settings& settings, const std::vector<IntermediateId>& watched,
-                                         const std::string& more) {
-  std::string key = programKey(settings) + more;
-  for (const IntermediateId id : watched) key += std::to_string(static_cast<int>(id)) + ",";
+const gl::Program& ProgramCache::program(const Settings& settings, const std::string& prelude) {
+  const std::string key = programKey(settings) + prelude;
   const auto found = variants_.find(key);
   Variant& variant = found != variants_.end() ? found->second : [&]() -> Variant& {
     Variant made;
-    made.prelude = glslPrelude(settings) + more + prelude_(settings, watched);
+    made.prelude = glslPrelude(settings) + prelude;
     made.program = compile(made.prelude);
     dropOldest();
     return variants_[key] = std::move(made);
@@ -47,7 +45,7 @@ void ProgramCache::dropOldest() {
 }
 
 ProgramCache ProgramCache::compiledAnew() const {
-  ProgramCache fresh(fragment_, label_, prelude_);
+  ProgramCache fresh(fragment_, label_);
   fresh.runs_ = runs_;
   for (const auto& [key, variant] : variants_) {
     if (variant.lastUse + kRunsInUse < runs_) continue;

@@ -1,27 +1,23 @@
-// Specialised programs of one fragment shader: one for each set of choices and of watched rows.
+// Specialised programs of one fragment shader: one for each set of choices and of what is written.
 #pragma once
 
 #include "core/gl/Program.h"
 #include "core/settings/Settings.h"
-#include "core/taa/Intermediates.h"
 
+#include <cstdint>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace taa {
 
 /// Programs kept besides those in use are enough for a lane's choices to be flipped back and forth.
 class ProgramCache {
  public:
-  /// What stands before the shader, behind glslPrelude(): at least exposePrelude().
-  using Prelude = std::string (*)(const Settings& settings, const std::vector<IntermediateId>& watched);
-  ProgramCache(std::string fragment, std::string label, Prelude prelude);
+  ProgramCache(std::string fragment, std::string label);
 
-  /// The program of these settings that exposes `watched`, compiled now when it is new. `more`: constants
-  /// that no setting gives.
-  const gl::Program& program(const Settings& settings, const std::vector<IntermediateId>& watched,
-                             const std::string& more = {});
+  /// The program of these settings, compiled now when it is new. `prelude`: what stands before the shader
+  /// behind glslPrelude().
+  const gl::Program& program(const Settings& settings, const std::string& prelude);
 
   /// The same programs compiled again, those used lately at least. Throws Error when one does not compile.
   ProgramCache compiledAnew() const;
@@ -36,7 +32,6 @@ class ProgramCache {
   void dropOldest();
 
   std::string fragment_, label_;
-  Prelude prelude_;
   std::map<std::string, Variant> variants_; // by what their prelude depends on
   std::uint64_t runs_ = 0;
 };

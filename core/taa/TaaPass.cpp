@@ -4,13 +4,13 @@
 #include "core/taa/PassInputs.h"
 #include "core/taa/ProgramCache.h"
 
+#include <algorithm>
 #include <cassert>
+#include <span>
 
 namespace taa {
 
 namespace {
-
-using Watched = std::vector<IntermediateId>;
 
 // What the resolve's shader depends on: what is shown of its picture is another program's business.
 Settings relevantSettings(const Settings& settings) {
@@ -23,8 +23,33 @@ gl::TextureSize outputSize(const FrameInputs& inputs) {
   return {inputs.outputWidth(), inputs.outputHeight()};
 }
 
-std::string prelude(const Settings& settings, const Watched& watched) {
-  return historyPrelude(settings) + exposePrelude(watched, historyTargets(settings));
+// So small a region is exposed in one run whatever is watched: one program to compile, and stores cost
+// little.
+constexpr int kSmallRegion = 64 * 64;
+
+/// One run of the resolve: whether it writes the history, and which slots how.
+struct Run {
+  bool keepsHistory = false, stores = false;
+  std::span<const ExposedSlot> slots;
+
+  std::string prelude(const Settings& settings) const {
+    return historyPrelude(settings, keepsHistory) +
+           (stores ? exposeAsStores(slots) : exposeAsTargets(slots, taken(settings)));
+  }
+  std::size_t taken(const Settings& settings) const { return keepsHistory ? historyTargets(settings) : 0; }
+};
+
+// Those that write the history, if it is to be written, and all slots.
+std::vector<Run> runsFor(const Settings& settings, bool keepsHistory, std::span<const ExposedSlot> slots) {
+  std::vector<Run> runs;
+  while (keepsHistory || !slots.empty()) {
+    Run run{keepsHistory, false, {}};
+    run.slots = slots.first(std::min(slots.size(), kMostTargets - run.taken(settings)));
+    slots = slots.subspan(run.slots.size());
+    runs.push_back(run);
+    keepsHistory = false;
+  }
+  return runs;
 }
 
 // Bit 0: there is history; the others: the layers of it that these settings need and it holds.
@@ -38,32 +63,30 @@ int historyState(const History* previous, const Settings& settings) {
   return state;
 }
 
-// Where the resolve draws: into the history, if there is one to write, and into the exposure's targets.
-std::vector<gl::Attachment> attachments(const History* out, const Exposure* exposure,
+// Where a run draws: into the history, if it writes one, and into the exposure's layers.
+std::vector<gl::Attachment> attachments(const Run& run, const History* out, const Exposure* exposure,
                                         const Settings& settings) {
-  std::vector<gl::Attachment> targets(historyTargets(settings));
-  if (out) {
+  std::vector<gl::Attachment> targets;
+  if (run.keepsHistory) {
     targets = {{&out->color}, {&out->surface}};
     for (const HistoryLayer& layer : historyLayers())
       if (layer.isNeeded(settings)) targets.push_back({&(out->*layer.texture)});
   }
-  const std::vector<IntermediateId> rows = exposure ? rowsOfResolve(exposure->watched()) : Watched{};
-  if (exposesAsTargets(rows, targets.size()))
-    for (const IntermediateId id : rows) targets.push_back({&exposure->texture(id), exposure->layer(id)});
+  for (const ExposedSlot& slot : run.slots) targets.push_back({&exposure->textureOf(slot), slot.layer});
   return targets;
 }
 
 } // namespace
 
 struct TaaPass::Parts {
-  ProgramCache programs{"taa/resolve.frag", "resolve", prelude};
+  ProgramCache programs{"taa/resolve.frag", "resolve"};
   PassInputs passInputs;
   OutputPass output;
 
   void bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
                    const Settings& settings) const;
-  void run(const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
-           const Settings& settings, const Exposure* exposure);
+  void draw(const Run& run, const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
+            const Settings& settings, const Exposure* exposure);
 };
 
 void TaaPass::Parts::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
@@ -81,13 +104,13 @@ void TaaPass::Parts::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs
   }
 }
 
-void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
-                         const Settings& settings, const Exposure* exposure) {
+void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const FrameInputs& inputs,
+                          const History* previous, const Settings& settings, const Exposure* exposure) {
   if (inputs.info.startsHistory) previous = nullptr;
   assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
-  const Watched rows = exposure ? rowsOfResolve(exposure->watched()) : Watched{};
-  const gl::Program& resolve = programs.program(relevantSettings(settings), rows);
+  const Settings relevant = relevantSettings(settings);
+  const gl::Program& resolve = programs.program(relevant, run.prelude(relevant));
   const gl::Rect region = exposure ? exposure->region() : gl::Rect{};
   passInputs.update(inputs, settings, historyState(previous, settings), {region.x, region.y});
 
@@ -95,14 +118,9 @@ void TaaPass::Parts::run(const gl::Framebuffer& target, const FrameInputs& input
   pass.program(resolve);
   passInputs.bind(pass, inputs);
   bindHistory(pass, inputs, previous, settings);
-  const bool stores = !exposesAsTargets(rows, historyTargets(settings));
-  if (stores) {
-    const gl::Texture* images[] = {&exposure->one_, &exposure->two_, &exposure->four_};
-    for (unsigned unit = 0; unit < std::size(images); ++unit)
-      if (*images[unit]) pass.image(unit, *images[unit]);
-  }
+  if (run.stores) pass.image(0, exposure->textureOf(run.slots.front()));
   pass.drawFullscreen();
-  if (stores) gl::imageBarrier();
+  if (run.stores) gl::imageBarrier();
 }
 
 TaaPass::TaaPass() : parts_(std::make_unique<Parts>()) {}
@@ -116,29 +134,36 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
   const gl::TextureSize size = outputSize(inputs);
   assert(!exposure || exposure->region() == (gl::Rect{0, 0, size.width, size.height}));
   fitHistory(out, size.width, size.height, settings);
-  const gl::Framebuffer target(attachments(&out, exposure, settings), nullptr, "resolved");
-  parts_->run(target, inputs, previous, settings, exposure);
+  const auto slots = exposure ? exposure->layout().ofResolve() : std::span<const ExposedSlot>();
+  for (const Run& run : runsFor(settings, true, slots)) {
+    const gl::Framebuffer target(attachments(run, &out, exposure, settings), nullptr, "resolved");
+    parts_->draw(run, target, inputs, previous, settings, exposure);
+  }
   if (exposure) parts_->output.fill(inputs, out.color, settings, *exposure);
 }
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,
                      const Settings& settings, Exposure& exposure) {
-  const Watched rows = rowsOfResolve(exposure.watched());
   const gl::Rect& region = exposure.region();
-  if (!rows.empty()) {
+  std::vector<Run> runs = runsFor(settings, false, exposure.layout().ofResolve());
+  if (runs.size() > 1 && region.width * region.height <= kSmallRegion)
+    runs = {{.keepsHistory = false, .stores = true, .slots = exposure.layout().ofResolve()}};
+  for (const Run& run : runs) {
     const gl::Framebuffer target =
-        exposesAsTargets(rows, historyTargets(settings))
-            ? gl::Framebuffer(attachments(nullptr, &exposure, settings), nullptr, "exposed region")
-            : gl::Framebuffer(region.width, region.height, "exposed region");
-    parts_->run(target, inputs, previous, settings, &exposure);
+        run.stores
+            ? gl::Framebuffer(region.width, region.height, "exposed region")
+            : gl::Framebuffer(attachments(run, nullptr, &exposure, settings), nullptr, "exposed region");
+    parts_->draw(run, target, inputs, previous, settings, &exposure);
   }
   parts_->output.fill(inputs, resolved.color, settings, exposure);
 }
 
 void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {
-  const Watched rows = inTableOrder(watched);
-  parts_->programs.program(relevantSettings(settings), rowsOfResolve(rows));
-  parts_->output.prepare(settings, rows);
+  const ExposureLayout layout(watched);
+  const Settings relevant = relevantSettings(settings);
+  for (const Run& run : runsFor(relevant, true, layout.ofResolve()))
+    parts_->programs.program(relevant, run.prelude(relevant));
+  parts_->output.prepare(settings, layout);
 }
 
 void TaaPass::reloadShaders() {

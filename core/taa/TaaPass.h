@@ -6,6 +6,7 @@
 #include "core/gl/RenderPass.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
+#include "core/taa/ExposureLayout.h"
 #include "core/taa/History.h"
 #include "core/taa/Intermediates.h"
 
@@ -15,27 +16,31 @@
 
 namespace taa {
 
-/// Textures that hold the watched intermediates of a region, one layer each, 32-bit floats.
+/// Textures that hold the watched intermediates of a region, 32-bit floats.
 class Exposure {
  public:
   Exposure() = default;
   /// `region` in pixels of the picture. Throws Error when there is not the memory.
   Exposure(std::vector<IntermediateId> watched, const gl::Rect& region);
 
-  const std::vector<IntermediateId>& watched() const { return watched_; }
+  const std::vector<IntermediateId>& watched() const { return layout_.watched(); }
+  const ExposureLayout& layout() const { return layout_; }
   const gl::Rect& region() const { return region_; }
-  bool holds(IntermediateId id) const;
-  /// The texture array and layer that hold `id`. Expects holds(id).
-  const gl::Texture& texture(IntermediateId id) const;
-  int layer(IntermediateId id) const;
+  bool holds(IntermediateId id) const { return layout_.holds(id); }
+  /// The texture array, its layer and the channel from which on it holds `id`. Expects holds(id).
+  const gl::Texture& texture(IntermediateId id) const { return textureOf(layout_.slot(id)); }
+  int layer(IntermediateId id) const { return layout_.slot(id).layer; }
+  int firstChannel(IntermediateId id) const { return layout_.firstChannel(id); }
   /// The whole region of `id`, with the row's channels. Expects holds(id).
   Image image(IntermediateId id) const;
+  /// A part of it, counted from the region's corner.
+  Image image(IntermediateId id, const gl::Rect& part) const;
+  const gl::Texture& textureOf(const ExposedSlot& slot) const;
 
  private:
-  friend class TaaPass;
-  std::vector<IntermediateId> watched_;
+  ExposureLayout layout_;
   gl::Rect region_;
-  gl::Texture one_, two_, four_; ///< arrays by channel count (3 and 4 share); empty when no row needs them
+  gl::Texture one_, two_, four_; ///< arrays by channel count; empty when no row needs them
 };
 
 /// What an Exposure of the same takes, bytes.

@@ -95,22 +95,12 @@ vec3 displayedColor(vec4 value) {
     vec4 marked = mark(value);
     if (marked.a > 0.0) return marked.rgb;
   }
-  switch (kVisual) {
-  case kVisual_Color:
-  case kVisual_Box:
-    return lightColor(value.rgb);
-  case kVisual_Depth:
-    return depthColor(value.x);
-  case kVisual_Signed:
-    return signedColor(value.x);
-  case kVisual_Vector:
-    return vectorColor(value.xy);
-  case kVisual_Position:
-    return shareColor(vec3(value.xy / view.sizePx, 0.0));
-  case kVisual_Normal:
-    return shareColor((value.xyz - view.range.x) / view.range.y);
-  case kVisual_Index:
-    return indexColor(value.x);
-  }
+  if (kVisual == kVisual_Color || kVisual == kVisual_Box) return lightColor(value.rgb);
+  if (kVisual == kVisual_Depth) return depthColor(value.x);
+  if (kVisual == kVisual_Signed) return signedColor(value.x);
+  if (kVisual == kVisual_Vector) return vectorColor(value.xy);
+  if (kVisual == kVisual_Position) return shareColor(vec3(value.xy / view.sizePx, 0.0));
+  if (kVisual == kVisual_Normal) return shareColor((value.xyz - view.range.x) / view.range.y);
+  if (kVisual == kVisual_Index) return indexColor(value.x);
   return mapColor(kMap, ranged(value.x)); // Scalar, Mask
 }

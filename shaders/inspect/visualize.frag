@@ -29,16 +29,24 @@ Part texelBelow(vec2 corner) {
   return Part(texel, texel + (isInside ? 1.0 : 0.0), 1.0);
 }
 
+// The row's channels of a texel; what follows them is nothing of it.
+vec4 rowAt(ivec2 texel) {
+  vec4 value = texelFetch(u_layer, ivec3(texel, view.layer.x), 0);
+  if (view.layer.y == 1) return value.yzwx;
+  if (view.layer.y == 2) return value.zwxy;
+  return view.layer.y == 3 ? value.wxyz : value;
+}
+
 // The mean over the part, every texel weighted by the area it has there.
 vec3 meanColor(Part part) {
-  if (!kIsMinified) return displayedColor(texelFetch(u_layer, ivec3(part.from, view.layer.x), 0));
+  if (!kIsMinified) return displayedColor(rowAt(ivec2(part.from)));
   ivec2 first = ivec2(floor(part.from)), last = ivec2(ceil(part.to)) - 1;
   vec3 sum = vec3(0.0);
   for (int y = first.y; y <= last.y; ++y) {
     float height = min(part.to.y, float(y + 1)) - max(part.from.y, float(y));
     for (int x = first.x; x <= last.x; ++x) {
       float width = min(part.to.x, float(x + 1)) - max(part.from.x, float(x));
-      sum += displayedColor(texelFetch(u_layer, ivec3(x, y, view.layer.x), 0)) * (width * height);
+      sum += displayedColor(rowAt(ivec2(x, y))) * (width * height);
     }
   }
   vec2 size = part.to - part.from;

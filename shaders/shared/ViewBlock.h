@@ -16,7 +16,7 @@ layout(std140, binding = 3) uniform ViewBlock {
   vec2 originPx; // picture position at the top-left corner of the viewport
   vec4 range;    // x: lowest value shown, y: highest minus lowest, z: factor of the exposure, w: screen px a picture px
   ivec4 channels; // x, y, z: 1 where red, green, blue are shown; w unused
-  ivec4 layer;    // x: of the texture; others unused
+  ivec4 layer;    // x: of the texture, y: channel of it that is the first of the row; others unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -14,9 +14,6 @@
 #include "taa/blend_weight.glsl"
 #include "taa/blend.glsl"
 
-layout(location = 0) out vec4 o_color;   // History::color
-layout(location = 1) out vec2 o_surface; // History::surface: N, view depth
-
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) + resolveBlock.state.yz;
   Place place = placeOf(pixel);
@@ -38,6 +35,7 @@ void main() {
                    validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence);
   Weight weight = blendWeight(weighed, samples, validity.invalid);
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
-  o_color = vec4(blended.color, 1.0);
-  o_surface = vec2(blended.frames, viewDepth(dilated.depth));
+  o_color = vec4(blended.color, 1.0);                         // History::color
+  o_surface = vec2(blended.frames, viewDepth(dilated.depth)); // History::surface: N, view depth
+  store_exposed();
 }

@@ -68,7 +68,7 @@ class VisualizerTest : public taa::test::GlTest {
                              formatFor(image.channels), "texels");
     texture.upload(Image(image.width, image.height, image.channels), 0);
     texture.upload(image, 1);
-    return visualizer().draw(texture, 1, row, style, transform, width, height);
+    return visualizer().draw(texture, 1, 0, row, style, transform, width, height);
   }
   static taa::Visualizer& visualizer() {
     static taa::Visualizer instance;

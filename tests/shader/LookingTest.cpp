@@ -60,7 +60,7 @@ TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
   }
 }
 
-TEST_F(LookingTest, ShowsTheSameWhetherItHasATargetOrAStore) {
+TEST_F(LookingTest, ShowsTheSameWhetherItIsAloneOrPacked) {
   const FrameShape shape;
   const taa::reference::Inputs frame = taa::test::randomFrame(shape, 7, true);
   const taa::test::Exposed all = expose(frame, shape, {});
@@ -68,7 +68,6 @@ TEST_F(LookingTest, ShowsTheSameWhetherItHasATargetOrAStore) {
     std::vector<IntermediateId> watched;
     for (std::size_t row = first; row < std::min(first + 6, taa::kIntermediateCount); ++row)
       watched.push_back(static_cast<IntermediateId>(row));
-    ASSERT_TRUE(taa::exposesAsTargets(watched));
     Exposure exposure(watched, whole(shape));
     resolve(frame, shape, {}, &exposure);
     for (const IntermediateId id : watched)
@@ -83,7 +82,8 @@ TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);
   const History previous = taa::test::uploadHistory(frame, shape);
   const History resolved = resolve(frame, shape, {});
-  const taa::gl::Rect regions[] = {{13, 7, 9, 5}, {0, 0, 1, 1}, {96, 60, 1, 1}, {40, 0, 57, 61}};
+  const taa::gl::Rect regions[] = {
+      {13, 7, 9, 5}, {0, 0, 1, 1}, {96, 60, 1, 1}, {40, 0, 57, 61}, {1, 0, 96, 61}}; // the last by targets
   for (const taa::gl::Rect& region : regions)
     for (const auto& watched : watches(3)) {
       Exposure exposure(watched, region);
@@ -129,6 +129,7 @@ TEST_F(LookingTest, AnExposureKnowsItsRows) {
   EXPECT_EQ(exposure.layer(IntermediateId::color), 0);
   EXPECT_EQ(exposure.layer(IntermediateId::depth), 0);
   EXPECT_EQ(exposure.layer(IntermediateId::alpha), 1);
+  EXPECT_EQ(exposure.firstChannel(IntermediateId::alpha), 0);
   EXPECT_EQ(difference(exposure.image(IntermediateId::color), taa::Image(4, 4, 3)), "") << "cleared at first";
 }
 

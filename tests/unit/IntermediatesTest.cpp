@@ -11,16 +11,6 @@ using taa::Intermediate;
 using taa::IntermediateId;
 using taa::kIntermediates;
 
-namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
-} // namespace
-
 TEST(Intermediates, StandInTheOrderOfTheirIdsAndStages) {
   for (std::size_t index = 0; index < kIntermediates.size(); ++index) {
     EXPECT_EQ(static_cast<std::size_t>(kIntermediates[index].id), index);
@@ -83,38 +73,4 @@ TEST(Intermediates, ASetStandsInTheOrderOfTheTable) {
   const std::vector<IntermediateId> ordered = taa::inTableOrder(
       {IntermediateId::resolved, IntermediateId::color, IntermediateId::resolved, IntermediateId::alpha});
   EXPECT_EQ(ordered, (std::vector{IntermediateId::color, IntermediateId::alpha, IntermediateId::resolved}));
-}
-
-TEST(ExposePrelude, DefinesOneMacroForEveryRow) {
-  std::vector<IntermediateId> all;
-  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
-  for (const auto& watched : {std::vector<IntermediateId>{}, {IntermediateId::alpha}, all}) {
-    const std::string text = taa::exposePrelude(watched);
-    for (const Intermediate& row : kIntermediates)
-      EXPECT_EQ(count(text, "#define expose_" + std::string(row.name) + "(value)"), 1u) << row.name;
-  }
-}
-
-TEST(ExposePrelude, WritesNothingButTheMacrosWhenNothingIsWatched) {
-  const std::string text = taa::exposePrelude({});
-  EXPECT_EQ(count(text, "\n"), kIntermediates.size());
-  EXPECT_EQ(count(text, "(value)\n"), kIntermediates.size()) << "every macro is empty";
-}
-
-TEST(ExposePrelude, GivesAFewTargetsBehindThoseOfTheHistory) {
-  const std::string text = taa::exposePrelude({IntermediateId::motion, IntermediateId::alpha});
-  EXPECT_EQ(count(text, "layout(location = 2) out vec2 o_exposed_motion;"), 1u) << text;
-  EXPECT_EQ(count(text, "layout(location = 3) out float o_exposed_alpha;"), 1u) << text;
-  EXPECT_EQ(count(text, "imageStore"), 0u);
-}
-
-TEST(ExposePrelude, StoresManyToOneArrayForEachCountOfChannels) {
-  std::vector<IntermediateId> all;
-  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
-  const std::string text = taa::exposePrelude(all);
-  EXPECT_EQ(count(text, "imageStore"), kIntermediates.size());
-  EXPECT_EQ(count(text, "uniform writeonly image2DArray"), 3u);
-  EXPECT_EQ(count(text, "layout(r32f, binding = 0)"), 1u);
-  EXPECT_EQ(count(text, "layout(rg32f, binding = 1)"), 1u);
-  EXPECT_EQ(count(text, "layout(rgba32f, binding = 2)"), 1u);
 }

@@ -1,0 +1,99 @@
+// Where watched rows go, and the GLSL that puts them there.
+#include "core/taa/ExposureLayout.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+using taa::ExposedSlot;
+using taa::ExposureLayout;
+using taa::Intermediate;
+using taa::IntermediateId;
+using taa::kIntermediates;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::vector<IntermediateId> allRows() {
+  std::vector<IntermediateId> all;
+  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
+  return all;
+}
+
+} // namespace
+
+TEST(ExposureLayout, GivesAFewALayerEach) {
+  const ExposureLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color,
+                               IntermediateId::depth, IntermediateId::output});
+  EXPECT_EQ(layout.ofResolve().size(), 4u);
+  EXPECT_EQ(layout.ofOutput().size(), 1u);
+  EXPECT_EQ(layout.slot(IntermediateId::alpha).layer, 1);
+  EXPECT_EQ(layout.slot(IntermediateId::motion).channels, 2);
+  EXPECT_EQ(layout.slot(IntermediateId::output).layer, 1) << "behind color";
+  EXPECT_EQ(layout.layers(4), 2);
+  EXPECT_FALSE(layout.holds(IntermediateId::alphaBase));
+}
+
+TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
+  const ExposureLayout layout(allRows());
+  std::set<std::pair<int, int>> taken;
+  int channels = 0;
+  for (const ExposedSlot& slot : layout.ofResolve()) {
+    EXPECT_EQ(slot.channels, 4);
+    for (const ExposedSlot::Part& part : slot.parts)
+      for (int channel = 0; channel < taa::intermediate(part.id).channels; ++channel, ++channels) {
+        EXPECT_LT(part.first + channel, 4);
+        EXPECT_TRUE(taken.emplace(slot.layer, part.first + channel).second)
+            << taa::intermediate(part.id).name;
+      }
+  }
+  EXPECT_LE(4 * layout.ofResolve().size(), static_cast<std::size_t>(channels) + 4 * 3) << "three groups";
+  for (const Intermediate& row : kIntermediates) {
+    EXPECT_TRUE(layout.holds(row.id));
+    EXPECT_EQ(layout.slot(row.id).parts.empty(), false) << row.name;
+  }
+}
+
+TEST(ExposureLayout, DefinesOneMacroForEveryRow) {
+  for (const auto& watched : {std::vector<IntermediateId>{}, {IntermediateId::alpha}, allRows()}) {
+    const ExposureLayout layout(watched);
+    const auto slots = layout.ofResolve().first(std::min<std::size_t>(layout.ofResolve().size(), 6));
+    for (const std::string& text :
+         {taa::exposeAsTargets(slots, 2), taa::exposeAsTargets(layout.ofOutput(), 0)}) {
+      for (const Intermediate& row : kIntermediates)
+        EXPECT_EQ(count(text, "#define expose_" + std::string(row.name) + "(value)"), 1u) << row.name;
+      EXPECT_EQ(count(text, "#define store_exposed()"), 1u);
+    }
+  }
+}
+
+TEST(ExposureLayout, WritesNothingButTheMacrosWhenNothingIsWatched) {
+  const std::string text = taa::exposeAsTargets({}, 2);
+  EXPECT_EQ(count(text, "\n"), kIntermediates.size() + 1);
+  EXPECT_EQ(count(text, "(value)\n"), kIntermediates.size()) << "every macro is empty";
+}
+
+TEST(ExposureLayout, GivesTargetsBehindThoseOfTheHistory) {
+  const ExposureLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color});
+  const std::string text = taa::exposeAsTargets(layout.ofResolve(), 2);
+  EXPECT_EQ(count(text, "layout(location = 2) out vec4 o_exposed0;"), 1u) << text;
+  EXPECT_EQ(count(text, "layout(location = 3) out vec2 o_exposed1;"), 1u) << text;
+  EXPECT_EQ(count(text, "layout(location = 4) out float o_exposed2;"), 1u) << text;
+  EXPECT_EQ(count(text, "expose_color(value) o_exposed0.xyz = (value)\n"), 1u) << text;
+  EXPECT_EQ(count(text, "expose_alpha(value) o_exposed2 = (value)\n"), 1u) << text;
+  EXPECT_EQ(count(text, "imageStore"), 0u);
+}
+
+TEST(ExposureLayout, StoresEachSlotOnce) {
+  const ExposureLayout layout(allRows());
+  const std::string text = taa::exposeAsStores(layout.ofResolve());
+  EXPECT_EQ(count(text, "imageStore"), layout.ofResolve().size());
+  EXPECT_EQ(count(text, "layout(rgba32f, binding = 0) uniform writeonly image2DArray u_exposed;"), 1u);
+  EXPECT_EQ(count(text, "#define store_exposed() imageStore"), 1u);
+}
