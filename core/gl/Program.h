@@ -28,7 +28,8 @@ class ShaderSource {
   std::vector<std::string> files_; ///< index = GLSL source-string number; 0 is the prelude
 };
 
-/// A linked program. Throws Error with `file:line: message` when it does not compile.
+/// A linked program, from the disk where it was kept there (ProgramBinaries). Throws Error with `file:line:
+/// message` when it does not compile.
 class Program {
  public:
   Program() = default;
@@ -50,6 +51,7 @@ class Program {
 
  private:
   struct VertexStage;
+  void make(const ShaderSource& vertex, const ShaderSource& fragment);
   static std::shared_ptr<VertexStage> sharedVertexStage(const ShaderSource& source);
   void swap(Program& other) noexcept {
     std::swap(id_, other.id_);

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
   // QT_QPA_PLATFORM=xcb runs them on a screen, for example below xvfb-run.
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("TAA_PROGRAM_CACHE", ""); // nothing is left behind
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

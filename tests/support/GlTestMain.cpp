@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   std::filesystem::current_path(taa::test::rootFolder());
+  ::setenv("TAA_PROGRAM_CACHE", "", 1); // what is tested is compiled
   return RUN_ALL_TESTS();
 }
