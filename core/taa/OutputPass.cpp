@@ -16,10 +16,13 @@ Settings relevantSettings(const Settings& settings) {
   return relevant;
 }
 
-// Whether there is a layer to lay over the picture, and the rows.
-std::string prelude(bool hasOverlay, const ExposureLayout& layout) {
-  return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
-         exposeAsTargets(layout.ofOutput(), 0);
+const gl::Program& programFor(ProgramCache& programs, const Settings& settings, bool hasOverlay,
+                              const ExposureLayout& layout) {
+  return programs.program(
+      relevantSettings(settings), (hasOverlay ? "overlay " : "") + slotsKey(layout.ofOutput()), [&] {
+        return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
+               exposeAsTargets(layout.ofOutput(), 0);
+      });
 }
 
 } // namespace
@@ -33,8 +36,7 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   std::vector<gl::Attachment> targets;
   for (const ExposedSlot& slot : layout.ofOutput())
     targets.push_back({&exposure.textureOf(slot), slot.layer});
-  const gl::Program& program =
-      programs.program(relevantSettings(settings), prelude(bool(inputs.overlay), layout));
+  const gl::Program& program = programFor(programs, settings, bool(inputs.overlay), layout);
   passInputs_.update(inputs, settings, 0, {exposure.region().x, exposure.region().y});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
@@ -47,7 +49,7 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
 void OutputPass::prepare(const Settings& settings, const ExposureLayout& layout) {
   if (layout.ofOutput().empty()) return;
   const bool hasOverlay = settings.inputs.blended == BlendedAs::After;
-  programs.program(relevantSettings(settings), prelude(hasOverlay, layout));
+  programFor(programs, settings, hasOverlay, layout);
 }
 
 } // namespace taa

@@ -16,6 +16,17 @@ constexpr std::uint64_t kRunsInUse = 16;
 
 } // namespace
 
+std::string slotsKey(std::span<const ExposedSlot> slots) {
+  std::string key;
+  for (const ExposedSlot& slot : slots) {
+    key += std::to_string(slot.channels) + "@" + std::to_string(slot.layer);
+    for (const ExposedSlot::Part& part : slot.parts)
+      key += " " + std::to_string(static_cast<int>(part.id)) + "." + std::to_string(part.first);
+    key += ";";
+  }
+  return key;
+}
+
 ProgramCache::ProgramCache(std::string fragment, std::string label)
     : fragment_(std::move(fragment)), label_(std::move(label)) {}
 
@@ -24,12 +35,13 @@ gl::Program ProgramCache::compile(const std::string& prelude) const {
                      label_);
 }
 
-const gl::Program& ProgramCache::program(const Settings& settings, const std::string& prelude) {
-  const std::string key = programKey(settings) + prelude;
+const gl::Program& ProgramCache::program(const Settings& settings, const std::string& more,
+                                         const std::function<std::string()>& prelude) {
+  const std::string key = programKey(settings) + more;
   const auto found = variants_.find(key);
   Variant& variant = found != variants_.end() ? found->second : [&]() -> Variant& {
     Variant made;
-    made.prelude = glslPrelude(settings) + prelude;
+    made.prelude = glslPrelude(settings) + prelude();
     made.program = compile(made.prelude);
     dropOldest();
     return variants_[key] = std::move(made);

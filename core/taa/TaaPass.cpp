@@ -36,6 +36,9 @@ struct Run {
     return historyPrelude(settings, keepsHistory) +
            (stores ? exposeAsStores(slots) : exposeAsTargets(slots, taken(settings)));
   }
+  std::string key() const {
+    return std::string(keepsHistory ? "history " : "") + (stores ? "stores " : "") + slotsKey(slots);
+  }
   std::size_t taken(const Settings& settings) const { return keepsHistory ? historyTargets(settings) : 0; }
 };
 
@@ -110,7 +113,7 @@ void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const F
   assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
   const Settings relevant = relevantSettings(settings);
-  const gl::Program& resolve = programs.program(relevant, run.prelude(relevant));
+  const gl::Program& resolve = programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
   const gl::Rect region = exposure ? exposure->region() : gl::Rect{};
   passInputs.update(inputs, settings, historyState(previous, settings), {region.x, region.y});
 
@@ -162,7 +165,7 @@ void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId
   const ExposureLayout layout(watched);
   const Settings relevant = relevantSettings(settings);
   for (const Run& run : runsFor(relevant, true, layout.ofResolve()))
-    parts_->programs.program(relevant, run.prelude(relevant));
+    parts_->programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
   parts_->output.prepare(settings, layout);
 }
 
