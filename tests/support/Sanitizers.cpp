@@ -1,5 +1,5 @@
-// Part of every sanitized program: what other people's libraries leak, so that only our own mistakes are
-// reported.
+// Part of every sanitized program: what to overlook in other people's libraries, so that only our own
+// mistakes are reported.
 
 extern "C" {
 
@@ -11,6 +11,11 @@ __attribute__((visibility("default"))) const char* __lsan_default_suppressions()
 
 __attribute__((visibility("default"))) const char* __lsan_default_options() {
   return "print_suppressions=0";
+}
+
+/// Mesa, LLVM and OpenImageIO are not built with ThreadSanitizer, so it would not see how they lock.
+__attribute__((visibility("default"))) const char* __tsan_default_options() {
+  return "ignore_noninstrumented_modules=1";
 }
 
 /// Libraries stay loaded, for a leak can be matched by name only while its library is.
