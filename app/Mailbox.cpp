@@ -1,6 +1,22 @@
 #include "app/Mailbox.h"
 
+#include <algorithm>
+
 namespace taa::app {
+
+namespace {
+
+constexpr std::size_t kMostProfiles = 120; // the panel shows no more
+
+void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
+  const auto old = std::ranges::find(thumbnails, newest.id, &Thumbnail::id);
+  if (old != thumbnails.end())
+    *old = std::move(newest);
+  else
+    thumbnails.push_back(std::move(newest));
+}
+
+} // namespace
 
 RenderListener listenerOf(Mailbox& mailbox) {
   RenderListener listener;
@@ -21,6 +37,17 @@ RenderListener listenerOf(Mailbox& mailbox) {
   };
   listener.onError = [&mailbox](std::string sentence) {
     mailbox.put([&](Delivery& delivery) { delivery.errors.push_back(std::move(sentence)); });
+  };
+  listener.onProfile = [&mailbox](FrameProfile profile) {
+    mailbox.put([&](Delivery& delivery) {
+      if (delivery.profiles.size() < kMostProfiles) delivery.profiles.push_back(std::move(profile));
+    });
+  };
+  listener.onStageCosts = [&mailbox](StageCosts costs) {
+    mailbox.put([&](Delivery& delivery) { delivery.costs = std::move(costs); });
+  };
+  listener.onThumbnail = [&mailbox](Thumbnail thumbnail) {
+    mailbox.put([&](Delivery& delivery) { keepNewest(delivery.thumbnails, std::move(thumbnail)); });
   };
   return listener;
 }

@@ -21,6 +21,9 @@ struct Delivery {
   std::optional<Status> status;
   std::optional<Work> work;
   std::vector<std::string> errors;
+  std::vector<FrameProfile> profiles; ///< all of them: each is a frame
+  std::optional<StageCosts> costs;
+  std::vector<Thumbnail> thumbnails; ///< the newest of each row
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

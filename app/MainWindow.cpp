@@ -6,6 +6,7 @@
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/ProfilerPanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   layOut();
   menus_ = new Menus(*this);
   connectPanels();
+  connectProfiler();
   connectViews();
   connectSession();
   showSettings();
@@ -65,6 +67,7 @@ void MainWindow::makeParts() {
   views_ = new ViewArea;
   pipeline_ = new PipelinePanel;
   probe_ = new ProbePanel;
+  profiler_ = new ProfilerPanel;
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
@@ -73,7 +76,9 @@ void MainWindow::makeParts() {
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
   sourceLabel_->setContentsMargins(0, 0, 2 * kUnit, 0);
-  for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {
+  profiler_->hide(); // it costs time while it is shown
+  for (QWidget* panel :
+       {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_), static_cast<QWidget*>(profiler_)}) {
     panel->setAutoFillBackground(true);
     panel->setBackgroundRole(QPalette::AlternateBase);
   }
@@ -87,6 +92,12 @@ void MainWindow::layOut() {
   columns_->addWidget(views_);
   columns_->addWidget(probe_);
   columns_->setStretchFactor(1, 1);
+  rows_ = new QSplitter(Qt::Vertical);
+  rows_->setHandleWidth(1);
+  rows_->setChildrenCollapsible(false);
+  rows_->addWidget(columns_);
+  rows_->addWidget(profiler_);
+  rows_->setStretchFactor(0, 1);
 
   auto* content = new QWidget;
   auto* rows = new QVBoxLayout(content);
@@ -94,7 +105,7 @@ void MainWindow::layOut() {
   rows->setSpacing(0);
   rows->addWidget(new Line);
   rows->addWidget(messages_);
-  rows->addWidget(columns_, 1);
+  rows->addWidget(rows_, 1);
   rows->addWidget(new Line);
   rows->addWidget(timeline_);
   rows->addWidget(new Line);
@@ -121,6 +132,17 @@ void MainWindow::connectPanels() {
     if (settings_) settings_->setValue(QStringLiteral("hintClosed"), true);
   });
   timeline_->setLooping(session_.isLooping());
+}
+
+void MainWindow::connectProfiler() {
+  connect(profiler_, &ProfilerPanel::shownChanged, &session_, &Session::setProfiling);
+  connect(profiler_, &ProfilerPanel::measureRequested, &session_, &Session::measureStages);
+  connect(profiler_, &ProfilerPanel::closeRequested, this, [this] { setPanelVisible(profiler_, false); });
+  connect(&session_, &Session::profileArrived, profiler_, &ProfilerPanel::addProfile);
+  connect(&session_, &Session::stageCostsArrived, profiler_, &ProfilerPanel::setStageCosts);
+  connect(pipeline_, &PipelinePanel::thumbnailsWanted, &session_,
+          [this](const QSize& size) { session_.setThumbnails(size.width(), size.height()); });
+  connect(&session_, &Session::thumbnailArrived, pipeline_, &PipelinePanel::setThumbnail);
 }
 
 void MainWindow::connectViews() {
@@ -153,6 +175,7 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
     work_->setWork(QString::fromStdString(work.what), work.done, work.total);
+    profiler_->setMeasuring(work.what == "Measuring stages");
   });
 }
 
@@ -164,7 +187,11 @@ void MainWindow::showStatus() {
   const Status& status = session_.status();
   timeline_->setStatus(status);
   statusLine_->setStatus(status);
-  if (session_.isOpen()) views_->setPictureSize({status.width, status.height});
+  profiler_->setDriver(status.driver);
+  if (session_.isOpen()) {
+    views_->setPictureSize({status.width, status.height});
+    pipeline_->setPictureSize({status.width, status.height});
+  }
   if (session_.isOpen() && status.source != shownSource_) {
     shownSource_ = status.source;
     messages_->clear();
@@ -228,6 +255,17 @@ void MainWindow::setTheme(ThemeChoice choice) {
 
 void MainWindow::setPanelVisible(QWidget* panel, bool visible) {
   panel->setVisible(visible);
+  if (menus_) menus_->refresh();
+}
+
+void MainWindow::copyProfile(bool asCsv) {
+  if (profiler_->isVisible())
+    QApplication::clipboard()->setText(asCsv ? profiler_->csv() : profiler_->text());
+}
+
+void MainWindow::measureStages() {
+  setPanelVisible(profiler_, true);
+  session_.measureStages();
 }
 
 void MainWindow::copyValue() {

@@ -18,6 +18,7 @@ class Menus;
 class MessagesBar;
 class PipelinePanel;
 class ProbePanel;
+class ProfilerPanel;
 class StatusLine;
 class TimelinePanel;
 class ViewArea;
@@ -34,6 +35,7 @@ class MainWindow : public QMainWindow {
   ViewArea* views() const { return views_; }
   PipelinePanel* pipeline() const { return pipeline_; }
   ProbePanel* probe() const { return probe_; }
+  ProfilerPanel* profiler() const { return profiler_; }
   TimelinePanel* timeline() const { return timeline_; }
   MessagesBar* messages() const { return messages_; }
   StatusLine* statusLine() const { return statusLine_; }
@@ -59,6 +61,9 @@ class MainWindow : public QMainWindow {
   void showKeys();
   void copyValue();
   void copyAll();
+  void copyProfile(bool asCsv);
+  /// Opens the profiler if need be.
+  void measureStages();
 
  protected:
   void showEvent(QShowEvent*) override;
@@ -70,6 +75,7 @@ class MainWindow : public QMainWindow {
   void makeParts();
   void layOut();
   void connectPanels();
+  void connectProfiler();
   void connectViews();
   void connectSession();
   void showStatus();
@@ -88,11 +94,12 @@ class MainWindow : public QMainWindow {
   ViewArea* views_ = nullptr;
   PipelinePanel* pipeline_ = nullptr;
   ProbePanel* probe_ = nullptr;
+  ProfilerPanel* profiler_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
   MessagesBar* messages_ = nullptr;
   StatusLine* statusLine_ = nullptr;
   WorkBar* work_ = nullptr;
-  QSplitter* columns_ = nullptr;
+  QSplitter *columns_ = nullptr, *rows_ = nullptr;
   QLabel* sourceLabel_ = nullptr;
   Menus* menus_ = nullptr;
 };

@@ -5,6 +5,7 @@
 #include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/ProfilerPanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -92,6 +93,8 @@ void Menus::makeEdit() {
     window_.copyValue();
   })->setIcon(themedIcon(QStringLiteral("copy")));
   add(menu, tr("Copy &all probed values"), keys({"Ctrl+Shift+C"}), [this] { window_.copyAll(); });
+  add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });
+  add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });
   menu->addSeparator();
   add(menu, tr("&Search settings and intermediates"), keys({"Ctrl+F"}), [this] {
     window_.pipeline()->focusSearch();
@@ -140,6 +143,11 @@ void Menus::makeView() {
   panel->setChecked(true);
   panel = addCheck(menu, tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
                    [this](bool on) { window_.setPanelVisible(window_.probe(), on); });
+  panel->setChecked(true);
+  profiler_ = addCheck(menu, tr("Profiler panel"), QKeySequence(QStringLiteral("F11")),
+                       [this](bool on) { window_.setPanelVisible(window_.profiler(), on); });
+  panel = addCheck(menu, tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),
+                   [this](bool on) { window_.pipeline()->setShowsThumbnails(on); });
   panel->setChecked(true);
   menu->addSeparator();
   makePictures(menu->addMenu(tr("&Picture")));
@@ -260,6 +268,7 @@ void Menus::makePipeline() {
       [this] { window_.pipeline()->setAllExpanded(true); });
   add(menu, tr("&Fold all stages"), keys({"Ctrl+Up"}), [this] { window_.pipeline()->setAllExpanded(false); });
   menu->addSeparator();
+  add(menu, tr("&Measure what each stage costs"), keys({"Shift+F11"}), [this] { window_.measureStages(); });
   add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
 }
 
@@ -343,6 +352,7 @@ void Menus::refresh() {
   const ViewArea* views = window_.views();
   twoViews_->setChecked(views->showsTwo());
   linked_->setChecked(views->areLinked());
+  profiler_->setChecked(!window_.profiler()->isHidden());
   looping_->setChecked(session.isLooping());
   marks_->setChecked(views->active()->style().markInvalid);
   play_->setText(session.status().playing ? tr("&Pause") : tr("&Play"));

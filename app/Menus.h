@@ -50,6 +50,7 @@ class Menus : public QObject {
   MainWindow& window_;
   std::vector<Command> commands_;
   QAction *twoViews_ = nullptr, *linked_ = nullptr, *looping_ = nullptr, *marks_ = nullptr, *play_ = nullptr;
+  QAction* profiler_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QList<QAction*> themes_, arrangements_, budgets_;
   QMenu *cameras_ = nullptr, *objects_ = nullptr;

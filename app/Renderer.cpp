@@ -20,6 +20,9 @@ class ThreadRenderer final : public Renderer {
   void setViews(const std::vector<ViewRequest>& views) override { thread_.setViews(views); }
   void probe(std::optional<glm::ivec2> pixel) override { thread_.probe(pixel); }
   void setCheckpointBudget(std::size_t bytes) override { thread_.setCheckpointBudget(bytes); }
+  void setProfiling(bool profiling) override { thread_.setProfiling(profiling); }
+  void measureStages() override { thread_.measureStages(); }
+  void setThumbnails(int width, int height) override { thread_.setThumbnails(width, height); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
 

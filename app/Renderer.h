@@ -27,6 +27,9 @@ class Renderer {
   virtual void setViews(const std::vector<ViewRequest>& views) = 0;
   virtual void probe(std::optional<glm::ivec2> pixel) = 0;
   virtual void setCheckpointBudget(std::size_t bytes) = 0;
+  virtual void setProfiling(bool profiling) = 0;
+  virtual void measureStages() = 0;
+  virtual void setThumbnails(int width, int height) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
 };

@@ -1,11 +1,14 @@
 #include "app/Screenshot.h"
 
 #include "app/MainWindow.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ProfilerPanel.h"
 #include "app/views/ViewArea.h"
 
 #include <QPixmap>
 
 #include <algorithm>
+#include <utility>
 
 namespace taa::app {
 
@@ -43,9 +46,20 @@ bool Screenshot::isComplete() const {
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
   }
+  const PipelinePanel* pipeline = window_.pipeline();
+  if (pipeline->isVisible() && pipeline->showsThumbnails() && !pipeline->hasThumbnailsOf(frame_))
+    return false;
   if (!session.pick()) return true;
   const ProbeResult* probe = session.probe();
   return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.pick();
+}
+
+// The profiler shows the stages, too, which are only measured when somebody asks.
+bool Screenshot::areProfilesComplete() {
+  const ProfilerPanel* profiler = window_.profiler();
+  if (!profiler->isVisible()) return true;
+  if (!std::exchange(measures_, true)) window_.session().measureStages();
+  return profiler->hasProfile() && profiler->hasStageCosts();
 }
 
 void Screenshot::look() {
@@ -56,7 +70,7 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!isComplete()) {
+  if (!isComplete() || !areProfilesComplete()) {
     quiet_ = 0;
     return;
   }

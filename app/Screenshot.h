@@ -23,13 +23,14 @@ class Screenshot : public QObject {
   /// Asks for the frame once the source is open, and takes the picture once all is there.
   void look();
   bool isComplete() const;
+  bool areProfilesComplete();
   void finish(int code, const QString& text);
 
   MainWindow& window_;
   QString file_;
   int frame_;
   Done done_;
-  bool asked_ = false;
+  bool asked_ = false, measures_ = false;
   int quiet_ = 0; ///< polls since all was there
   QTimer poll_, limit_;
   QString lastError_;

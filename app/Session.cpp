@@ -88,6 +88,9 @@ void Session::deliver() {
     probe_ = std::move(delivery.probe);
     Q_EMIT probeArrived();
   }
+  for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
+  if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
+  for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
 }
 
 void Session::open(const QString& source, bool plays) {
@@ -205,6 +208,18 @@ void Session::movePick(int dx, int dy) {
 
 void Session::setCheckpointBudget(std::size_t bytes) {
   ask([&](Renderer& renderer) { renderer.setCheckpointBudget(bytes); });
+}
+
+void Session::setProfiling(bool profiling) {
+  ask([&](Renderer& renderer) { renderer.setProfiling(profiling); });
+}
+
+void Session::measureStages() {
+  ask([&](Renderer& renderer) { renderer.measureStages(); });
+}
+
+void Session::setThumbnails(int width, int height) {
+  ask([&](Renderer& renderer) { renderer.setThumbnails(width, height); });
 }
 
 void Session::reloadShaders() {

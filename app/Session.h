@@ -68,6 +68,9 @@ class Session : public QObject {
   void movePick(int dx, int dy);
   /// Memory for histories that are kept, of all lanes together.
   void setCheckpointBudget(std::size_t bytes);
+  void setProfiling(bool profiling);
+  void measureStages();
+  void setThumbnails(int width, int height); ///< 0: none
   void reloadShaders();
   void cancel();
 
@@ -78,6 +81,9 @@ class Session : public QObject {
   void probeArrived();
   void pickChanged();
   void workChanged();
+  void profileArrived(const FrameProfile& profile);
+  void stageCostsArrived(const StageCosts& costs);
+  void thumbnailArrived(const Thumbnail& thumbnail);
   void errorOccurred(const QString& sentence);
 
  private:

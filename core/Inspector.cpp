@@ -228,6 +228,7 @@ void Inspector::watch(const std::vector<IntermediateId>& ids) {
 
 Image Inspector::image(IntermediateId id, int lane, std::optional<gl::Rect> region) {
   const gl::Rect part = region.value_or(gl::Rect{0, 0, width(), height()});
+  const gl::PassGroup group(pass_group::kExposure);
   assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= width() && part.y + part.height <= height());
   return parts_->maker.exposed(parts_->subject, parts_->shown, id, lane).image(id, part);
 }
@@ -258,6 +259,7 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
   const int right = std::min(width() - 1, x + radius), bottom = std::min(height() - 1, y + radius);
   const gl::Rect region{left, top, right - left + 1, bottom - top + 1};
   const ShownLane& shown = parts_->lane(lane);
+  const gl::PassGroup group(pass_group::kProbe);
   const std::vector<PixelRecord> inside = probeRegion(parts_->maker.pass, inputs(lane), shown.previous.get(),
                                                       *shown.current, settings(lane), region);
   std::vector<PixelRecord> around;
@@ -271,7 +273,9 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
 
 Picture Inspector::picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                            int width, int height, int lane) {
+  const gl::PassGroup exposing(pass_group::kExposure);
   const Exposure& exposure = parts_->maker.exposed(parts_->subject, parts_->shown, id, lane);
+  const gl::PassGroup drawing(pass_group::kViews);
   return parts_->visualizer.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id),
                                  intermediate(id), style, transform, width, height);
 }

@@ -4,6 +4,8 @@
 
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
+#include "core/inspect/Profiler.h"
+#include "core/inspect/StageMeter.h"
 #include "core/inspect/Visualizer.h"
 #include "core/render/FrameInputs.h"
 #include "core/scene/Scene.h"
@@ -110,8 +112,20 @@ class Inspector {
   /// The finished picture of a view.
   Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
                   int height, int lane = 0);
+  /// A small picture of it in the style it opens with; costs only the pixels that are in it.
+  Picture thumbnail(IntermediateId id, const glm::ivec2& texels, int lane = 0);
   /// Drawn now when they are not.
   const FrameInputs& inputs(int lane = 0) const;
+
+  // Measuring: nothing of it is done before it is asked for
+  /// Times every pass from now on, or no longer.
+  void setProfiling(bool on);
+  /// The frame made last, with what was looked at of it since; nothing when none was made since the last
+  /// call.
+  std::optional<FrameProfile> takeProfile();
+  /// What each stage costs on the frame on show. Cancelled: keeps what it has and goes on from there when it
+  /// is asked again for the same frame.
+  StageCosts measureStages(const Progress& progress = {}, int lane = 0);
 
   /// Compiles all shaders again; on Error everything stays as it was.
   void reloadShaders();

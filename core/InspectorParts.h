@@ -3,6 +3,7 @@
 
 #include "core/Inspector.h"
 #include "core/inspect/FrameMaker.h"
+#include "core/inspect/Thumbnails.h"
 
 namespace taa {
 
@@ -14,12 +15,19 @@ struct Inspector::Parts {
   std::vector<Checkpoints> checkpoints{1}; // one a lane
   ShownFrame shown;
   std::size_t budget = kDefaultCheckpointBudget;
+  Thumbnails thumbnails;
+  std::optional<gl::PassTimer> timer; // while profiling
+  int profiled = 0;                   // frames that the timer had seen at the last profile
+  StageMeter stageMeter{gl::timingMethodFor(context.driver())};
 
   bool isOpen() const { return subject.scene != nullptr; }
   const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
   const Settings& settings(int index) const { return subject.lanes.at(static_cast<std::size_t>(index)); }
   const FrameInputs& inputs(int index) {
     return maker.inputs(subject, shown, static_cast<std::size_t>(index));
+  }
+  ResolvedFrame resolved(int index) {
+    return {inputs(index), lane(index).previous, lane(index).current, settings(index)};
   }
   bool isExact() const;
 

@@ -22,7 +22,7 @@ struct RenderThread::Parts {
   void post(Change change);
   void run();
   void runWorker();
-  bool takeWishes(Wishes& taken, const RenderWorker* worker);
+  bool takeWishes(Wishes& taken, RenderWorker* worker);
   bool pending(bool (*question)(const Wishes&));
 };
 
@@ -42,14 +42,14 @@ bool RenderThread::Parts::pending(bool (*question)(const Wishes&)) {
 }
 
 // Waits until there is something to do; false at the end. Without a worker wishes are taken and forgotten.
-bool RenderThread::Parts::takeWishes(Wishes& taken, const RenderWorker* worker) {
+bool RenderThread::Parts::takeWishes(Wishes& taken, RenderWorker* worker) {
   std::unique_lock lock(mutex);
   const auto hasNews = [&] { return ends || !wishes.isEmpty(); };
   if (!hasNews() && !(worker && worker->hasGoal())) {
     done = posted;
     answered.notify_all();
-    if (worker && worker->isPlaying())
-      wished.wait_until(lock, worker->nextFrameAt(), hasNews);
+    if (const auto wakeAt = worker ? worker->wakeAt() : std::nullopt)
+      wished.wait_until(lock, *wakeAt, hasNews);
     else
       wished.wait(lock, hasNews);
   }
@@ -76,6 +76,7 @@ void RenderThread::Parts::runWorker() {
     worker.deliver();
     worker.work();
     worker.deliver();
+    worker.useIdleTime();
   }
 }
 
@@ -151,6 +152,18 @@ void RenderThread::probe(std::optional<glm::ivec2> pixel) {
 
 void RenderThread::setCheckpointBudget(std::size_t bytes) {
   parts_->post([&](Wishes& wishes) { wishes.checkpointBudget = bytes; });
+}
+
+void RenderThread::setProfiling(bool profiling) {
+  parts_->post([&](Wishes& wishes) { wishes.profiling = profiling; });
+}
+
+void RenderThread::measureStages() {
+  parts_->post([&](Wishes& wishes) { wishes.measureStages = true; });
+}
+
+void RenderThread::setThumbnails(int width, int height) {
+  parts_->post([&](Wishes& wishes) { wishes.thumbnails = glm::ivec2(width, height); });
 }
 
 void RenderThread::reloadShaders() {

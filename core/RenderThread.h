@@ -39,6 +39,13 @@ struct ProbeResult {
   bool exact = true;
 };
 
+/// A small picture of a stage's main row, in the style it opens with.
+struct Thumbnail {
+  IntermediateId id{};
+  int frame = 0;
+  Picture picture;
+};
+
 /// Names of objects that the status holds at most: more than a menu has room for.
 inline constexpr std::size_t kMostObjects = 40;
 
@@ -75,6 +82,9 @@ struct RenderListener {
   std::function<void(Status)> onStatus;
   std::function<void(Work)> onWork;
   std::function<void(std::string)> onError; ///< a sentence; nothing was lost
+  std::function<void(FrameProfile)> onProfile{};
+  std::function<void(StageCosts)> onStageCosts{};
+  std::function<void(Thumbnail)> onThumbnail{};
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
@@ -101,6 +111,12 @@ class RenderThread {
   void probe(
       std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back
   void setCheckpointBudget(std::size_t bytes);
+  /// Times every pass from now on, which costs; a profile of each frame made is delivered.
+  void setProfiling(bool profiling);
+  /// Measures what each stage costs on the frame on show; playing waits for it.
+  void measureStages();
+  /// Thumbnails of the stages at this size, drawn only while nothing else is to be done; 0: none.
+  void setThumbnails(int width, int height);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
 

@@ -41,7 +41,8 @@ bool stopsReplay(const Wishes& wishes) {
 
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
-         !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget;
+         !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
+         !profiling && !thumbnails;
 }
 
 bool Wishes::endReplay() const {
@@ -50,20 +51,6 @@ bool Wishes::endReplay() const {
 
 RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
     : listener_(listener), pending_(std::move(pending)), ends_(ends) {}
-
-// Errors are told and change nothing; returns whether the action was done.
-template <typename Action>
-bool RenderWorker::attempt(Action action) {
-  try {
-    action();
-    return true;
-  } catch (const Cancelled&) {
-    return false; // whoever asked for it knows
-  } catch (const std::exception& error) {
-    if (listener_.onError) listener_.onError(error.what());
-    return false;
-  }
-}
 
 // Reports `what` unless the progress names it itself, and stops when a wish says so: at once, or, for wishes
 // that a replay only pauses for, after the first step, so that it comes on however fast they arrive.
@@ -103,6 +90,7 @@ void RenderWorker::apply(const Wishes& wishes) {
     probe_ = *wishes.probe;
     probeDelivered_ = 0;
   }
+  applyLooks(wishes);
 }
 
 void RenderWorker::applySource(const Wishes& wishes) {
@@ -165,6 +153,8 @@ void RenderWorker::work() {
   if (goal_ && goNear()) return;
   if (goal_)
     replay(*goal_, "Going to frame " + std::to_string(*goal_));
+  else if (measuring_ && !needsRefinement())
+    measureStages();
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
@@ -223,6 +213,7 @@ void RenderWorker::deliver() {
     if (statusChanged_ && (goal_ || !inspector_.isExact())) sendStatus();
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
     if (probe_ && probeDelivered_ != version_) deliverProbe();
+    deliverProfile();
   }
   if (statusChanged_) sendStatus();
 }

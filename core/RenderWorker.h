@@ -1,6 +1,7 @@
 // What the render thread does: takes wishes in their order of importance, works, and delivers what changed.
 #pragma once
 
+#include "core/RenderIdle.h"
 #include "core/RenderThread.h"
 
 #include <atomic>
@@ -14,7 +15,7 @@ namespace taa {
 
 /// What is asked for and not yet taken up; the last wish of a kind wins, steps add up.
 struct Wishes {
-  bool reload = false, cancel = false;
+  bool reload = false, cancel = false, measureStages = false;
   std::optional<std::string> source, camera;
   std::optional<glm::ivec2> size;
   std::optional<std::vector<MotionOverride>> motionModes;
@@ -25,6 +26,8 @@ struct Wishes {
   std::optional<std::vector<ViewRequest>> views;
   std::optional<std::optional<glm::ivec2>> probe;
   std::optional<std::size_t> checkpointBudget;
+  std::optional<bool> profiling;
+  std::optional<glm::ivec2> thumbnails;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -45,11 +48,13 @@ class RenderWorker {
   /// Goes on with what is not done: a frame to go to, the next frame of a playing shot, an exact picture.
   void work();
   void deliver();
+  /// Draws a thumbnail when one is due and nothing else is to be done.
+  void useIdleTime();
 
   /// Whether work() would do something now, besides playing.
-  bool hasGoal() const { return goal_ || needsRefinement(); }
-  bool isPlaying() const { return playing_; }
-  Clock::time_point nextFrameAt() const { return nextFrameAt_; }
+  bool hasGoal() const { return goal_ || needsRefinement() || measuring_; }
+  /// When there is something to do again without a wish; nothing: never.
+  std::optional<Clock::time_point> wakeAt();
 
  private:
   struct Delivered {
@@ -60,12 +65,16 @@ class RenderWorker {
   bool needsRefinement() const;
   void applySource(const Wishes& wishes);
   void applyTime(const Wishes& wishes);
+  void applyLooks(const Wishes& wishes);
   void playOn();
   bool goNear();
   void replay(int frame, const std::string& what);
   void setPlaying(bool playing);
   void deliverView(int index);
   void deliverProbe();
+  void deliverProfile();
+  void measureStages();
+  std::optional<Clock::time_point> thumbnailDueAt();
   void sendStatus();
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
   template <typename Action>
@@ -87,6 +96,22 @@ class RenderWorker {
   std::vector<Delivered> delivered_;
   std::optional<glm::ivec2> probe_;
   std::uint64_t probeDelivered_ = 0;
+  bool measuring_ = false; // stages
+  ThumbnailSchedule thumbnails_;
 };
+
+// Errors are told and change nothing; returns whether the action was done.
+template <typename Action>
+bool RenderWorker::attempt(Action action) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+    return false; // whoever asked for it knows
+  } catch (const std::exception& error) {
+    if (listener_.onError) listener_.onError(error.what());
+    return false;
+  }
+}
 
 } // namespace taa

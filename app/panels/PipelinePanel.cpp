@@ -133,6 +133,14 @@ PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
       intermediateRows_.push_back(item);
     }
   layOut(section);
+  section.main = mainRow(stage.stage);
+  if (section.main) {
+    section.header->setHasThumbnail(showsThumbnails_);
+    section.header->setToolTip(tr("%1\nThe picture: %2. Click it to show it in the active view.")
+                                   .arg(qtext(stage.description), qtext(intermediate(*section.main).label)));
+    connect(section.header, &SectionHeader::thumbnailClicked, this,
+            [this, id = *section.main] { Q_EMIT intermediateChosen(id, false); });
+  }
   section.body->setVisible(section.header->isChecked());
   connect(section.header, &SectionHeader::toggled, this, &PipelinePanel::applySearch);
   return section;
@@ -172,6 +180,55 @@ void PipelinePanel::setShown(const std::vector<IntermediateId>& views, int activ
       if (views[view] == row->id()) letters += QChar(static_cast<char16_t>('A' + view));
     row->setShownIn(letters, QChar(static_cast<char16_t>('A' + active)));
   }
+}
+
+void PipelinePanel::setShowsThumbnails(bool shows) {
+  showsThumbnails_ = shows;
+  for (const Section& section : sections_)
+    if (section.main) section.header->setHasThumbnail(shows);
+  wantThumbnails(isVisible());
+}
+
+void PipelinePanel::setPictureSize(const QSize& size) {
+  if (size.isEmpty() || size == pictureSize_) return;
+  pictureSize_ = size;
+  wantThumbnails(isVisible());
+}
+
+void PipelinePanel::wantThumbnails(bool visible) {
+  const QSize device = SectionHeader::kThumbnailSize * devicePixelRatioF();
+  const QSize size =
+      showsThumbnails_ && visible ? pictureSize_.scaled(device, Qt::KeepAspectRatio) : QSize(0, 0);
+  if (size == wanted_) return;
+  wanted_ = size;
+  Q_EMIT thumbnailsWanted(size);
+}
+
+void PipelinePanel::setThumbnail(const Thumbnail& thumbnail) {
+  const Picture& picture = thumbnail.picture;
+  if (!showsThumbnails_ || picture.width <= 0) return;
+  for (Section& section : sections_) {
+    if (section.main != thumbnail.id) continue;
+    section.frame = thumbnail.frame;
+    const QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                       QImage::Format_RGBA8888);
+    section.header->setThumbnail(image.copy()); // of its own: the picture ends
+  }
+}
+
+bool PipelinePanel::hasThumbnailsOf(int frame) const {
+  return std::ranges::all_of(sections_,
+                             [&](const Section& section) { return !section.main || section.frame == frame; });
+}
+
+void PipelinePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  wantThumbnails(true);
+}
+
+void PipelinePanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  wantThumbnails(false); // also while the window is minimized
 }
 
 void PipelinePanel::focusSearch() {

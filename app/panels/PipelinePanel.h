@@ -1,13 +1,14 @@
 // The pipeline as a column of stages: each with its settings and the intermediates it produces.
 #pragma once
 
+#include "core/RenderThread.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
 
 #include <QString>
 #include <QWidget>
 
-#include <array>
+#include <optional>
 #include <vector>
 
 class QLineEdit;
@@ -29,6 +30,14 @@ class PipelinePanel : public QWidget {
   void setPreset(const QString& id, bool changed);
   /// What views A and B show (B may be absent), and which of them keys act on.
   void setShown(const std::vector<IntermediateId>& views, int active);
+  /// A small picture of each stage in its heading, or none.
+  void setShowsThumbnails(bool shows);
+  bool showsThumbnails() const { return showsThumbnails_; }
+  void setThumbnail(const Thumbnail& thumbnail);
+  /// Of the pictures that thumbnails are of.
+  void setPictureSize(const QSize& size);
+  /// Whether every stage that can has one of this frame.
+  bool hasThumbnailsOf(int frame) const;
   /// Moves the keyboard to the search field.
   void focusSearch();
   void setAllExpanded(bool expanded);
@@ -42,9 +51,17 @@ class PipelinePanel : public QWidget {
   void parameterEdited(const QString& path, double value);
   void presetChosen(const QString& id);
   void intermediateChosen(IntermediateId id, bool inOtherView);
+  /// Device pixels; 0: nobody sees them.
+  void thumbnailsWanted(const QSize& size);
+
+ protected:
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
 
  private:
   struct Section {
+    std::optional<IntermediateId> main;
+    int frame = -1; ///< of the thumbnail
     SectionHeader* header = nullptr;
     QWidget* body = nullptr;
     std::vector<ParameterRow*> parameters;
@@ -55,12 +72,15 @@ class PipelinePanel : public QWidget {
   Section makeSection(const StageInfo& stage);
   void layOut(const Section& section);
   void applySearch();
+  void wantThumbnails(bool visible);
 
   ChoiceButton* presets_ = nullptr;
   QLineEdit* search_ = nullptr;
   std::vector<Section> sections_;
   std::vector<ParameterRow*> parameterRows_;
   std::vector<IntermediateRow*> intermediateRows_;
+  bool showsThumbnails_ = true;
+  QSize pictureSize_{16, 9}, wanted_{0, 0};
 };
 
 } // namespace taa::app

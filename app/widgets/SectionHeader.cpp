@@ -4,7 +4,10 @@
 #include "app/Theme.h"
 
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
+
+#include <utility>
 
 namespace taa::app {
 
@@ -13,6 +16,7 @@ SectionHeader::SectionHeader(const QString& title, QWidget* parent) : QAbstractB
   setCheckable(true);
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
+  setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -21,8 +25,38 @@ void SectionHeader::setSummary(const QString& summary) {
   update();
 }
 
+void SectionHeader::setHasThumbnail(bool has) {
+  if (has == hasThumbnail_) return;
+  hasThumbnail_ = has;
+  thumbnail_ = {};
+  updateGeometry();
+  update();
+}
+
+void SectionHeader::setThumbnail(const QImage& thumbnail) {
+  thumbnail_ = thumbnail;
+  update();
+}
+
+QRect SectionHeader::thumbnailRect() const {
+  if (!hasThumbnail_) return {};
+  QSize size = kThumbnailSize;
+  if (!thumbnail_.isNull()) size = thumbnail_.size().scaled(kThumbnailSize, Qt::KeepAspectRatio);
+  return {QPoint(width() - 2 * kUnit - size.width(), (height() + 1 - size.height()) / 2), size};
+}
+
 QSize SectionHeader::sizeHint() const {
-  return {120, kRowHeight + kUnit};
+  return {120, hasThumbnail_ ? kThumbnailSize.height() + kUnit + 1 : kRowHeight + kUnit};
+}
+
+void SectionHeader::paintThumbnail(QPainter& painter) const {
+  const QRect place = thumbnailRect();
+  const ThemeColors& colors = themeColors(this);
+  painter.fillRect(place, colors.surround);
+  if (!thumbnail_.isNull()) painter.drawImage(place, thumbnail_);
+  if (!overThumbnail_) return;
+  painter.setPen(colors.accent);
+  painter.drawRect(place.adjusted(0, 0, -1, -1));
 }
 
 void SectionHeader::paintEvent(QPaintEvent*) {
@@ -40,18 +74,53 @@ void SectionHeader::paintEvent(QPaintEvent*) {
 
   QFont bold = font();
   bold.setBold(true);
-  const QRect inside = rect().adjusted(5 * kUnit, 0, -2 * kUnit, 0);
+  const bool hasSummary = !isChecked() && !summary_.isEmpty(); // else the settings themselves are in sight
+  QRect inside = rect().adjusted(5 * kUnit, 0, -2 * kUnit, 0);
+  if (hasThumbnail_) {
+    paintThumbnail(painter);
+    inside.setRight(width() - 2 * kUnit - kThumbnailSize.width() - 2 * kUnit);
+  }
+  const bool twoLines = hasThumbnail_ && hasSummary;
+  if (twoLines) inside.adjust(0, kUnit + 1, 0, -kUnit);
   painter.setFont(bold);
   painter.setPen(colors.text);
-  painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(inside, (twoLines ? Qt::AlignTop : Qt::AlignVCenter) | Qt::AlignLeft, text());
 
-  if (isChecked()) return; // the settings themselves are in sight
-  const int used = QFontMetrics(bold).horizontalAdvance(text()) + 3 * kUnit;
+  if (!hasSummary) return;
+  const int used = twoLines ? 0 : QFontMetrics(bold).horizontalAdvance(text()) + 3 * kUnit;
   const QFontMetrics small(secondaryFont());
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);
-  painter.drawText(inside, Qt::AlignVCenter | Qt::AlignRight,
+  painter.drawText(inside, twoLines ? Qt::AlignBottom | Qt::AlignLeft : Qt::AlignVCenter | Qt::AlignRight,
                    small.elidedText(summary_, Qt::ElideRight, inside.width() - used));
+}
+
+void SectionHeader::setOverThumbnail(bool over) {
+  if (over == overThumbnail_) return;
+  overThumbnail_ = over;
+  setCursor(over ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  update();
+}
+
+void SectionHeader::mousePressEvent(QMouseEvent* event) {
+  pressedThumbnail_ =
+      event->button() == Qt::LeftButton && thumbnailRect().contains(event->position().toPoint());
+  if (!pressedThumbnail_) QAbstractButton::mousePressEvent(event);
+}
+
+void SectionHeader::mouseReleaseEvent(QMouseEvent* event) {
+  if (!std::exchange(pressedThumbnail_, false)) return QAbstractButton::mouseReleaseEvent(event);
+  if (thumbnailRect().contains(event->position().toPoint())) Q_EMIT thumbnailClicked();
+}
+
+void SectionHeader::mouseMoveEvent(QMouseEvent* event) {
+  setOverThumbnail(thumbnailRect().contains(event->position().toPoint()));
+  QAbstractButton::mouseMoveEvent(event);
+}
+
+void SectionHeader::leaveEvent(QEvent* event) {
+  setOverThumbnail(false);
+  QAbstractButton::leaveEvent(event);
 }
 
 void SectionHeader::keyPressEvent(QKeyEvent* event) {

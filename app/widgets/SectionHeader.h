@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QImage>
+
+class QPainter;
 
 namespace taa::app {
 
@@ -11,14 +14,33 @@ class SectionHeader : public QAbstractButton {
   /// Checked: unfolded.
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
   void setSummary(const QString& summary);
+  /// Room for a picture at the right, which is higher than a line of text.
+  void setHasThumbnail(bool has);
+  void setThumbnail(const QImage& thumbnail);
+  const QImage& thumbnail() const { return thumbnail_; }
+  /// Where it is; empty without one.
+  QRect thumbnailRect() const;
   QSize sizeHint() const override;
+  static constexpr QSize kThumbnailSize{80, 45};
+
+ Q_SIGNALS:
+  void thumbnailClicked();
 
  protected:
   void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void leaveEvent(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
 
  private:
+  void paintThumbnail(QPainter& painter) const;
+  void setOverThumbnail(bool over);
+
   QString summary_;
+  QImage thumbnail_;
+  bool hasThumbnail_ = false, overThumbnail_ = false, pressedThumbnail_ = false;
 };
 
 } // namespace taa::app

@@ -52,6 +52,12 @@ struct ProbeArguments {
   bool json = false;
 };
 
+struct ProfileArguments {
+  ShotArguments shot;
+  std::string frames = "1..30";
+  bool json = false;
+};
+
 /// First and last frame, both included.
 struct FrameRange {
   int first = 0, last = 0;

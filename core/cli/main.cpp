@@ -105,12 +105,22 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
   command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
 }
 
+void addProfile(CLI::App& app, ProfileArguments& profile, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand(
+      "profile", "Print the time of each pass and of each stage of the resolve, and the memory in use");
+  addShotOptions(*command, profile.shot);
+  command->add_option("--frames", profile.frames, "A..B, both included, from 1")->capture_default_str();
+  command->add_flag("--json", profile.json, "Print JSON");
+  command->callback([&profile, &progress] { runProfile(profile, std::cout, progress); });
+}
+
 /// CLI11 only says that a command is missing when the word in its place is none.
 void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
-  throw UsageError("there is no command \"" + std::string(argv[1]) + "\"; there are list, render and probe");
+  throw UsageError("there is no command \"" + std::string(argv[1]) +
+                   "\"; there are list, render, probe and profile");
 }
 
 int run(int argc, char** argv) {
@@ -123,6 +133,7 @@ int run(int argc, char** argv) {
   ListArguments list;
   RenderArguments render;
   ProbeArguments probe;
+  ProfileArguments profile;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
     return line.show(what, done, total);
@@ -130,6 +141,7 @@ int run(int argc, char** argv) {
   addList(app, list);
   addRender(app, render, progress);
   addProbe(app, probe, progress);
+  addProfile(app, profile, progress);
   requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -1,6 +1,7 @@
 #include "core/gl/RenderPass.h"
 
 #include "core/base/Error.h"
+#include "core/gl/PassTimer.h"
 
 #include <epoxy/gl.h>
 
@@ -106,6 +107,7 @@ void Framebuffer::clearDepth(float value) {
 }
 
 RenderPass::RenderPass(const Framebuffer& target, const RenderState& state, const std::string& label) {
+  PassTimer::begin(label);
   glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label.c_str());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
   glViewport(0, 0, target.width(), target.height());
@@ -129,6 +131,7 @@ RenderPass::RenderPass(const Framebuffer& target, const RenderState& state, cons
 
 RenderPass::~RenderPass() {
   glPopDebugGroup();
+  PassTimer::end();
 }
 
 void RenderPass::program(const Program& program) {

@@ -17,6 +17,13 @@ namespace taa {
 /// last; then its textures go back to the pool they came from.
 using HistoryHandle = std::shared_ptr<const History>;
 
+/// A frame of a lane that has been resolved, to look into. The references must outlive the look.
+struct ResolvedFrame {
+  const FrameInputs& inputs;
+  HistoryHandle previous, current; ///< current: also what tells one frame from another
+  const Settings& settings;
+};
+
 /// Histories whose textures are used again: a frame each 10 ms would otherwise ask the driver for them anew.
 class HistoryPool {
  public:

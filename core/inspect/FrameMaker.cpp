@@ -1,6 +1,7 @@
 #include "core/inspect/FrameMaker.h"
 
 #include "core/gl/Context.h"
+#include "core/gl/PassTimer.h"
 #include "core/inspect/StoredRows.h"
 #include "core/settings/Parameters.h"
 
@@ -134,6 +135,7 @@ const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown,
 }
 
 void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
+  gl::PassTimer::startFrame();
   arrange(subject, step.inputs, next);
   next.frame = step.frame;
   next.sceneMs = 0.0;

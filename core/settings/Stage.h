@@ -27,32 +27,37 @@ struct StageInfo {
   std::string_view id;    ///< name of its GLSL file where it has one
   std::string_view label; ///< as a heading
   std::string_view description;
+  std::string_view main; ///< the intermediate that says most about it (core/taa/Intermediates.h); empty: none
 };
 
 inline constexpr std::array<StageInfo, 12> kStages{{
-    {Stage::Jitter, "jitter", "Jitter",
-     "Moves the picture by a part of a pixel, a different one each frame."},
+    {Stage::Jitter, "jitter", "Jitter", "Moves the picture by a part of a pixel, a different one each frame.",
+     ""},
     {Stage::Inputs, "inputs", "Inputs",
-     "What the renderer draws for this frame: color, depth, motion, normal, object id."},
+     "What the renderer draws for this frame: color, depth, motion, normal, object id.", "color"},
     {Stage::DilateMotion, "dilate_motion", "Dilate motion",
-     "Chooses the neighbor whose motion this pixel follows, so that silhouettes move with what is in front."},
+     "Chooses the neighbor whose motion this pixel follows, so that silhouettes move with what is in front.",
+     "dilatedMotion"},
     {Stage::Reproject, "reproject", "Reproject",
-     "Finds where this pixel's surface was in the previous frame."},
-    {Stage::SampleHistory, "sample_history", "Sample history",
-     "Reads the accumulated picture at that place."},
+     "Finds where this pixel's surface was in the previous frame.", "speed"},
+    {Stage::SampleHistory, "sample_history", "Sample history", "Reads the accumulated picture at that place.",
+     "historyRaw"},
     {Stage::FilterCurrent, "filter_current", "Filter current",
-     "Rebuilds the color at the pixel's center from the jittered samples around it."},
+     "Rebuilds the color at the pixel's center from the jittered samples around it.", "currentFiltered"},
     {Stage::Neighborhood, "neighborhood", "Neighborhood",
-     "Measures the colors around the pixel and bounds them by a box."},
+     "Measures the colors around the pixel and bounds them by a box.", "boxMax"},
     {Stage::RectifyHistory, "rectify_history", "Rectify history",
-     "Pulls history that lies outside the box back to it."},
+     "Pulls history that lies outside the box back to it.", "historyRectified"},
     {Stage::ValidateHistory, "validate_history", "Validate history",
-     "Rejects history that belongs to something else: off the screen, or behind what is now in front."},
-    {Stage::BlendWeight, "blend_weight", "Blend weight", "Decides α, how much the current frame counts."},
-    {Stage::Blend, "blend", "Blend", "Mixes current and history into the resolved picture."},
+     "Rejects history that belongs to something else: off the screen, or behind what is now in front.",
+     "rejectReason"},
+    {Stage::BlendWeight, "blend_weight", "Blend weight", "Decides α, how much the current frame counts.",
+     "alpha"},
+    {Stage::Blend, "blend", "Blend", "Mixes current and history into the resolved picture.", "resolved"},
     {Stage::Output, "output", "Output",
      "What is shown of the resolved picture: sharpened, or blurred where it moves fast. Never goes into "
-     "history."},
+     "history.",
+     "output"},
 }};
 
 constexpr const StageInfo& stageInfo(Stage stage) {

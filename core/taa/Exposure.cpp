@@ -14,10 +14,10 @@ gl::Format formatOf(int channels) {
   return channels == 1 ? gl::Format::R32F : channels == 2 ? gl::Format::RG32F : gl::Format::RGBA32F;
 }
 
-gl::Texture makeLayers(const ExposureLayout& layout, const gl::Rect& region, int channels) {
+gl::Texture makeLayers(const ExposureLayout& layout, const glm::ivec2& texels, int channels) {
   const int layers = layout.layers(channels);
   if (layers == 0) return {};
-  gl::Texture texture({region.width, region.height, layers}, formatOf(channels),
+  gl::Texture texture({texels.x, texels.y, layers}, formatOf(channels),
                       "exposed " + std::to_string(channels));
   texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
   return texture;
@@ -25,11 +25,12 @@ gl::Texture makeLayers(const ExposureLayout& layout, const gl::Rect& region, int
 
 } // namespace
 
-Exposure::Exposure(std::vector<IntermediateId> watched, const gl::Rect& region)
-    : layout_(std::move(watched)), region_(region) {
-  one_ = makeLayers(layout_, region, 1);
-  two_ = makeLayers(layout_, region, 2);
-  four_ = makeLayers(layout_, region, 4);
+Exposure::Exposure(std::vector<IntermediateId> watched, const gl::Rect& region, const glm::ivec2& texels)
+    : layout_(std::move(watched)), region_(region),
+      texels_(texels.x > 0 ? texels : glm::ivec2(region.width, region.height)) {
+  one_ = makeLayers(layout_, texels_, 1);
+  two_ = makeLayers(layout_, texels_, 2);
+  four_ = makeLayers(layout_, texels_, 4);
 }
 
 std::size_t exposureBytes(const std::vector<IntermediateId>& watched, const gl::Rect& region) {

@@ -20,6 +20,17 @@ IntermediateId intermediateNamed(std::string_view name) {
   throw Error("no intermediate is called \"" + std::string(name) + "\"; there are " + all);
 }
 
+std::optional<IntermediateId> mainRow(Stage stage) {
+  return findIntermediate(stageInfo(stage).main);
+}
+
+std::vector<IntermediateId> mainRows() {
+  std::vector<IntermediateId> rows;
+  for (const StageInfo& stage : kStages)
+    if (const auto row = mainRow(stage.stage)) rows.push_back(*row);
+  return rows;
+}
+
 std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

@@ -203,6 +203,10 @@ std::optional<IntermediateId> findIntermediate(std::string_view name);
 /// As above; throws Error naming those there are.
 IntermediateId intermediateNamed(std::string_view name);
 
+/// The row that says most about a stage, or nothing; and those of all stages, in their order.
+std::optional<IntermediateId> mainRow(Stage stage);
+std::vector<IntermediateId> mainRows();
+
 /// The same set in the order of the table, each row once.
 std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids);
 

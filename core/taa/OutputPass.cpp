@@ -17,12 +17,13 @@ Settings relevantSettings(const Settings& settings) {
 }
 
 const gl::Program& programFor(ProgramCache& programs, const Settings& settings, bool hasOverlay,
-                              const ExposureLayout& layout) {
-  return programs.program(
-      relevantSettings(settings), (hasOverlay ? "overlay " : "") + slotsKey(layout.ofOutput()), [&] {
-        return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
-               exposeAsTargets(layout.ofOutput(), 0);
-      });
+                              bool isSparse, const ExposureLayout& layout) {
+  const std::string key =
+      std::string(hasOverlay ? "overlay " : "") + (isSparse ? "sparse " : "") + slotsKey(layout.ofOutput());
+  return programs.program(relevantSettings(settings), key, [&] {
+    return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
+           sparsePrelude(isSparse) + exposeAsTargets(layout.ofOutput(), 0);
+  });
 }
 
 } // namespace
@@ -36,8 +37,9 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   std::vector<gl::Attachment> targets;
   for (const ExposedSlot& slot : layout.ofOutput())
     targets.push_back({&exposure.textureOf(slot), slot.layer});
-  const gl::Program& program = programFor(programs, settings, bool(inputs.overlay), layout);
-  passInputs_.update(inputs, settings, 0, {exposure.region().x, exposure.region().y});
+  const gl::Program& program =
+      programFor(programs, settings, bool(inputs.overlay), exposure.isSparse(), layout);
+  passInputs_.update(inputs, settings, 0, {exposure.region(), exposure.texels()});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
   pass.program(program);
@@ -49,7 +51,7 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
 void OutputPass::prepare(const Settings& settings, const ExposureLayout& layout) {
   if (layout.ofOutput().empty()) return;
   const bool hasOverlay = settings.inputs.blended == BlendedAs::After;
-  programFor(programs, settings, hasOverlay, layout);
+  programFor(programs, settings, hasOverlay, false, layout);
 }
 
 } // namespace taa

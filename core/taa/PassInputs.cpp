@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned kMaskUnit = 14, kOverlayUnit = 15;
 
 shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, int historyState,
-                               const glm::ivec2& corner) {
+                               const TargetPixels& target) {
   const std::array<float, 9> w = currentFilterWeights(settings.current, inputs.info.jitterPx);
   shared::ResolveBlock block{};
   block.sizePx = glm::vec2(inputs.outputWidth(), inputs.outputHeight());
@@ -32,7 +32,8 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   block.weightTerms.x = sampleDistanceFactor(settings.weight.sampleDistance, distance);
   block.weightTerms.y =
       static_cast<float>(frameEighths(inputs.info.stepSeconds, settings.weight.referenceRate));
-  block.state = glm::ivec4(historyState, corner.x, corner.y, inputs.info.frame);
+  block.state = glm::ivec4(historyState, target.region.x, target.region.y, inputs.info.frame);
+  block.spread = glm::ivec4(target.region.width, target.region.height, target.texels);
   return block;
 }
 
@@ -45,14 +46,18 @@ gl::Texture blackTexel() {
 
 } // namespace
 
+std::string sparsePrelude(bool isSparse) {
+  return std::string("const bool kIsSparse = ") + (isSparse ? "true" : "false") + ";\n";
+}
+
 PassInputs::PassInputs()
     : nearest_(gl::SamplerState{}), nothing_(blackTexel()),
       resolveBlock_(sizeof(shared::ResolveBlock), nullptr, "ResolveBlock"),
       settingsBlock_(taa::settingsBlock(Settings{}).size(), nullptr, "SettingsBlock") {}
 
 void PassInputs::update(const FrameInputs& inputs, const Settings& settings, int historyState,
-                        const glm::ivec2& corner) {
-  const shared::ResolveBlock block = makeBlock(inputs, settings, historyState, corner);
+                        const TargetPixels& target) {
+  const shared::ResolveBlock block = makeBlock(inputs, settings, historyState, target);
   const std::vector<std::byte> numbers = taa::settingsBlock(settings);
   resolveBlock_.update(0, &block, sizeof(block));
   settingsBlock_.update(0, numbers.data(), numbers.size());

@@ -23,21 +23,38 @@ gl::TextureSize outputSize(const FrameInputs& inputs) {
   return {inputs.outputWidth(), inputs.outputHeight()};
 }
 
-// So small a region is exposed in one run whatever is watched: one program to compile, and stores cost
-// little.
-constexpr int kSmallRegion = 64 * 64;
+// What `stage_ends` is: nothing, or, for the profiler only, what makes a program end after a stage, each of
+// them a little dearer than that of the stage before. What a stage computed is summed up and written, so that
+// no compiler leaves it out; what only a later stage reads of it counts there.
+std::string stageEndsPrelude(std::optional<Stage> last) {
+  if (!last || *last == Stage::Blend) return "#define stage_ends(stage, value)\n";
+  std::string text;
+  for (const StageInfo& stage : kStages)
+    text += "const int kStage_" + std::string(stage.id) + " = " +
+            std::to_string(static_cast<int>(stage.stage)) + ";\n";
+  return text + "const int kLastStage = kStage_" + std::string(stageInfo(*last).id) +
+         ";\nvec4 keptAlive = vec4(0.0);\n"
+         "#define stage_ends(stage, value) keptAlive += value; if (kLastStage == stage) "
+         "{ o_color = keptAlive; o_surface = keptAlive.xy; return; }\n";
+}
 
-/// One run of the resolve: whether it writes the history, and which slots how.
+// So few are exposed in one run whatever is watched: one program to compile, and stores cost little.
+constexpr int kFewTexels = 128 * 128;
+
+/// One run of the resolve: whether it writes the history, which slots how, and where it ends.
 struct Run {
-  bool keepsHistory = false, stores = false;
+  bool keepsHistory = false, stores = false, isSparse = false;
   std::span<const ExposedSlot> slots;
+  std::optional<Stage> last; ///< none: the whole resolve
 
   std::string prelude(const Settings& settings) const {
-    return historyPrelude(settings, keepsHistory) +
+    return historyPrelude(settings, keepsHistory) + sparsePrelude(isSparse) + stageEndsPrelude(last) +
            (stores ? exposeAsStores(slots) : exposeAsTargets(slots, taken(settings)));
   }
   std::string key() const {
-    return std::string(keepsHistory ? "history " : "") + (stores ? "stores " : "") + slotsKey(slots);
+    return std::string(keepsHistory ? "history " : "") + (stores ? "stores " : "") +
+           (isSparse ? "sparse " : "") + (last ? std::string(stageInfo(*last).id) + " " : "") +
+           slotsKey(slots);
   }
   std::size_t taken(const Settings& settings) const { return keepsHistory ? historyTargets(settings) : 0; }
 };
@@ -83,6 +100,7 @@ std::vector<gl::Attachment> attachments(const Run& run, const History* out, cons
 
 struct TaaPass::Parts {
   ProgramCache programs{"taa/resolve.frag", "resolve"};
+  ProgramCache stageEnds{"taa/resolve.frag", "resolve until"};
   PassInputs passInputs;
   OutputPass output;
 
@@ -113,9 +131,10 @@ void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const F
   assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
   const Settings relevant = relevantSettings(settings);
-  const gl::Program& resolve = programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
-  const gl::Rect region = exposure ? exposure->region() : gl::Rect{};
-  passInputs.update(inputs, settings, historyState(previous, settings), {region.x, region.y});
+  const gl::Program& resolve =
+      (run.last ? stageEnds : programs).program(relevant, run.key(), [&] { return run.prelude(relevant); });
+  passInputs.update(inputs, settings, historyState(previous, settings),
+                    exposure ? TargetPixels{exposure->region(), exposure->texels()} : TargetPixels{});
 
   gl::RenderPass pass(target, {}, "TaaPass");
   pass.program(resolve);
@@ -147,18 +166,33 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,
                      const Settings& settings, Exposure& exposure) {
-  const gl::Rect& region = exposure.region();
+  const glm::ivec2& texels = exposure.texels();
   std::vector<Run> runs = runsFor(settings, false, exposure.layout().ofResolve());
-  if (runs.size() > 1 && region.width * region.height <= kSmallRegion)
+  if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
     runs = {{.keepsHistory = false, .stores = true, .slots = exposure.layout().ofResolve()}};
-  for (const Run& run : runs) {
+  for (Run& run : runs) {
+    run.isSparse = exposure.isSparse();
     const gl::Framebuffer target =
         run.stores
-            ? gl::Framebuffer(region.width, region.height, "exposed region")
+            ? gl::Framebuffer(texels.x, texels.y, "exposed region")
             : gl::Framebuffer(attachments(run, nullptr, &exposure, settings), nullptr, "exposed region");
     parts_->draw(run, target, inputs, previous, settings, &exposure);
   }
   parts_->output.fill(inputs, resolved.color, settings, exposure);
+}
+
+void TaaPass::resolveUntil(Stage last, const FrameInputs& inputs, const History* previous,
+                           const Settings& settings, History& out) {
+  assert(&out != previous);
+  const gl::TextureSize size = outputSize(inputs);
+  fitHistory(out, size.width, size.height, settings);
+  const Run run{.keepsHistory = true, .slots = {}, .last = last};
+  const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved until");
+  parts_->draw(run, target, inputs, previous, settings, nullptr);
+}
+
+void TaaPass::forgetStageEnds() {
+  parts_->stageEnds = ProgramCache("taa/resolve.frag", "resolve until");
 }
 
 void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {

@@ -20,12 +20,15 @@ namespace taa {
 class Exposure {
  public:
   Exposure() = default;
-  /// `region` in pixels of the picture. Throws Error when there is not the memory.
-  Exposure(std::vector<IntermediateId> watched, const gl::Rect& region);
+  /// `region` in pixels of the picture; `texels`: how many stand for them, each for the one in its middle, 0:
+  /// one each. Throws Error when there is not the memory.
+  Exposure(std::vector<IntermediateId> watched, const gl::Rect& region, const glm::ivec2& texels = {});
 
   const std::vector<IntermediateId>& watched() const { return layout_.watched(); }
   const ExposureLayout& layout() const { return layout_; }
   const gl::Rect& region() const { return region_; }
+  const glm::ivec2& texels() const { return texels_; }
+  bool isSparse() const { return texels_ != glm::ivec2(region_.width, region_.height); }
   bool holds(IntermediateId id) const { return layout_.holds(id); }
   /// The texture array, its layer and the channel from which on it holds `id`. Expects holds(id).
   const gl::Texture& texture(IntermediateId id) const { return textureOf(layout_.slot(id)); }
@@ -40,6 +43,7 @@ class Exposure {
  private:
   ExposureLayout layout_;
   gl::Rect region_;
+  glm::ivec2 texels_{0};
   gl::Texture one_, two_, four_; ///< arrays by channel count; empty when no row needs them
 };
 
@@ -64,6 +68,13 @@ class TaaPass {
   /// resolve() made of the same, for the rows of stage Output, which look at it around each pixel.
   void expose(const FrameInputs& inputs, const History* previous, const History& resolved,
               const Settings& settings, Exposure& exposure);
+
+  /// As resolve(), but ends after `last` (shaders/taa/resolve.frag) and leaves nothing of use in `out`:
+  /// for the profiler. Stage::Jitter only stores; Blend, the last, is resolve() itself. Keeps the programs
+  /// until forgetStageEnds().
+  void resolveUntil(Stage last, const FrameInputs& inputs, const History* previous, const Settings& settings,
+                    History& out);
+  void forgetStageEnds();
 
   /// Compiles the program for `settings` now, so that the next resolve does not wait.
   void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);

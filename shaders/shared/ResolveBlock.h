@@ -22,6 +22,7 @@ layout(std140, binding = 0) uniform ResolveBlock {
   vec4 currentWeights2; // last row
   vec4 weightTerms;     // x: factor on α by the sample's distance; y: eighths of the reference frame that this one took
   ivec4 state;          // x: bit 0 when there is history, others for its layers; y, z: pixel at the target's top left; w: the frame's number
+  ivec4 spread;         // pixels of the region that is drawn, texels of the target that stand for them
 #ifdef __cplusplus
 };
 } // namespace taa::shared

@@ -38,6 +38,14 @@ vec4 historyAt(sampler2D picture, ivec2 texel) {
   return textureLod(picture, (vec2(texel) + 0.5) * (1.0 / resolveBlock.sizePx), 0.0);
 }
 
+/// The pixel that this fragment stands for. A target with fewer texels than its region has pixels holds for each texel
+/// exactly what the pixel in its middle is.
+ivec2 pixelHere() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  if (kIsSparse) texel = (2 * texel + 1) * resolveBlock.spread.xy / (2 * resolveBlock.spread.zw);
+  return texel + resolveBlock.state.yz;
+}
+
 bool hasHistory() { return (resolveBlock.state.x & 1) != 0; }
 
 /// Whether the history holds a layer that not all settings keep.

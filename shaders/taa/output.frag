@@ -7,4 +7,4 @@
 #include "taa/sharpen.glsl"
 #include "taa/output.glsl"
 
-void main() { showOutput(ivec2(gl_FragCoord.xy) + resolveBlock.state.yz); }
+void main() { showOutput(pixelHere()); }

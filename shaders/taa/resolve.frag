@@ -14,26 +14,43 @@
 #include "taa/blend_weight.glsl"
 #include "taa/blend.glsl"
 
+// Of all that was read, for `stage_ends`: nothing, or in the profiler's programs their end (TaaPass.cpp).
+vec4 sumOf(Samples samples) {
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < 9; ++k) sum += samples.color[k];
+  return vec4(sum, samples.mask.x + samples.mask.y);
+}
+
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) + resolveBlock.state.yz;
+  ivec2 pixel = pixelHere();
+  stage_ends(kStage_jitter, vec4(pixel, pixel));
   Place place = placeOf(pixel);
   Samples samples = readInputs(place);
+  stage_ends(kStage_inputs, sumOf(samples));
   DilatedMotion dilated = dilateMotion(place.texel);
+  stage_ends(kStage_dilate_motion, vec4(dilated.motion, dilated.depth, 0.0));
   Reprojection reprojection = reproject(pixel, dilated.motion);
+  stage_ends(kStage_reproject, vec4(reprojection.position, reprojection.speed, float(reprojection.isOutside)));
   HistorySample history = sampleHistory(pixel, place.texel, reprojection.position);
+  stage_ends(kStage_sample_history, vec4(history.color, history.frames));
   CurrentColor filtered = filterCurrent(samples, place, reprojection.speed);
+  stage_ends(kStage_filter_current, vec4(filtered.color, filtered.confidence));
   vec3 current = filtered.color;
   Samples measured = samples;
   if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
   Neighborhood around = boundNeighborhood(measured, current, history.color, reprojection.speed);
+  stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);
+  stage_ends(kStage_validate_history, vec4(validity.invalid, validity.velocityChange, 0.0, 0.0));
   float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
   RectifiedHistory rectified = rectifyHistory(history, around, current, reprojection.speed, held);
+  stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.frames));
   WeightInputs weighed =
       WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
                    validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence);
   Weight weight = blendWeight(weighed, samples, validity.invalid);
+  stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
   o_color = vec4(blended.color, 1.0);                         // History::color
   o_surface = vec2(blended.frames, viewDepth(dilated.depth)); // History::surface: N, view depth

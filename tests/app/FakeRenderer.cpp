@@ -71,6 +71,48 @@ void FakeRenderer::probe(std::optional<glm::ivec2> wanted) {
   deliver();
 }
 
+void FakeRenderer::measureStages() {
+  StageCosts costs;
+  costs.frame = status.info.frame;
+  costs.width = status.width;
+  costs.height = status.height;
+  costs.wholeMs = 4.0;
+  costs.storeMs = 1.0;
+  costs.stages = {{Stage::Neighborhood, 2.0}, {Stage::Blend, 1.0}};
+  listener_.onStageCosts(costs);
+}
+
+void FakeRenderer::setThumbnails(int width, int height) {
+  thumbnails = {width, height};
+  deliver();
+}
+
+void FakeRenderer::deliverThumbnails() {
+  if (thumbnails.x == 0) return;
+  for (const IntermediateId id : mainRows()) {
+    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}};
+    const auto gray = static_cast<std::uint8_t>(static_cast<int>(id) * 3 + status.info.frame);
+    thumbnail.picture.rgba.assign(static_cast<std::size_t>(thumbnails.x) * thumbnails.y * 4, gray);
+    for (std::size_t alpha = 3; alpha < thumbnail.picture.rgba.size(); alpha += 4)
+      thumbnail.picture.rgba[alpha] = 255;
+    listener_.onThumbnail(std::move(thumbnail));
+  }
+}
+
+/// Frame n: two passes of n and 2n ms, 3 MiB of textures.
+void FakeRenderer::deliverProfile() {
+  if (!profiling) return;
+  FrameProfile profile;
+  const double n = status.info.frame;
+  profile.frame = status.info.frame;
+  profile.passes = {{"G-buffer", n, 1}, {"Resolve", 2.0 * n, 1}, {"Between the passes", 0.0, 0}};
+  profile.totalMs = 3.0 * n;
+  profile.memory = {{"history, \"kept\"", std::size_t(3) << 20, 5}};
+  profile.memoryBytes = std::size_t(3) << 20;
+  profile.checkpointBytes = std::size_t(1) << 20;
+  listener_.onProfile(profile);
+}
+
 ViewResult FakeRenderer::draw(int view) const {
   ViewResult result;
   result.view = view;
@@ -94,6 +136,8 @@ void FakeRenderer::deliver() {
   if (status.frameCount == 0) return;
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
+  deliverThumbnails();
+  deliverProfile();
   if (!pixel) return;
   ProbeResult result{.x = pixel->x, .y = pixel->y, .frame = status.info.frame, .around = {}};
   for (int y = -1; y <= 1; ++y)

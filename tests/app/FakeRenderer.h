@@ -24,18 +24,24 @@ class FakeRenderer final : public Renderer {
   void setViews(const std::vector<ViewRequest>& wanted) override;
   void probe(std::optional<glm::ivec2> pixel) override;
   void setCheckpointBudget(std::size_t bytes) override;
+  void setProfiling(bool wanted) override { profiling = wanted; }
+  void measureStages() override;
+  void setThumbnails(int width, int height) override;
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
 
   Status status;
   std::vector<ViewRequest> views;
   std::optional<glm::ivec2> pixel;
-  bool isLooping = true;
+  bool isLooping = true, profiling = false;
+  glm::ivec2 thumbnails{0}; ///< size wanted
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
 
  private:
   void deliver();
+  void deliverThumbnails();
+  void deliverProfile();
   ViewResult draw(int view) const;
 
   RenderListener listener_;

@@ -77,6 +77,18 @@ TEST_P(Layout, CutsNoTextAndOverlapsNothing) {
   expectNoOverlap(window);
 }
 
+TEST_P(Layout, CutsNoTextAndOverlapsNothingWithTheProfiler) {
+  window.resize(GetParam().first, GetParam().second);
+  renderer->status.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  renderer->status.driver.isSoftware = true;
+  window.measureStages();
+  session.seek(3);
+  settle();
+  settle();
+  expectNothingIsCut(window);
+  expectNoOverlap(window);
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
                          testing::Values(std::pair(1280, 800), std::pair(1920, 1080), std::pair(1600, 900)),
                          [](const auto& size) { return std::to_string(size.param.first); });

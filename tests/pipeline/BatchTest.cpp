@@ -255,3 +255,32 @@ TEST_F(BatchTest, ShowsAPixelToPeople) {
   for (const taa::Intermediate& row : taa::kIntermediates)
     EXPECT_NE(result.out.find(std::string(row.label)), std::string::npos) << row.label;
 }
+
+class BatchProfile : public taa::test::GlTest {};
+
+TEST_F(BatchProfile, PrintsPassesStagesAndMemory) {
+  const ProcessResult result =
+      batch({"profile", "builtin:fan", "--size", "64x36", "--frames", "1..3", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json profile = json::parse(result.out);
+  std::vector<std::string> names;
+  for (const json& pass : profile["passes"]) {
+    names.push_back(pass["name"]);
+    EXPECT_EQ(pass["ms"].size(), 3u) << pass;
+    EXPECT_GE(pass["medianMs"].get<double>(), 0.0) << pass;
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"G-buffer", "Sky", "Resolve", "Between the passes"}));
+  EXPECT_EQ(profile["stages"]["stages"].size(), 10u);
+  EXPECT_GT(profile["stages"]["wholeMs"].get<double>(), 0.0);
+  EXPECT_GT(profile["checkpointBytes"].get<double>(), 0.0);
+  EXPECT_TRUE(profile["timing"] == "finish" || profile["timing"] == "queries");
+  const ProcessResult text = batch({"profile", "builtin:fan", "--size", "64x36", "--frames", "2"});
+  EXPECT_EQ(text.exitCode, 0) << text.err;
+  for (const char* word : {"G-buffer", "Neighborhood", "Draw and stores", "timed by"})
+    EXPECT_NE(text.out.find(word), std::string::npos) << text.out;
+}
+
+TEST(BatchMistakes, ProfileStartsFromFrameOneAndTakesOneLane) {
+  expectUsageError({"profile", "builtin:fan", "--frames", "0..3"}, {"--frames 0..3", "from 1"});
+  expectUsageError({"profile", "builtin:fan", "--lane", "balanced", "--lane", "sharp"}, {"one lane"});
+}

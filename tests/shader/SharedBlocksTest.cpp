@@ -39,7 +39,8 @@ TEST_F(SharedBlocksTest, ResolveBlockIsTheSameOnEitherSide) {
       MEMBER(ResolveBlock, depthTerms),      MEMBER(ResolveBlock, currentWeights0),
       MEMBER(ResolveBlock, currentWeights1), MEMBER(ResolveBlock, currentWeights2),
       MEMBER(ResolveBlock, weightTerms),     MEMBER(ResolveBlock, state),
-      MEMBER(ResolveBlock, renderSizePx),    MEMBER(ResolveBlock, renderRatio),
+      MEMBER(ResolveBlock, spread),          MEMBER(ResolveBlock, renderSizePx),
+      MEMBER(ResolveBlock, renderRatio),
   };
   EXPECT_EQ(offsetsInGlsl("shared/ResolveBlock.h", "ResolveBlock", "resolveBlock.depthTerms"), expected);
 }

@@ -27,6 +27,9 @@ struct Recorder {
   std::vector<Status> statuses;
   std::vector<Work> works;
   std::vector<std::string> errors;
+  std::vector<FrameProfile> profiles;
+  std::vector<StageCosts> costs;
+  std::vector<Thumbnail> thumbnails;
   std::function<void(const Work&)> onWork; ///< also called, without the lock
 
   template <typename T>
@@ -46,7 +49,10 @@ struct Recorder {
                   if (onWork) onWork(work);
                   add(works, std::move(work));
                 },
-            .onError = [this](std::string text) { add(errors, std::move(text)); }};
+            .onError = [this](std::string text) { add(errors, std::move(text)); },
+            .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
+            .onStageCosts = [this](StageCosts cost) { add(costs, std::move(cost)); },
+            .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); }};
   }
   /// Until `holds` is true of what was said; false after a minute.
   template <typename Condition>

@@ -1,0 +1,195 @@
+#include "app/panels/ProfilerPanel.h"
+
+#include "app/Icons.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/views/ProfileChart.h"
+#include "app/widgets/FigureTable.h"
+#include "app/widgets/IconButton.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kRefresh = 200; ///< ms
+
+QString ms(double value) {
+  return QString::number(value, 'f', value < 10.0 ? 3 : 2);
+}
+
+QString percent(double part) {
+  return QString::number(100.0 * part, 'f', 1);
+}
+
+QString mebibytes(std::size_t bytes) {
+  return QString::number(static_cast<double>(bytes) / (1 << 20), 'f', 2);
+}
+
+QWidget* titled(QLabel* title, QWidget* content) {
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kUnit);
+  title->setFont(secondaryFont());
+  title->setForegroundRole(QPalette::PlaceholderText);
+  column->addWidget(title);
+  column->addWidget(content, 1);
+  return part;
+}
+
+} // namespace
+
+ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, kUnit);
+  rows->setSpacing(2 * kUnit);
+  rows->addWidget(makeTop());
+  passes_ = new FigureTable({tr("Pass"), tr("ms"), tr("median"), tr("%")});
+  chart_ = new ProfileChart;
+  stages_ = new FigureTable({tr("Stage"), tr("ms"), tr("%")});
+  memory_ = new FigureTable({tr("Resource"), tr("MiB"), tr("objects")});
+  passesTitle_ = new QLabel(tr("Passes, from the next frame on"));
+  stagesTitle_ = new QLabel(tr("Stages of the resolve, when measured"));
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(4 * kUnit);
+  columns->addWidget(titled(passesTitle_, passes_), 10);
+  columns->addWidget(titled(new QLabel(tr("Over time")), chart_), 10);
+  columns->addWidget(titled(stagesTitle_, stages_), 8);
+  columns->addWidget(titled(new QLabel(tr("Memory on the GPU")), memory_), 8);
+  rows->addLayout(columns, 1);
+  refresh_.setSingleShot(true);
+  refresh_.setInterval(kRefresh);
+  connect(&refresh_, &QTimer::timeout, this, &ProfilerPanel::refresh);
+}
+
+QWidget* ProfilerPanel::makeTop() {
+  auto* top = new QWidget;
+  auto* line = new QHBoxLayout(top);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(2 * kUnit);
+  auto* title = new QLabel(tr("Profiler"));
+  title->setFont(titleFont());
+  method_ = new QLabel;
+  method_->setFont(secondaryFont());
+  method_->setForegroundRole(QPalette::PlaceholderText);
+  method_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  method_->setWordWrap(true);
+  measure_ = new QPushButton(tr("Measure stages"));
+  measure_->setObjectName(QStringLiteral("measureStages"));
+  measure_->setToolTip(
+      tr("Resolves the frame on show again and again with programs that end after each stage "
+         "(Shift+F11). The stop button ends it."));
+  auto* copy = new IconButton(QStringLiteral("copy"), tr("Copy all figures"));
+  copy->setObjectName(QStringLiteral("copyProfile"));
+  auto* menu = new QMenu(copy);
+  menu->addAction(tr("As text"), this, [this] { this->copy(false); });
+  menu->addAction(tr("As CSV"), this, [this] { this->copy(true); });
+  connect(copy, &IconButton::clicked, this,
+          [copy, menu] { menu->popup(copy->mapToGlobal(QPoint(0, copy->height()))); });
+  auto* close = new IconButton(QStringLiteral("close"), tr("Close the profiler (F11)"));
+  line->addWidget(title);
+  line->addWidget(method_, 1);
+  for (QWidget* control :
+       {static_cast<QWidget*>(measure_), static_cast<QWidget*>(copy), static_cast<QWidget*>(close)})
+    line->addWidget(control);
+  connect(measure_, &QPushButton::clicked, this, &ProfilerPanel::measureRequested);
+  connect(close, &IconButton::clicked, this, &ProfilerPanel::closeRequested);
+  return top;
+}
+
+void ProfilerPanel::setDriver(const gl::Driver& driver) {
+  const QString text = tr("%1: %2.").arg(QString::fromStdString(driver.renderer),
+                                         qtext(timingWords(gl::timingMethodFor(driver))));
+  if (driver.renderer.empty() || text == driver_) return;
+  driver_ = text;
+  method_->setText(driver_);
+}
+
+void ProfilerPanel::addProfile(const FrameProfile& profile) {
+  const bool isFirst = history_.isEmpty();
+  history_.add(profile);
+  if (isFirst) return refresh();
+  if (!refresh_.isActive()) refresh_.start();
+}
+
+void ProfilerPanel::setMeasuring(bool measuring) {
+  measure_->setEnabled(!measuring);
+}
+
+void ProfilerPanel::refresh() {
+  if (history_.isEmpty() || !isVisible()) return;
+  showPasses();
+  showMemory();
+  chart_->show(history_);
+}
+
+void ProfilerPanel::showPasses() {
+  std::vector<FigureTable::Row> rows;
+  for (const ProfileHistory::Row& row : history_.rows())
+    rows.push_back({{QString::fromStdString(row.name), ms(row.last), ms(row.median), percent(row.share)},
+                    ProfileChart::colorOf(rows.size())});
+  rows.push_back({{tr("All"), ms(history_.last().totalMs), ms(history_.medianTotal()), {}}, {}, true});
+  passes_->setRows(rows);
+  passesTitle_->setText(
+      tr("Passes of frame %1, median of %2").arg(history_.last().frame).arg(history_.profiles().size()));
+}
+
+void ProfilerPanel::showMemory() {
+  const FrameProfile& last = history_.last();
+  std::vector<FigureTable::Row> rows;
+  rows.push_back({{tr("All"), mebibytes(last.memoryBytes), {}}, {}, true});
+  rows.push_back({{tr("of it kept histories"), mebibytes(last.checkpointBytes), {}}});
+  for (const MemoryCost& cost : last.memory)
+    rows.push_back(
+        {{QString::fromStdString(cost.name), mebibytes(cost.bytes), QString::number(cost.objects)}});
+  memory_->setRows(rows);
+}
+
+void ProfilerPanel::setStageCosts(const StageCosts& costs) {
+  costs_ = costs;
+  std::vector<FigureTable::Row> rows;
+  const auto add = [&](const QString& name, double time) {
+    rows.push_back({{name, ms(time), percent(costs.wholeMs > 0.0 ? time / costs.wholeMs : 0.0)}});
+  };
+  for (const StageCost& cost : costs.stages) add(qtext(stageInfo(cost.stage).label), cost.milliseconds);
+  add(tr("Draw and stores"), costs.storeMs);
+  rows.push_back({{tr("All"), ms(costs.wholeMs), {}}, {}, true});
+  stages_->setRows(rows);
+  stagesTitle_->setText(tr("Stages at frame %1, %2×%3").arg(costs.frame).arg(costs.width).arg(costs.height));
+}
+
+QString ProfilerPanel::text() const {
+  return driver_ + QLatin1String("\n\n") + passes_->text() + QLatin1Char('\n') + stages_->text() +
+         QLatin1Char('\n') + memory_->text();
+}
+
+QString ProfilerPanel::csv() const {
+  return passes_->csv() + QLatin1Char('\n') + stages_->csv() + QLatin1Char('\n') + memory_->csv();
+}
+
+void ProfilerPanel::copy(bool asCsv) const {
+  QApplication::clipboard()->setText(asCsv ? csv() : text());
+}
+
+void ProfilerPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!event->spontaneous()) Q_EMIT shownChanged(true);
+}
+
+void ProfilerPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (event->spontaneous()) return; // the window is minimized
+  history_.clear();                 // frames from before a pause do not belong to those after it
+  Q_EMIT shownChanged(false);
+}
+
+} // namespace taa::app

@@ -1,0 +1,72 @@
+// Where time and memory go: passes now and over time, the stages of the resolve, resources.
+#pragma once
+
+#include "app/models/ProfileHistory.h"
+#include "core/RenderThread.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+
+namespace taa::app {
+
+class FigureTable;
+class IconButton;
+class ProfileChart;
+
+class ProfilerPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ProfilerPanel(QWidget* parent = nullptr);
+
+  void setDriver(const gl::Driver& driver);
+  void addProfile(const FrameProfile& profile);
+  void setStageCosts(const StageCosts& costs);
+  /// While it works there is nothing to measure anew.
+  void setMeasuring(bool measuring);
+  bool hasProfile() const { return !history_.isEmpty(); }
+  bool hasStageCosts() const { return costs_.has_value(); }
+
+  /// All tables, for the clipboard.
+  QString text() const;
+  QString csv() const;
+
+  FigureTable* passes() const { return passes_; }
+  FigureTable* stages() const { return stages_; }
+  FigureTable* memory() const { return memory_; }
+  QPushButton* measureButton() const { return measure_; }
+  QSize sizeHint() const override { return {1000, 260}; }
+
+ Q_SIGNALS:
+  /// Only while it is shown is anything timed.
+  void shownChanged(bool shown);
+  void measureRequested();
+  void closeRequested();
+
+ protected:
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
+
+ private:
+  QWidget* makeTop();
+  void refresh();
+  void showPasses();
+  void showMemory();
+  void copy(bool asCsv) const;
+
+  ProfileHistory history_;
+  std::optional<StageCosts> costs_;
+  QString driver_;
+  QTimer refresh_; ///< figures that change sixty times a second cannot be read
+  QLabel* method_ = nullptr;
+  QLabel *passesTitle_ = nullptr, *stagesTitle_ = nullptr;
+  QPushButton* measure_ = nullptr;
+  FigureTable *passes_ = nullptr, *stages_ = nullptr, *memory_ = nullptr;
+  ProfileChart* chart_ = nullptr;
+};
+
+} // namespace taa::app

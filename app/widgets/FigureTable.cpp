@@ -1,0 +1,99 @@
+#include "app/widgets/FigureTable.h"
+
+#include "app/Theme.h"
+
+#include <QHeaderView>
+#include <QPixmap>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+QString quoted(QString field) {
+  if (!field.contains(QLatin1Char(',')) && !field.contains(QLatin1Char('"'))) return field;
+  return QLatin1Char('"') + field.replace(QLatin1String("\""), QLatin1String("\"\"")) + QLatin1Char('"');
+}
+
+} // namespace
+
+FigureTable::FigureTable(const QStringList& header, QWidget* parent) : QTreeWidget(parent), header_(header) {
+  setColumnCount(static_cast<int>(header.size()));
+  setHeaderLabels(header);
+  setRootIsDecorated(false);
+  setIndentation(0);
+  setUniformRowHeights(true);
+  setFrameShape(QFrame::NoFrame);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setFocusPolicy(Qt::NoFocus);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setIconSize({10, 10});
+  this->header()->setStretchLastSection(false);
+  this->header()->setMinimumSectionSize(24);
+  this->header()->setSectionsMovable(false);
+  for (int column = 0; column < columnCount(); ++column) {
+    this->header()->setSectionResizeMode(column,
+                                         column == 0 ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+    headerItem()->setTextAlignment(column, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));
+  }
+}
+
+void FigureTable::setRows(const std::vector<Row>& rows) {
+  if (rows == rows_) return;
+  rows_ = rows;
+  const int count = static_cast<int>(rows.size());
+  while (topLevelItemCount() > count) delete takeTopLevelItem(count);
+  while (topLevelItemCount() < count) addTopLevelItem(new QTreeWidgetItem);
+  for (int index = 0; index < count; ++index) {
+    const Row& row = rows_[static_cast<std::size_t>(index)];
+    QTreeWidgetItem* item = topLevelItem(index);
+    for (int column = 0; column < columnCount(); ++column) {
+      QFont font = column == 0 ? secondaryFont() : numberFont();
+      font.setBold(row.isSum);
+      item->setFont(column, font);
+      item->setText(column, row.cells.value(column));
+      item->setToolTip(column, row.cells.value(column));
+      item->setTextAlignment(column, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));
+    }
+    QPixmap swatch(iconSize());
+    swatch.fill(row.swatch);
+    item->setIcon(0, row.swatch.isValid() ? QIcon(swatch) : QIcon());
+  }
+}
+
+std::vector<QStringList> FigureTable::lines() const {
+  std::vector<QStringList> lines{header_};
+  for (const Row& row : rows_) lines.push_back(row.cells);
+  return lines;
+}
+
+QString FigureTable::csv() const {
+  QString text;
+  for (const QStringList& line : lines()) {
+    QStringList fields;
+    for (const QString& field : line) fields << quoted(field.trimmed());
+    text += fields.join(QLatin1Char(',')) + QLatin1Char('\n');
+  }
+  return text;
+}
+
+QString FigureTable::text() const {
+  std::vector<qsizetype> widths(static_cast<std::size_t>(columnCount()), 0);
+  for (const QStringList& line : lines())
+    for (qsizetype column = 0; column < line.size(); ++column)
+      widths[static_cast<std::size_t>(column)] =
+          std::max(widths[static_cast<std::size_t>(column)], line[column].size());
+  QString text;
+  for (const QStringList& line : lines()) {
+    QStringList fields;
+    for (qsizetype column = 0; column < line.size(); ++column) {
+      const auto width = static_cast<int>(widths[static_cast<std::size_t>(column)]);
+      fields << (column == 0 ? line[column].leftJustified(width) : line[column].rightJustified(width));
+    }
+    text += fields.join(QLatin1String("  ")) + QLatin1Char('\n');
+  }
+  return text;
+}
+
+} // namespace taa::app

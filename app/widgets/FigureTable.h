@@ -1,0 +1,37 @@
+// A small table: a name and figures beside it, which can be copied.
+#pragma once
+
+#include <QColor>
+#include <QStringList>
+#include <QTreeWidget>
+
+#include <vector>
+
+namespace taa::app {
+
+class FigureTable : public QTreeWidget {
+  Q_OBJECT
+ public:
+  struct Row {
+    QStringList cells;
+    QColor swatch{}; ///< before the name; invalid: none
+    bool isSum = false;
+    bool operator==(const Row&) const = default;
+  };
+  explicit FigureTable(const QStringList& header, QWidget* parent = nullptr);
+
+  void setRows(const std::vector<Row>& rows);
+  const std::vector<Row>& rows() const { return rows_; }
+  /// With its header; fields with commas or quotes are quoted.
+  QString csv() const;
+  /// With columns as wide as their longest entry.
+  QString text() const;
+  QSize sizeHint() const override { return {220, 160}; }
+
+ private:
+  std::vector<QStringList> lines() const;
+  QStringList header_;
+  std::vector<Row> rows_;
+};
+
+} // namespace taa::app

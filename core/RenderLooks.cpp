@@ -1,0 +1,73 @@
+// What the render thread does besides frames: profiles, the cost of stages, thumbnails in idle time.
+#include "core/RenderWorker.h"
+
+#include <algorithm>
+
+namespace taa {
+
+namespace {
+
+bool isAny(const Wishes& wishes) {
+  return !wishes.isEmpty();
+}
+
+} // namespace
+
+void RenderWorker::applyLooks(const Wishes& wishes) {
+  if (wishes.profiling) inspector_.setProfiling(*wishes.profiling);
+  if (wishes.cancel && measuring_) {
+    measuring_ = false;
+    if (listener_.onWork) listener_.onWork({});
+  }
+  if (wishes.measureStages) measuring_ = isOpen();
+  if (wishes.thumbnails) thumbnails_.want(*wishes.thumbnails);
+}
+
+void RenderWorker::deliverProfile() {
+  attempt([&] {
+    if (auto profile = inspector_.takeProfile(); profile && listener_.onProfile)
+      listener_.onProfile(std::move(*profile));
+  });
+}
+
+// Any wish is answered between two draws; then it goes on, or starts anew where the frame is another one.
+void RenderWorker::measureStages() {
+  bool goesOn = false;
+  attempt([&] {
+    try {
+      StageCosts costs = inspector_.measureStages(progress("", isAny));
+      if (listener_.onStageCosts) listener_.onStageCosts(std::move(costs));
+    } catch (const Cancelled&) {
+      goesOn = true;
+    }
+  });
+  measuring_ = goesOn;
+  if (!goesOn && listener_.onWork) listener_.onWork({});
+}
+
+std::optional<RenderWorker::Clock::time_point> RenderWorker::thumbnailDueAt() {
+  if (!isOpen()) return {};
+  return thumbnails_.dueAt(version_, Clock::now(), playing_ ? std::optional(nextFrameAt_) : std::nullopt);
+}
+
+std::optional<RenderWorker::Clock::time_point> RenderWorker::wakeAt() {
+  const auto thumbnail = thumbnailDueAt();
+  if (playing_ && thumbnail) return std::min(*thumbnail, nextFrameAt_);
+  return playing_ ? std::optional(nextFrameAt_) : thumbnail;
+}
+
+void RenderWorker::useIdleTime() {
+  if (ends_ || hasGoal() || pending_(isAny)) return;
+  const auto due = thumbnailDueAt();
+  const Clock::time_point began = Clock::now();
+  if (!due || *due > began) return;
+  const bool isDrawn = attempt([&] {
+    const IntermediateId id = thumbnails_.next();
+    Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels())};
+    if (listener_.onThumbnail) listener_.onThumbnail(std::move(thumbnail));
+  });
+  if (!isDrawn) return thumbnails_.want({}); // told once; wanted again when the window says so
+  thumbnails_.drawn(began, Clock::now());
+}
+
+} // namespace taa

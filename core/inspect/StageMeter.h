@@ -1,0 +1,63 @@
+// What each stage of the resolve costs: the difference of programs that end after it and after the one
+// before.
+//
+// Each program sums up and writes what its stages computed, so that the compiler keeps them; the production
+// program is the last one and has no trace of this. The cost of a stage is the median over rounds of the
+// difference within a round, so slow drift of the machine falls out. It may come out a little below zero:
+// then the compiler makes more of the longer program than of the shorter one, or the stage costs less than
+// the noise.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/gl/PassTimer.h"
+#include "core/inspect/Checkpoints.h"
+
+#include <vector>
+
+namespace taa {
+
+struct StageCost {
+  Stage stage = Stage::Jitter;
+  double milliseconds = 0.0;
+};
+
+/// Of one frame of one lane. `stages` in the order in which the resolve runs them; the rest of the whole is
+/// `storeMs`: launching the draw and writing its targets.
+struct StageCosts {
+  int frame = 0, width = 0, height = 0, rounds = 0;
+  gl::TimingMethod method = gl::TimingMethod::Finish;
+  double wholeMs = 0.0, storeMs = 0.0;
+  std::vector<StageCost> stages;
+};
+
+/// Keeps what it has measured of a frame when it is stopped, and goes on from there.
+class StageMeter {
+ public:
+  explicit StageMeter(gl::TimingMethod method) : method_(method) {}
+
+  /// Throws Cancelled when `progress` says so.
+  StageCosts measure(TaaPass& pass, const ResolvedFrame& frame, const Progress& progress);
+  void forget(TaaPass& pass);
+
+ private:
+  struct Draw {
+    std::size_t program = 0;
+    bool counts = false; ///< false: only compiles
+  };
+  void begin(const ResolvedFrame& frame);
+  double time(TaaPass& pass, const ResolvedFrame& frame, const Draw& draw);
+  StageCosts result(const ResolvedFrame& frame) const;
+
+  gl::TimingMethod method_;
+  std::weak_ptr<const History> subject_; // of the frame that is measured; it may end meanwhile
+  History target_;
+  std::vector<Draw> draws_;
+  std::size_t done_ = 0;
+  int repeats_ = 1;                        ///< draws a sample: a GPU is done before its clock ticks
+  std::vector<std::vector<double>> times_; ///< by program, then round; ms a draw
+};
+
+/// The middle one; the mean of the two middle ones; 0 of none.
+double median(std::vector<double> values);
+
+} // namespace taa

@@ -1,0 +1,197 @@
+// The profiler panel: costs nothing while it is hidden, shows what arrives, and gives it away as text.
+#include "app/panels/ProfilerPanel.h"
+
+#include "app/models/ProfileHistory.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/views/ProfileChart.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewPanel.h"
+#include "app/widgets/FigureTable.h"
+#include "app/widgets/SectionHeader.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QAreaSeries>
+#include <QChart>
+#include <QClipboard>
+#include <QLineSeries>
+#include <QMenu>
+#include <QPushButton>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+class Profiler : public test::FakeWindow {
+ protected:
+  void open() { key(Qt::Key_F11); }
+  static QString cell(const FigureTable* table, int row, int column) {
+    return table->topLevelItem(row)->text(column);
+  }
+};
+
+FrameProfile profileOf(double first, double second) {
+  FrameProfile profile;
+  profile.passes = {{"G-buffer", first, 1}, {"Resolve", second, 1}, {"Between the passes", 0.0, 0}};
+  profile.totalMs = first + second;
+  return profile;
+}
+
+} // namespace
+
+TEST_F(Profiler, TimesOnlyWhileItIsShown) {
+  EXPECT_FALSE(renderer->profiling);
+  EXPECT_FALSE(window.profiler()->isVisible());
+  open();
+  EXPECT_TRUE(window.profiler()->isVisible());
+  EXPECT_TRUE(renderer->profiling);
+  open();
+  EXPECT_FALSE(window.profiler()->isVisible());
+  EXPECT_FALSE(renderer->profiling);
+}
+
+TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
+  open();
+  for (const int frame : {1, 2, 9}) {
+    session.seek(frame);
+    settle();
+  }
+  const FigureTable* table = window.profiler()->passes();
+  ASSERT_TRUE(test::waitFor([&] { return table->topLevelItemCount() == 4 && cell(table, 0, 1) == "9.000"; }));
+  EXPECT_EQ(cell(table, 0, 0), "G-buffer");
+  EXPECT_EQ(cell(table, 0, 2), "2.000");
+  EXPECT_EQ(cell(table, 0, 3), "33.3");
+  EXPECT_EQ(cell(table, 1, 0), "Resolve");
+  EXPECT_EQ(cell(table, 1, 1), "18.00");
+  EXPECT_EQ(cell(table, 1, 3), "66.7");
+  EXPECT_EQ(cell(table, 3, 0), "All");
+  EXPECT_EQ(cell(table, 3, 1), "27.00");
+  EXPECT_EQ(cell(table, 3, 2), "6.000");
+  const FigureTable* memory = window.profiler()->memory();
+  ASSERT_EQ(memory->topLevelItemCount(), 3);
+  EXPECT_EQ(cell(memory, 1, 1), "1.00");
+  EXPECT_EQ(cell(memory, 2, 1), "3.00");
+}
+
+TEST_F(Profiler, StacksThePassesOverTime) {
+  open();
+  ProfileHistory history;
+  history.add(profileOf(1.0, 2.0));
+  history.add(profileOf(3.0, 5.0));
+  auto* chart = window.profiler()->findChild<ProfileChart*>();
+  chart->show(history);
+  const QList<QAbstractSeries*> series = chart->chart()->series();
+  ASSERT_EQ(series.size(), 3);
+  const auto* resolve = qobject_cast<QAreaSeries*>(series[1]);
+  EXPECT_EQ(resolve->lowerSeries()->points(), (QList<QPointF>{{-1, 1}, {0, 3}}));
+  EXPECT_EQ(resolve->upperSeries()->points(), (QList<QPointF>{{-1, 3}, {0, 8}}));
+}
+
+TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
+  key(Qt::Key_F11, Qt::ShiftModifier);
+  const ProfilerPanel* panel = window.profiler();
+  EXPECT_TRUE(panel->isVisible());
+  ASSERT_TRUE(panel->hasStageCosts());
+  const FigureTable* stages = panel->stages();
+  ASSERT_EQ(stages->topLevelItemCount(), 4);
+  EXPECT_EQ(cell(stages, 0, 0), "Neighborhood");
+  EXPECT_EQ(cell(stages, 0, 1), "2.000");
+  EXPECT_EQ(cell(stages, 0, 2), "50.0");
+  session.seek(5);
+  settle();
+  QTest::mouseClick(panel->measureButton(), Qt::LeftButton);
+  settle();
+  EXPECT_EQ(cell(stages, 3, 0), "All");
+  renderer->listener().onWork({"Measuring stages", 1, 99});
+  settle();
+  EXPECT_FALSE(panel->measureButton()->isEnabled());
+  renderer->listener().onWork({});
+  settle();
+  EXPECT_TRUE(panel->measureButton()->isEnabled());
+}
+
+TEST_F(Profiler, SaysHowItTimesAndCopiesAsTextAndCsv) {
+  renderer->status.driver.renderer = "llvmpipe (test)";
+  renderer->status.driver.isSoftware = true;
+  key(Qt::Key_F11, Qt::ShiftModifier);
+  session.seek(4);
+  settle();
+  const ProfilerPanel* panel = window.profiler();
+  const QString csv = panel->csv(), text = panel->text();
+  EXPECT_TRUE(csv.contains("G-buffer,4.000,4.000,33.3\n")) << csv.toStdString();
+  EXPECT_TRUE(csv.contains("Neighborhood,2.000,50.0\n")) << csv.toStdString();
+  EXPECT_TRUE(csv.contains("\"history, \"\"kept\"\"\",3.00,5\n")) << csv.toStdString();
+  EXPECT_TRUE(text.contains("llvmpipe (test)")) << text.toStdString();
+  EXPECT_TRUE(text.contains("glFinish")) << text.toStdString();
+  QApplication::clipboard()->clear();
+  auto* menu = panel->findChild<QWidget*>(QStringLiteral("copyProfile"))->findChild<QMenu*>();
+  menu->actions().last()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->text(), csv);
+  menu->actions().first()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->text(), text);
+}
+
+TEST(ProfileHistory, KeepsTheLastFramesAndTheirPasses) {
+  ProfileHistory history;
+  for (int frame = 0; frame < 200; ++frame) history.add(profileOf(frame, 1.0));
+  EXPECT_EQ(history.profiles().size(), kProfiledFrames);
+  EXPECT_EQ(history.rows()[0].last, 199.0);
+  EXPECT_EQ(history.rows()[0].median, 139.5);
+  FrameProfile more = profileOf(0.0, 1.0);
+  more.passes.insert(more.passes.begin(), {"Sky", 4.0, 1});
+  history.add(more);
+  EXPECT_EQ(history.names(), (std::vector<std::string>{"G-buffer", "Resolve", "Sky", "Between the passes"}));
+  EXPECT_EQ(history.rows()[2].last, 4.0);
+  EXPECT_EQ(history.rows()[2].median, 0.0);
+}
+
+namespace {
+
+class Thumbnails : public test::FakeWindow {
+ protected:
+  SectionHeader* header(const char* stage) const {
+    return window.pipeline()->findChild<SectionHeader*>(QStringLiteral("stage.") + QLatin1String(stage));
+  }
+};
+
+} // namespace
+
+TEST_F(Thumbnails, StandInTheHeadingsAndFollowTheFrame) {
+  ASSERT_GT(renderer->thumbnails.x, 0);
+  const double ratio = window.devicePixelRatioF();
+  EXPECT_LE(renderer->thumbnails.x, 96 * ratio);
+  session.seek(7);
+  ASSERT_TRUE(test::waitFor([&] { return window.pipeline()->hasThumbnailsOf(7); }));
+  for (const StageInfo& stage : kStages) {
+    const SectionHeader* heading = header(std::string(stage.id).c_str());
+    const auto row = mainRow(stage.stage);
+    ASSERT_EQ(heading->thumbnail().isNull(), !row) << stage.id;
+    if (!row) continue;
+    EXPECT_EQ(qRed(heading->thumbnail().pixel(0, 0)), static_cast<int>(*row) * 3 + 7) << stage.id;
+    EXPECT_TRUE(heading->rect().contains(heading->thumbnailRect())) << stage.id;
+  }
+}
+
+TEST_F(Thumbnails, AreClickedToShowTheirRowAndNotToFold) {
+  SectionHeader* heading = header("blend_weight");
+  const bool wasChecked = heading->isChecked();
+  QTest::mouseClick(heading, Qt::LeftButton, {}, heading->thumbnailRect().center());
+  settle();
+  EXPECT_EQ(window.views()->active()->id(), IntermediateId::alpha);
+  EXPECT_EQ(heading->isChecked(), wasChecked);
+  QTest::mouseClick(heading, Qt::LeftButton, {}, QPoint(30, heading->height() / 2));
+  EXPECT_NE(heading->isChecked(), wasChecked);
+}
+
+TEST_F(Thumbnails, AreNotDrawnWhereNobodySeesThem) {
+  key(Qt::Key_F9);
+  EXPECT_EQ(renderer->thumbnails, glm::ivec2(0));
+  key(Qt::Key_F9);
+  EXPECT_GT(renderer->thumbnails.x, 0);
+  const int high = header("blend")->height();
+  key(Qt::Key_T);
+  EXPECT_EQ(renderer->thumbnails, glm::ivec2(0));
+  EXPECT_LT(header("blend")->height(), high);
+  key(Qt::Key_T);
+  EXPECT_GT(renderer->thumbnails.x, 0);
+}

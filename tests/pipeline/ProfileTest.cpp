@@ -1,0 +1,145 @@
+// Profiles, the cost of stages and thumbnails, on real frames.
+#include "core/Inspector.h"
+#include "tests/support/CompareImages.h"
+#include "tests/support/GlTest.h"
+
+#include <algorithm>
+#include <set>
+
+using taa::Inspector;
+using taa::IntermediateId;
+using taa::Stage;
+
+namespace {
+
+constexpr int kWidth = 97, kHeight = 61;
+
+class ProfileTest : public taa::test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    inspector = std::make_unique<Inspector>();
+    inspector->setSize(kWidth, kHeight);
+    inspector->open("builtin:fan");
+    inspector->seek(3);
+  }
+  void TearDown() override {
+    inspector.reset();
+    context().makeCurrent();
+    GlTest::TearDown();
+  }
+  std::unique_ptr<Inspector> inspector;
+};
+
+std::set<std::string> namesOf(const taa::FrameProfile& profile) {
+  std::set<std::string> names;
+  for (const taa::PassCost& cost : profile.passes) names.insert(cost.name);
+  return names;
+}
+
+} // namespace
+
+TEST_F(ProfileTest, ThereIsNoneUnlessItIsAskedFor) {
+  inspector->advance();
+  EXPECT_FALSE(inspector->takeProfile());
+  inspector->setProfiling(true);
+  EXPECT_FALSE(inspector->takeProfile()) << "no frame was made since";
+  inspector->advance();
+  EXPECT_TRUE(inspector->takeProfile());
+  EXPECT_FALSE(inspector->takeProfile());
+  inspector->setProfiling(false);
+  inspector->advance();
+  EXPECT_FALSE(inspector->takeProfile());
+}
+
+TEST_F(ProfileTest, HoldsThePassesOfTheFrameAndOfWhatWasLookedAt) {
+  taa::Settings settings;
+  settings.inputs.motion = taa::MotionSource::CameraFromDepth;
+  inspector->setSettings(settings);
+  inspector->refine(); // only exact histories are kept
+  inspector->setProfiling(true);
+  inspector->advance();
+  inspector->picture(IntermediateId::alpha, {}, {}, 40, 30);
+  inspector->probe(3, 4);
+  inspector->thumbnail(IntermediateId::resolved, {16, 9});
+  const auto profile = inspector->takeProfile();
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->frame, 4);
+  EXPECT_EQ(namesOf(*profile),
+            (std::set<std::string>{"G-buffer", "Sky", "Camera motion", "Resolve", "Exposing for views",
+                                   "Views", "Probe", "Thumbnails", "Between the passes"}));
+  double sum = 0.0;
+  for (const taa::PassCost& cost : profile->passes) sum += cost.milliseconds;
+  EXPECT_NEAR(profile->totalMs, sum, 1e-9);
+  EXPECT_GT(profile->checkpointBytes, std::size_t(kWidth * kHeight));
+}
+
+TEST_F(ProfileTest, OfAReplayIsThatOfTheLastFrame) {
+  inspector->setProfiling(true);
+  inspector->seek(9);
+  const auto profile = inspector->takeProfile();
+  ASSERT_TRUE(profile);
+  const auto resolve = std::ranges::find(profile->passes, "Resolve", &taa::PassCost::name);
+  ASSERT_NE(resolve, profile->passes.end());
+  EXPECT_EQ(resolve->runs, 1);
+}
+
+TEST_F(ProfileTest, StagesAddUpToTheResolve) {
+  const taa::Image before = inspector->image(IntermediateId::resolved);
+  const taa::StageCosts costs = inspector->measureStages();
+  EXPECT_EQ(costs.frame, 3);
+  EXPECT_EQ(costs.width, kWidth);
+  std::set<Stage> stages;
+  double sum = costs.storeMs;
+  for (const taa::StageCost& cost : costs.stages) {
+    stages.insert(cost.stage);
+    sum += cost.milliseconds;
+  }
+  EXPECT_EQ(stages.size(), 10u) << "all but jitter and output";
+  EXPECT_GT(costs.wholeMs, 0.0);
+  EXPECT_GT(costs.wholeMs, costs.storeMs) << "the whole resolve against nothing but its stores";
+  EXPECT_NEAR(sum, costs.wholeMs, 0.5 * costs.wholeMs)
+      << "medians of differences, not differences of medians";
+  EXPECT_EQ(taa::test::difference(inspector->image(IntermediateId::resolved), before), "");
+}
+
+TEST_F(ProfileTest, AMeasurementThatWasStoppedGoesOn) {
+  int reported = 0, first = -1;
+  const taa::Progress stopsAtFive = [&](std::string_view, int done, int) { return done < 5; };
+  EXPECT_THROW(inspector->measureStages(stopsAtFive), taa::Cancelled);
+  const taa::Progress counts = [&](std::string_view, int done, int) {
+    if (first < 0) first = done;
+    ++reported;
+    return true;
+  };
+  inspector->measureStages(counts);
+  EXPECT_EQ(first, 5);
+  // Another frame starts anew.
+  EXPECT_THROW(inspector->measureStages(stopsAtFive), taa::Cancelled);
+  inspector->advance();
+  first = -1;
+  inspector->measureStages(counts);
+  EXPECT_EQ(first, 0);
+}
+
+TEST_F(ProfileTest, AThumbnailIsThePictureOfTheFullPicturesTexels) {
+  constexpr glm::ivec2 kTexels{24, 15};
+  for (const IntermediateId id : taa::mainRows()) {
+    const taa::Intermediate& row = taa::intermediate(id);
+    const taa::Picture thumbnail = inspector->thumbnail(id, kTexels);
+    ASSERT_EQ(thumbnail.width, kTexels.x);
+    // The full picture at 1:1, which shows each texel in a pixel of its own.
+    const taa::Picture full = inspector->picture(id, taa::defaultStyle(row), {}, kWidth, kHeight);
+    for (int y = 0; y < kTexels.y; ++y)
+      for (int x = 0; x < kTexels.x; ++x) {
+        const int fullX = (2 * x + 1) * kWidth / (2 * kTexels.x),
+                  fullY = (2 * y + 1) * kHeight / (2 * kTexels.y);
+        const auto at = [](const taa::Picture& picture, int column, int line) {
+          const auto* texel = picture.rgba.data() + 4 * (std::size_t(line) * picture.width + column);
+          return std::vector<int>(texel, texel + 4);
+        };
+        ASSERT_EQ(at(thumbnail, x, y), at(full, fullX, fullY)) << row.name << " at " << x << ", " << y;
+      }
+  }
+}

@@ -1,0 +1,69 @@
+// What the render thread does besides frames: profiles, the cost of stages, thumbnails.
+#include "tests/support/RenderRecorder.h"
+
+using taa::IntermediateId;
+using taa::test::onThread::viewOf;
+
+using RenderLooksTest = taa::test::onThread::RenderThreadTest;
+
+TEST_F(RenderLooksTest, ProfilesFramesWhileItIsAskedFor) {
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.profiles.empty());
+  thread->setProfiling(true);
+  thread->step(1);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.profiles.size(), 1u);
+  EXPECT_EQ(recorder.profiles[0].frame, 2);
+  EXPECT_GT(recorder.profiles[0].totalMs, 0.0);
+  thread->setProfiling(false);
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.profiles.size(), 1u);
+}
+
+TEST_F(RenderLooksTest, MeasuresStagesAndAnswersWishesMeanwhile) {
+  bool asked = false;
+  recorder.onWork = [&](const taa::Work& work) {
+    if (work.what != "Measuring stages" || asked) return;
+    asked = true;
+    thread->setViews({viewOf(IntermediateId::alpha)});
+  };
+  thread->measureStages();
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.costs.size(), 1u);
+  EXPECT_EQ(recorder.costs[0].frame, 0);
+  EXPECT_EQ(recorder.pictures.size(), 1u);
+  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderLooksTest, StopsMeasuringStages) {
+  recorder.onWork = [&](const taa::Work& work) {
+    if (work.what == "Measuring stages") thread->cancel();
+  };
+  thread->measureStages();
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.costs.empty());
+  EXPECT_TRUE(recorder.works.back().what.empty());
+}
+
+TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
+  thread->setThumbnails(16, 9);
+  const std::size_t stages = taa::mainRows().size();
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
+  const std::vector<taa::Thumbnail> first = recorder.read([&] { return recorder.thumbnails; });
+  for (std::size_t place = 0; place < stages; ++place) {
+    EXPECT_EQ(first[place].id, taa::mainRows()[place]);
+    EXPECT_EQ(first[place].picture.width, 16);
+    EXPECT_EQ(first[place].picture.height, 9);
+  }
+  recorder.read([&] { recorder.thumbnails.clear(); });
+  thread->step(2);
+  thread->waitUntilIdle();
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
+  EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().frame; }), 2);
+  thread->setThumbnails(0, 0);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.errors.empty());
+}
