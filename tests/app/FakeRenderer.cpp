@@ -59,6 +59,7 @@ void FakeRenderer::seek(int frame) {
   status.info.jitterIndex = status.info.frame % 16;
   status.info.time = status.info.frame / 60.0;
   deliver();
+  deliverProfile();
 }
 
 void FakeRenderer::setViews(const std::vector<ViewRequest>& wanted) {
@@ -137,7 +138,6 @@ void FakeRenderer::deliver() {
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
   deliverThumbnails();
-  deliverProfile();
   if (!pixel) return;
   ProbeResult result{.x = pixel->x, .y = pixel->y, .frame = status.info.frame, .around = {}};
   for (int y = -1; y <= 1; ++y)

@@ -117,6 +117,7 @@ TEST_F(Profiler, SaysHowItTimesAndCopiesAsTextAndCsv) {
   session.seek(4);
   settle();
   const ProfilerPanel* panel = window.profiler();
+  ASSERT_TRUE(test::waitFor([&] { return panel->passes()->topLevelItemCount() == 4; }));
   const QString csv = panel->csv(), text = panel->text();
   EXPECT_TRUE(csv.contains("G-buffer,4.000,4.000,33.3\n")) << csv.toStdString();
   EXPECT_TRUE(csv.contains("Neighborhood,2.000,50.0\n")) << csv.toStdString();
