@@ -111,10 +111,6 @@ void link(GLuint program, GLuint vertex, GLuint fragment, const std::string& wha
   throw Error("cannot link " + what + ":\n" + log);
 }
 
-} // namespace
-
-namespace {
-
 /// The programs of the current context's driver on disk; nothing where it gives none away.
 std::optional<ProgramBinaries> keptBinaries() {
   GLint formats = 0;
@@ -219,8 +215,15 @@ Program::~Program() {
 }
 
 void Program::use() const {
-  glUseProgram(pipeline_ ? 0 : id_);
-  glBindProgramPipeline(pipeline_);
+  if (pipeline_) {
+    glUseProgram(0);
+    glBindProgramPipeline(pipeline_);
+  } else {
+    // In this order: Mesa forgets to unbind a pipeline behind a program in use, and trips over it once it is
+    // deleted.
+    glBindProgramPipeline(0);
+    glUseProgram(id_);
+  }
 }
 
 std::vector<std::pair<std::string, int>> Program::blockOffsets(const std::string& block) const {

@@ -47,7 +47,7 @@ const gl::Texture& Exposure::textureOf(const ExposedSlot& slot) const {
 }
 
 Image Exposure::image(IntermediateId id) const {
-  return image(id, {0, 0, region_.width, region_.height});
+  return image(id, {0, 0, texels_.x, texels_.y});
 }
 
 Image Exposure::image(IntermediateId id, const gl::Rect& part) const {

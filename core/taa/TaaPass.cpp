@@ -63,7 +63,8 @@ struct Run {
 std::vector<Run> runsFor(const Settings& settings, bool keepsHistory, std::span<const ExposedSlot> slots) {
   std::vector<Run> runs;
   while (keepsHistory || !slots.empty()) {
-    Run run{keepsHistory, false, {}};
+    Run run;
+    run.keepsHistory = keepsHistory;
     run.slots = slots.first(std::min(slots.size(), kMostTargets - run.taken(settings)));
     slots = slots.subspan(run.slots.size());
     runs.push_back(run);
@@ -169,7 +170,7 @@ void TaaPass::expose(const FrameInputs& inputs, const History* previous, const H
   const glm::ivec2& texels = exposure.texels();
   std::vector<Run> runs = runsFor(settings, false, exposure.layout().ofResolve());
   if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
-    runs = {{.keepsHistory = false, .stores = true, .slots = exposure.layout().ofResolve()}};
+    runs = {{.stores = true, .slots = exposure.layout().ofResolve(), .last = {}}};
   for (Run& run : runs) {
     run.isSparse = exposure.isSparse();
     const gl::Framebuffer target =

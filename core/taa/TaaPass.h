@@ -34,9 +34,9 @@ class Exposure {
   const gl::Texture& texture(IntermediateId id) const { return textureOf(layout_.slot(id)); }
   int layer(IntermediateId id) const { return layout_.slot(id).layer; }
   int firstChannel(IntermediateId id) const { return layout_.firstChannel(id); }
-  /// The whole region of `id`, with the row's channels. Expects holds(id).
+  /// All texels of `id`, with the row's channels. Expects holds(id).
   Image image(IntermediateId id) const;
-  /// A part of it, counted from the region's corner.
+  /// A part of it, texels.
   Image image(IntermediateId id, const gl::Rect& part) const;
   const gl::Texture& textureOf(const ExposedSlot& slot) const;
 
