@@ -13,6 +13,18 @@ namespace {
 
 class PassTimerTest : public taa::test::GlTest, public testing::WithParamInterface<TimingMethod> {
  protected:
+  void SetUp() override {
+    GlTest::SetUp(); // only now there is a context
+    if (IsSkipped() || HasFatalFailure()) return;
+    target = {{.width = 256, .height = 256}, taa::gl::Format::RGBA16F, "target"};
+    program = {taa::gl::ShaderSource("include/fullscreen.vert"), taa::gl::ShaderSource("bench/copy.frag"),
+               "copy"};
+  }
+  void TearDown() override {
+    program = {};
+    target = {};
+    GlTest::TearDown();
+  }
   void draw(const char* label) {
     const taa::gl::Framebuffer framebuffer({{&target}}, nullptr, "target");
     taa::gl::RenderPass pass(framebuffer, {}, label);
@@ -20,9 +32,8 @@ class PassTimerTest : public taa::test::GlTest, public testing::WithParamInterfa
     pass.drawFullscreen();
   }
 
-  taa::gl::Texture target{{.width = 256, .height = 256}, taa::gl::Format::RGBA16F, "target"};
-  taa::gl::Program program{taa::gl::ShaderSource("include/fullscreen.vert"),
-                           taa::gl::ShaderSource("bench/copy.frag"), "copy"};
+  taa::gl::Texture target;
+  taa::gl::Program program;
 };
 INSTANTIATE_TEST_SUITE_P(Method, PassTimerTest, testing::Values(TimingMethod::Queries, TimingMethod::Finish),
                          [](const auto& method) {
