@@ -118,6 +118,8 @@ void MainWindow::layOut() {
 void MainWindow::connectPanels() {
   connect(pipeline_, &PipelinePanel::parameterEdited, &session_, &Session::setParameter);
   connect(pipeline_, &PipelinePanel::presetChosen, &session_, &Session::setPreset);
+  connect(pipeline_, &PipelinePanel::parameterConsidered, &session_, &Session::prepareParameter);
+  connect(pipeline_, &PipelinePanel::presetConsidered, &session_, &Session::preparePreset);
   connect(pipeline_, &PipelinePanel::intermediateChosen, this, &MainWindow::showIntermediate);
   connect(probe_, &ProbePanel::removeRequested, &session_, [this] { session_.setPick({}); });
   connect(probe_, &ProbePanel::copyRequested, this, &MainWindow::copyAll);

@@ -13,6 +13,7 @@ class ThreadRenderer final : public Renderer {
   void setCamera(const std::string& name) override { thread_.setCamera(name); }
   void setMotionModes(const std::vector<MotionOverride>& modes) override { thread_.setMotionModes(modes); }
   void setSettings(const Settings& settings) override { thread_.setSettings(settings); }
+  void prepare(const Settings& settings) override { thread_.prepare(settings); }
   void setPlaying(bool playing) override { thread_.setPlaying(playing); }
   void setLooping(bool looping) override { thread_.setLooping(looping); }
   void seek(int frame) override { thread_.seek(frame); }

@@ -20,6 +20,7 @@ class Renderer {
   virtual void setCamera(const std::string& name) = 0;
   virtual void setMotionModes(const std::vector<MotionOverride>& modes) = 0;
   virtual void setSettings(const Settings& settings) = 0;
+  virtual void prepare(const Settings& settings) = 0;
   virtual void setPlaying(bool playing) = 0;
   virtual void setLooping(bool looping) = 0;
   virtual void seek(int frame) = 0;

@@ -15,6 +15,10 @@
 
 namespace taa::app {
 
+namespace {
+constexpr int kStayMs = 60; // a mouse that only passes stays less
+} // namespace
+
 Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
     : QObject(parent),
       mailbox_([this] { QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection); }) {
@@ -24,6 +28,10 @@ Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
     presetSettings_ = settings_ = first.settings;
   });
   guarded([&] { renderer_ = makeRenderer(listenerOf(mailbox_)); });
+  stays_.setSingleShot(true);
+  stays_.setInterval(kStayMs);
+  connect(&stays_, &QTimer::timeout, this,
+          [this] { ask([&](Renderer& renderer) { renderer.prepare(considered_); }); });
 }
 
 Session::~Session() {
@@ -141,6 +149,7 @@ void Session::step(int frames) {
 
 void Session::useSettings(const Settings& settings) {
   if (settings == settings_) return;
+  stays_.stop();
   settings_ = settings;
   ask([&](Renderer& renderer) { renderer.setSettings(settings_); });
   Q_EMIT settingsChanged();
@@ -166,6 +175,23 @@ void Session::setPreset(const QString& idOrPath) {
     useSettings(chosen.settings);
     Q_EMIT settingsChanged(); // the name changes even where no value does
   });
+}
+
+void Session::consider(const Settings& settings) {
+  considered_ = settings;
+  stays_.start();
+}
+
+void Session::prepareParameter(const QString& path, double value) {
+  guarded([&] {
+    Settings settings = settings_;
+    parameter(path.toStdString()).set(settings, value);
+    consider(settings);
+  });
+}
+
+void Session::preparePreset(const QString& idOrPath) {
+  guarded([&] { consider(preset(idOrPath.toStdString()).settings); });
 }
 
 void Session::backToPreset() {

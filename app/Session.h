@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include <array>
 #include <functional>
@@ -58,6 +59,9 @@ class Session : public QObject {
   void step(int frames); ///< pauses
   void setParameter(const QString& path, double value);
   void setPreset(const QString& idOrPath);
+  /// Somebody looks at this choice and may take it: when they stay, what it needs is compiled ahead.
+  void prepareParameter(const QString& path, double value);
+  void preparePreset(const QString& idOrPath);
   void backToPreset();
   /// Saves the present settings in `folder` and goes on from them.
   void savePreset(const QString& folder, const QString& label);
@@ -89,6 +93,7 @@ class Session : public QObject {
  private:
   void deliver();
   void useSettings(const Settings& settings);
+  void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
   void guarded(const std::function<void()>& act);
 
@@ -99,6 +104,8 @@ class Session : public QObject {
   std::array<std::optional<ViewResult>, kViewCount> pictures_;
   Settings settings_, presetSettings_;
   std::string presetId_;
+  Settings considered_;
+  QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
   SettingsHistory history_;
   std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
   std::optional<glm::ivec2> pick_;

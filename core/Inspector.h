@@ -73,6 +73,9 @@ class Inspector {
   /// Resolves the current frame again at once, on the history it had: isExact() is false until refine() or a
   /// seek.
   void setSettings(const Settings& settings, int lane = 0);
+  /// Makes sure that setSettings() need not wait for a compiler, and changes nothing else: resolves the frame
+  /// with them once, unless their programs are there. Does nothing for what only draws the scene anew.
+  void prepare(const Settings& settings, int lane = 0);
 
   // Time
   int frameCount() const;

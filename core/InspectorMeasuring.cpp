@@ -1,4 +1,4 @@
-// Small pictures and figures: what the Inspector does besides frames.
+// Small pictures, figures, programs ahead of need: what the Inspector does besides frames.
 #include "core/InspectorParts.h"
 
 namespace taa {
@@ -21,6 +21,10 @@ std::optional<FrameProfile> Inspector::takeProfile() {
   std::size_t checkpointBytes = 0;
   for (const Checkpoints& kept : parts_->checkpoints) checkpointBytes += kept.bytes();
   return profileOf(*parts_->timer, frame(), parts_->shown.sceneMs + parts_->shown.resolveMs, checkpointBytes);
+}
+
+void Inspector::prepare(const Settings& settings, int lane) {
+  if (parts_->isOpen() && !parts_->timer) parts_->prepare(settings, static_cast<std::size_t>(lane));
 }
 
 StageCosts Inspector::measureStages(const Progress& progress, int lane) {

@@ -93,4 +93,23 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
   keepShown();
 }
 
+// Some drivers compile a program only when something is drawn with it, for just these targets.
+void Inspector::Parts::prepare(const Settings& settings, std::size_t lane) {
+  const Settings& present = subject.lanes[lane];
+  if (!sameInputs(settings, present)) return;
+  Subject next = subject;
+  next.lanes[lane] = settings;
+  std::vector<bool> changed(next.lanes.size(), false);
+  changed[lane] = true;
+  FrameStep step = stepOfRedraw(next, changed, true);
+  for (const bool exposes : {true, false}) { // as it is shown at once, and as it is replayed
+    step.exposes = exposes;
+    const auto rows = exposes ? maker.exposedRows(settings) : std::vector<IntermediateId>();
+    if (maker.pass.isPrepared(settings, rows)) continue;
+    ShownFrame made = maker.take();
+    maker.make(next, step, made);
+    maker.recycle(std::move(made));
+  }
+}
+
 } // namespace taa

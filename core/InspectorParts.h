@@ -39,6 +39,7 @@ struct Inspector::Parts {
   /// The frame on show with other settings, at once: changed lanes on the history they had, or on none. What
   /// does not depend on what changed stays.
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
+  void prepare(const Settings& settings, std::size_t lane);
 
  private:
   FrameStep stepOfRedraw(const Subject& next, const std::vector<bool>& changed, bool keepsHistory) const;

@@ -1,7 +1,9 @@
-// What the render thread does besides frames: profiles, the cost of stages, thumbnails in idle time.
+// What the render thread does besides frames: profiles, the cost of stages; thumbnails and programs in idle
+// time.
 #include "core/RenderWorker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace taa {
 
@@ -21,6 +23,8 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
   }
   if (wishes.measureStages) measuring_ = isOpen();
   if (wishes.thumbnails) thumbnails_.want(*wishes.thumbnails);
+  if (wishes.prepared) prepared_ = wishes.prepared;
+  if (playing_ || wishes.settings) prepared_.reset(); // it would hold up frames, or came too late
 }
 
 void RenderWorker::deliverProfile() {
@@ -56,8 +60,19 @@ std::optional<RenderWorker::Clock::time_point> RenderWorker::wakeAt() {
   return playing_ ? std::optional(nextFrameAt_) : thumbnail;
 }
 
+// Whether there was something to compile. Errors are told to whoever makes the choice.
+bool RenderWorker::compileAhead() {
+  const std::optional<Settings> settings = std::exchange(prepared_, {});
+  if (!settings || !isOpen()) return false;
+  try {
+    inspector_.prepare(*settings);
+  } catch (const Error&) {
+  }
+  return true;
+}
+
 void RenderWorker::useIdleTime() {
-  if (ends_ || hasGoal() || pending_(isAny)) return;
+  if (ends_ || hasGoal() || pending_(isAny) || compileAhead()) return;
   const auto due = thumbnailDueAt();
   const Clock::time_point began = Clock::now();
   if (!due || *due > began) return;

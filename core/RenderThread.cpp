@@ -120,6 +120,10 @@ void RenderThread::setSettings(const Settings& settings) {
   parts_->post([&](Wishes& wishes) { wishes.settings = settings; });
 }
 
+void RenderThread::prepare(const Settings& settings) {
+  parts_->post([&](Wishes& wishes) { wishes.prepared = settings; });
+}
+
 void RenderThread::setPlaying(bool playing) {
   parts_->post([&](Wishes& wishes) { wishes.playing = playing; });
 }

@@ -103,6 +103,9 @@ class RenderThread {
   void setCamera(const std::string& name);
   void setMotionModes(const std::vector<MotionOverride>& modes);
   void setSettings(const Settings& settings); ///< answered at once on the old history, then exactly
+  /// Compiles what these will need when nothing else is to be done and nothing plays: somebody looks at a
+  /// choice and may take it.
+  void prepare(const Settings& settings);
   void setPlaying(bool playing);
   void setLooping(bool looping); ///< at the end: start again, or pause
   void seek(int frame);          ///< the nearest frame that is at hand at once, then exactly this one

@@ -42,7 +42,7 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails;
+         !profiling && !thumbnails && !prepared;
 }
 
 bool Wishes::endReplay() const {

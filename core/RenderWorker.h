@@ -19,7 +19,7 @@ struct Wishes {
   std::optional<std::string> source, camera;
   std::optional<glm::ivec2> size;
   std::optional<std::vector<MotionOverride>> motionModes;
-  std::optional<Settings> settings;
+  std::optional<Settings> settings, prepared;
   std::optional<bool> looping, playing;
   std::optional<int> frame; ///< to go to, before the steps
   int steps = 0;
@@ -48,7 +48,7 @@ class RenderWorker {
   /// Goes on with what is not done: a frame to go to, the next frame of a playing shot, an exact picture.
   void work();
   void deliver();
-  /// Draws a thumbnail when one is due and nothing else is to be done.
+  /// When nothing else is to be done, compiles what may be needed soon or draws a thumbnail.
   void useIdleTime();
 
   /// Whether work() would do something now, besides playing.
@@ -75,6 +75,7 @@ class RenderWorker {
   void deliverProfile();
   void measureStages();
   std::optional<Clock::time_point> thumbnailDueAt();
+  bool compileAhead();
   void sendStatus();
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
   template <typename Action>
@@ -98,6 +99,7 @@ class RenderWorker {
   std::uint64_t probeDelivered_ = 0;
   bool measuring_ = false; // stages
   ThumbnailSchedule thumbnails_;
+  std::optional<Settings> prepared_; // to compile
 };
 
 // Errors are told and change nothing; returns whether the action was done.

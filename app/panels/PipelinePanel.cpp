@@ -107,6 +107,9 @@ QWidget* PipelinePanel::makeTop() {
   connect(presets_, &ChoiceButton::chosen, this, [this](int index) {
     Q_EMIT presetChosen(QString::fromStdString(builtinPresets()[static_cast<std::size_t>(index)].id));
   });
+  connect(presets_, &ChoiceButton::considered, this, [this](int index) {
+    Q_EMIT presetConsidered(QString::fromStdString(builtinPresets()[static_cast<std::size_t>(index)].id));
+  });
   connect(search_, &QLineEdit::textChanged, this, &PipelinePanel::applySearch);
   return top;
 }
@@ -122,6 +125,7 @@ PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
     if (row.stage == stage.stage) {
       auto* control = new ParameterRow(row);
       connect(control, &ParameterRow::edited, this, &PipelinePanel::parameterEdited);
+      connect(control, &ParameterRow::considered, this, &PipelinePanel::parameterConsidered);
       section.parameters.push_back(control);
       parameterRows_.push_back(control);
     }

@@ -50,6 +50,9 @@ class PipelinePanel : public QWidget {
  Q_SIGNALS:
   void parameterEdited(const QString& path, double value);
   void presetChosen(const QString& id);
+  /// Mouse or keys are on it: it may be chosen next.
+  void parameterConsidered(const QString& path, double value);
+  void presetConsidered(const QString& id);
   void intermediateChosen(IntermediateId id, bool inOtherView);
   /// Device pixels; 0: nobody sees them.
   void thumbnailsWanted(const QSize& size);

@@ -99,6 +99,9 @@ void ChoiceButton::openMenu() {
   for (int index = 0; index < labels_.size(); ++index) {
     if (std::ranges::binary_search(separators_, index)) menu->addSeparator();
     QAction* action = menu->addAction(labels_[index], this, [this, index] { choose(index); });
+    connect(action, &QAction::hovered, this, [this, index] {
+      if (index != current_) Q_EMIT considered(index);
+    });
     action->setCheckable(true);
     action->setChecked(index == current_);
     if (index < explanations_.size()) action->setToolTip(explanations_[index]);

@@ -30,6 +30,8 @@ class ChoiceButton : public QAbstractButton {
 
  Q_SIGNALS:
   void chosen(int index);
+  /// Mouse or keys came to another one than the present in the menu.
+  void considered(int index);
   /// Clicked while there are no choices: somebody else offers them.
   void requested();
 

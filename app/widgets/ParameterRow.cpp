@@ -83,6 +83,8 @@ void ParameterRow::makeEditor() {
   const auto wire = [&](auto* control) {
     connect(control, &std::remove_pointer_t<decltype(control)>::chosen, this,
             [this](int index) { edit(index); });
+    connect(control, &std::remove_pointer_t<decltype(control)>::considered, this,
+            [this](int index) { Q_EMIT considered(path(), index); });
     showValue_ = [control](double value) { control->setCurrent(static_cast<int>(value)); };
     dim_ = [control](bool dimmed) { control->setDimmed(dimmed); };
     editor_ = control;

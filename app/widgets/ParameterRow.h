@@ -36,6 +36,8 @@ class ParameterRow : public QWidget {
 
  Q_SIGNALS:
   void edited(const QString& path, double value);
+  /// A choice that may be made next: mouse or keys are on it.
+  void considered(const QString& path, double value);
 
  protected:
   void resizeEvent(QResizeEvent*) override;

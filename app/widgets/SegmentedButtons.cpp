@@ -109,8 +109,11 @@ void SegmentedButtons::mousePressEvent(QMouseEvent* event) {
 }
 
 void SegmentedButtons::mouseMoveEvent(QMouseEvent* event) {
-  hovered_ = indexAt(event->position().toPoint());
+  const int index = indexAt(event->position().toPoint());
+  if (index == hovered_) return;
+  hovered_ = index;
   update();
+  if (index >= 0 && index != current_) Q_EMIT considered(index);
 }
 
 void SegmentedButtons::leaveEvent(QEvent*) {

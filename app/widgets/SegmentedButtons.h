@@ -29,6 +29,8 @@ class SegmentedButtons : public QWidget {
 
  Q_SIGNALS:
   void chosen(int index);
+  /// The mouse came over another one than the present.
+  void considered(int index);
 
  protected:
   void paintEvent(QPaintEvent*) override;

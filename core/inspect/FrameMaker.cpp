@@ -134,6 +134,12 @@ const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown,
   return inputs.textures;
 }
 
+std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) const {
+  const bool areStored =
+      std::ranges::all_of(watched, [&](IntermediateId id) { return isStored(id, settings); });
+  return areStored ? std::vector<IntermediateId>() : watched;
+}
+
 void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
   gl::PassTimer::startFrame();
   arrange(subject, step.inputs, next);
@@ -148,7 +154,7 @@ void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame&
     const FrameInputs& inputs = lane.inputs->textures;
     lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
     lane.asked.reset();
-    lane.isExposed = step.exposes && !watched.empty();
+    lane.isExposed = step.exposes && !exposedRows(subject.lanes[index]).empty();
     if (lane.isExposed) fitExposure(lane.watched, watched, wholePicture(subject));
     const std::shared_ptr<History> out = pool_.take();
     pass.resolve(inputs, lane.previous.get(), subject.lanes[index], *out,
@@ -215,8 +221,7 @@ const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, I
   const bool isWatched = std::ranges::find(watched, id) != watched.end();
   if (!isWatched) return lane.asked.emplace(expose(subject, shown, {id}, laneIndex));
   // What is stored is there at once; when others are watched too, they give it as well.
-  if (std::ranges::all_of(watched, [&](IntermediateId other) { return isStored(other, settings); }))
-    return lane.asked.emplace(storedRows(*lane.current, watched));
+  if (exposedRows(settings).empty()) return lane.asked.emplace(storedRows(*lane.current, watched));
   lane.isExposed = false;
   fitExposure(lane.watched, watched, wholePicture(subject));
   pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, settings, lane.watched);

@@ -68,6 +68,8 @@ class FrameMaker {
 
   /// A frame to make the next one in, with the textures of one that is not on show any more.
   ShownFrame take();
+  /// What a run of the resolve exposes: nothing when all that is watched is stored anyway.
+  std::vector<IntermediateId> exposedRows(const Settings& settings) const;
   /// Gives back a frame that is not on show any more.
   void recycle(ShownFrame&& frame);
   /// Frees textures that are kept for later: they have not the right size any more.

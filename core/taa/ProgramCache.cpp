@@ -35,6 +35,10 @@ gl::Program ProgramCache::compile(const std::string& prelude) const {
                      label_);
 }
 
+bool ProgramCache::holds(const Settings& settings, const std::string& more) const {
+  return variants_.contains(programKey(settings) + more);
+}
+
 const gl::Program& ProgramCache::program(const Settings& settings, const std::string& more,
                                          const std::function<std::string()>& prelude) {
   const std::string key = programKey(settings) + more;

@@ -26,6 +26,9 @@ class ProgramCache {
   const gl::Program& program(const Settings& settings, const std::string& more,
                              const std::function<std::string()>& prelude);
 
+  /// Whether program() would not compile.
+  bool holds(const Settings& settings, const std::string& more) const;
+
   /// The same programs compiled again, those used lately at least. Throws Error when one does not compile.
   ProgramCache compiledAnew() const;
 

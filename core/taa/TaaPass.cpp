@@ -204,6 +204,13 @@ void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId
   parts_->output.prepare(settings, layout);
 }
 
+bool TaaPass::isPrepared(const Settings& settings, const std::vector<IntermediateId>& watched) const {
+  const ExposureLayout layout(watched);
+  const Settings relevant = relevantSettings(settings);
+  return std::ranges::all_of(runsFor(relevant, true, layout.ofResolve()),
+                             [&](const Run& run) { return parts_->programs.holds(relevant, run.key()); });
+}
+
 void TaaPass::reloadShaders() {
   ProgramCache programs = parts_->programs.compiledAnew();
   ProgramCache output = parts_->output.programs.compiledAnew();

@@ -79,6 +79,9 @@ class TaaPass {
   /// Compiles the program for `settings` now, so that the next resolve does not wait.
   void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);
 
+  /// Whether resolve() has all it needs for that.
+  bool isPrepared(const Settings& settings, const std::vector<IntermediateId>& watched) const;
+
   /// Drops all programs and compiles the ones in use again; on Error the old ones stay.
   void reloadShaders();
 

@@ -17,6 +17,7 @@ class FakeRenderer final : public Renderer {
   void setCamera(const std::string& name) override;
   void setMotionModes(const std::vector<MotionOverride>& modes) override;
   void setSettings(const Settings& settings) override;
+  void prepare(const Settings& settings) override { prepared = settings; }
   void setPlaying(bool playing) override;
   void setLooping(bool looping) override { isLooping = looping; }
   void seek(int frame) override;
@@ -33,6 +34,7 @@ class FakeRenderer final : public Renderer {
   Status status;
   std::vector<ViewRequest> views;
   std::optional<glm::ivec2> pixel;
+  std::optional<Settings> prepared; ///< the last ones
   bool isLooping = true, profiling = false;
   glm::ivec2 thumbnails{0}; ///< size wanted
   int reloads = 0, cancels = 0, settingsSent = 0;

@@ -9,9 +9,11 @@
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/SegmentedButtons.h"
 #include "app/widgets/Toggle.h"
+#include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QLineEdit>
+#include <QMenu>
 
 #include <algorithm>
 
@@ -160,4 +162,34 @@ TEST_F(IntermediateList, AControlClickShowsItInTheOtherView) {
   EXPECT_EQ(window.views()->view(0)->id(), IntermediateId::resolved);
   EXPECT_EQ(window.views()->view(1)->id(), row->id());
   EXPECT_EQ(row->shownIn(), "B");
+}
+
+TEST_F(ParameterPanel, PreparesAChoiceTheMouseStaysOn) {
+  window.resize(1280, 1600);
+  auto* buttons =
+      qobject_cast<SegmentedButtons*>(rowOf(window.pipeline(), QStringLiteral("neighborhood.box"))->editor());
+  ASSERT_TRUE(buttons);
+  const int other = buttons->current() == 0 ? 1 : 0;
+  Settings expected = session.settings();
+  parameter("neighborhood.box").set(expected, other);
+  QTest::mouseMove(buttons, buttons->segment(other).center());
+  ASSERT_TRUE(test::waitFor([&] { return renderer->prepared.has_value(); }));
+  EXPECT_EQ(*renderer->prepared, expected);
+  EXPECT_EQ(renderer->settingsSent, 0);
+}
+
+TEST_F(ParameterPanel, PreparesAChoiceOfAMenuAndAPreset) {
+  auto* presets = window.pipeline()->findChild<ChoiceButton*>(QStringLiteral("presets"));
+  ASSERT_TRUE(presets);
+  QTest::mouseClick(presets, Qt::LeftButton);
+  auto* menu = presets->findChild<QMenu*>();
+  ASSERT_TRUE(menu);
+  const int other = presets->current() == 1 ? 2 : 1;
+  QList<QAction*> choices;
+  for (QAction* action : menu->actions())
+    if (!action->isSeparator()) choices << action;
+  menu->setActiveAction(choices[other]);
+  ASSERT_TRUE(test::waitFor([&] { return renderer->prepared.has_value(); }));
+  EXPECT_EQ(*renderer->prepared, builtinPresets()[static_cast<std::size_t>(other)].settings);
+  menu->close();
 }

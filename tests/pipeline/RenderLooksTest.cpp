@@ -1,5 +1,7 @@
-// What the render thread does besides frames: profiles, the cost of stages, thumbnails.
+// What the render thread does besides frames: profiles, the cost of stages, thumbnails, programs ahead of
+// need.
 #include "tests/support/RenderRecorder.h"
+#include "tests/support/ShaderFolder.h"
 
 using taa::IntermediateId;
 using taa::test::onThread::viewOf;
@@ -64,6 +66,56 @@ TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
   EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().frame; }), 2);
   thread->setThumbnails(0, 0);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+// A shader that cannot be compiled any more shows who still has to.
+TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
+  taa::Settings wanted;
+  taa::applyAssignment(wanted, "rectify.method=clamp");
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->step(3);
+  thread->waitUntilIdle();
+  recorder.clear();
+  thread->prepare(wanted);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.read([&] { return recorder.pictures.empty() && recorder.statuses.empty(); }));
+  const taa::test::ShaderFolder folder;
+  folder.write("taa/resolve.frag", "#error no more\n");
+  thread->setSettings(wanted);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.errors.empty());
+  EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().settings; }), wanted);
+  taa::applyAssignment(wanted, "rectify.method=none");
+  thread->setSettings(wanted);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.errors.size(), 1u);
+}
+
+TEST_F(RenderLooksTest, CompilesNothingAheadWhileItPlays) {
+  taa::Settings wanted;
+  taa::applyAssignment(wanted, "rectify.method=clamp");
+  thread->setPlaying(true);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
+  thread->prepare(wanted);
+  const std::size_t told = recorder.read([&] { return recorder.statuses.size(); });
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() >= told + 3; }));
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  const taa::test::ShaderFolder folder;
+  folder.write("taa/resolve.frag", "#error no more\n");
+  thread->setSettings(wanted);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.errors.size(), 1u);
+}
+
+TEST_F(RenderLooksTest, SaysNothingOfWhatCannotBeCompiledAhead) {
+  taa::Settings wanted;
+  taa::applyAssignment(wanted, "rectify.method=clamp");
+  const taa::test::ShaderFolder folder;
+  folder.write("taa/resolve.frag", "#error no more\n");
+  thread->prepare(wanted);
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.errors.empty());
 }
