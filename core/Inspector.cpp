@@ -287,7 +287,8 @@ const FrameInputs& Inspector::inputs(int lane) const {
 void Inspector::reloadShaders() {
   // New ones are made beside the old; the renderer, which keeps its own old ones on error, comes last.
   TaaPass pass;
-  for (const Settings& settings : parts_->subject.lanes) pass.prepare(settings, parts_->maker.exposedRows(settings));
+  for (const Settings& settings : parts_->subject.lanes)
+    pass.prepare(settings, parts_->maker.exposedRows(settings));
   Visualizer visualizer = parts_->visualizer.reloaded();
   if (parts_->isOpen()) parts_->subject.renderer->reloadShaders();
   parts_->maker.pass = std::move(pass);
