@@ -102,30 +102,52 @@ double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
   });
 }
 
-/// Every choice of the resolve, each new to the program, and back to the one it had; at the size a software
-/// driver opens with.
-void switchChoice(benchmark::State& state) {
+/// Calls `with` for the settings of every choice of the resolve, each new to the program, on an inspector at
+/// the size a software driver opens with.
+template <typename Action>
+void forEachChoice(Action with) {
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   taa::Inspector inspector;
   inspector.open("builtin:fan");
   inspector.watch({IntermediateId::resolved});
   inspector.seek(kWarmUpFrames);
+  for (const taa::Parameter& row : taa::parameters()) {
+    if (row.effect != taa::Effect::Program || row.kind != taa::ParameterKind::Choice) continue;
+    taa::Settings settings;
+    row.set(settings, row.get(settings) == 0.0 ? 1.0 : 0.0);
+    with(inspector, settings);
+  }
+  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
+}
+
+/// There, and back to the choice before.
+void switchChoice(benchmark::State& state) {
   std::vector<double> first, again;
   for (auto _ : state) {
     double total = 0.0;
-    for (const taa::Parameter& row : taa::parameters()) {
-      if (row.effect != taa::Effect::Program || row.kind != taa::ParameterKind::Choice) continue;
-      taa::Settings settings;
-      const double other = row.get(settings) == 0.0 ? 1.0 : 0.0;
-      row.set(settings, other);
+    forEachChoice([&](taa::Inspector& inspector, const taa::Settings& settings) {
       total += first.emplace_back(switchTime(inspector, settings) * 1000.0);
       again.push_back(switchTime(inspector, {}) * 1000.0);
-    }
+    });
     state.SetIterationTime(total / 1000.0);
   }
-  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
   state.counters["switchChoice"] = median(first);
   state.counters["switchBack"] = median(again);
+}
+
+/// After somebody has looked at the choice for as long as its compilation takes.
+void switchPrepared(benchmark::State& state) {
+  std::vector<double> times;
+  for (auto _ : state) {
+    double total = 0.0;
+    forEachChoice([&](taa::Inspector& inspector, const taa::Settings& settings) {
+      inspector.prepare(settings);
+      total += times.emplace_back(switchTime(inspector, settings) * 1000.0);
+      switchTime(inspector, {});
+    });
+    state.SetIterationTime(total / 1000.0);
+  }
+  state.counters["switchPrepared"] = median(times);
 }
 
 /// What the window says of itself with --timing: seconds from the start of its process to its first picture.
@@ -158,6 +180,7 @@ void firstPicture(benchmark::State& state) {
 
 BENCHMARK(firstPicture)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
 BENCHMARK(switchChoice)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(switchPrepared)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(watchAll)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
 BENCHMARK(watchFour)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(40);
 BENCHMARK(watchOne)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(60);
