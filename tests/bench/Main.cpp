@@ -35,7 +35,9 @@ std::string driverName() {
 } // namespace
 
 int main(int argc, char** argv) {
-  ::setenv("TAA_PROGRAM_CACHE", "", 1); // what is said to be compiled is
+  // What is said to be compiled is. Mesa reads its variable once in a process.
+  ::setenv("TAA_PROGRAM_CACHE", "", 1);
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   bool write = false;
   for (int index = 1; index < argc; ++index)
     if (std::strcmp(argv[index], "--write-readme") == 0) {
