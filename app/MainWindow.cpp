@@ -1,8 +1,8 @@
 #include "app/MainWindow.h"
 
 #include "app/Icons.h"
-#include "app/Menus.h"
 #include "app/Numbers.h"
+#include "app/menus/Menus.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"

@@ -1,8 +1,8 @@
 // What the window asks its user: files, pixels, frames, sizes, intermediates, commands.
 #include "app/MainWindow.h"
-#include "app/Menus.h"
 #include "app/Text.h"
 #include "app/UserPresets.h"
+#include "app/menus/Menus.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"

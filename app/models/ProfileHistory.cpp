@@ -1,7 +1,7 @@
 // The profiles of the last frames.
 #include "app/models/ProfileHistory.h"
 
-#include "core/inspect/StageMeter.h"
+#include "core/base/Median.h"
 
 #include <algorithm>
 #include <utility>

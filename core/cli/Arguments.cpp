@@ -70,11 +70,7 @@ glm::ivec2 parsePixel(const std::string& text) {
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
   std::vector<IntermediateId> ids;
   for (const std::string& name : names) {
-    if (name == "all") {
-      ids.clear();
-      for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
-      return ids;
-    }
+    if (name == "all") return allRows();
     try {
       const IntermediateId id = intermediateNamed(name);
       if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);

@@ -2,6 +2,7 @@
 #include "core/cli/Commands.h"
 
 #include "core/base/Error.h"
+#include "core/base/Median.h"
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"

@@ -5,9 +5,7 @@ namespace taa {
 std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
                                                 const History* previous, const History& resolved,
                                                 const Settings& settings, const gl::Rect& region) {
-  std::vector<IntermediateId> ids;
-  ids.reserve(kIntermediateCount);
-  for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
+  const std::vector<IntermediateId> ids = allRows();
   Exposure exposure(ids, region);
   pass.expose(inputs, previous, resolved, settings, exposure);
   std::vector<reference::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height);

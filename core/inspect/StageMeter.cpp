@@ -1,6 +1,7 @@
 // Times programs that end after each stage, in rounds.
 #include "core/inspect/StageMeter.h"
 
+#include "core/base/Median.h"
 #include "core/gl/Context.h"
 
 #include <algorithm>
@@ -22,14 +23,6 @@ constexpr std::array<Stage, 11> kPrograms{
     Stage::RectifyHistory, Stage::BlendWeight,   Stage::Blend};
 
 } // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
 
 // First each program once, the whole one last, then the rounds, every other one backwards.
 void StageMeter::begin(const ResolvedFrame& frame) {

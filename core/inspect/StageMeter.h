@@ -57,7 +57,4 @@ class StageMeter {
   std::vector<std::vector<double>> times_; ///< by program, then round; ms a draw
 };
 
-/// The middle one; the mean of the two middle ones; 0 of none.
-double median(std::vector<double> values);
-
 } // namespace taa

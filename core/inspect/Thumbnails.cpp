@@ -7,9 +7,7 @@ const Exposure& Thumbnails::exposed(TaaPass& pass, const ResolvedFrame& frame, c
   const gl::Rect whole{0, 0, frame.inputs.outputWidth(), frame.inputs.outputHeight()};
   if (exposure_.region() != whole || exposure_.texels() != texels) {
     forget();
-    std::vector<IntermediateId> ids;
-    for (const Intermediate& row : kIntermediates) ids.push_back(row.id);
-    exposure_ = Exposure(std::move(ids), whole, texels);
+    exposure_ = Exposure(allRows(), whole, texels);
   }
   if (subject_.lock() == frame.current) return exposure_;
   pass.expose(frame.inputs, frame.previous.get(), *frame.current, frame.settings, exposure_);

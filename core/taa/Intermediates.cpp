@@ -24,6 +24,13 @@ std::optional<IntermediateId> mainRow(Stage stage) {
   return findIntermediate(stageInfo(stage).main);
 }
 
+std::vector<IntermediateId> allRows() {
+  std::vector<IntermediateId> rows;
+  rows.reserve(kIntermediateCount);
+  for (const Intermediate& row : kIntermediates) rows.push_back(row.id);
+  return rows;
+}
+
 std::vector<IntermediateId> mainRows() {
   std::vector<IntermediateId> rows;
   for (const StageInfo& stage : kStages)

@@ -203,6 +203,9 @@ std::optional<IntermediateId> findIntermediate(std::string_view name);
 /// As above; throws Error naming those there are.
 IntermediateId intermediateNamed(std::string_view name);
 
+/// All rows that a resolve gives, in the order of the table.
+std::vector<IntermediateId> allRows();
+
 /// The row that says most about a stage, or nothing; and those of all stages, in their order.
 std::optional<IntermediateId> mainRow(Stage stage);
 std::vector<IntermediateId> mainRows();

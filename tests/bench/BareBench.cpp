@@ -1,6 +1,7 @@
 // What being able to look costs who does not look: the resolve with nothing watched beside the same shader
 // without any code that exposes.
 #include "core/base/EmbeddedFiles.h"
+#include "core/base/Median.h"
 #include "core/gl/Context.h"
 #include "core/taa/TaaPass.h"
 #include "tests/bench/Timing.h"
@@ -64,7 +65,7 @@ void bare(benchmark::State& state) {
     ratios.push_back(isFirst ? early / late : late / early);
     state.SetIterationTime(early);
   }
-  state.counters["bare"] = taa::bench::median(ratios);
+  state.counters["bare"] = taa::median(ratios);
 }
 
 } // namespace

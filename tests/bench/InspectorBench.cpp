@@ -1,6 +1,7 @@
 // What looking costs: paired measurements of the façade. Every figure is a counter named as in Figures.cpp.
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/base/Median.h"
 #include "core/settings/Parameters.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
@@ -14,7 +15,7 @@
 namespace {
 
 using taa::IntermediateId;
-using taa::bench::median;
+using taa::median;
 using taa::bench::seconds;
 
 constexpr int kWarmUpFrames = 24;
@@ -70,16 +71,14 @@ void watchFour(benchmark::State& state) {
 }
 
 void watchAll(benchmark::State& state) {
-  std::vector<IntermediateId> all;
-  for (const taa::Intermediate& row : taa::kIntermediates) all.push_back(row.id);
-  benchWatching(state, all, "watchAll");
+  benchWatching(state, taa::allRows(), "watchAll");
 }
 
 /// RenderDoc 1.24 took 69 ms on a machine of this class for one texture of one pixel: from a script in
 /// qrenderdoc, over a capture of a frame, the median of 20 of `controller.SetFrameEvent(event, True)` for
 /// another event and back, then `controller.PickPixel(texture, x, y, Subresource(), CompType.Typeless)`.
-/// Where qrenderdoc is installed, run that on a capture of taa-batch beside this; where it is not, 69 ms
-/// stands for it and 0.3 ms is 1/230 of it.
+/// That figure is the design's; RenderDoc was not installed where the table of the README was measured.
+/// Where it is, run that on a capture of taa-batch beside this.
 void probe(benchmark::State& state) {
   const std::unique_ptr<taa::Inspector> inspector = openFan();
   std::vector<double> times;
@@ -98,7 +97,8 @@ void probe(benchmark::State& state) {
 double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
   return seconds([&] {
     inspector.setSettings(settings);
-    benchmark::DoNotOptimize(inspector.picture(IntermediateId::resolved, {}, {}, kWidth, kHeight));
+    benchmark::DoNotOptimize(
+        inspector.picture(IntermediateId::resolved, {}, {}, inspector.width(), inspector.height()));
   });
 }
 

@@ -1,5 +1,6 @@
 // What the resolve of each preset costs beside a plain copy of the same bytes: pairs, one right after the
 // other.
+#include "core/base/Median.h"
 #include "core/gl/Context.h"
 #include "core/settings/Presets.h"
 #include "core/taa/TaaPass.h"
@@ -64,7 +65,7 @@ void resolveOfPreset(benchmark::State& state, const taa::Preset& preset) {
     ratios.push_back(time / floor);
     state.SetIterationTime(time);
   }
-  state.counters[taa::bench::kPresetFigure + preset.id] = taa::bench::median(ratios);
+  state.counters[taa::bench::kPresetFigure + preset.id] = taa::median(ratios);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/FrameExport.h"
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/base/Median.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using taa::IntermediateId;
-using taa::bench::median;
+using taa::median;
 using taa::bench::seconds;
 
 constexpr int kWarmUpFrames = 8;
@@ -65,8 +66,7 @@ void writePlainly(const std::vector<IntermediateId>& ids, const std::vector<taa:
 /// also runs the resolve and reads back.
 void exportExr(benchmark::State& state) {
   const std::unique_ptr<taa::Inspector> inspector = openScene("builtin:fan");
-  std::vector<IntermediateId> all;
-  for (const taa::Intermediate& row : taa::kIntermediates) all.push_back(row.id);
+  const std::vector<IntermediateId> all = taa::allRows();
   const std::vector<taa::Image> images = inspector->images(all);
   taa::FrameFile frame = header(*inspector);
   for (std::size_t index = 0; index < all.size(); ++index)

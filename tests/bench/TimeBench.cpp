@@ -3,6 +3,7 @@
 #include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Median.h"
 #include "core/settings/Parameters.h"
 #include "tests/bench/Timing.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 using taa::Inspector;
 using taa::IntermediateId;
-using taa::bench::median;
+using taa::median;
 using taa::bench::seconds;
 
 constexpr int kWidth = 1280, kHeight = 720;

@@ -2,19 +2,20 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
+#include "tests/support/Variants.h"
 
 namespace {
 
+using taa::allRows;
 using taa::Image;
 using taa::IntermediateId;
 using taa::Settings;
-using taa::test::small::everything;
+using taa::test::otherJitter;
 using taa::test::small::expectSame;
 using taa::test::small::fresh;
 using taa::test::small::isSame;
 using taa::test::small::kHeight;
 using taa::test::small::kWidth;
-using taa::test::small::otherJitter;
 using taa::test::small::otherSettings;
 
 using InspectorTest = taa::test::small::InspectorTest;
@@ -36,7 +37,7 @@ TEST_F(InspectorTest, OpensASourceAtFrameZeroWithItsOwnCamera) {
 TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
   const auto inspector = opened();
   inspector->seek(2);
-  const std::vector<Image> before = inspector->images(everything());
+  const std::vector<Image> before = inspector->images(allRows());
   EXPECT_THROW(inspector->seek(-1), taa::Error);
   EXPECT_THROW(inspector->seek(inspector->frameCount()), taa::Error);
   EXPECT_THROW(inspector->open("no/such/model.glb"), taa::Error);
@@ -51,9 +52,9 @@ TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
   EXPECT_EQ(inspector->source(), "builtin:fan");
   EXPECT_EQ(inspector->frame(), 2);
   EXPECT_EQ(inspector->laneCount(), 1);
-  expectSame(inspector->images(everything()), before);
+  expectSame(inspector->images(allRows()), before);
   inspector->seek(3);
-  expectSame(inspector->images(everything()), fresh({}, 3));
+  expectSame(inspector->images(allRows()), fresh({}, 3));
 }
 
 TEST_F(InspectorTest, RefusesAPictureThatDoesNotFitIntoMemory) {
@@ -73,11 +74,11 @@ TEST_F(InspectorTest, AnswersNewSettingsAtOnceAndExactlyLater) {
   const std::vector<Image> exact = fresh(otherSettings(), 9);
   const auto inspector = opened();
   inspector->seek(9);
-  const std::vector<Image> old = inspector->images(everything());
+  const std::vector<Image> old = inspector->images(allRows());
   inspector->setSettings(otherSettings());
   EXPECT_EQ(inspector->frame(), 9);
   EXPECT_FALSE(inspector->isExact());
-  const std::vector<Image> atOnce = inspector->images(everything());
+  const std::vector<Image> atOnce = inspector->images(allRows());
   const auto at = [](const std::vector<Image>& images, IntermediateId id) {
     return images[static_cast<std::size_t>(id)];
   };
@@ -86,19 +87,19 @@ TEST_F(InspectorTest, AnswersNewSettingsAtOnceAndExactlyLater) {
       isSame(at(atOnce, IntermediateId::historyRectified), at(old, IntermediateId::historyRectified)));
   inspector->refine();
   EXPECT_TRUE(inspector->isExact());
-  expectSame(inspector->images(everything()), exact);
+  expectSame(inspector->images(allRows()), exact);
 }
 
 TEST_F(InspectorTest, KeepsTheOldPictureWhenRefiningIsCancelled) {
   const auto inspector = opened();
   inspector->seek(9);
   inspector->setSettings(otherJitter());
-  const std::vector<Image> atOnce = inspector->images(everything());
+  const std::vector<Image> atOnce = inspector->images(allRows());
   EXPECT_THROW(inspector->refine([](std::string_view, int done, int) { return done < 5; }), taa::Cancelled);
   EXPECT_FALSE(inspector->isExact());
-  expectSame(inspector->images(everything()), atOnce);
+  expectSame(inspector->images(allRows()), atOnce);
   inspector->refine();
-  expectSame(inspector->images(everything()), fresh(otherJitter(), 9));
+  expectSame(inspector->images(allRows()), fresh(otherJitter(), 9));
 }
 
 TEST_F(InspectorTest, PlaysOnFromInexactHistoryUntilOneStartsAnew) {
@@ -114,9 +115,9 @@ TEST_F(InspectorTest, PlaysOnFromInexactHistoryUntilOneStartsAnew) {
   EXPECT_TRUE(inspector->isExact());
   inspector->advance();
   EXPECT_TRUE(inspector->isExact());
-  expectSame(inspector->images(everything()), fresh(otherSettings(), 1));
+  expectSame(inspector->images(allRows()), fresh(otherSettings(), 1));
   inspector->seek(6);
-  expectSame(inspector->images(everything()), fresh(otherSettings(), 6));
+  expectSame(inspector->images(allRows()), fresh(otherSettings(), 6));
 }
 
 TEST_F(InspectorTest, IsExactAtOnceWhereNoHistoryIsUsed) {
@@ -140,27 +141,27 @@ TEST_F(InspectorTest, DrawsAnotherSizeOrCameraAsIfItHadAlwaysBeen) {
   inspector->setSize(kWidth, kHeight);
   inspector->setCamera(inspector->scene().shot.camera);
   inspector->refine();
-  expectSame(inspector->images(everything()), fresh({}, 4));
+  expectSame(inspector->images(allRows()), fresh({}, 4));
 }
 
 TEST_F(InspectorTest, GivesObjectsTheMotionThatIsChosenAndRefusesUnknownOnes) {
   const auto inspector = opened();
   inspector->seek(4);
   const Image own = inspector->image(IntermediateId::motion);
-  const std::vector<Image> before = inspector->images(everything());
+  const std::vector<Image> before = inspector->images(allRows());
   inspector->setMotionModes({{"rotor", taa::MotionMode::None}});
   EXPECT_FALSE(inspector->isExact()) << "the history is from the motion before";
   inspector->refine();
-  const std::vector<Image> forced = inspector->images(everything());
+  const std::vector<Image> forced = inspector->images(allRows());
   EXPECT_FALSE(isSame(inspector->image(IntermediateId::motion), own));
   EXPECT_THROW(inspector->setMotionModes({{"nobody", taa::MotionMode::None}}), taa::Error);
   EXPECT_EQ(inspector->motionModes(), (std::vector<taa::MotionOverride>{{"rotor", taa::MotionMode::None}}));
   inspector->seek(7);
   inspector->seek(4);
-  expectSame(inspector->images(everything()), forced);
+  expectSame(inspector->images(allRows()), forced);
   inspector->setMotionModes({});
   inspector->refine();
-  expectSame(inspector->images(everything()), before);
+  expectSame(inspector->images(allRows()), before);
 }
 
 TEST_F(InspectorTest, RunsLanesAsIfEachWereAlone) {
@@ -173,7 +174,7 @@ TEST_F(InspectorTest, RunsLanesAsIfEachWereAlone) {
   inspector->seek(2);
   for (int frame = 3; frame <= 5; ++frame) inspector->advance();
   for (int lane = 0; lane < 3; ++lane)
-    expectSame(inspector->images(everything(), lane), alone[static_cast<std::size_t>(lane)]);
+    expectSame(inspector->images(allRows(), lane), alone[static_cast<std::size_t>(lane)]);
   EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1)) << "drawn once";
   EXPECT_NE(&inspector->inputs(0), &inspector->inputs(2)) << "another jitter";
   EXPECT_EQ(inspector->info(2).jitterIndex, 5);
@@ -182,14 +183,14 @@ TEST_F(InspectorTest, RunsLanesAsIfEachWereAlone) {
 TEST_F(InspectorTest, ChangesOneLaneAndLeavesTheOthersExact) {
   const auto inspector = opened({Settings{}, Settings{}});
   inspector->seek(4);
-  const std::vector<Image> first = inspector->images(everything(), 0);
+  const std::vector<Image> first = inspector->images(allRows(), 0);
   inspector->setSettings(otherJitter(), 1);
   EXPECT_TRUE(inspector->isExact(0));
   EXPECT_FALSE(inspector->isExact(1));
-  expectSame(inspector->images(everything(), 0), first);
+  expectSame(inspector->images(allRows(), 0), first);
   inspector->refine();
-  expectSame(inspector->images(everything(), 0), first);
-  expectSame(inspector->images(everything(), 1), fresh(otherJitter(), 4));
+  expectSame(inspector->images(allRows(), 0), first);
+  expectSame(inspector->images(allRows(), 1), fresh(otherJitter(), 4));
 }
 
 TEST_F(InspectorTest, AddsALaneThatIsExactFromTheStart) {
@@ -198,11 +199,11 @@ TEST_F(InspectorTest, AddsALaneThatIsExactFromTheStart) {
   inspector->setLanes({Settings{}, otherSettings()});
   EXPECT_EQ(inspector->laneCount(), 2);
   EXPECT_EQ(inspector->frame(), 4);
-  expectSame(inspector->images(everything(), 1), fresh(otherSettings(), 4));
+  expectSame(inspector->images(allRows(), 1), fresh(otherSettings(), 4));
 }
 
 TEST_F(InspectorTest, LooksWithoutChangingWhatItLooksAt) {
-  const std::vector<std::vector<IntermediateId>> watched = {{}, {IntermediateId::clipAmount}, everything()};
+  const std::vector<std::vector<IntermediateId>> watched = {{}, {IntermediateId::clipAmount}, allRows()};
   std::vector<std::vector<Image>> resolved, clipped;
   for (const auto& ids : watched) {
     const auto inspector = opened();
@@ -227,7 +228,7 @@ TEST_F(InspectorTest, GivesTheSameValuesHoweverTheyAreAskedFor) {
   const auto inspector = opened();
   inspector->watch({IntermediateId::boxMin});
   inspector->seek(3);
-  const std::vector<Image> all = inspector->images(everything());
+  const std::vector<Image> all = inspector->images(allRows());
   const taa::gl::Rect part{5, 6, 11, 3};
   // One of each number of channels and of each way to be held: every set of ids is a program to compile.
   for (IntermediateId id : {IntermediateId::boxMin, IntermediateId::color, IntermediateId::motion,
@@ -244,7 +245,7 @@ TEST_F(InspectorTest, GivesTheSameValuesHoweverTheyAreAskedFor) {
 TEST_F(InspectorTest, ProbesWhatThePictureShows) {
   const auto inspector = opened();
   inspector->seek(5);
-  const std::vector<Image> all = inspector->images(everything());
+  const std::vector<Image> all = inspector->images(allRows());
   for (int sample = 0; sample < 12; ++sample) {
     const int x = (sample * 29) % kWidth, y = (sample * 17) % kHeight;
     const taa::PixelRecord record = inspector->probe(x, y);
@@ -282,5 +283,5 @@ TEST_F(InspectorTest, CompilesItsShadersAgainWithoutLosingItsPlace) {
   inspector->reloadShaders();
   EXPECT_EQ(inspector->frame(), 3);
   inspector->refine();
-  expectSame(inspector->images(everything()), fresh({}, 3));
+  expectSame(inspector->images(allRows()), fresh({}, 3));
 }

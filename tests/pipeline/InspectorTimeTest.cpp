@@ -2,22 +2,23 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
+#include "tests/support/Variants.h"
 
 #include <algorithm>
 
 namespace {
 
+using taa::allRows;
 using taa::Image;
 using taa::Inspector;
 using taa::IntermediateId;
 using taa::Settings;
-using taa::test::small::everything;
+using taa::test::otherJitter;
 using taa::test::small::expectSame;
 using taa::test::small::fresh;
 using taa::test::small::isSame;
 using taa::test::small::kHeight;
 using taa::test::small::kWidth;
-using taa::test::small::otherJitter;
 using taa::test::small::otherSettings;
 
 class InspectorTimeTest : public taa::test::small::InspectorTest {};
@@ -44,13 +45,13 @@ TEST_F(InspectorTimeTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
   const std::vector<Image> expected = fresh({}, 6);
   const auto inspector = opened();
   for (int frame = 1; frame <= 6; ++frame) inspector->advance();
-  expectSame(inspector->images(everything()), expected);
+  expectSame(inspector->images(allRows()), expected);
   for (int frame = 7; frame <= 11; ++frame) inspector->seek(frame);
   for (int frame = 10; frame >= 6; --frame) inspector->seek(frame);
-  expectSame(inspector->images(everything()), expected);
+  expectSame(inspector->images(allRows()), expected);
   inspector->seek(20);
   inspector->seek(6);
-  expectSame(inspector->images(everything()), expected);
+  expectSame(inspector->images(allRows()), expected);
   EXPECT_EQ(inspector->frame(), 6);
 }
 
@@ -93,7 +94,7 @@ TEST_F(InspectorTimeTest, RestoresWithoutDrawingWhatIsNotLookedAt) {
   inspector->seek(5);
   inspector->seek(6);
   inspector->advance();
-  expectSame(inspector->images(everything()), next);
+  expectSame(inspector->images(allRows()), next);
 }
 
 TEST_F(InspectorTimeTest, RestoresWhatIsShownOfThePictureToo) {
@@ -118,19 +119,19 @@ TEST_F(InspectorTimeTest, RestoresWhatIsShownOfThePictureToo) {
 TEST_F(InspectorTimeTest, DrawsNothingAnewForSettingsOfTheResolve) {
   const auto inspector = opened({Settings{}, Settings{}});
   inspector->seek(6);
-  const std::vector<Image> second = inspector->images(everything(), 1);
+  const std::vector<Image> second = inspector->images(allRows(), 1);
   inspector->setSettings(otherSettings(), 0);
   EXPECT_EQ(inspector->times().scene, 0.0);
   EXPECT_GT(inspector->times().resolve, 0.0);
   EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1));
-  expectSame(inspector->images(everything(), 1), second);
+  expectSame(inspector->images(allRows(), 1), second);
   inspector->setSettings(otherJitter(), 0);
   EXPECT_GT(inspector->times().scene, 0.0);
   EXPECT_NE(&inspector->inputs(0), &inspector->inputs(1));
-  expectSame(inspector->images(everything(), 1), second);
+  expectSame(inspector->images(allRows(), 1), second);
   inspector->refine();
-  expectSame(inspector->images(everything(), 0), fresh(otherJitter(), 6));
-  expectSame(inspector->images(everything(), 1), second);
+  expectSame(inspector->images(allRows(), 0), fresh(otherJitter(), 6));
+  expectSame(inspector->images(allRows(), 1), second);
 }
 
 TEST_F(InspectorTimeTest, StaysExactWhenOnlyWhatIsShownOfThePictureChanges) {
@@ -144,9 +145,9 @@ TEST_F(InspectorTimeTest, StaysExactWhenOnlyWhatIsShownOfThePictureChanges) {
   EXPECT_TRUE(inspector->isExact());
   EXPECT_EQ(inspector->times().scene, 0.0);
   EXPECT_FALSE(isSame(inspector->image(IntermediateId::output), blurry));
-  expectSame(inspector->images(everything()), fresh(sharp, 6));
+  expectSame(inspector->images(allRows()), fresh(sharp, 6));
   EXPECT_EQ(replayed(*inspector, 5), 0);
-  expectSame(inspector->images(everything()), fresh(sharp, 5));
+  expectSame(inspector->images(allRows()), fresh(sharp, 5));
 }
 
 TEST_F(InspectorTimeTest, GoesAnywhereInAPlayedShotWithinSixteenFrames) {
@@ -185,7 +186,7 @@ TEST_F(InspectorTimeTest, ReplaysFromTheStartWhenNothingMayBeKept) {
   inspector->setCheckpointBudget(0);
   EXPECT_EQ(replayed(*inspector, 10), 1) << "the histories in use stay";
   EXPECT_EQ(replayed(*inspector, 4), 5);
-  expectSame(inspector->images(everything()), expected);
+  expectSame(inspector->images(allRows()), expected);
 }
 
 TEST_F(InspectorTimeTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
@@ -202,10 +203,10 @@ TEST_F(InspectorTimeTest, StaysWhereItWasWhenASeekIsCancelled) {
   const auto inspector = opened();
   inspector->watch({IntermediateId::alpha});
   inspector->seek(3);
-  const std::vector<Image> before = inspector->images(everything());
+  const std::vector<Image> before = inspector->images(allRows());
   EXPECT_THROW(inspector->seek(12, [](std::string_view, int done, int) { return done < 4; }), taa::Cancelled);
   EXPECT_EQ(inspector->frame(), 3);
-  expectSame(inspector->images(everything()), before);
+  expectSame(inspector->images(allRows()), before);
   EXPECT_EQ(replayed(*inspector, 12), 5) << "what was replayed is kept";
-  expectSame(inspector->images(everything()), fresh({}, 12));
+  expectSame(inspector->images(allRows()), fresh({}, 12));
 }

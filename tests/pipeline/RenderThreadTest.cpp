@@ -1,5 +1,6 @@
 // Wishes in, results out: what the window can rely on.
 #include "tests/support/RenderRecorder.h"
+#include "tests/support/Variants.h"
 
 #include <algorithm>
 
@@ -8,9 +9,9 @@ namespace {
 using taa::IntermediateId;
 using taa::RenderThread;
 using taa::ViewRequest;
+using taa::test::otherJitter;
 using taa::test::onThread::kHeight;
 using taa::test::onThread::kWidth;
-using taa::test::onThread::otherJitter;
 using taa::test::onThread::viewOf;
 
 using RenderThreadTest = taa::test::onThread::RenderThreadTest;

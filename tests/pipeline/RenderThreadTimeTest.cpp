@@ -1,6 +1,7 @@
 // Long ways through time and settings that change meanwhile: what is shown until they are done, and what ends
 // them.
 #include "tests/support/RenderRecorder.h"
+#include "tests/support/Variants.h"
 
 #include <algorithm>
 #include <optional>
@@ -12,9 +13,9 @@ using taa::IntermediateId;
 using taa::RenderThread;
 using taa::Settings;
 using taa::ViewRequest;
+using taa::test::otherJitter;
 using taa::test::onThread::kHeight;
 using taa::test::onThread::kWidth;
-using taa::test::onThread::otherJitter;
 using taa::test::onThread::viewOf;
 
 class RenderThreadTimeTest : public taa::test::onThread::RenderThreadTest {};

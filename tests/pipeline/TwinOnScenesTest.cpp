@@ -24,12 +24,12 @@ TEST_P(TwinOnScenesTest, AgreesOnWholeFramesWithEveryPreset) {
   TaaPass pass;
   for (const Preset& preset : builtinPresets()) {
     test::Player player(source, camera, kWidth, kHeight, preset.settings);
-    Exposure exposure(test::allIntermediates(), {0, 0, kWidth, kHeight});
+    Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 12; ++frame) {
       player.step(pass, &exposure);
       if (frame != 0 && frame != 1 && frame != 11) continue; // no history, the least, a usual one
       std::vector<Image> pictures;
-      for (const IntermediateId id : test::allIntermediates()) pictures.push_back(exposure.image(id));
+      for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
       EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()),
                                          preset.settings, pictures, isExact()),
                 "")
@@ -43,13 +43,13 @@ TEST_P(TwinOnScenesTest, ShowsOnePixelAsItShowsTheWholePicture) {
   TaaPass pass;
   const Settings settings = preset("balanced").settings;
   test::Player player(source, openScene(source).shot.camera, kWidth, kHeight, settings);
-  Exposure whole(test::allIntermediates(), {0, 0, kWidth, kHeight});
+  Exposure whole(allRows(), {0, 0, kWidth, kHeight});
   for (int frame = 0; frame < 6; ++frame) player.step(pass, &whole);
   for (const gl::Rect& region :
        {gl::Rect{0, 0, 1, 1}, gl::Rect{97, 41, 1, 1}, gl::Rect{kWidth - 9, kHeight - 9, 9, 9}}) {
-    Exposure some(test::allIntermediates(), region);
+    Exposure some(allRows(), region);
     pass.expose(player.inputs(), player.previous(), player.history(), settings, some);
-    for (const IntermediateId id : test::allIntermediates()) {
+    for (const IntermediateId id : allRows()) {
       const Image all = whole.image(id);
       const Image part = some.image(id);
       ASSERT_EQ(part.width, region.width);
@@ -75,7 +75,7 @@ TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
     test::Accumulator staring;
     const gl::Rect all{0, 0, kSmallWidth, kSmallHeight};
     Exposure one({IntermediateId::alpha}, all);
-    Exposure everything(test::allIntermediates(), all);
+    Exposure everything(allRows(), all);
     for (int frame = 0; frame < 32; ++frame) {
       player.draw();
       blind.resolve(pass, player.inputs(), preset.settings);
@@ -118,10 +118,10 @@ TEST_F(TwinOnGlassTest, AgreesWithMasksAndOverlay) {
   TaaPass pass;
   for (const Settings& settings : policies()) {
     test::Player player("builtin:glass", "gltf:front", kWidth, kHeight, settings);
-    Exposure exposure(test::allIntermediates(), {0, 0, kWidth, kHeight});
+    Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 6; ++frame) player.step(pass, &exposure);
     std::vector<Image> pictures;
-    for (const IntermediateId id : test::allIntermediates()) pictures.push_back(exposure.image(id));
+    for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
     const auto most = [&](IntermediateId id) {
       return std::ranges::max(pictures[static_cast<std::size_t>(id)].pixels);
     };

@@ -32,12 +32,12 @@ TEST_F(UpsampledFramesTest, AreWhatTheTwinSaysAtOddSizes) {
       settings.inputs.renderScale = scale;
       settings.current.upsample = kernel;
       test::Player player("builtin:fan", "orbit", kWidth, kHeight, settings);
-      Exposure exposure(test::allIntermediates(), {0, 0, kWidth, kHeight});
+      Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
       for (int frame = 0; frame < 8; ++frame) {
         player.step(pass, &exposure);
         if (frame != 0 && frame != 1 && frame != 7) continue; // no history, the least, a usual one
         std::vector<Image> pictures;
-        for (const IntermediateId id : test::allIntermediates()) pictures.push_back(exposure.image(id));
+        for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
         EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()), settings,
                                            pictures, isExact()),
                   "")

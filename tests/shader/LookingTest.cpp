@@ -28,7 +28,7 @@ class LookingTest : public taa::test::ResolveTest {
       watches[i == 0 ? 0 : 1].push_back(
           static_cast<IntermediateId>((first + 5 * i) % taa::kIntermediateCount));
     watches[1].push_back(watches[0][0]);
-    watches[2] = taa::test::allIntermediates();
+    watches[2] = taa::allRows();
     return watches;
   }
 };
@@ -54,7 +54,7 @@ TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
   for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam())) {
     const FrameShape shape = taa::test::shapeFor(variant.settings);
     const taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
-    Exposure exposure(taa::test::allIntermediates(), whole(shape));
+    Exposure exposure(taa::allRows(), whole(shape));
     expectSame(resolve(frame, shape, variant.settings, &exposure), resolve(frame, shape, variant.settings),
                variant.name);
   }

@@ -83,12 +83,6 @@ inline ViewRequest viewOf(IntermediateId id) {
       .id = id, .style = defaultStyle(intermediate(id)), .transform = {}, .width = kWidth, .height = kHeight};
 }
 
-inline Settings otherJitter() {
-  Settings settings;
-  applyAssignment(settings, "jitter.period=8");
-  return settings;
-}
-
 class RenderThreadTest : public GlTest {
  protected:
   void SetUp() override {

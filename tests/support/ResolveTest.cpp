@@ -9,12 +9,6 @@ std::unique_ptr<TaaPass> sharedPass; // lives as long as the shared context, tha
 
 } // namespace
 
-std::vector<IntermediateId> allIntermediates() {
-  std::vector<IntermediateId> all;
-  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
-  return all;
-}
-
 Exposed images(const Exposure& exposure) {
   Exposed all;
   for (const IntermediateId id : exposure.watched()) all[id] = exposure.image(id);
@@ -44,7 +38,7 @@ Exposed ResolveTest::expose(const reference::Inputs& images, const FrameShape& s
                             const Settings& settings) {
   const FrameInputs inputs = upload(images, shape);
   const History previous = uploadHistory(images, shape);
-  Exposure exposure(allIntermediates(), whole(shape));
+  Exposure exposure(allRows(), whole(shape));
   History out;
   pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposure);
   return test::images(exposure);

@@ -12,9 +12,6 @@
 
 namespace taa::test {
 
-/// Every row of the table.
-std::vector<IntermediateId> allIntermediates();
-
 using Exposed = std::map<IntermediateId, Image>;
 
 /// Everything exposed, read back.

@@ -26,16 +26,6 @@ class InspectorTest : public GlTest {
   }
 };
 
-inline const std::vector<IntermediateId>& everything() {
-  static const std::vector<IntermediateId> ids = [] {
-    std::vector<IntermediateId> all;
-    all.reserve(kIntermediateCount);
-    for (const Intermediate& row : kIntermediates) all.push_back(row.id);
-    return all;
-  }();
-  return ids;
-}
-
 inline bool isSame(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && a.channels == b.channels &&
          std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
@@ -44,7 +34,7 @@ inline bool isSame(const Image& a, const Image& b) {
 inline void expectSame(const std::vector<Image>& actual, const std::vector<Image>& expected) {
   ASSERT_EQ(actual.size(), expected.size());
   for (std::size_t index = 0; index < actual.size(); ++index)
-    EXPECT_TRUE(isSame(actual[index], expected[index])) << kIntermediates[index].name;
+    EXPECT_TRUE(isSame(actual[index], expected[index])) << intermediate(allRows()[index]).name;
 }
 
 /// All of a frame, from an inspector that went straight there; on a thread of its own, so that the context of
@@ -56,7 +46,7 @@ inline std::vector<Image> fresh(const Settings& settings, int frame) {
     inspector.setSettings(settings);
     inspector.open("builtin:fan");
     inspector.seek(frame);
-    return inspector.images(everything());
+    return inspector.images(allRows());
   };
   return std::async(std::launch::async, make).get();
 }
@@ -65,12 +55,6 @@ inline Settings otherSettings() {
   Settings settings;
   applyAssignment(settings, "rectify.method=clamp");
   applyAssignment(settings, "weight.minimum=0.05");
-  return settings;
-}
-
-inline Settings otherJitter() {
-  Settings settings;
-  applyAssignment(settings, "jitter.period=8");
   return settings;
 }
 

@@ -67,6 +67,12 @@ std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t pa
   return some;
 }
 
+Settings otherJitter() {
+  Settings settings;
+  applyAssignment(settings, "jitter.period=8");
+  return settings;
+}
+
 Settings randomSettings(std::uint32_t seed) {
   std::mt19937 random(seed);
   Settings settings;

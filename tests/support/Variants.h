@@ -32,6 +32,9 @@ inline constexpr std::size_t kParts = 6;
 /// Every kParts-th of them from number `part` on.
 std::vector<Variant> partOf(const std::vector<Variant>& variants, std::size_t part);
 
+/// The defaults with another jitter, so that the scene is drawn anew.
+Settings otherJitter();
+
 /// All choices and numbers of the resolve drawn at random, and the render scale.
 Settings randomSettings(std::uint32_t seed);
 /// Two hundred of them, named by their flags.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+using taa::allRows;
 using taa::ExposedSlot;
 using taa::ExposureLayout;
 using taa::Intermediate;
@@ -18,12 +19,6 @@ std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
-}
-
-std::vector<IntermediateId> allRows() {
-  std::vector<IntermediateId> all;
-  for (const Intermediate& row : kIntermediates) all.push_back(row.id);
-  return all;
 }
 
 } // namespace

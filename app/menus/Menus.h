@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <functional>
+#include <initializer_list>
 #include <vector>
 
 class QAction;
@@ -17,6 +18,9 @@ class QMenu;
 namespace taa::app {
 
 class MainWindow;
+
+/// Keys by their names, "Ctrl+O".
+QList<QKeySequence> keys(std::initializer_list<const char*> names);
 
 class Menus : public QObject {
   Q_OBJECT
@@ -36,24 +40,29 @@ class Menus : public QObject {
  private:
   QAction* add(QMenu* menu, const QString& text, const QList<QKeySequence>& keys, std::function<void()> act);
   QAction* addCheck(QMenu* menu, const QString& text, const QKeySequence& key, std::function<void(bool)> act);
+  /// What refresh() does for a part of a menu.
+  void onRefresh(std::function<void()> bringUpToDate);
+  // One file each
   void makeFile();
   void makeEdit();
   void makeView();
-  void makePictures(QMenu* menu);
   void makeFrame();
   void makePipeline();
   void makeProbe();
   void makeHelp();
-  void makeCameras();
-  void makeObjects();
+  // Submenus
+  void makeArrangement(QMenu* menu);
+  void makePictures(QMenu* menu);
+  void makeThemes(QMenu* menu);
+  void makeSizes(QMenu* menu);
+  void makeBudgets(QMenu* menu);
+  void makeCameras(QMenu* menu);
+  void makeObjects(QMenu* menu);
+  void refreshObjects(QMenu* menu);
 
   MainWindow& window_;
   std::vector<Command> commands_;
-  QAction *twoViews_ = nullptr, *linked_ = nullptr, *looping_ = nullptr, *marks_ = nullptr, *play_ = nullptr;
-  QAction* profiler_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr;
-  QList<QAction*> themes_, arrangements_, budgets_;
-  QMenu *cameras_ = nullptr, *objects_ = nullptr;
+  std::vector<std::function<void()>> refreshers_;
   std::vector<std::string> cameraNames_, objectNames_;
 };
 

@@ -1,0 +1,36 @@
+#include "app/menus/Menus.h"
+
+#include "app/Icons.h"
+#include "app/MainWindow.h"
+#include "app/panels/PipelinePanel.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace taa::app {
+
+void Menus::makeEdit() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Edit"));
+  Session& session = window_.session();
+  QAction* undo = add(menu, tr("&Undo change of settings"), keys({"Ctrl+Z"}), [&session] { session.undo(); });
+  QAction* redo = add(menu, tr("&Redo"), keys({"Ctrl+Shift+Z"}), [&session] { session.redo(); });
+  menu->addSeparator();
+  add(menu, tr("&Copy probed value"), keys({"Ctrl+C"}), [this] {
+    window_.copyValue();
+  })->setIcon(themedIcon(QStringLiteral("copy")));
+  add(menu, tr("Copy &all probed values"), keys({"Ctrl+Shift+C"}), [this] { window_.copyAll(); });
+  add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });
+  add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });
+  menu->addSeparator();
+  add(menu, tr("&Search settings and intermediates"), keys({"Ctrl+F"}), [this] {
+    window_.pipeline()->focusSearch();
+  })->setIcon(themedIcon(QStringLiteral("search")));
+  add(menu, tr("&Find a command…"), keys({"Ctrl+Shift+P"}), [this] { window_.showCommands(); });
+  onRefresh([&session, undo, redo] {
+    undo->setEnabled(session.canUndo());
+    redo->setEnabled(session.canRedo());
+  });
+}
+
+} // namespace taa::app

@@ -1,0 +1,52 @@
+#include "app/menus/Menus.h"
+
+#include "app/MainWindow.h"
+#include "app/UserPresets.h"
+#include "app/panels/PipelinePanel.h"
+#include "core/settings/Presets.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace taa::app {
+
+void Menus::makePipeline() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Pipeline"));
+  menu->setToolTipsVisible(true);
+  Session& session = window_.session();
+  QMenu* presets = menu->addMenu(tr("&Preset"));
+  presets->setToolTipsVisible(true);
+  int number = 0;
+  std::string group = builtinPresets().front().group;
+  for (const Preset& preset : builtinPresets()) {
+    if (preset.group != group) presets->addSeparator();
+    group = preset.group;
+    const QString id = QString::fromStdString(preset.id);
+    const QList<QKeySequence> key =
+        ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
+                      : QList<QKeySequence>();
+    add(presets, QString::fromStdString(preset.label), key, [&session, id] {
+      session.setPreset(id);
+    })->setToolTip(QString::fromStdString(preset.description));
+  }
+  QMenu* own = menu->addMenu(tr("&My presets"));
+  connect(own, &QMenu::aboutToShow, this, [this, own] {
+    own->clear();
+    for (const UserPreset& preset : userPresets(window_.presetFolder()))
+      own->addAction(preset.label, this, [this, path = preset.path] { window_.session().setPreset(path); });
+    if (own->isEmpty()) own->addAction(tr("None saved yet"))->setEnabled(false);
+  });
+  add(menu, tr("&Save as preset…"), keys({"Ctrl+S"}), [this] { window_.askForPresetName(); });
+  add(menu, tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [this] { window_.askForPresetFile(); });
+  add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.backToPreset(); });
+  menu->addSeparator();
+  add(menu, tr("&Unfold all stages"), keys({"Ctrl+Down"}),
+      [this] { window_.pipeline()->setAllExpanded(true); });
+  add(menu, tr("&Fold all stages"), keys({"Ctrl+Up"}), [this] { window_.pipeline()->setAllExpanded(false); });
+  menu->addSeparator();
+  add(menu, tr("&Measure what each stage costs"), keys({"Shift+F11"}), [this] { window_.measureStages(); });
+  add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
+}
+
+} // namespace taa::app

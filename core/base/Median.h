@@ -1,0 +1,18 @@
+// The middle of some numbers.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace taa {
+
+/// The middle one; the mean of the two middle ones; 0 of none.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+} // namespace taa
