@@ -1,3 +1,4 @@
+// Undo, copies, search.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"

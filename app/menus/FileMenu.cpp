@@ -1,3 +1,4 @@
+// What is opened.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"

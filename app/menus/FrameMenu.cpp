@@ -1,3 +1,4 @@
+// Time, cameras, objects, size.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"

@@ -1,3 +1,4 @@
+// Keys and reference.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"

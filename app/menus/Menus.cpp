@@ -1,3 +1,4 @@
+// What all menus have in common.
 #include "app/menus/Menus.h"
 
 #include "app/MainWindow.h"

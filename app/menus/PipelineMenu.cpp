@@ -1,3 +1,4 @@
+// Presets, stages, shaders.
 #include "app/menus/Menus.h"
 
 #include "app/MainWindow.h"

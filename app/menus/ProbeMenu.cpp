@@ -1,3 +1,4 @@
+// The pick.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"

@@ -1,3 +1,4 @@
+// Views, panels, how pictures are drawn.
 #include "app/menus/Menus.h"
 
 #include "app/Icons.h"
