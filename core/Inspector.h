@@ -96,6 +96,8 @@ class Inspector {
   int replayLength(int frame) const;
   /// The frame nearest to `frame` for which that is one at most.
   int nearestAtHand(int frame) const;
+  /// Frames whose history is kept in every lane, rising: nothing before them has to be made again.
+  std::vector<int> keptFrames() const;
   /// Bytes that kept histories of all lanes may use on the GPU; default kDefaultCheckpointBudget.
   void setCheckpointBudget(std::size_t bytes);
   std::size_t checkpointBudget() const;

@@ -1,11 +1,22 @@
 // Small pictures, figures, programs ahead of need: what the Inspector does besides frames.
 #include "core/InspectorParts.h"
 
+#include <algorithm>
+
 namespace taa {
 
 Picture Inspector::thumbnail(IntermediateId id, const glm::ivec2& texels, int lane) {
   const gl::PassGroup group(pass_group::kThumbnails);
   return parts_->thumbnails.draw(parts_->maker.pass, parts_->visualizer, parts_->resolved(lane), id, texels);
+}
+
+std::vector<int> Inspector::keptFrames() const {
+  std::vector<int> frames = parts_->checkpoints.front().frames();
+  std::erase_if(frames, [&](int frame) {
+    return !std::ranges::all_of(parts_->checkpoints,
+                                [&](const Checkpoints& kept) { return kept.at(frame) != nullptr; });
+  });
+  return frames;
 }
 
 void Inspector::setProfiling(bool on) {

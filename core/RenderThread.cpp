@@ -132,6 +132,10 @@ void RenderThread::setLooping(bool looping) {
   parts_->post([&](Wishes& wishes) { wishes.looping = looping; });
 }
 
+void RenderThread::setPlayback(const Playback& playback) {
+  parts_->post([&](Wishes& wishes) { wishes.playback = playback; });
+}
+
 void RenderThread::seek(int frame) {
   parts_->post([&](Wishes& wishes) {
     wishes.frame = frame;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -49,6 +50,15 @@ struct Thumbnail {
 /// Names of objects that the status holds at most: more than a menu has room for.
 inline constexpr std::size_t kMostObjects = 40;
 
+/// How time goes on while it plays.
+struct Playback {
+  double framesPerSecond = 0.0;             ///< 0: the shot's own
+  double speed = 1.0;                       ///< of it, kSlowest to kFastest
+  std::optional<std::pair<int, int>> range; ///< first and last frame of what is repeated; nothing: the shot
+  bool operator==(const Playback&) const = default;
+};
+inline constexpr double kSlowestPlayback = 0.05, kFastestPlayback = 8.0;
+
 /// What the window shows about the state; sent whenever any of it changes. Before the pictures of a frame
 /// that is not exact or not the wished one, after those of one that is: who shows badges by it never lacks
 /// one.
@@ -67,6 +77,9 @@ struct Status {
   std::size_t checkpointBudget = 0;
   FrameTimes times;
   gl::Driver driver;
+  std::vector<int> cuts;       ///< frames at which history starts anew, besides frame 0
+  std::vector<int> keptFrames; ///< those whose history is kept, rising
+  Playback playback;
 };
 
 /// Long work under way; `what` empty: none.
@@ -108,8 +121,9 @@ class RenderThread {
   void prepare(const Settings& settings);
   void setPlaying(bool playing);
   void setLooping(bool looping); ///< at the end: start again, or pause
-  void seek(int frame);          ///< the nearest frame that is at hand at once, then exactly this one
-  void step(int frames);         ///< relative; steps add up while they wait; pauses
+  void setPlayback(const Playback& playback);
+  void seek(int frame);  ///< the nearest frame that is at hand at once, then exactly this one
+  void step(int frames); ///< relative; steps add up while they wait; pauses
   void setViews(const std::vector<ViewRequest>& views);
   void probe(
       std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back

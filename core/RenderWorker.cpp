@@ -42,7 +42,7 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared;
+         !profiling && !thumbnails && !prepared && !playback;
 }
 
 bool Wishes::endReplay() const {
@@ -74,7 +74,7 @@ void RenderWorker::apply(const Wishes& wishes) {
     inspector_.setCheckpointBudget(*wishes.checkpointBudget);
     statusChanged_ = true;
   }
-  if (wishes.looping) looping_ = *wishes.looping;
+  applyPlayback(wishes);
   // Before the source, so that its first frame exposes what is shown and the resolve is compiled once.
   if (wishes.views) {
     views_ = *wishes.views;
@@ -122,25 +122,18 @@ void RenderWorker::applySource(const Wishes& wishes) {
 
 void RenderWorker::applyTime(const Wishes& wishes) {
   if (!isOpen()) return;
-  const int last = inspector_.frameCount() - 1;
   if (wishes.playing) {
+    const auto [first, last] = playedFrames();
     const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
     setPlaying(*wishes.playing);
-    if (restarts) goal_ = 0;
+    if (restarts) goal_ = first;
     isNear_ = false;
   }
   if (!wishes.frame && wishes.steps == 0) return;
+  const int last = inspector_.frameCount() - 1;
   const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
   goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
   isNear_ = false;
-  refinementStopped_ = false;
-}
-
-void RenderWorker::setPlaying(bool playing) {
-  if (playing == playing_) return;
-  playing_ = playing;
-  nextFrameAt_ = Clock::now();
-  statusChanged_ = true;
   refinementStopped_ = false;
 }
 
@@ -190,20 +183,6 @@ void RenderWorker::replay(int frame, const std::string& what) {
   if (std::exchange(goal_, {})) statusChanged_ = true;
   if (!inspector_.isExact()) refinementStopped_ = true; // it failed
   if (inspector_.frame() == oldFrame && inspector_.isExact() == wasExact) return;
-  ++version_;
-  statusChanged_ = true;
-}
-
-// The next frame, in its turn: when frames take longer than their time, time slows down.
-void RenderWorker::playOn() {
-  const int last = inspector_.frameCount() - 1;
-  if (last == 0 || (inspector_.frame() == last && !looping_)) return setPlaying(false);
-  const auto period = std::chrono::duration_cast<Clock::duration>(
-      std::chrono::duration<double>(1.0 / inspector_.scene().shot.framesPerSecond));
-  nextFrameAt_ += period;
-  const bool done = attempt([&] { inspector_.frame() == last ? inspector_.seek(0) : inspector_.advance(); });
-  if (!done) setPlaying(false);
-  nextFrameAt_ = std::max(nextFrameAt_, Clock::now());
   ++version_;
   statusChanged_ = true;
 }
@@ -262,6 +241,7 @@ void RenderWorker::sendStatus() {
   status.playing = playing_;
   status.driver = inspector_.driver();
   status.checkpointBudget = inspector_.checkpointBudget();
+  status.playback = playback_;
   if (isOpen()) {
     status.source = inspector_.source();
     status.camera = inspector_.camera();
@@ -275,6 +255,8 @@ void RenderWorker::sendStatus() {
     status.exact = inspector_.isExact();
     if (goal_ && isNear_ && *goal_ != inspector_.frame()) status.goal = goal_;
     status.times = inspector_.times();
+    status.cuts = inspector_.scene().shot.cuts;
+    status.keptFrames = inspector_.keptFrames();
   }
   listener_.onStatus(std::move(status));
 }

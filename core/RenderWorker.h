@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa {
@@ -28,6 +29,7 @@ struct Wishes {
   std::optional<std::size_t> checkpointBudget;
   std::optional<bool> profiling;
   std::optional<glm::ivec2> thumbnails;
+  std::optional<Playback> playback;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -66,6 +68,8 @@ class RenderWorker {
   void applySource(const Wishes& wishes);
   void applyTime(const Wishes& wishes);
   void applyLooks(const Wishes& wishes);
+  void applyPlayback(const Wishes& wishes);
+  std::pair<int, int> playedFrames() const;
   void playOn();
   bool goNear();
   void replay(int frame, const std::string& what);
@@ -100,6 +104,7 @@ class RenderWorker {
   bool measuring_ = false; // stages
   ThumbnailSchedule thumbnails_;
   std::optional<Settings> prepared_; // to compile
+  Playback playback_;
 };
 
 // Errors are told and change nothing; returns whether the action was done.

@@ -87,6 +87,13 @@ HistoryHandle Checkpoints::at(int frame) const {
   return found == kept_.end() ? nullptr : found->second;
 }
 
+std::vector<int> Checkpoints::frames() const {
+  std::vector<int> frames;
+  frames.reserve(kept_.size());
+  for (const auto& [frame, history] : kept_) frames.push_back(frame);
+  return frames;
+}
+
 std::size_t Checkpoints::bytes() const {
   std::size_t sum = 0;
   for (const auto& [frame, history] : kept_) sum += history->bytes();

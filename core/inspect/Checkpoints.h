@@ -64,6 +64,7 @@ class Checkpoints {
   /// Null when it is not kept.
   HistoryHandle at(int frame) const;
   void clear() { kept_.clear(); }
+  std::vector<int> frames() const; ///< rising
   std::size_t size() const { return kept_.size(); }
   std::size_t bytes() const;
 
