@@ -1,5 +1,6 @@
 #include "app/Arguments.h"
 
+#include "app/panels/LowerArea.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/Inspector.h"
@@ -26,7 +27,7 @@ glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char
 }
 
 struct Texts {
-  std::string windowSize, size, pixel, theme, panel;
+  std::string windowSize, size, pixel, theme;
   std::vector<std::string> views;
   int frame = -1, checkpoints = -1;
   double zoom = 0.0;
@@ -61,9 +62,12 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--theme", texts.theme, "Look of the window: dark, light or system")
       ->type_name("NAME")
       ->check(CLI::IsMember({"dark", "light", "system"}));
-  app.add_option("--panel", texts.panel, "Show this panel, too: profiler")
+  std::vector<std::string> pages;
+  for (int page = 0; page < kLowerPageCount; ++page)
+    pages.push_back(lowerPageId(static_cast<LowerPage>(page)).toStdString());
+  app.add_option("--panel", arguments.panel, "Show this page above the timeline, too")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"profiler"}));
+      ->check(CLI::IsMember(pages));
   app.add_flag("--timing", arguments.timing,
                "Say on stderr how long after the start the first picture was there");
 }
@@ -75,7 +79,6 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
   if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
-  arguments.profiler = texts.panel == "profiler";
   if (texts.zoom > 0) arguments.zoom = texts.zoom;
   ThemeChoice theme{};
   if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;

@@ -25,7 +25,7 @@ struct Arguments {
   std::optional<ThemeChoice> theme;
   std::string camera, preset;        ///< empty: the source's own, "balanced"
   std::vector<IntermediateId> views; ///< up to two
-  bool profiler = false;             ///< show the profiler panel
+  std::string panel;                 ///< page of the lower area to show; empty: none
   bool timing = false;               ///< say on stderr when the first picture was there
 };
 

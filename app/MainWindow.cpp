@@ -3,12 +3,15 @@
 #include "app/Icons.h"
 #include "app/Numbers.h"
 #include "app/menus/Menus.h"
+#include "app/panels/JitterPanel.h"
+#include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/ProfilerPanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
+#include "app/panels/WeightsPanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -50,6 +53,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   menus_ = new Menus(*this);
   connectPanels();
   connectProfiler();
+  connectLower();
   connectViews();
   connectSession();
   showSettings();
@@ -68,6 +72,8 @@ void MainWindow::makeParts() {
   pipeline_ = new PipelinePanel;
   probe_ = new ProbePanel;
   profiler_ = new ProfilerPanel;
+  jitter_ = new JitterPanel;
+  weights_ = new WeightsPanel;
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
@@ -76,9 +82,11 @@ void MainWindow::makeParts() {
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
   sourceLabel_->setContentsMargins(0, 0, 2 * kUnit, 0);
-  profiler_->hide(); // it costs time while it is shown
-  for (QWidget* panel :
-       {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_), static_cast<QWidget*>(profiler_)}) {
+  lower_ = new LowerArea;
+  lower_->add(profiler_, tr("Profiler"));
+  lower_->add(jitter_, tr("Jitter"));
+  lower_->add(weights_, tr("Weights"));
+  for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {
     panel->setAutoFillBackground(true);
     panel->setBackgroundRole(QPalette::AlternateBase);
   }
@@ -96,7 +104,7 @@ void MainWindow::layOut() {
   rows_->setHandleWidth(1);
   rows_->setChildrenCollapsible(false);
   rows_->addWidget(columns_);
-  rows_->addWidget(profiler_);
+  rows_->addWidget(lower_);
   rows_->setStretchFactor(0, 1);
 
   auto* content = new QWidget;
@@ -139,7 +147,6 @@ void MainWindow::connectPanels() {
 void MainWindow::connectProfiler() {
   connect(profiler_, &ProfilerPanel::shownChanged, &session_, &Session::setProfiling);
   connect(profiler_, &ProfilerPanel::measureRequested, &session_, &Session::measureStages);
-  connect(profiler_, &ProfilerPanel::closeRequested, this, [this] { setPanelVisible(profiler_, false); });
   connect(&session_, &Session::profileArrived, profiler_, &ProfilerPanel::addProfile);
   connect(&session_, &Session::stageCostsArrived, profiler_, &ProfilerPanel::setStageCosts);
   connect(pipeline_, &PipelinePanel::thumbnailsWanted, &session_,
@@ -189,6 +196,7 @@ void MainWindow::showStatus() {
   const Status& status = session_.status();
   timeline_->setStatus(status);
   statusLine_->setStatus(status);
+  showHistory();
   profiler_->setDriver(status.driver);
   if (session_.isOpen()) {
     views_->setPictureSize({status.width, status.height});
@@ -266,7 +274,7 @@ void MainWindow::copyProfile(bool asCsv) {
 }
 
 void MainWindow::measureStages() {
-  setPanelVisible(profiler_, true);
+  setLowerPage(LowerPage::Profiler, true);
   session_.measureStages();
 }
 

@@ -14,6 +14,9 @@ class QSplitter;
 
 namespace taa::app {
 
+enum class LowerPage;
+class JitterPanel;
+class LowerArea;
 class Menus;
 class MessagesBar;
 class PipelinePanel;
@@ -22,6 +25,7 @@ class ProfilerPanel;
 class StatusLine;
 class TimelinePanel;
 class ViewArea;
+class WeightsPanel;
 class WorkBar;
 
 class MainWindow : public QMainWindow {
@@ -35,7 +39,10 @@ class MainWindow : public QMainWindow {
   ViewArea* views() const { return views_; }
   PipelinePanel* pipeline() const { return pipeline_; }
   ProbePanel* probe() const { return probe_; }
+  LowerArea* lower() const { return lower_; }
   ProfilerPanel* profiler() const { return profiler_; }
+  JitterPanel* jitter() const { return jitter_; }
+  WeightsPanel* weights() const { return weights_; }
   TimelinePanel* timeline() const { return timeline_; }
   MessagesBar* messages() const { return messages_; }
   StatusLine* statusLine() const { return statusLine_; }
@@ -47,11 +54,14 @@ class MainWindow : public QMainWindow {
   /// Shows an intermediate in the active view or the other one.
   void showIntermediate(IntermediateId id, bool inOtherView);
   void setPanelVisible(QWidget* panel, bool visible);
+  /// Opens the area above the timeline at this page, or closes it.
+  void setLowerPage(LowerPage page, bool shown);
 
   // What menus and keys ask for
   void askForFile();
   void askForPixel();
   void askForFrame();
+  void askForMarkName();
   void askForSize();
   void askForPresetName();
   void askForPresetFile();
@@ -76,11 +86,13 @@ class MainWindow : public QMainWindow {
   void layOut();
   void connectPanels();
   void connectProfiler();
+  void connectLower();
   void connectViews();
   void connectSession();
   void showStatus();
   void showSettings();
   void showPick();
+  void showHistory();
   void showHover(int view);
   void pickAtFirstStart();
   void restore();
@@ -94,7 +106,10 @@ class MainWindow : public QMainWindow {
   ViewArea* views_ = nullptr;
   PipelinePanel* pipeline_ = nullptr;
   ProbePanel* probe_ = nullptr;
+  LowerArea* lower_ = nullptr;
   ProfilerPanel* profiler_ = nullptr;
+  JitterPanel* jitter_ = nullptr;
+  WeightsPanel* weights_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
   MessagesBar* messages_ = nullptr;
   StatusLine* statusLine_ = nullptr;

@@ -26,6 +26,7 @@ class ThreadRenderer final : public Renderer {
   void setThumbnails(int width, int height) override { thread_.setThumbnails(width, height); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
+  void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }
 
  private:
   RenderThread thread_;

@@ -33,6 +33,7 @@ class Renderer {
   virtual void setThumbnails(int width, int height) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
+  virtual void setPlayback(const Playback& playback) = 0;
 };
 
 /// The real one.

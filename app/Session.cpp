@@ -134,6 +134,13 @@ void Session::setLooping(bool looping) {
   ask([&](Renderer& renderer) { renderer.setLooping(looping); });
 }
 
+void Session::setPlayback(const Playback& playback) {
+  if (playback == playback_) return;
+  playback_ = playback;
+  ask([&](Renderer& renderer) { renderer.setPlayback(playback_); });
+  Q_EMIT playbackChanged();
+}
+
 void Session::seek(int frame) {
   // Before something is open its length is not known; the render thread clamps as well.
   const int last = isOpen() ? status_.frameCount - 1 : std::numeric_limits<int>::max();

@@ -40,6 +40,8 @@ class Session : public QObject {
   bool isPresetChanged() const;
   std::optional<glm::ivec2> pick() const { return pick_; }
   bool isLooping() const { return looping_; }
+  /// As asked for.
+  const Playback& playback() const { return playback_; }
   bool canUndo() const { return history_.canUndo(); }
   bool canRedo() const { return history_.canRedo(); }
   /// Something was opened, and its status has arrived.
@@ -55,6 +57,7 @@ class Session : public QObject {
   void setPlaying(bool playing);
   void togglePlaying();
   void setLooping(bool looping);
+  void setPlayback(const Playback& playback);
   void seek(int frame);
   void step(int frames); ///< pauses
   void setParameter(const QString& path, double value);
@@ -81,6 +84,7 @@ class Session : public QObject {
  Q_SIGNALS:
   void statusChanged();
   void settingsChanged();
+  void playbackChanged();
   void pictureArrived(int view);
   void probeArrived();
   void pickChanged();
@@ -111,6 +115,7 @@ class Session : public QObject {
   std::optional<glm::ivec2> pick_;
   std::vector<ViewRequest> views_;
   bool looping_ = true, playsWhenOpen_ = false;
+  Playback playback_;
   std::unique_ptr<Renderer> renderer_; ///< last: ends before what its results are put into
 };
 

@@ -50,6 +50,12 @@ QScrollBar::handle:hover { background: @secondary; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QSplitter::handle { background: @line; }
+QTabBar { background: transparent; border: none; }
+QTabBar::tab { background: transparent; color: @secondary; border: none; border-bottom: 2px solid transparent;
+  padding: 3px 10px; }
+QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+QTabBar::tab:hover { background: @hover; }
+QTabBar::tab:focus { color: @text; background: @hover; }
 QFrame#popup { background: @panel; border: 1px solid @line; }
 QTreeView, QListWidget { background: @panel; alternate-background-color: @panel; color: @text; border: none;
   outline: none; }

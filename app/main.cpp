@@ -3,7 +3,7 @@
 #include "app/Icons.h"
 #include "app/MainWindow.h"
 #include "app/Screenshot.h"
-#include "app/panels/ProfilerPanel.h"
+#include "app/panels/LowerArea.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
@@ -85,7 +85,8 @@ void begin(MainWindow& window, const Arguments& arguments) {
     for (int view = 0; view < kViewCount; ++view)
       window.views()->view(view)->viewport()->setCamera({false, *arguments.zoom, center});
   }
-  if (arguments.profiler) window.setPanelVisible(window.profiler(), true);
+  if (const auto page = lowerPageWithId(QString::fromStdString(arguments.panel)))
+    window.setLowerPage(*page, true);
   if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
 }
 

@@ -45,6 +45,8 @@ void Menus::makeFrame() {
         window_.session().setLooping(on);
         window_.timeline()->setLooping(on);
       });
+  makePlayback(menu->addMenu(tr("Speed and &range")));
+  makeFrameMarks(menu->addMenu(tr("&Marks")));
   add(menu, tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
     session.cancel();
   })->setIcon(themedIcon(QStringLiteral("stop")));

@@ -52,8 +52,11 @@ class Menus : public QObject {
   void makeHelp();
   // Submenus
   void makeArrangement(QMenu* menu);
+  void makeLowerPages(QMenu* menu);
   void makePictures(QMenu* menu);
   void makeThemes(QMenu* menu);
+  void makePlayback(QMenu* menu);
+  void makeFrameMarks(QMenu* menu);
   void makeSizes(QMenu* menu);
   void makeBudgets(QMenu* menu);
   void makeCameras(QMenu* menu);

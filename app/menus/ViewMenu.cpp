@@ -5,7 +5,6 @@
 #include "app/MainWindow.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
-#include "app/panels/ProfilerPanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
@@ -49,18 +48,16 @@ void Menus::makeView() {
   panel = addCheck(menu, tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
                    [this](bool on) { window_.setPanelVisible(window_.probe(), on); });
   panel->setChecked(true);
-  QAction* profiler = addCheck(menu, tr("Profiler panel"), QKeySequence(QStringLiteral("F11")),
-                               [this](bool on) { window_.setPanelVisible(window_.profiler(), on); });
+  makeLowerPages(menu);
   panel = addCheck(menu, tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),
                    [this](bool on) { window_.pipeline()->setShowsThumbnails(on); });
   panel->setChecked(true);
   menu->addSeparator();
   makePictures(menu->addMenu(tr("&Picture")));
   makeThemes(menu->addMenu(tr("T&heme")));
-  onRefresh([this, views, two, linked, profiler] {
+  onRefresh([this, views, two, linked] {
     two->setChecked(views->showsTwo());
     linked->setChecked(views->areLinked());
-    profiler->setChecked(!window_.profiler()->isHidden());
   });
 }
 

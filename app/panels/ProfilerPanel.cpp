@@ -76,8 +76,6 @@ QWidget* ProfilerPanel::makeTop() {
   auto* line = new QHBoxLayout(top);
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(2 * kUnit);
-  auto* title = new QLabel(tr("Profiler"));
-  title->setFont(titleFont());
   method_ = new QLabel;
   method_->setFont(secondaryFont());
   method_->setForegroundRole(QPalette::PlaceholderText);
@@ -95,14 +93,10 @@ QWidget* ProfilerPanel::makeTop() {
   menu->addAction(tr("As CSV"), this, [this] { this->copy(true); });
   connect(copy, &IconButton::clicked, this,
           [copy, menu] { menu->popup(copy->mapToGlobal(QPoint(0, copy->height()))); });
-  auto* close = new IconButton(QStringLiteral("close"), tr("Close the profiler (F11)"));
-  line->addWidget(title);
   line->addWidget(method_, 1);
-  for (QWidget* control :
-       {static_cast<QWidget*>(measure_), static_cast<QWidget*>(copy), static_cast<QWidget*>(close)})
-    line->addWidget(control);
+  line->addWidget(measure_);
+  line->addWidget(copy);
   connect(measure_, &QPushButton::clicked, this, &ProfilerPanel::measureRequested);
-  connect(close, &IconButton::clicked, this, &ProfilerPanel::closeRequested);
   return top;
 }
 

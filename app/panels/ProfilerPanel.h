@@ -45,7 +45,6 @@ class ProfilerPanel : public QWidget {
   /// Only while it is shown is anything timed.
   void shownChanged(bool shown);
   void measureRequested();
-  void closeRequested();
 
  protected:
   void showEvent(QShowEvent*) override;

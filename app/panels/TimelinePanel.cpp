@@ -2,6 +2,7 @@
 
 #include "app/Theme.h"
 #include "app/views/Timeline.h"
+#include "app/widgets/ChoiceButton.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/NumberField.h"
 
@@ -31,6 +32,10 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   layout->addSpacing(2 * kUnit);
   layout->addWidget(timeline_, 1);
   layout->addSpacing(2 * kUnit);
+  connect(timeline_, &Timeline::rangeEdited, this, [this](int first, int last) {
+    setRange(FrameSpan{first, last});
+  });
+  makeChoices();
   makeReadouts();
 }
 
@@ -50,6 +55,60 @@ void TimelinePanel::makeButtons() {
   loop_ =
       add("loop", tr("Start again at the end (Ctrl+L)"), [this] { Q_EMIT loopToggled(loop_->isChecked()); });
   loop_->setCheckable(true);
+}
+
+const std::vector<double>& TimelinePanel::speeds() {
+  static const std::vector<double> speeds{0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
+  return speeds;
+}
+
+const std::vector<double>& TimelinePanel::rates() {
+  static const std::vector<double> rates{0.0, 24.0, 25.0, 30.0, 50.0, 60.0, 90.0, 120.0, 144.0, 240.0};
+  return rates;
+}
+
+void TimelinePanel::makeChoices() {
+  const auto add = [this](const QString& name, const QString& tip) {
+    auto* button = new ChoiceButton;
+    button->setFlat(true);
+    button->setFont(secondaryFont());
+    button->setAccessibleName(name);
+    button->setToolTip(tip);
+    button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    layout()->addWidget(button);
+    return button;
+  };
+  speed_ = add(tr("Speed"), tr("How fast it plays (Ctrl+[ slower, Ctrl+] faster)"));
+  speed_->setObjectName(QStringLiteral("speed"));
+  QStringList labels;
+  for (const double speed : speeds()) labels << tr("%1×").arg(speed);
+  speed_->setChoices(labels);
+  rate_ = add(tr("Frames per second"),
+              tr("Frames shown a second at speed 1; the shot's own time stays as it is"));
+  rate_->setObjectName(QStringLiteral("rate"));
+  connect(speed_, &ChoiceButton::chosen, this,
+          [this](int index) { setSpeed(speeds()[static_cast<std::size_t>(index)]); });
+  connect(rate_, &ChoiceButton::chosen, this,
+          [this](int index) { setFramesPerSecond(rates()[static_cast<std::size_t>(index)]); });
+  showRates();
+}
+
+// The shot's own rate stands in the list as a number, too.
+void TimelinePanel::showRates() {
+  QStringList labels;
+  for (const double rate : rates())
+    labels << (rate > 0.0        ? tr("%1 fps").arg(rate)
+               : shotRate_ > 0.0 ? tr("shot: %1 fps").arg(shotRate_)
+                                 : tr("shot's fps"));
+  rate_->setChoices(labels);
+  const auto indexOf = [](const std::vector<double>& values, double value) {
+    const auto found = std::ranges::find(values, value);
+    return found == values.end() ? -1 : static_cast<int>(found - values.begin());
+  };
+  rate_->setCurrent(indexOf(rates(), playback_.framesPerSecond));
+  rate_->setCaption(rate_->current() >= 0 ? QString() : tr("%1 fps").arg(playback_.framesPerSecond));
+  speed_->setCurrent(indexOf(speeds(), playback_.speed));
+  speed_->setCaption(speed_->current() >= 0 ? QString() : tr("%1×").arg(playback_.speed));
 }
 
 QLabel* TimelinePanel::makeReadout(const QString& widest) {
@@ -81,6 +140,16 @@ void TimelinePanel::makeReadouts() {
 }
 
 void TimelinePanel::setStatus(const Status& status) {
+  if (const QString source = QString::fromStdString(status.source); source != source_) {
+    source_ = source;
+    showNotes();
+  }
+  if (status.cuts != cuts_) timeline_->setCuts(cuts_ = status.cuts);
+  if (status.framesPerSecond != shotRate_) {
+    shotRate_ = status.framesPerSecond;
+    showRates();
+  }
+  timeline_->setKept(status.keptFrames);
   frameCount_ = status.frameCount;
   timeline_->setFrameCount(status.frameCount);
   const int frame = status.goal.value_or(status.info.frame); // stays under the mouse
@@ -102,6 +171,113 @@ void TimelinePanel::setStatus(const Status& status) {
 
 void TimelinePanel::setLooping(bool looping) {
   loop_->setChecked(looping);
+}
+
+void TimelinePanel::setStrip(const TimelineStrip& strip) {
+  timeline_->setStrip(strip);
+}
+
+int TimelinePanel::frame() const {
+  return timeline_->frame();
+}
+
+void TimelinePanel::setPlayback(const Playback& playback) {
+  if (playback == playback_) return;
+  playback_ = playback;
+  showRates();
+  timeline_->setRange(playback_.range);
+  Q_EMIT playbackEdited(playback_);
+}
+
+void TimelinePanel::setSpeed(double speed) {
+  Playback changed = playback_;
+  changed.speed = std::clamp(speed, kSlowestPlayback, kFastestPlayback);
+  setPlayback(changed);
+}
+
+void TimelinePanel::changeSpeed(int steps) {
+  const auto place = std::ranges::lower_bound(speeds(), playback_.speed) - speeds().begin();
+  const auto most = static_cast<std::ptrdiff_t>(speeds().size()) - 1;
+  setSpeed(speeds()[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(place + steps, 0, most))]);
+}
+
+void TimelinePanel::setFramesPerSecond(double rate) {
+  Playback changed = playback_;
+  changed.framesPerSecond = rate > 0.0 ? std::clamp(rate, 1.0, 1000.0) : 0.0;
+  setPlayback(changed);
+}
+
+void TimelinePanel::setRange(std::optional<FrameSpan> range) {
+  notes().range = range;
+  Playback changed = playback_;
+  changed.range = range;
+  setPlayback(changed);
+}
+
+void TimelinePanel::setRangeEnd(bool isLast) {
+  setRange(withEnd(timeline_->range(), isLast, frame()));
+}
+
+void TimelinePanel::clearRange() {
+  setRange({});
+}
+
+ShotNotes& TimelinePanel::notes() {
+  return notes_[source_];
+}
+
+const FrameMarks& TimelinePanel::marks() const {
+  static const FrameMarks none;
+  const auto found = notes_.find(source_);
+  return found == notes_.end() ? none : found->second.marks;
+}
+
+// After something else was opened, or notes were read from a file.
+void TimelinePanel::showNotes() {
+  timeline_->setMarks(marks().all());
+  Playback changed = playback_;
+  const auto found = notes_.find(source_);
+  changed.range = found == notes_.end() ? std::nullopt : found->second.range;
+  setPlayback(changed);
+  Q_EMIT marksChanged();
+}
+
+void TimelinePanel::toggleMark() {
+  notes().marks.toggle(frame());
+  showNotes();
+}
+
+void TimelinePanel::nameMark(const QString& name) {
+  notes().marks.setName(frame(), name.trimmed());
+  showNotes();
+}
+
+void TimelinePanel::goToMark(bool after) {
+  std::vector<int> frames = cuts_;
+  for (const auto& [frame, name] : marks().all()) frames.push_back(frame);
+  if (const auto found = neighborOf(frame(), frames, after)) Q_EMIT seekRequested(*found);
+}
+
+QJsonObject TimelinePanel::state() const {
+  QJsonObject shots;
+  for (const auto& [source, notes] : notes_)
+    if (notes != ShotNotes{}) shots.insert(source, notes.toJson());
+  return {{QStringLiteral("speed"), playback_.speed},
+          {QStringLiteral("framesPerSecond"), playback_.framesPerSecond},
+          {QStringLiteral("loops"), loop_->isChecked()},
+          {QStringLiteral("shots"), shots}};
+}
+
+void TimelinePanel::setState(const QJsonObject& state) {
+  setSpeed(state.value(QLatin1String("speed")).toDouble(1.0));
+  setFramesPerSecond(state.value(QLatin1String("framesPerSecond")).toDouble(0.0));
+  setLooping(state.value(QLatin1String("loops")).toBool(true));
+  Q_EMIT loopToggled(loop_->isChecked());
+  notes_.clear();
+  const QJsonObject shots = state.value(QLatin1String("shots")).toObject();
+  for (auto shot = shots.begin(); shot != shots.end(); ++shot)
+    notes_[shot.key()] = ShotNotes::fromJson(shot.value().toObject());
+  showNotes();
 }
 
 QString TimelinePanel::readout() const {

@@ -1,17 +1,24 @@
-// Transport buttons, the ruler of the shot, and where in time and in the jitter pattern the frame lies.
+// Transport buttons, the ruler of the shot with the user's marks, how time goes on, and where in time and in
+// the jitter pattern the frame lies.
 #pragma once
 
+#include "app/models/FrameMarks.h"
 #include "core/RenderThread.h"
 
+#include <QJsonObject>
 #include <QWidget>
+
+#include <map>
 
 class QLabel;
 
 namespace taa::app {
 
+class ChoiceButton;
 class IconButton;
 class NumberField;
 class Timeline;
+struct TimelineStrip;
 
 class TimelinePanel : public QWidget {
   Q_OBJECT
@@ -20,26 +27,63 @@ class TimelinePanel : public QWidget {
 
   void setStatus(const Status& status);
   void setLooping(bool looping);
+  void setStrip(const TimelineStrip& strip);
   Timeline* timeline() const { return timeline_; }
   QString readout() const; ///< what the labels say, for tests and screen readers
+
+  // How time goes on
+  const Playback& playback() const { return playback_; }
+  void setSpeed(double speed);
+  void changeSpeed(int steps);          ///< to the next of the list
+  void setFramesPerSecond(double rate); ///< 0: the shot's own
+  void setRangeEnd(bool isLast);        ///< at the frame on show
+  void clearRange();
+  /// Speeds and rates to choose from; rate 0 is the shot's own.
+  static const std::vector<double>& speeds();
+  static const std::vector<double>& rates();
+
+  // The user's marks
+  const FrameMarks& marks() const;
+  void toggleMark();
+  void nameMark(const QString& name); ///< of the frame on show
+  void goToMark(bool after);          ///< or cut
+  int frame() const;
+
+  /// Speed, rate, whether it loops, marks and range of each shot.
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
 
  Q_SIGNALS:
   void seekRequested(int frame);
   void stepRequested(int frames);
   void playToggled();
   void loopToggled(bool looping);
+  void playbackEdited(const Playback& playback);
+  void marksChanged();
 
  private:
   void makeButtons();
+  void makeChoices();
   void makeReadouts();
   QLabel* makeReadout(const QString& widest);
+  ShotNotes& notes();
+  void setPlayback(const Playback& playback);
+  void setRange(std::optional<FrameSpan> range);
+  void showNotes();
+  void showRates();
 
   IconButton* play_ = nullptr;
   IconButton* loop_ = nullptr;
   Timeline* timeline_ = nullptr;
+  ChoiceButton *speed_ = nullptr, *rate_ = nullptr;
   NumberField* frame_ = nullptr;
   QLabel *count_ = nullptr, *jitter_ = nullptr, *time_ = nullptr;
   int frameCount_ = 0;
+  double shotRate_ = 0.0; ///< frames per second
+  std::vector<int> cuts_;
+  Playback playback_;
+  QString source_;
+  std::map<QString, ShotNotes> notes_; ///< by source: they come back with it
 };
 
 } // namespace taa::app

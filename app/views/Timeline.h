@@ -1,11 +1,24 @@
-// The ruler of the shot: the playhead is clicked or dragged to a frame.
+// The ruler of the shot: playhead, cuts, marks, kept frames, the repeated part, and one figure of each frame.
 #pragma once
 
 #include "app/views/TimelineMath.h"
 
+#include <QString>
 #include <QWidget>
 
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
 namespace taa::app {
+
+/// A figure of each frame, as far as it is known.
+struct TimelineStrip {
+  QString name, unit;                        ///< no name: no strip
+  std::vector<std::optional<double>> values; ///< by frame
+  bool operator==(const TimelineStrip&) const = default;
+};
 
 class Timeline : public QWidget {
   Q_OBJECT
@@ -15,12 +28,27 @@ class Timeline : public QWidget {
   void setFrameCount(int count);
   void setFrame(int frame);
   int frame() const { return frame_; }
+  void setCuts(const std::vector<int>& cuts);
+  void setKept(const std::vector<int>& frames);
+  const std::vector<int>& kept() const { return kept_; }
+  void setMarks(const std::map<int, QString>& marks);
+  /// What is repeated; nothing: the shot.
+  void setRange(std::optional<std::pair<int, int>> range);
+  std::pair<int, int> range() const;
+  void setStrip(const TimelineStrip& strip);
+  const TimelineStrip& strip() const { return strip_; }
+
   TimelineScale scale() const;
-  QSize sizeHint() const override { return {300, 36}; }
+  /// Where a handle of the range is dragged.
+  QRectF handle(bool isLast) const;
+  /// What there is to say about a frame: "frame 41 · kept · cut · α 0.12".
+  QString textAt(int frame) const;
+  QSize sizeHint() const override;
 
  Q_SIGNALS:
   void seekRequested(int frame);
   void stepRequested(int frames);
+  void rangeEdited(int first, int last);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -29,15 +57,26 @@ class Timeline : public QWidget {
   void mouseReleaseEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;
   void wheelEvent(QWheelEvent*) override;
+  bool event(QEvent*) override;
 
  private:
   void seekTo(double x);
+  void dragRange(double x);
   void paintTicks(QPainter& painter) const;
+  void paintKept(QPainter& painter) const;
+  void paintRange(QPainter& painter) const;
+  void paintMarks(QPainter& painter) const;
+  void paintStrip(QPainter& painter) const;
   void paintHead(QPainter& painter, int frame) const;
 
   int frameCount_ = 1, frame_ = 0;
+  std::vector<int> cuts_, kept_;
+  std::map<int, QString> marks_;
+  std::optional<std::pair<int, int>> range_;
+  TimelineStrip strip_;
   int dragged_ = -1; ///< frame under a drag: shown before the picture has followed
   int hovered_ = -1;
+  std::optional<bool> handle_; ///< the handle under a drag: whether it is the last
 };
 
 } // namespace taa::app

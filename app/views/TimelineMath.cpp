@@ -34,4 +34,20 @@ std::vector<int> TimelineScale::ticks(int step) const {
   return frames;
 }
 
+std::vector<std::pair<int, int>> runsOfFrames(const std::vector<int>& frames) {
+  std::vector<std::pair<int, int>> runs;
+  for (const int frame : frames) {
+    if (!runs.empty() && runs.back().second + 1 == frame)
+      runs.back().second = frame;
+    else
+      runs.emplace_back(frame, frame);
+  }
+  return runs;
+}
+
+std::pair<int, int> withEnd(std::pair<int, int> range, bool isLast, int frame) {
+  if (isLast) return {std::min(range.first, frame), frame};
+  return {frame, std::max(range.second, frame)};
+}
+
 } // namespace taa::app

@@ -1,6 +1,7 @@
 // The arithmetic of the timeline: frames on a ruler. Lengths are logical pixels.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace taa::app {
@@ -21,5 +22,11 @@ struct TimelineScale {
   /// Frames 0, step, 2·step … of this ruler.
   std::vector<int> ticks(int step) const;
 };
+
+/// Runs of neighboring frames: {1, 2, 3, 7} gives (1, 3) and (7, 7). `frames` rise.
+std::vector<std::pair<int, int>> runsOfFrames(const std::vector<int>& frames);
+
+/// Moves one end of `range` to `frame`; the other end goes along where it would be passed.
+std::pair<int, int> withEnd(std::pair<int, int> range, bool isLast, int frame);
 
 } // namespace taa::app

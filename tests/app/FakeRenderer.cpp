@@ -54,6 +54,11 @@ void FakeRenderer::setPlaying(bool playing) {
   deliver();
 }
 
+void FakeRenderer::setPlayback(const Playback& playback) {
+  status.playback = playback;
+  deliver();
+}
+
 void FakeRenderer::seek(int frame) {
   status.info.frame = std::clamp(frame, 0, std::max(0, status.frameCount - 1));
   status.info.jitterIndex = status.info.frame % 16;

@@ -30,6 +30,7 @@ class FakeRenderer final : public Renderer {
   void setThumbnails(int width, int height) override;
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
+  void setPlayback(const Playback& playback) override;
 
   Status status;
   std::vector<ViewRequest> views;

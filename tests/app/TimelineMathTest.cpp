@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-using taa::app::TimelineScale;
+using namespace taa::app;
 
 TEST(TimelineMath, EveryFrameIsFoundWhereItIsDrawn) {
   for (const int count : {1, 2, 7, 240, 2000}) {
@@ -27,4 +27,16 @@ TEST(TimelineMath, TicksAreRoundAndFarEnoughApart) {
   EXPECT_EQ(scale.tickStep(40.0), 20);
   EXPECT_EQ(scale.tickStep(41.0), 50);
   EXPECT_EQ(scale.ticks(100), (std::vector<int>{0, 100, 200}));
+}
+
+TEST(Timeline, NeighboringFramesAreARun) {
+  using Runs = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(runsOfFrames({1, 2, 3, 7, 9, 10}), (Runs{{1, 3}, {7, 7}, {9, 10}}));
+  EXPECT_EQ(runsOfFrames({}), Runs());
+}
+
+TEST(Timeline, AnEndOfARangePushesTheOther) {
+  EXPECT_EQ(withEnd({10, 20}, false, 15), std::pair(15, 20));
+  EXPECT_EQ(withEnd({10, 20}, false, 25), std::pair(25, 25));
+  EXPECT_EQ(withEnd({10, 20}, true, 5), std::pair(5, 5));
 }

@@ -1,0 +1,17 @@
+#include "app/models/PixelHistory.h"
+
+#include "core/inspect/SampleWeights.h"
+
+#include <algorithm>
+
+namespace taa::app {
+
+int PixelHistory::length() const {
+  return std::clamp(frame - start + 1, 1, kMostFramesBack);
+}
+
+std::vector<double> PixelHistory::nominal() const {
+  return calmAlphas(settings, length());
+}
+
+} // namespace taa::app

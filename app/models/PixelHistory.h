@@ -1,0 +1,29 @@
+// α of a pixel over the frames up to the one on show: as the settings say, and as it was measured.
+#pragma once
+
+#include "core/settings/Settings.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace taa::app {
+
+struct PixelHistory {
+  Settings settings;
+  int frame = 0;
+  int start = 0; ///< where history starts at the latest: the first frame, or the last cut
+  /// Of the active probe, oldest first, up to `frame`; empty: not known.
+  std::vector<double> measured;
+  QString place; ///< of that probe: "(412, 207)"
+
+  /// Frames since history started, as many as can still count.
+  int length() const;
+  /// What the settings come to in a still gray pixel, oldest first.
+  std::vector<double> nominal() const;
+};
+
+/// Frames before that weigh nothing any more that could be seen.
+inline constexpr int kMostFramesBack = 512;
+
+} // namespace taa::app

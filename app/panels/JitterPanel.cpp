@@ -1,0 +1,146 @@
+#include "app/panels/JitterPanel.h"
+
+#include "app/Numbers.h"
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/views/JitterView.h"
+#include "app/widgets/FigureTable.h"
+
+#include "core/render/Jitter.h"
+#include "core/settings/Parameters.h"
+
+#include <QHBoxLayout>
+#include <QHideEvent>
+#include <QLabel>
+#include <QShowEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kRefresh = 100; ///< ms
+
+QString fixed(double value, int digits) {
+  return QString::number(value, 'f', digits).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+QString pair(const glm::dvec2& value) {
+  return QStringLiteral("(%1, %2)").arg(fixed(value.x, 3), fixed(value.y, 3));
+}
+
+QLabel* secondaryLabel() {
+  auto* label = new QLabel;
+  label->setFont(secondaryFont());
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+} // namespace
+
+JitterPanel::JitterPanel(QWidget* parent)
+    : QWidget(parent), view_(new JitterView),
+      table_(new FigureTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
+      title_(new QLabel), summary_(secondaryLabel()), legend_(secondaryLabel()) {
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  columns->setSpacing(4 * kUnit);
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(2 * kUnit);
+  texts->addWidget(title_);
+  texts->addWidget(summary_);
+  texts->addWidget(legend_);
+  texts->addStretch(1);
+  legend_->setText(tr("Disks: samples, with areas as their weights; ringed: this frame's. "
+                      "+ middle of the samples, × with their weights: where the picture's content lies. "
+                      "The grid has as many cells as there are samples, or a few less. "
+                      "Click a sample to go to the frame that took it last."));
+  columns->addWidget(view_, 4);
+  columns->addWidget(table_, 4);
+  columns->addLayout(texts, 5);
+  refresh_.setSingleShot(true);
+  refresh_.setInterval(kRefresh);
+  connect(&refresh_, &QTimer::timeout, this, &JitterPanel::refresh);
+  connect(view_, &JitterView::hovered, this, &JitterPanel::highlight);
+  connect(view_, &JitterView::chosen, this, [this](int index) {
+    const int period = jitterPeriod(history_.settings.jitter);
+    const int back = (jitterIndex(history_.settings.jitter, history_.frame) - index + period) % period;
+    Q_EMIT seekRequested(std::max(0, history_.frame - back));
+  });
+}
+
+void JitterPanel::setHistory(const PixelHistory& history) {
+  history_ = history;
+  if (isVisible() && !refresh_.isActive()) refresh_.start();
+}
+
+QString JitterPanel::summary() const {
+  return summary_->text();
+}
+
+void JitterPanel::highlight(std::optional<int> index) {
+  view_->setHighlighted(index);
+  for (int row = 0; row < table_->topLevelItemCount(); ++row)
+    table_->topLevelItem(row)->setSelected(index == row);
+  if (index && *index < table_->topLevelItemCount()) table_->scrollToItem(table_->topLevelItem(*index));
+}
+
+void JitterPanel::showTable(const JitterPattern& pattern, int current) {
+  const int period = static_cast<int>(pattern.samples.size());
+  std::vector<FigureTable::Row> rows;
+  for (int index = 0; index < period; ++index) {
+    const JitterSample& sample = pattern.samples[static_cast<std::size_t>(index)];
+    const int latest = history_.frame - (current - index + period) % period;
+    const bool isCurrent = index == current;
+    rows.push_back({{isCurrent ? tr("%1 now").arg(index) : QString::number(index),
+                     fixed(sample.position.x - 0.5, 3), fixed(sample.position.y - 0.5, 3),
+                     fixed(100.0 * sample.weight, 2), latest < 0 ? QString() : QString::number(latest)},
+                    {},
+                    isCurrent});
+  }
+  table_->setRows(rows);
+}
+
+void JitterPanel::refresh() {
+  if (!isVisible()) return;
+  const JitterSettings& jitter = history_.settings.jitter;
+  const bool isMeasured = !history_.measured.empty();
+  const std::vector<double> weights = frameWeights(isMeasured ? history_.measured : history_.nominal());
+  const JitterPattern pattern = jitterPattern(jitter, history_.frame, weights);
+  const int current = jitterIndex(jitter, history_.frame);
+  view_->setPattern(pattern, current);
+  showTable(pattern, current);
+  const int period = static_cast<int>(pattern.samples.size());
+  const Parameter& row = parameter("jitter.sequence");
+  const auto choice = static_cast<std::size_t>(row.get(history_.settings));
+  title_->setText(tr("%1, index %2 of %3").arg(qtext(row.choices[choice].label)).arg(current).arg(period));
+  QStringList lines;
+  lines << (isMeasured
+                ? tr("Weights as measured at %1 over %2 frames.").arg(history_.place).arg(weights.size())
+                : tr("Weights by the settings, where nothing moves or changes, over %1 frames.")
+                      .arg(weights.size()));
+  lines << tr("Effective samples: %1 of frames, %2 of the %3 places.")
+               .arg(shortText(effectiveSamples(weights), 3), shortText(pattern.effective, 3))
+               .arg(period);
+  lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
+  lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
+  summary_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void JitterPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (event->spontaneous()) return;
+  refresh();
+  Q_EMIT shownChanged(true);
+}
+
+void JitterPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (!event->spontaneous()) Q_EMIT shownChanged(false);
+}
+
+} // namespace taa::app

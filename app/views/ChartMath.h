@@ -1,0 +1,33 @@
+// The arithmetic of charts: round scales, zooming, values between clicks. No widgets.
+#pragma once
+
+#include <QPointF>
+
+#include <optional>
+#include <vector>
+
+namespace taa::app {
+
+struct Span {
+  double low = 0.0, high = 1.0;
+  double length() const { return high - low; }
+  bool operator==(const Span&) const = default;
+};
+
+/// 1, 2 or 5 times a power of ten, so that `length` has at most `most` such steps.
+double roundStep(double length, int most);
+/// A range around values with round ends: from 0 on where they come near it; a point gets some height.
+Span roundedSpan(const Span& values, int mostSteps);
+/// `shown` made smaller by `factor` (> 1: zooms in) around `center`, inside `all`, no shorter than `least`.
+Span zoomed(const Span& shown, const Span& all, double factor, double center, double least);
+/// `shown` moved by `distance`, inside `all`.
+Span moved(const Span& shown, const Span& all, double distance);
+
+/// Runs of points between gaps (y is NaN).
+std::vector<std::vector<QPointF>> runsOf(const std::vector<QPointF>& points);
+/// y at exactly x; points rise in x. Nothing in a gap.
+std::optional<double> valueAt(const std::vector<QPointF>& points, double x);
+/// Least and greatest finite y of the points with x inside `shown`.
+std::optional<Span> valueSpan(const std::vector<QPointF>& points, const Span& shown);
+
+} // namespace taa::app

@@ -1,0 +1,55 @@
+// The arithmetic of charts.
+#include "app/views/ChartMath.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace taa::app;
+
+namespace {
+const double kGap = std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST(ChartMath, StepsAreOneTwoOrFiveTimesAPowerOfTen) {
+  EXPECT_EQ(roundStep(10.0, 5), 2.0);
+  EXPECT_EQ(roundStep(11.0, 5), 5.0);
+  EXPECT_EQ(roundStep(1.0, 10), 0.1);
+  EXPECT_EQ(roundStep(240.0, 12), 20.0);
+  EXPECT_NEAR(roundStep(0.003, 4), 0.001, 1e-18);
+}
+
+TEST(ChartMath, ScalesEndAtRoundValuesAndStartAtZeroWhereItIsNear) {
+  EXPECT_EQ(roundedSpan({0.1, 0.9}, 5), (Span{0.0, 1.0}));
+  EXPECT_EQ(roundedSpan({8.2, 9.7}, 4), (Span{8.0, 10.0}));
+  EXPECT_EQ(roundedSpan({-3.0, 4.0}, 4), (Span{-4.0, 4.0}));
+  EXPECT_EQ(roundedSpan({0.0, 0.0}, 4), (Span{-1.0, 1.0}));
+  const Span one = roundedSpan({4.0, 4.0}, 4);
+  EXPECT_LT(one.low, 4.0);
+  EXPECT_GT(one.high, 4.0);
+}
+
+TEST(ChartMath, ZoomKeepsWhatIsUnderTheCursorAndStaysInside) {
+  const Span all{0.0, 100.0};
+  EXPECT_EQ(zoomed(all, all, 2.0, 25.0, 4.0), (Span{12.5, 62.5}));
+  EXPECT_EQ(zoomed({12.5, 62.5}, all, 0.5, 25.0, 4.0), all);
+  EXPECT_EQ(zoomed(all, all, 1000.0, 100.0, 4.0), (Span{96.0, 100.0}));
+  EXPECT_EQ(moved({10.0, 20.0}, all, 5.0), (Span{15.0, 25.0}));
+  EXPECT_EQ(moved({10.0, 20.0}, all, 500.0), (Span{90.0, 100.0}));
+  EXPECT_EQ(moved({10.0, 20.0}, all, -500.0), (Span{0.0, 10.0}));
+}
+
+TEST(ChartMath, LinesAreBrokenAtGaps) {
+  const std::vector<QPointF> points{{0, 1}, {1, 2}, {2, kGap}, {3, 4}, {4, kGap}};
+  const auto runs = runsOf(points);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0], (std::vector<QPointF>{{0, 1}, {1, 2}}));
+  EXPECT_EQ(runs[1], (std::vector<QPointF>{{3, 4}}));
+  EXPECT_EQ(valueAt(points, 3), 4.0);
+  EXPECT_FALSE(valueAt(points, 2));
+  EXPECT_FALSE(valueAt(points, 2.5));
+  EXPECT_FALSE(valueAt(points, 9));
+  EXPECT_EQ(valueSpan(points, {0, 4}), (Span{1, 4}));
+  EXPECT_EQ(valueSpan(points, {1, 2}), (Span{2, 2}));
+  EXPECT_FALSE(valueSpan(points, {5, 6}));
+}

@@ -1,0 +1,126 @@
+// The area above the timeline: one page at a time, by key, menu and tab; jitter and weights say what the
+// frame's are.
+#include "app/panels/LowerArea.h"
+
+#include "app/panels/JitterPanel.h"
+#include "app/panels/ProfilerPanel.h"
+#include "app/panels/WeightsPanel.h"
+#include "app/views/CurveChart.h"
+#include "app/views/JitterView.h"
+#include "app/widgets/FigureTable.h"
+#include "core/inspect/SampleWeights.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QTabBar>
+#include <QToolButton>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+class Lower : public test::FakeWindow {
+ protected:
+  void clickTab(LowerPage page) {
+    QTabBar* tabs = window.lower()->tabs();
+    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(static_cast<int>(page)).center());
+    settle();
+  }
+  /// Goes to a frame and opens a page, which shows it after a moment.
+  void openAt(int frame, Qt::Key page) {
+    session.seek(frame);
+    settle();
+    key(page);
+    QTest::qWait(200);
+  }
+  /// Halton of 4 places and a constant α.
+  void useSimpleSettings() {
+    session.setParameter("jitter.period", 4);
+    session.setParameter("weight.source", static_cast<double>(AlphaSource::Constant));
+    session.setParameter("weight.alpha", 0.1);
+    settle();
+  }
+};
+
+} // namespace
+
+TEST_F(Lower, ShowsOnePageAtATimeAndClosesByTheSameKey) {
+  EXPECT_FALSE(window.lower()->isVisible());
+  key(Qt::Key_F7);
+  EXPECT_TRUE(window.jitter()->isVisible());
+  EXPECT_FALSE(renderer->profiling) << "a page that is not shown costs nothing";
+  key(Qt::Key_F11);
+  EXPECT_TRUE(window.profiler()->isVisible());
+  EXPECT_FALSE(window.jitter()->isVisible());
+  EXPECT_TRUE(renderer->profiling);
+  clickTab(LowerPage::Weights);
+  EXPECT_TRUE(window.weights()->isVisible());
+  EXPECT_FALSE(renderer->profiling);
+  EXPECT_TRUE(window.lower()->shows(LowerPage::Weights));
+  key(Qt::Key_F8);
+  EXPECT_FALSE(window.lower()->isVisible());
+  key(Qt::Key_F8);
+  EXPECT_TRUE(window.weights()->isVisible());
+  QTest::mouseClick(window.findChild<QToolButton*>("closeLower"), Qt::LeftButton);
+  EXPECT_FALSE(window.lower()->isVisible());
+}
+
+TEST_F(Lower, PagesHaveIdsForCommandLines) {
+  for (int page = 0; page < kLowerPageCount; ++page)
+    EXPECT_EQ(lowerPageWithId(lowerPageId(static_cast<LowerPage>(page))), static_cast<LowerPage>(page));
+  EXPECT_FALSE(lowerPageWithId("else"));
+}
+
+TEST_F(Lower, JitterShowsEverySampleWithItsWeight) {
+  useSimpleSettings();
+  openAt(5, Qt::Key_F7);
+  const JitterView* view = window.jitter()->view();
+  ASSERT_EQ(view->pattern().samples.size(), 4u);
+  EXPECT_EQ(view->current(), 1) << "frame 5 of a period of 4";
+  // Frames 5 and 1 took sample 1: α + (1 − α)⁴·α.
+  const double alpha = static_cast<double>(0.1f);
+  const double expected = alpha + std::pow(1.0 - alpha, 4.0) * alpha;
+  EXPECT_NEAR(view->pattern().samples[1].weight, expected, 1e-12);
+  const FigureTable* table = window.jitter()->table();
+  ASSERT_EQ(table->topLevelItemCount(), 4);
+  EXPECT_EQ(table->topLevelItem(1)->text(0), "1 now");
+  EXPECT_EQ(table->topLevelItem(1)->text(3), QString::number(100.0 * expected, 'f', 2));
+  EXPECT_EQ(table->topLevelItem(2)->text(4), "2") << "the frame that took it last";
+  EXPECT_GT(view->radiusOf(view->pattern().samples[1]), view->radiusOf(view->pattern().samples[2]));
+}
+
+TEST_F(Lower, AClickOnASampleGoesToTheFrameThatTookItLast) {
+  useSimpleSettings();
+  openAt(9, Qt::Key_F7);
+  JitterView* view = window.jitter()->view();
+  ASSERT_EQ(view->current(), 1);
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->pointOf(view->pattern().samples[3].position).toPoint());
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, 7);
+}
+
+TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
+  useSimpleSettings();
+  openAt(9, Qt::Key_F8);
+  const CurveChart* chart = window.weights()->weights();
+  ASSERT_EQ(chart->curves().size(), 1u) << "no probe has measured anything";
+  const std::vector<QPointF>& points = chart->curves()[0].points;
+  ASSERT_EQ(points.size(), 10u);
+  const double alpha = static_cast<double>(0.1f);
+  EXPECT_NEAR(points[0].y(), alpha, 1e-12);
+  EXPECT_NEAR(points[3].y(), std::pow(1.0 - alpha, 3) * alpha, 1e-12);
+  EXPECT_NEAR(points[9].y(), std::pow(1.0 - alpha, 9), 1e-12) << "frame 0 had no history";
+  const std::vector<QPointF>& samples = window.weights()->samples()->curves()[0].points;
+  EXPECT_NEAR(samples[9].y(), 5.13, 0.005) << "catalogue source 000";
+  EXPECT_TRUE(window.weights()->summary().contains("5.13 effective samples now, 19 at last"))
+      << window.weights()->summary().toStdString();
+}
+
+TEST_F(Lower, AClickOnEffectiveSamplesGoesToThatFrame) {
+  openAt(9, Qt::Key_F8);
+  CurveChart* chart = window.weights()->samples();
+  QTest::mouseClick(chart->viewport(), Qt::LeftButton, {},
+                    {static_cast<int>(std::lround(chart->viewXOf(4.0))), chart->height() / 2});
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, 4);
+}
