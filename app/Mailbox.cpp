@@ -7,6 +7,7 @@ namespace taa::app {
 namespace {
 
 constexpr std::size_t kMostProfiles = 120; // the panel shows no more
+constexpr std::size_t kMostFigures = 4096; // some seconds of a window that does not look
 
 void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
   const auto old = std::ranges::find(thumbnails, newest.id, &Thumbnail::id);
@@ -48,6 +49,11 @@ RenderListener listenerOf(Mailbox& mailbox) {
   };
   listener.onThumbnail = [&mailbox](Thumbnail thumbnail) {
     mailbox.put([&](Delivery& delivery) { keepNewest(delivery.thumbnails, std::move(thumbnail)); });
+  };
+  listener.onFigures = [&mailbox](FrameFigures figures) {
+    mailbox.put([&](Delivery& delivery) {
+      if (delivery.figures.size() < kMostFigures) delivery.figures.push_back(figures);
+    });
   };
   return listener;
 }

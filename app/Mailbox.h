@@ -24,6 +24,7 @@ struct Delivery {
   std::vector<FrameProfile> profiles; ///< all of them: each is a frame
   std::optional<StageCosts> costs;
   std::vector<Thumbnail> thumbnails; ///< the newest of each row
+  std::vector<FrameFigures> figures; ///< all of them: each is of a frame
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

@@ -24,6 +24,8 @@ class ThreadRenderer final : public Renderer {
   void setProfiling(bool profiling) override { thread_.setProfiling(profiling); }
   void measureStages() override { thread_.measureStages(); }
   void setThumbnails(int width, int height) override { thread_.setThumbnails(width, height); }
+  void setReferenceSamples(int samples) override { thread_.setReferenceSamples(samples); }
+  void setFigures(const std::vector<Figure>& figures) override { thread_.setFigures(figures); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }

@@ -31,6 +31,8 @@ class Renderer {
   virtual void setProfiling(bool profiling) = 0;
   virtual void measureStages() = 0;
   virtual void setThumbnails(int width, int height) = 0;
+  virtual void setReferenceSamples(int samples) = 0;
+  virtual void setFigures(const std::vector<Figure>& figures) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
   virtual void setPlayback(const Playback& playback) = 0;

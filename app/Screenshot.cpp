@@ -45,6 +45,7 @@ bool Screenshot::isComplete() const {
     const ViewResult* result = session.picture(static_cast<int>(view));
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
+    if (isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal) return false;
   }
   const PipelinePanel* pipeline = window_.pipeline();
   if (pipeline->isVisible() && pipeline->showsThumbnails() && !pipeline->hasThumbnailsOf(frame_))

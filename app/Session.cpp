@@ -99,6 +99,7 @@ void Session::deliver() {
   for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
+  for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
 }
 
 void Session::open(const QString& source, bool plays) {
@@ -253,6 +254,14 @@ void Session::measureStages() {
 
 void Session::setThumbnails(int width, int height) {
   ask([&](Renderer& renderer) { renderer.setThumbnails(width, height); });
+}
+
+void Session::setReferenceSamples(int samples) {
+  ask([&](Renderer& renderer) { renderer.setReferenceSamples(samples); });
+}
+
+void Session::setFigures(const std::vector<Figure>& figures) {
+  ask([&](Renderer& renderer) { renderer.setFigures(figures); });
 }
 
 void Session::reloadShaders() {

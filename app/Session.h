@@ -77,7 +77,9 @@ class Session : public QObject {
   void setCheckpointBudget(std::size_t bytes);
   void setProfiling(bool profiling);
   void measureStages();
-  void setThumbnails(int width, int height); ///< 0: none
+  void setThumbnails(int width, int height);           ///< 0: none
+  void setReferenceSamples(int samples);               ///< see RenderThread
+  void setFigures(const std::vector<Figure>& figures); ///< arrive by figuresArrived
   void reloadShaders();
   void cancel();
 
@@ -92,6 +94,7 @@ class Session : public QObject {
   void profileArrived(const FrameProfile& profile);
   void stageCostsArrived(const StageCosts& costs);
   void thumbnailArrived(const Thumbnail& thumbnail);
+  void figuresArrived(const FrameFigures& figures);
   void errorOccurred(const QString& sentence);
 
  private:

@@ -14,8 +14,6 @@ namespace taa {
 
 namespace {
 
-constexpr int kMostLanes = 4;
-
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
@@ -59,6 +57,7 @@ void Inspector::open(const std::string& source, const Progress& progress) {
   next.camera = next.scene->shot.camera;
   next.motionModes.clear();
   parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
+  parts_->forgetReferences();
 }
 
 const std::string& Inspector::source() const {
@@ -222,7 +221,7 @@ void Inspector::setCheckpointBudget(std::size_t bytes) {
 void Inspector::watch(const std::vector<IntermediateId>& ids) {
   std::vector<IntermediateId> once;
   for (IntermediateId id : ids)
-    if (std::ranges::find(once, id) == once.end()) once.push_back(id);
+    if (!isOfReference(id) && std::ranges::find(once, id) == once.end()) once.push_back(id);
   parts_->maker.watched = std::move(once);
 }
 
@@ -230,6 +229,7 @@ Image Inspector::image(IntermediateId id, int lane, std::optional<gl::Rect> regi
   const gl::Rect part = region.value_or(gl::Rect{0, 0, width(), height()});
   const gl::PassGroup group(pass_group::kExposure);
   assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= width() && part.y + part.height <= height());
+  if (isOfReference(id)) return parts_->requiredReferenceRows(lane).image(id, part);
   return parts_->maker.exposed(parts_->subject, parts_->shown, id, lane).image(id, part);
 }
 
@@ -237,13 +237,16 @@ std::vector<Image> Inspector::images(const std::vector<IntermediateId>& ids, int
   const ShownLane& shown = parts_->lane(lane);
   std::vector<IntermediateId> missing;
   for (IntermediateId id : ids)
-    if (!(shown.isExposed && shown.watched.holds(id)) && std::ranges::find(missing, id) == missing.end())
+    if (!isOfReference(id) && !(shown.isExposed && shown.watched.holds(id)) &&
+        std::ranges::find(missing, id) == missing.end())
       missing.push_back(id);
   Exposure exposure;
   if (!missing.empty()) exposure = parts_->maker.expose(parts_->subject, parts_->shown, missing, lane);
   std::vector<Image> images;
   images.reserve(ids.size());
-  for (IntermediateId id : ids) images.push_back((exposure.holds(id) ? exposure : shown.watched).image(id));
+  for (IntermediateId id : ids)
+    images.push_back(isOfReference(id) ? image(id, lane)
+                                       : (exposure.holds(id) ? exposure : shown.watched).image(id));
   return images;
 }
 
@@ -260,8 +263,9 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
   const gl::Rect region{left, top, right - left + 1, bottom - top + 1};
   const ShownLane& shown = parts_->lane(lane);
   const gl::PassGroup group(pass_group::kProbe);
-  const std::vector<PixelRecord> inside = probeRegion(parts_->maker.pass, inputs(lane), shown.previous.get(),
-                                                      *shown.current, settings(lane), region);
+  std::vector<PixelRecord> inside = probeRegion(parts_->maker.pass, inputs(lane), shown.previous.get(),
+                                                *shown.current, settings(lane), region);
+  parts_->addReference(inside, region, lane);
   std::vector<PixelRecord> around;
   for (int dy = -radius; dy <= radius; ++dy)
     for (int dx = -radius; dx <= radius; ++dx) {
@@ -274,6 +278,7 @@ std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int la
 Picture Inspector::picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                            int width, int height, int lane) {
   const gl::PassGroup exposing(pass_group::kExposure);
+  if (isOfReference(id)) return parts_->referencePicture(id, style, transform, {width, height}, lane);
   const Exposure& exposure = parts_->maker.exposed(parts_->subject, parts_->shown, id, lane);
   const gl::PassGroup drawing(pass_group::kViews);
   return parts_->visualizer.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id),
@@ -295,6 +300,7 @@ void Inspector::reloadShaders() {
   parts_->visualizer = std::move(visualizer);
   for (ShownLane& lane : parts_->shown.lanes) lane.inputs->areDrawn = false; // with the old ones
   parts_->redraw(parts_->subject, std::vector<bool>(parts_->subject.lanes.size(), true), true);
+  parts_->forgetReferences(); // drawn with the old ones
 }
 
 } // namespace taa

@@ -4,6 +4,7 @@
 
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
+#include "core/inspect/Metrics.h"
 #include "core/inspect/Profiler.h"
 #include "core/inspect/StageMeter.h"
 #include "core/inspect/Visualizer.h"
@@ -21,6 +22,8 @@
 namespace taa {
 
 using reference::PixelRecord;
+
+inline constexpr int kMostLanes = 4;
 
 /// Of 1280 × 720 with the default settings it holds 72 histories.
 inline constexpr std::size_t kDefaultCheckpointBudget = std::size_t(1) << 30;
@@ -121,6 +124,20 @@ class Inspector {
   Picture thumbnail(IntermediateId id, const glm::ivec2& texels, int lane = 0);
   /// Drawn now when they are not.
   const FrameInputs& inputs(int lane = 0) const;
+
+  // Reference: the frame on show supersampled (core/inspect/References.h). It depends on nothing of a lane
+  // but how transparent materials are drawn, and is kept: coming back to the frame finds it. Looking at its
+  // rows (isOfReference()) without one: picture() is empty, image() throws Error, probe() gives NaN.
+  /// Draws until it has `samples`, 4 to 1024; with more it starts anew. Reports after each one; cancelled: it
+  /// keeps what it has. Throws Error.
+  void refineReference(int samples, const Progress& progress = {}, int lane = 0);
+  int referenceSamples(int lane = 0) const; ///< 0: there is none
+  /// Bytes of main memory that references of all frames may use; default kReferenceBudget.
+  void setReferenceBudget(std::size_t bytes);
+  /// Of the output against it. Throws Error where there is none.
+  PictureError referenceError(int lane = 0);
+  /// Figures of the frame on show; those against a reference stay empty where there is none.
+  FrameFigures figures(const std::vector<Figure>& wanted, int lane = 0);
 
   // Measuring: nothing of it is done before it is asked for
   /// Times every pass from now on, or no longer.

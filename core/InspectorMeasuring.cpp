@@ -7,6 +7,10 @@ namespace taa {
 
 Picture Inspector::thumbnail(IntermediateId id, const glm::ivec2& texels, int lane) {
   const gl::PassGroup group(pass_group::kThumbnails);
+  if (isOfReference(id)) {
+    const ViewTransform whole{.zoom = static_cast<float>(texels.x) / static_cast<float>(width())};
+    return parts_->referencePicture(id, defaultStyle(intermediate(id)), whole, texels, lane);
+  }
   return parts_->thumbnails.draw(parts_->maker.pass, parts_->visualizer, parts_->resolved(lane), id, texels);
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/Inspector.h"
 #include "core/inspect/FrameMaker.h"
+#include "core/inspect/ReferenceRows.h"
+#include "core/inspect/References.h"
 #include "core/inspect/Thumbnails.h"
 
 namespace taa {
@@ -19,6 +21,8 @@ struct Inspector::Parts {
   std::optional<gl::PassTimer> timer; // while profiling
   int profiled = 0;                   // frames that the timer had seen at the last profile
   StageMeter stageMeter{gl::timingMethodFor(context.driver())};
+  References references;
+  std::array<ReferenceRows, kMostLanes> comparisons; // with the reference, one a lane
 
   bool isOpen() const { return subject.scene != nullptr; }
   const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
@@ -40,6 +44,17 @@ struct Inspector::Parts {
   /// does not depend on what changed stays.
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
   void prepare(const Settings& settings, std::size_t lane);
+
+  // InspectorReference.cpp
+  ReferenceSubject referenceSubject(int lane) const;
+  /// Those of the frame on show; null where it has no reference.
+  ReferenceRows* referenceRows(int lane);
+  ReferenceRows& requiredReferenceRows(int lane); ///< throws Error instead
+  Picture referencePicture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
+                           const glm::ivec2& size, int lane);
+  /// Writes the rows of the reference into records of `region`, where there is one.
+  void addReference(std::vector<PixelRecord>& around, const gl::Rect& region, int lane);
+  void forgetReferences();
 
  private:
   FrameStep stepOfRedraw(const Subject& next, const std::vector<bool>& changed, bool keepsHistory) const;

@@ -1,5 +1,5 @@
-// What the render thread does besides frames: profiles, the cost of stages; thumbnails and programs in idle
-// time.
+// What the render thread does besides frames: profiles, the cost of stages; thumbnails, programs and the
+// reference in idle time.
 #include "core/RenderWorker.h"
 
 #include <algorithm>
@@ -72,10 +72,13 @@ bool RenderWorker::compileAhead() {
 }
 
 void RenderWorker::useIdleTime() {
-  if (ends_ || hasGoal() || pending_(isAny) || compileAhead()) return;
+  if (ends_ || hasFrameGoal() || pending_(isAny) || compileAhead()) return;
   const auto due = thumbnailDueAt();
   const Clock::time_point began = Clock::now();
-  if (!due || *due > began) return;
+  if (!due || *due > began) {
+    if (const std::optional<int> lane = laneOfReference()) refineReference(*lane);
+    return;
+  }
   const bool isDrawn = attempt([&] {
     const IntermediateId id = thumbnails_.next();
     Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels())};

@@ -174,6 +174,14 @@ void RenderThread::setThumbnails(int width, int height) {
   parts_->post([&](Wishes& wishes) { wishes.thumbnails = glm::ivec2(width, height); });
 }
 
+void RenderThread::setReferenceSamples(int samples) {
+  parts_->post([&](Wishes& wishes) { wishes.referenceSamples = samples; });
+}
+
+void RenderThread::setFigures(const std::vector<Figure>& figures) {
+  parts_->post([&](Wishes& wishes) { wishes.figures = figures; });
+}
+
 void RenderThread::reloadShaders() {
   parts_->post([&](Wishes& wishes) { wishes.reload = true; });
 }

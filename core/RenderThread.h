@@ -30,6 +30,10 @@ struct ViewResult {
   Picture picture;
   Image values;    ///< of `region` when asked for; else empty
   gl::Rect region; ///< pixels of the picture that `values` holds
+  /// Of a row of the reference: how many samples that has, 0: none yet, the picture is empty; and how far the
+  /// output is from it.
+  int referenceSamples = 0;
+  std::optional<PictureError> error{};
   int frame = 0;
   bool exact = true;
 };
@@ -75,6 +79,7 @@ struct Status {
   bool playing = false, exact = true;
   std::optional<int> goal; ///< frame that is on its way, while info.frame is another one near it
   std::size_t checkpointBudget = 0;
+  int referenceGoal = 0; ///< samples that a reference will have
   FrameTimes times;
   gl::Driver driver;
   std::vector<int> cuts;       ///< frames at which history starts anew, besides frame 0
@@ -98,6 +103,7 @@ struct RenderListener {
   std::function<void(FrameProfile)> onProfile{};
   std::function<void(StageCosts)> onStageCosts{};
   std::function<void(Thumbnail)> onThumbnail{};
+  std::function<void(FrameFigures)> onFigures{};
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
@@ -134,6 +140,12 @@ class RenderThread {
   void measureStages();
   /// Thumbnails of the stages at this size, drawn only while nothing else is to be done; 0: none.
   void setThumbnails(int width, int height);
+  /// How many samples a reference has, 4 to 1024. It is drawn while nothing plays and nothing else is to be
+  /// done, as long as a view shows a row of it or figures need it; the views see it with 4, 16, 64 …
+  void setReferenceSamples(int samples);
+  /// Figures of each new frame on show, of each lane, played or not, by onFigures; again when its reference
+  /// has come on. They cost a run of the resolve a frame. None: an empty list.
+  void setFigures(const std::vector<Figure>& figures);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
 

@@ -42,7 +42,7 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback;
+         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures;
 }
 
 bool Wishes::endReplay() const {
@@ -91,6 +91,8 @@ void RenderWorker::apply(const Wishes& wishes) {
     probeDelivered_ = 0;
   }
   applyLooks(wishes);
+  applyReference(wishes);
+  endReference();
 }
 
 void RenderWorker::applySource(const Wishes& wishes) {
@@ -192,6 +194,7 @@ void RenderWorker::deliver() {
     if (statusChanged_ && (goal_ || !inspector_.isExact())) sendStatus();
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
     if (probe_ && probeDelivered_ != version_) deliverProbe();
+    deliverFigures();
     deliverProfile();
   }
   if (statusChanged_) sendStatus();
@@ -200,16 +203,19 @@ void RenderWorker::deliver() {
 void RenderWorker::deliverView(int index) {
   const ViewRequest& view = views_[static_cast<std::size_t>(index)];
   Delivered& last = delivered_[static_cast<std::size_t>(index)];
-  if (view.width <= 0 || view.height <= 0 || (last.version == version_ && last.request == view)) return;
-  last = {view, version_}; // also when it fails: once is enough to tell
+  const Delivered now{view, version_, isOfReference(view.id) ? reference_.version : 0};
+  if (view.width <= 0 || view.height <= 0 || (last == now)) return;
+  last = now; // also when it fails: once is enough to tell
   attempt([&] {
     ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
     result.frame = inspector_.frame();
     result.exact = inspector_.isExact(view.lane);
     result.picture =
         inspector_.picture(view.id, view.style, view.transform, view.width, view.height, view.lane);
+    if (isOfReference(view.id)) addReference(result);
     const gl::Rect region = visiblePixels(view, inspector_.width(), inspector_.height());
-    if (view.withValues && region.width > 0 && region.height > 0) {
+    const bool hasValues = !isOfReference(view.id) || result.referenceSamples > 0;
+    if (view.withValues && hasValues && region.width > 0 && region.height > 0) {
       result.region = region;
       result.values = inspector_.image(view.id, view.lane, region);
     }
@@ -240,6 +246,7 @@ void RenderWorker::sendStatus() {
   status.jitterPeriod = jitterPeriod(status.settings.jitter);
   status.playing = playing_;
   status.driver = inspector_.driver();
+  status.referenceGoal = reference_.goal;
   status.checkpointBudget = inspector_.checkpointBudget();
   status.playback = playback_;
   if (isOpen()) {

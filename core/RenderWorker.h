@@ -30,6 +30,8 @@ struct Wishes {
   std::optional<bool> profiling;
   std::optional<glm::ivec2> thumbnails;
   std::optional<Playback> playback;
+  std::optional<int> referenceSamples;
+  std::optional<std::vector<Figure>> figures;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -50,19 +52,33 @@ class RenderWorker {
   /// Goes on with what is not done: a frame to go to, the next frame of a playing shot, an exact picture.
   void work();
   void deliver();
-  /// When nothing else is to be done, compiles what may be needed soon or draws a thumbnail.
+  /// When nothing else is to be done, compiles what may be needed soon, draws a thumbnail, or goes on with
+  /// the reference.
   void useIdleTime();
 
   /// Whether work() would do something now, besides playing.
-  bool hasGoal() const { return goal_ || needsRefinement() || measuring_; }
+  bool hasGoal() const { return hasFrameGoal() || laneOfReference(); }
   /// When there is something to do again without a wish; nothing: never.
   std::optional<Clock::time_point> wakeAt();
 
  private:
   struct Delivered {
     ViewRequest request;
-    std::uint64_t version = 0;
+    std::uint64_t version = 0, reference = 0;
+    bool operator==(const Delivered&) const = default;
   };
+  /// The reference that is drawn while nothing else is to be done.
+  struct Reference {
+    int goal = kReferenceSamples;
+    std::uint64_t version = 1;   ///< changes with each picture of it that is to be shown
+    std::uint64_t stoppedAt = 0; ///< version of the frame that it was cancelled or failed for
+    bool isTold = false;         ///< somebody was told that it is under way
+  };
+  struct Figures {
+    std::vector<Figure> wanted;
+    std::pair<std::uint64_t, std::uint64_t> deliveredOf; ///< versions of frame and reference
+  };
+  bool hasFrameGoal() const { return goal_ || needsRefinement() || measuring_; }
   bool isOpen() const { return !inspector_.source().empty(); }
   bool needsRefinement() const;
   void applySource(const Wishes& wishes);
@@ -80,6 +96,12 @@ class RenderWorker {
   void measureStages();
   std::optional<Clock::time_point> thumbnailDueAt();
   bool compileAhead();
+  void applyReference(const Wishes& wishes);
+  std::optional<int> laneOfReference() const;
+  void refineReference(int lane);
+  void endReference();
+  void deliverFigures();
+  void addReference(ViewResult& result);
   void sendStatus();
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
   template <typename Action>
@@ -105,6 +127,8 @@ class RenderWorker {
   ThumbnailSchedule thumbnails_;
   std::optional<Settings> prepared_; // to compile
   Playback playback_;
+  Reference reference_;
+  Figures figures_;
 };
 
 // Errors are told and change nothing; returns whether the action was done.

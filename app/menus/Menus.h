@@ -61,12 +61,14 @@ class Menus : public QObject {
   void makeBudgets(QMenu* menu);
   void makeCameras(QMenu* menu);
   void makeObjects(QMenu* menu);
+  void makeReferences(QMenu* menu);
   void refreshObjects(QMenu* menu);
 
   MainWindow& window_;
   std::vector<Command> commands_;
   std::vector<std::function<void()>> refreshers_;
   std::vector<std::string> cameraNames_, objectNames_;
+  IntermediateId beforeReference_ = IntermediateId::resolved; ///< what a key goes back to
 };
 
 } // namespace taa::app

@@ -4,9 +4,12 @@
 #include "app/MainWindow.h"
 #include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewPanel.h"
 #include "core/settings/Presets.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -46,8 +49,34 @@ void Menus::makePipeline() {
       [this] { window_.pipeline()->setAllExpanded(true); });
   add(menu, tr("&Fold all stages"), keys({"Ctrl+Up"}), [this] { window_.pipeline()->setAllExpanded(false); });
   menu->addSeparator();
+  makeReferences(menu->addMenu(tr("&Reference")));
   add(menu, tr("&Measure what each stage costs"), keys({"Shift+F11"}), [this] { window_.measureStages(); });
   add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
+}
+
+void Menus::makeReferences(QMenu* menu) {
+  const auto addRow = [&](IntermediateId id, const QString& text, const char* key) {
+    QAction* action = add(menu, text, keys({key}), [this, id] {
+      const IntermediateId shown = window_.views()->active()->id();
+      if (!isOfReference(shown)) beforeReference_ = shown;
+      window_.showIntermediate(shown == id ? beforeReference_ : id, false);
+    });
+    action->setCheckable(true);
+    onRefresh([this, action, id] { action->setChecked(window_.views()->active()->id() == id); });
+  };
+  addRow(IntermediateId::reference, tr("&Show the reference"), "U");
+  addRow(IntermediateId::referenceError, tr("Show the &error against it"), "Shift+U");
+  addRow(IntermediateId::referenceErrorAbs, tr("Show the &absolute error"), "Ctrl+U");
+  menu->addSeparator();
+  auto* group = new QActionGroup(this);
+  for (const int samples : {4, 16, 64, 256, 1024}) {
+    QAction* action = add(menu, tr("%1 samples in a pixel").arg(samples), {},
+                          [this, samples] { window_.session().setReferenceSamples(samples); });
+    action->setCheckable(true);
+    group->addAction(action);
+    onRefresh(
+        [this, action, samples] { action->setChecked(window_.session().status().referenceGoal == samples); });
+  }
 }
 
 } // namespace taa::app

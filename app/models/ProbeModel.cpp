@@ -88,6 +88,8 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Name) return qtext(row.label);
   if (column == Unit) return qtext(row.unit);
   if (!record_) return {};
+  if (!reference::hasValue(*record_, row.id))
+    return column == Value ? QStringLiteral("—") : tr("no reference drawn");
   const glm::vec4 value = reference::at(*record_, row.id);
   return column == Value ? valueText(row, value) : valueWords(row, value);
 }

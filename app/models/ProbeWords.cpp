@@ -174,6 +174,8 @@ QString valueWords(const Intermediate& row, const glm::vec4& value) {
   case Id::alpha:
   case Id::blendFactor:
     return tr("%1 current").arg(percent(x));
+  case Id::referenceError:
+    return x > 0 ? tr("too bright") : x < 0 ? tr("too dark") : tr("as it should be");
   case Id::blurTrust:
     return x < 1 ? tr("%1 motion blur").arg(percent(1 - x)) : QString();
   default:

@@ -130,7 +130,7 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
 } // namespace
 
 void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
-                 const ThemeColors& colors) {
+                 const ThemeColors& colors, const QString& note) {
   QColor ground = colors.panel;
   ground.setAlpha(232);
   painter.fillRect(strip, ground);
@@ -144,6 +144,7 @@ void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row,
                                             shortText(style.exposure)),
               numberFont(), colors.text);
   pen.write(channelText(row, style), secondaryFont(), colors.secondary);
+  pen.write(note, secondaryFont(), colors.text);
 }
 
 } // namespace taa::app

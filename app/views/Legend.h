@@ -4,6 +4,7 @@
 #include "core/inspect/Visualizer.h"
 
 #include <QRect>
+#include <QString>
 
 class QPainter;
 
@@ -13,8 +14,8 @@ struct ThemeColors;
 
 inline constexpr int kLegendHeight = 22;
 
-/// Paints the strip into `strip` (logical pixels).
+/// Paints the strip into `strip` (logical pixels), `note` at its end.
 void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
-                 const ThemeColors& colors);
+                 const ThemeColors& colors, const QString& note = {});
 
 } // namespace taa::app

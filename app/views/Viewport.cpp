@@ -3,6 +3,7 @@
 #include "app/Theme.h"
 #include "app/views/Legend.h"
 #include "app/views/PixelOverlay.h"
+#include "app/views/ReferenceNote.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -142,7 +143,9 @@ void Viewport::paintEvent(QPaintEvent*) {
     const ScreenRect cell = overlay.pixelRect(*pick_);
     if (cell.y + cell.height > strip.top() - 2 * kUnit && cell.y < height()) strip.moveTop(0);
   }
-  paintLegend(painter, strip, intermediate(id_), style_, colors);
+  const bool isOfResult = result_ && result_->request.id == id_;
+  paintLegend(painter, strip, intermediate(id_), style_, colors,
+              isOfResult ? referenceNote(*result_) : QString());
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {

@@ -1,6 +1,7 @@
 #include "core/cli/Arguments.h"
 
 #include "core/base/Error.h"
+#include "core/inspect/Metrics.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -70,7 +71,11 @@ glm::ivec2 parsePixel(const std::string& text) {
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
   std::vector<IntermediateId> ids;
   for (const std::string& name : names) {
-    if (name == "all") return allRows();
+    if (name == "all") {
+      for (const IntermediateId id : allRows())
+        if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
+      continue;
+    }
     try {
       const IntermediateId id = intermediateNamed(name);
       if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
@@ -79,6 +84,12 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
     }
   }
   return ids;
+}
+
+void checkReferenceSamples(int samples) {
+  if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
+    throw UsageError("--reference-samples " + std::to_string(samples) + ": expected " +
+                     std::to_string(kLeastReferenceSamples) + " to " + std::to_string(kMostReferenceSamples));
 }
 
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {

@@ -41,6 +41,7 @@ struct RenderArguments {
   std::string frames, folder;
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
+  int referenceSamples = 64; ///< of frames whose reference is looked at
   bool json = false;
   bool verbose = false;
 };
@@ -56,6 +57,13 @@ struct ProfileArguments {
   ShotArguments shot;
   std::string frames = "1..30";
   bool json = false;
+};
+
+struct MetricsArguments {
+  ShotArguments shot;
+  std::string frames;
+  int referenceSamples = 64; ///< 0: nothing is compared with a reference
+  bool json = false, csv = false;
 };
 
 /// First and last frame, both included.
@@ -75,6 +83,7 @@ FrameRange parseFrames(const std::string& text); ///< "A..B", or one frame
 glm::ivec2 parseSize(const std::string& text);   ///< "WxH"
 glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
+void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
 

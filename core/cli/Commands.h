@@ -21,4 +21,8 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
 /// Error, Cancelled.
 void runProfile(const ProfileArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Prints figures of a range of frames: RMSE and PSNR against the reference, and what the resolve did.
+/// Throws UsageError, Error, Cancelled.
+void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress);
+
 } // namespace taa::cli

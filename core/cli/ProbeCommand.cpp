@@ -27,7 +27,7 @@ void printRecord(std::ostream& out, const PixelRecord& record) {
   for (const StageInfo& stage : kStages) {
     std::vector<std::vector<std::string>> rows;
     for (const Intermediate& row : kIntermediates)
-      if (row.stage == stage.stage)
+      if (row.stage == stage.stage && reference::hasValue(record, row.id))
         rows.push_back(
             {std::string(row.label), valuesText(row, reference::at(record, row.id)), std::string(row.unit)});
     if (rows.empty()) continue;

@@ -8,6 +8,7 @@
 #include "core/io/FrameJson.h"
 #include "core/io/PictureFile.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -87,6 +88,8 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   const FrameRange range = parseFrames(arguments.frames);
   const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
   const fs::path folder = arguments.folder;
+  const bool showsReference = std::ranges::any_of(ids, isOfReference);
+  if (showsReference) checkReferenceSamples(arguments.referenceSamples);
   Inspector inspector;
   if (arguments.verbose) sayMemory(inspector, plan);
   openShot(inspector, arguments.shot, plan, progress);
@@ -98,6 +101,8 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.seek(frame, frame == range.first ? progress : Progress());
+    for (int lane = 0; showsReference && lane < inspector.laneCount(); ++lane)
+      inspector.refineReference(arguments.referenceSamples, progress, lane);
     if (arguments.format == "png") inspector.watch(ids);
     std::vector<fs::path> paths;
     if (arguments.format == "png")
@@ -112,6 +117,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   if (!arguments.json) return;
   ordered_json json = shotJson(inspector);
   json["frames"] = {range.first, range.last};
+  if (showsReference) json["referenceSamples"] = arguments.referenceSamples;
   for (int lane = 0; lane < inspector.laneCount(); ++lane)
     json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
   json["files"] = files;

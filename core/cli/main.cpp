@@ -64,6 +64,10 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
       ->allow_extra_args(false);
 }
 
+void addReferenceSamples(CLI::App& command, int& samples, const std::string& what) {
+  command.add_option("--reference-samples", samples, "Samples in a pixel " + what)->capture_default_str();
+}
+
 void addList(CLI::App& app, ListArguments& list) {
   CLI::App* command = app.add_subcommand("list", "Say what there is");
   command->add_option("WHAT", list.what, "intermediates, parameters, presets or scenes")
@@ -90,6 +94,7 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
           "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file for each")
       ->check(CLI::IsMember({"exr", "png"}))
       ->capture_default_str();
+  addReferenceSamples(*command, render.referenceSamples, "of references that are emitted, 4 to 1024");
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
                     "Say on standard error how much memory it takes, before it is taken");
@@ -114,13 +119,24 @@ void addProfile(CLI::App& app, ProfileArguments& profile, const taa::Progress& p
   command->callback([&profile, &progress] { runProfile(profile, std::cout, progress); });
 }
 
+void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand(
+      "metrics", "Print RMSE and PSNR of frames against a supersampled reference, and what the resolve did");
+  addShotOptions(*command, metrics.shot);
+  command->add_option("--frames", metrics.frames, "A..B, both included, or one frame")->required();
+  addReferenceSamples(*command, metrics.referenceSamples, "of the reference, 4 to 1024; 0: draw none");
+  command->add_flag("--json", metrics.json, "Print JSON");
+  command->add_flag("--csv", metrics.csv, "Print comma-separated values, a line for each frame and lane");
+  command->callback([&metrics, &progress] { runMetrics(metrics, std::cout, progress); });
+}
+
 /// CLI11 only says that a command is missing when the word in its place is none.
 void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe and profile");
+                   "\"; there are list, render, probe, profile and metrics");
 }
 
 int run(int argc, char** argv) {
@@ -134,6 +150,7 @@ int run(int argc, char** argv) {
   RenderArguments render;
   ProbeArguments probe;
   ProfileArguments profile;
+  MetricsArguments metrics;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
     return line.show(what, done, total);
@@ -142,6 +159,7 @@ int run(int argc, char** argv) {
   addRender(app, render, progress);
   addProbe(app, probe, progress);
   addProfile(app, profile, progress);
+  addMetrics(app, metrics, progress);
   requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

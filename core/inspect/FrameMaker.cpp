@@ -70,6 +70,15 @@ bool isAtHand(const Subject& subject, const Checkpoints& checkpoints, int frame)
 
 } // namespace
 
+FrameRequest Subject::request(std::size_t lane) const {
+  return {.camera = camera,
+          .width = width,
+          .height = height,
+          .jitter = lanes[lane].jitter,
+          .inputs = lanes[lane].inputs,
+          .motionModes = motionModes};
+}
+
 bool startsHistory(const Subject& subject, int frame) {
   return frameInfo(*subject.scene, {}, frame).startsHistory;
 }
@@ -120,14 +129,7 @@ const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown,
   LazyInputs& inputs = *shown.lanes[lane].inputs;
   if (inputs.areDrawn) return inputs.textures;
   const auto start = std::chrono::steady_clock::now();
-  const Settings& settings = subject.lanes[lane];
-  subject.renderer->draw({.camera = subject.camera,
-                          .width = subject.width,
-                          .height = subject.height,
-                          .jitter = settings.jitter,
-                          .inputs = settings.inputs,
-                          .motionModes = subject.motionModes},
-                         shown.frame, inputs.textures);
+  subject.renderer->draw(subject.request(lane), shown.frame, inputs.textures);
   gl::finish();
   shown.sceneMs += millisecondsSince(start);
   inputs.areDrawn = true;

@@ -24,6 +24,9 @@ struct Subject {
   int width = 1280, height = 720;
   std::vector<Settings> lanes{Settings{}};
   std::vector<MotionOverride> motionModes;
+
+  /// What of it a lane draws.
+  FrameRequest request(std::size_t lane) const;
 };
 
 /// Inputs that are drawn when somebody first wants them. Shared by frames on show that want the same.

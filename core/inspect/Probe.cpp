@@ -1,6 +1,19 @@
 #include "core/inspect/Probe.h"
 
+#include <limits>
+
 namespace taa {
+
+namespace {
+
+// Rows that no resolve gives have no value.
+reference::PixelRecord noValues() {
+  reference::PixelRecord record;
+  record.fill(glm::vec4(std::numeric_limits<float>::quiet_NaN()));
+  return record;
+}
+
+} // namespace
 
 std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
                                                 const History* previous, const History& resolved,
@@ -8,7 +21,8 @@ std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs
   const std::vector<IntermediateId> ids = allRows();
   Exposure exposure(ids, region);
   pass.expose(inputs, previous, resolved, settings, exposure);
-  std::vector<reference::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height);
+  std::vector<reference::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height,
+                                              noValues());
   for (IntermediateId id : ids) {
     const Image image = exposure.image(id);
     for (int y = 0; y < region.height; ++y)

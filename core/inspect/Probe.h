@@ -8,8 +8,8 @@
 
 namespace taa {
 
-/// All intermediates of the pixels of `region`, row-major. The region lies inside the picture. `resolved`:
-/// what the resolve made of the same.
+/// All rows that a resolve gives for the pixels of `region`, row-major; those of the reference are NaN. The
+/// region lies inside the picture. `resolved`: what the resolve made of the same.
 std::vector<reference::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inputs,
                                                 const History* previous, const History& resolved,
                                                 const Settings& settings, const gl::Rect& region);

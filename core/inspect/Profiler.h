@@ -41,7 +41,7 @@ std::string_view timingWords(gl::TimingMethod method);
 /// Groups that passes run in while something is looked at (gl::PassGroup), as they are shown.
 namespace pass_group {
 inline constexpr std::string_view kExposure = "Exposing for views", kViews = "Views", kProbe = "Probe",
-                                  kThumbnails = "Thumbnails";
+                                  kThumbnails = "Thumbnails", kReference = "Reference";
 }
 
 /// What `timer` saw since the frame began. `frameMs` as in addedUp().

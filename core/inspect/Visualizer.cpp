@@ -184,6 +184,7 @@ ViewStyle defaultStyle(const Intermediate& row) {
     style.map = ColorMap::Categorical;
     break;
   }
+  if (row.id == IntermediateId::referenceErrorAbs) style.map = ColorMap::Inferno; // dark: as it should be
   return style;
 }
 

@@ -42,6 +42,7 @@ ordered_json floatJson(float value) {
 ordered_json recordJson(const reference::PixelRecord& record) {
   ordered_json json;
   for (const Intermediate& row : kIntermediates) {
+    if (!reference::hasValue(record, row.id)) continue;
     ordered_json& values = json[std::string(row.name)];
     int channel = 0;
     for (const std::string& name : channelNames(row))

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct FrameRequest {
   JitterSettings jitter;
   InputSettings inputs;
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
+  std::optional<glm::vec2> jitterPx = {};       ///< instead of what `jitter` says
+  bool operator==(const FrameRequest&) const = default;
 };
 
 /// ⌈r·W⌉ × ⌈r·H⌉ of a picture of W × H: the size of what is drawn at inputs.renderScale r, px.

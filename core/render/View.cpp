@@ -64,6 +64,7 @@ glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale) {
 View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   View view;
   view.info = frameInfo(scene, request.jitter, frame);
+  if (request.jitterPx) view.info.jitterPx = *request.jitterPx;
   const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const double time = frameTime(scene, frame);

@@ -35,6 +35,7 @@ struct JitterSettings {
   std::int32_t period = 16;    ///< frames until the pattern repeats, 1 to 1024; fixed patterns have their own
   std::int32_t firstIndex = 1; ///< index of the sequence at frame 0; index 0 is the corner (−½, −½)
   float scale = 1.0f;          ///< of the offsets, 0 to 1
+  bool operator==(const JitterSettings&) const = default;
 };
 
 enum class Precision : std::int32_t { Half, Full, Unorm8, Unorm10 }; ///< inputs have the first two
@@ -60,6 +61,7 @@ struct InputSettings {
   InputNoise noise = InputNoise::None; ///< added to the shaded color
   float noiseAmount = 1.0f;            ///< width of the noise, 1/255
   Switch noiseTriangular = Switch::On; ///< two noises summed: twice as wide, variance the same everywhere
+  bool operator==(const InputSettings&) const = default;
 };
 
 enum class DilateMethod : std::int32_t {

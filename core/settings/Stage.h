@@ -1,4 +1,5 @@
-// The stages of the resolve in the order of the data: the one list that tables, panels and files group by.
+// The stages of the resolve in the order of the data, and the reference behind them: the one list that
+// tables, panels and files group by.
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@ enum class Stage : std::uint8_t {
   BlendWeight,
   Blend,
   Output,
+  Reference, ///< what the resolve should have given; no part of it
 };
 
 struct StageInfo {
@@ -30,7 +32,7 @@ struct StageInfo {
   std::string_view main; ///< the intermediate that says most about it (core/taa/Intermediates.h); empty: none
 };
 
-inline constexpr std::array<StageInfo, 12> kStages{{
+inline constexpr std::array<StageInfo, 13> kStages{{
     {Stage::Jitter, "jitter", "Jitter", "Moves the picture by a part of a pixel, a different one each frame.",
      ""},
     {Stage::Inputs, "inputs", "Inputs",
@@ -58,6 +60,10 @@ inline constexpr std::array<StageInfo, 12> kStages{{
      "What is shown of the resolved picture: sharpened, or blurred where it moves fast. Never goes into "
      "history.",
      "output"},
+    {Stage::Reference, "reference", "Reference",
+     "The same instant, supersampled: what the output should be, and how far it is from it. Drawn while "
+     "somebody looks at it.",
+     ""},
 }};
 
 constexpr const StageInfo& stageInfo(Stage stage) {

@@ -47,7 +47,7 @@ std::string nameOf(std::size_t slot) {
 
 // Macros of all rows: assignments to the slots' variables, or nothing.
 std::string macros(std::span<const ExposedSlot> slots) {
-  std::array<std::string, kIntermediateCount> bodies;
+  std::array<std::string, kResolveRowCount> bodies;
   for (std::size_t index = 0; index < slots.size(); ++index)
     for (const ExposedSlot::Part& part : slots[index].parts) {
       const auto channels = static_cast<std::size_t>(intermediate(part.id).channels);
@@ -56,7 +56,7 @@ std::string macros(std::span<const ExposedSlot> slots) {
       bodies[static_cast<std::size_t>(part.id)] = target + " = (value)";
     }
   std::string text;
-  for (const Intermediate& row : kIntermediates)
+  for (const Intermediate& row : kResolveRows)
     text += macro(row.id, bodies[static_cast<std::size_t>(row.id)]);
   return text;
 }

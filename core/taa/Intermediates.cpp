@@ -20,15 +20,14 @@ IntermediateId intermediateNamed(std::string_view name) {
   throw Error("no intermediate is called \"" + std::string(name) + "\"; there are " + all);
 }
 
-std::optional<IntermediateId> mainRow(Stage stage) {
-  return findIntermediate(stageInfo(stage).main);
+std::vector<IntermediateId> allRows() {
+  std::vector<IntermediateId> ids;
+  for (const Intermediate& row : kResolveRows) ids.push_back(row.id);
+  return ids;
 }
 
-std::vector<IntermediateId> allRows() {
-  std::vector<IntermediateId> rows;
-  rows.reserve(kIntermediateCount);
-  for (const Intermediate& row : kIntermediates) rows.push_back(row.id);
-  return rows;
+std::optional<IntermediateId> mainRow(Stage stage) {
+  return findIntermediate(stageInfo(stage).main);
 }
 
 std::vector<IntermediateId> mainRows() {
@@ -52,7 +51,8 @@ std::vector<IntermediateId> rowsOfOutput(const std::vector<IntermediateId>& watc
 
 std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& watched) {
   std::vector<IntermediateId> rows;
-  std::ranges::remove_copy_if(watched, std::back_inserter(rows), isOfOutput);
+  std::ranges::remove_copy_if(watched, std::back_inserter(rows),
+                              [](IntermediateId id) { return isOfOutput(id) || isOfReference(id); });
   return rows;
 }
 

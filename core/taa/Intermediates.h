@@ -4,9 +4,11 @@
 
 #include "core/settings/Stage.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -164,7 +166,14 @@ enum class Visual : std::uint8_t {
       "Share of the resolved color in what is shown; the rest is this frame blurred along its motion.")      \
   ROW(output, "Output", Output, 3, "", 0, 1, Color, 1e-3,                                                    \
       "What is shown: the resolved color sharpened, or blurred where it moves fast, and the overlay over "   \
-      "it; the same as resolved when all are off.")
+      "it; the same as resolved when all are off.")                                                          \
+  ROW(reference, "Reference", Reference, 3, "", 0, 1, Color, 1e-3,                                           \
+      "The same instant drawn many times over the pixel's square, without mip bias and noise, at full "      \
+      "size: the mean, scene-linear.")                                                                       \
+  ROW(referenceError, "Error", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                                  \
+      "Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.")      \
+  ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                          \
+      "Largest difference of output and reference in red, green or blue, scene-linear.")
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,
@@ -198,13 +207,26 @@ constexpr const Intermediate& intermediate(IntermediateId id) {
   return kIntermediates[static_cast<std::size_t>(id)];
 }
 
+/// Whether the row comes from the supersampled picture, not from the frame's own resolve. There is a value
+/// only where a reference was made (Inspector::refineReference).
+constexpr bool isOfReference(IntermediateId id) {
+  return intermediate(id).stage == Stage::Reference;
+}
+
+/// The rows that a resolve gives, with the pass after it: the table without those of the reference, which are
+/// its last.
+inline constexpr std::span<const Intermediate> kResolveRows =
+    std::span(kIntermediates)
+        .first(static_cast<std::size_t>(std::ranges::count_if(
+            kIntermediates, [](const Intermediate& row) { return row.stage != Stage::Reference; })));
+inline constexpr std::size_t kResolveRowCount = kResolveRows.size();
+/// Their ids.
+std::vector<IntermediateId> allRows();
+
 /// The row named `name`, or nothing.
 std::optional<IntermediateId> findIntermediate(std::string_view name);
 /// As above; throws Error naming those there are.
 IntermediateId intermediateNamed(std::string_view name);
-
-/// All rows that a resolve gives, in the order of the table.
-std::vector<IntermediateId> allRows();
 
 /// The row that says most about a stage, or nothing; and those of all stages, in their order.
 std::optional<IntermediateId> mainRow(Stage stage);

@@ -105,6 +105,23 @@ void FakeRenderer::deliverThumbnails() {
   }
 }
 
+void FakeRenderer::setReferenceSamples(int samples) {
+  status.referenceGoal = samples;
+  deliver();
+}
+
+void FakeRenderer::setFigures(const std::vector<Figure>& wanted) {
+  figures = wanted;
+  deliver();
+}
+
+void FakeRenderer::deliverFigures() {
+  if (figures.empty()) return;
+  FrameFigures result{.frame = status.info.frame, .values = {}};
+  for (const Figure figure : figures) result.at(figure) = 0.01 * status.info.frame;
+  listener_.onFigures(result);
+}
+
 /// Frame n: two passes of n and 2n ms, 3 MiB of textures.
 void FakeRenderer::deliverProfile() {
   if (!profiling) return;
@@ -128,6 +145,10 @@ ViewResult FakeRenderer::draw(int view) const {
   result.picture.width = request.width;
   result.picture.height = request.height;
   result.picture.rgba.assign(static_cast<std::size_t>(request.width) * request.height * 4, 160);
+  if (isOfReference(request.id)) {
+    result.referenceSamples = 64;
+    result.error = PictureError{0.0125, 38.25, 0.5};
+  }
   if (!request.withValues) return result;
   result.region = {0, 0, status.width, status.height};
   result.values = Image(status.width, status.height, intermediate(request.id).channels);
@@ -143,6 +164,7 @@ void FakeRenderer::deliver() {
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
   deliverThumbnails();
+  deliverFigures();
   if (!pixel) return;
   ProbeResult result{.x = pixel->x, .y = pixel->y, .frame = status.info.frame, .around = {}};
   for (int y = -1; y <= 1; ++y)

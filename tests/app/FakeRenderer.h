@@ -28,6 +28,8 @@ class FakeRenderer final : public Renderer {
   void setProfiling(bool wanted) override { profiling = wanted; }
   void measureStages() override;
   void setThumbnails(int width, int height) override;
+  void setReferenceSamples(int samples) override;
+  void setFigures(const std::vector<Figure>& wanted) override;
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
   void setPlayback(const Playback& playback) override;
@@ -37,7 +39,8 @@ class FakeRenderer final : public Renderer {
   std::optional<glm::ivec2> pixel;
   std::optional<Settings> prepared; ///< the last ones
   bool isLooping = true, profiling = false;
-  glm::ivec2 thumbnails{0}; ///< size wanted
+  glm::ivec2 thumbnails{0};    ///< size wanted
+  std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
 
@@ -45,6 +48,7 @@ class FakeRenderer final : public Renderer {
   void deliver();
   void deliverThumbnails();
   void deliverProfile();
+  void deliverFigures();
   ViewResult draw(int view) const;
 
   RenderListener listener_;

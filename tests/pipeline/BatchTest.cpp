@@ -1,5 +1,6 @@
 // taa-batch as users and scripts meet it: the real program, its files, its words and its exit codes.
 #include "core/base/Files.h"
+#include "core/inspect/Metrics.h"
 #include "core/io/FrameFile.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
@@ -191,7 +192,7 @@ TEST_F(BatchTest, WritesAFileForEachFrameWithAPartForEachIntermediate) {
   EXPECT_EQ(report["size"], json::array({64, 36}));
   EXPECT_EQ(report["files"][1], (folder / "frame.0002.exr").string());
   std::vector<std::string> ids;
-  for (const taa::Intermediate& row : taa::kIntermediates) ids.emplace_back(row.name);
+  for (const taa::Intermediate& row : taa::kResolveRows) ids.emplace_back(row.name);
   EXPECT_EQ(taa::partNames(folder / "frame.0002.exr"), ids);
   EXPECT_EQ(taa::readPartAttribute(folder / "frame.0002.exr", "color", "taa:frame"), "2");
 }
@@ -234,7 +235,7 @@ TEST_F(BatchTest, ProbesWhatItExports) {
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json report = json::parse(result.out), &lane = report["lanes"][0];
     EXPECT_EQ(lane["settings"]["rectify"]["method"], "clamp");
-    for (const taa::Intermediate& row : taa::kIntermediates) {
+    for (const taa::Intermediate& row : taa::kResolveRows) {
       const std::string id(row.name);
       const std::vector<std::string> channels = taa::channelNames(row);
       const taa::Image image = taa::readPart(folder / "frame.0005.exr", id, channels);
@@ -252,7 +253,7 @@ TEST_F(BatchTest, ShowsAPixelToPeople) {
   const ProcessResult result =
       batch({"probe", "builtin:fence", "--size", "64x36", "--frame", "2", "--pixel", "20,10"});
   ASSERT_EQ(result.exitCode, 0) << result.err;
-  for (const taa::Intermediate& row : taa::kIntermediates)
+  for (const taa::Intermediate& row : taa::kResolveRows)
     EXPECT_NE(result.out.find(std::string(row.label)), std::string::npos) << row.label;
 }
 
@@ -283,4 +284,63 @@ TEST_F(BatchProfile, PrintsPassesStagesAndMemory) {
 TEST(BatchMistakes, ProfileStartsFromFrameOneAndTakesOneLane) {
   expectUsageError({"profile", "builtin:fan", "--frames", "0..3"}, {"--frames 0..3", "from 1"});
   expectUsageError({"profile", "builtin:fan", "--lane", "balanced", "--lane", "sharp"}, {"one lane"});
+}
+
+class BatchMetrics : public taa::test::GlTest {};
+
+TEST_F(BatchMetrics, PrintsFiguresOfEachFrameAndLane) {
+  const std::vector<std::string> command = {
+      "metrics", "builtin:fan",         "--size", "64x36", "--frames", "2..4", "--lane", "balanced", "--lane",
+      "minimal", "--reference-samples", "8"};
+  const ProcessResult result = batch(joined(command, {"--json"}));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["referenceSamples"], 8);
+  EXPECT_EQ(report["figures"].size(), taa::kFigures.size());
+  ASSERT_EQ(report["lanes"].size(), 2u);
+  for (const json& lane : report["lanes"]) {
+    ASSERT_EQ(lane["frames"].size(), 3u);
+    double sum = 0.0;
+    for (const json& frame : lane["frames"]) sum += frame["rmse"].get<double>();
+    EXPECT_GT(sum, 0.0);
+    EXPECT_DOUBLE_EQ(lane["mean"]["rmse"].get<double>(), sum / 3.0);
+    EXPECT_GT(lane["frames"][1]["psnr"].get<double>(), 5.0);
+  }
+  const ProcessResult csv = batch(joined(command, {"--csv"}));
+  ASSERT_EQ(csv.exitCode, 0) << csv.err;
+  EXPECT_TRUE(csv.out.starts_with("frame,lane,preset,meanAlpha,rejected,clipped,")) << csv.out;
+  EXPECT_EQ(std::ranges::count(csv.out, '\n'), 1 + 2 * 3);
+  const std::string first = report["lanes"][0]["frames"][0]["rmse"].dump();
+  EXPECT_NE(csv.out.find(first), std::string::npos) << "the same number, " << first;
+}
+
+TEST_F(BatchMetrics, ComparesWithNothingWhereNoSamplesAreWanted) {
+  const ProcessResult result =
+      batch({"metrics", "builtin:fan", "--size", "64x36", "--frames", "3", "--reference-samples", "0"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.out.find("rmse"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("historyLength (frames)"), std::string::npos) << result.out;
+}
+
+TEST(BatchMistakes, ReferencesHaveFourSamplesAtLeast) {
+  expectUsageError({"metrics", "builtin:fan", "--frames", "0", "--reference-samples", "3"}, {"4 to 1024"});
+  expectUsageError({"render", "builtin:fan", "--frames", "0", "--out", "x", "--emit", "reference",
+                    "--reference-samples", "2000"},
+                   {"2000", "4 to 1024"});
+}
+
+TEST_F(BatchTest, WritesTheReferenceWhereItIsEmitted) {
+  const fs::path folder = freshFolder();
+  const ProcessResult result = render(folder, {"--frames", "3", "--emit", "reference,output,referenceError",
+                                               "--reference-samples", "4", "--json"});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(json::parse(result.out)["referenceSamples"], 4);
+  const fs::path file = folder / "frame.0003.exr";
+  EXPECT_EQ(taa::partNames(file), (std::vector<std::string>{"reference", "output", "referenceError"}));
+  const taa::Image reference = taa::readPart(file, "reference", {"R", "G", "B"});
+  const taa::Image output = taa::readPart(file, "output", {"R", "G", "B"});
+  const taa::Image error = taa::readPart(file, "referenceError", {"V"});
+  const auto luma = [](const float* c) { return (0.2126f * c[0] + 0.7152f * c[1]) + 0.0722f * c[2]; };
+  for (int x = 0; x < 64; x += 7)
+    EXPECT_EQ(error.at(x, 20)[0], luma(output.at(x, 20)) - luma(reference.at(x, 20))) << x;
 }

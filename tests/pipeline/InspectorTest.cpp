@@ -250,7 +250,7 @@ TEST_F(InspectorTest, ProbesWhatThePictureShows) {
     const int x = (sample * 29) % kWidth, y = (sample * 17) % kHeight;
     const taa::PixelRecord record = inspector->probe(x, y);
     for (std::size_t index = 0; index < all.size(); ++index)
-      EXPECT_EQ(record[index], all[index].texel(x, y)) << taa::kIntermediates[index].name;
+      EXPECT_EQ(record[index], all[index].texel(x, y)) << taa::kResolveRows[index].name;
   }
   const std::vector<taa::PixelRecord> corner = inspector->probeAround(0, kHeight - 1, 1);
   ASSERT_EQ(corner.size(), 9u);

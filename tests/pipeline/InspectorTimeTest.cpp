@@ -85,11 +85,11 @@ TEST_F(InspectorTimeTest, RestoresWithoutDrawingWhatIsNotLookedAt) {
   EXPECT_EQ(inspector->times().resolve, 0.0);
   const taa::PixelRecord record = inspector->probe(20, 9);
   EXPECT_GT(inspector->times().scene, 0.0) << "now it is";
-  for (const taa::Intermediate& row : taa::kIntermediates)
+  for (const taa::Intermediate& row : taa::kResolveRows)
     EXPECT_EQ(record[static_cast<std::size_t>(row.id)],
               expected[static_cast<std::size_t>(row.id)].texel(20, 9))
         << row.name;
-  for (const taa::Intermediate& row : taa::kIntermediates)
+  for (const taa::Intermediate& row : taa::kResolveRows)
     EXPECT_TRUE(isSame(inspector->image(row.id), expected[static_cast<std::size_t>(row.id)])) << row.name;
   inspector->seek(5);
   inspector->seek(6);

@@ -25,8 +25,7 @@ class LookingTest : public taa::test::ResolveTest {
   static std::vector<std::vector<IntermediateId>> watches(std::size_t first) {
     std::vector<std::vector<IntermediateId>> watches(3);
     for (std::size_t i = 0; i < 6; ++i)
-      watches[i == 0 ? 0 : 1].push_back(
-          static_cast<IntermediateId>((first + 5 * i) % taa::kIntermediateCount));
+      watches[i == 0 ? 0 : 1].push_back(static_cast<IntermediateId>((first + 5 * i) % taa::kResolveRowCount));
     watches[1].push_back(watches[0][0]);
     watches[2] = taa::allRows();
     return watches;
@@ -64,9 +63,9 @@ TEST_F(LookingTest, ShowsTheSameWhetherItIsAloneOrPacked) {
   const FrameShape shape;
   const taa::reference::Inputs frame = taa::test::randomFrame(shape, 7, true);
   const taa::test::Exposed all = expose(frame, shape, {});
-  for (std::size_t first = 0; first < taa::kIntermediateCount; first += 6) {
+  for (std::size_t first = 0; first < taa::kResolveRowCount; first += 6) {
     std::vector<IntermediateId> watched;
-    for (std::size_t row = first; row < std::min(first + 6, taa::kIntermediateCount); ++row)
+    for (std::size_t row = first; row < std::min(first + 6, taa::kResolveRowCount); ++row)
       watched.push_back(static_cast<IntermediateId>(row));
     Exposure exposure(watched, whole(shape));
     resolve(frame, shape, {}, &exposure);

@@ -12,7 +12,7 @@ std::vector<taa::Image> twinImages(taa::reference::Inputs inputs, const taa::Ima
                                    const taa::Settings& settings) {
   inputs.resolved = resolved;
   std::vector<taa::Image> images;
-  for (const taa::Intermediate& row : taa::kIntermediates)
+  for (const taa::Intermediate& row : taa::kResolveRows)
     images.emplace_back(inputs.outputWidth(), inputs.outputHeight(), row.channels);
   for (int y = 0; y < inputs.outputHeight(); ++y)
     for (int x = 0; x < inputs.outputWidth(); ++x) {
@@ -35,7 +35,7 @@ class TwinTest : public taa::test::ResolveTest {
     const taa::test::Exposed exposed = expose(frame, shape, variant.settings);
     const std::vector<taa::Image> twin =
         twinImages(frame, exposed.at(taa::IntermediateId::resolved), variant.settings);
-    for (const taa::Intermediate& row : taa::kIntermediates) {
+    for (const taa::Intermediate& row : taa::kResolveRows) {
       const taa::Image& expected = twin[static_cast<std::size_t>(row.id)];
       const float tolerance = isExact() ? 0.0f : row.tolerance;
       const std::size_t allowed = isExact() ? 0 : expected.pixels.size() / 100;

@@ -64,12 +64,12 @@ std::string differenceFromTwin(reference::Inputs inputs, const Settings& setting
                                const std::vector<Image>& pictures, bool exact) {
   inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
   std::string first;
-  std::array<std::size_t, kIntermediateCount> outliers{};
+  std::array<std::size_t, kResolveRowCount> outliers{};
   for (int y = 0; y < inputs.outputHeight(); ++y) {
     for (int x = 0; x < inputs.outputWidth(); ++x) {
       const reference::PixelRecord record = reference::resolvePixel(inputs, settings, x, y);
-      for (std::size_t i = 0; i < kIntermediateCount; ++i) {
-        const Intermediate& row = kIntermediates[i];
+      for (std::size_t i = 0; i < kResolveRowCount; ++i) {
+        const Intermediate& row = kResolveRows[i];
         for (int channel = 0; channel < row.channels; ++channel) {
           const float is = pictures[i].at(x, y)[channel];
           const float want = record[i][channel];
@@ -82,9 +82,9 @@ std::string differenceFromTwin(reference::Inputs inputs, const Settings& setting
   const std::size_t pixels = static_cast<std::size_t>(inputs.outputWidth()) * inputs.outputHeight();
   const std::size_t allowed = exact ? 0 : pixels / kPixelsPerOutlier;
   std::string counts;
-  for (std::size_t i = 0; i < kIntermediateCount; ++i) {
+  for (std::size_t i = 0; i < kResolveRowCount; ++i) {
     if (outliers[i] <= allowed) continue;
-    counts += " " + std::string(kIntermediates[i].name) + ": " + std::to_string(outliers[i]);
+    counts += " " + std::string(kResolveRows[i].name) + ": " + std::to_string(outliers[i]);
   }
   return counts.empty() ? "" : first + "; values that differ:" + counts;
 }

@@ -30,6 +30,7 @@ struct Recorder {
   std::vector<FrameProfile> profiles;
   std::vector<StageCosts> costs;
   std::vector<Thumbnail> thumbnails;
+  std::vector<FrameFigures> figures;
   std::function<void(const Work&)> onWork; ///< also called, without the lock
 
   template <typename T>
@@ -52,7 +53,8 @@ struct Recorder {
             .onError = [this](std::string text) { add(errors, std::move(text)); },
             .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
             .onStageCosts = [this](StageCosts cost) { add(costs, std::move(cost)); },
-            .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); }};
+            .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); },
+            .onFigures = [this](FrameFigures result) { add(figures, result); }};
   }
   /// Until `holds` is true of what was said; false after a minute.
   template <typename Condition>
@@ -75,6 +77,7 @@ struct Recorder {
     statuses.clear();
     works.clear();
     errors.clear();
+    figures.clear();
   }
 };
 

@@ -32,7 +32,7 @@ TEST(Arguments, ReadSizesAndPixels) {
 TEST(Arguments, EmitEachIntermediateOnce) {
   using enum taa::IntermediateId;
   EXPECT_EQ(parseEmit({"resolved", "color", "resolved"}), (std::vector{resolved, color}));
-  EXPECT_EQ(parseEmit({"color", "all"}).size(), taa::kIntermediateCount);
+  EXPECT_EQ(parseEmit({"color", "all"}).size(), taa::kResolveRowCount);
   EXPECT_THROW(parseEmit({"colour"}), UsageError);
 }
 

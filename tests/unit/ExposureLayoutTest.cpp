@@ -11,7 +11,7 @@ using taa::ExposedSlot;
 using taa::ExposureLayout;
 using taa::Intermediate;
 using taa::IntermediateId;
-using taa::kIntermediates;
+using taa::kResolveRows;
 
 namespace {
 
@@ -49,7 +49,7 @@ TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
       }
   }
   EXPECT_LE(4 * layout.ofResolve().size(), static_cast<std::size_t>(channels) + 4 * 3) << "three groups";
-  for (const Intermediate& row : kIntermediates) {
+  for (const Intermediate& row : kResolveRows) {
     EXPECT_TRUE(layout.holds(row.id));
     EXPECT_EQ(layout.slot(row.id).parts.empty(), false) << row.name;
   }
@@ -61,7 +61,7 @@ TEST(ExposureLayout, DefinesOneMacroForEveryRow) {
     const auto slots = layout.ofResolve().first(std::min<std::size_t>(layout.ofResolve().size(), 6));
     for (const std::string& text :
          {taa::exposeAsTargets(slots, 2), taa::exposeAsTargets(layout.ofOutput(), 0)}) {
-      for (const Intermediate& row : kIntermediates)
+      for (const Intermediate& row : kResolveRows)
         EXPECT_EQ(count(text, "#define expose_" + std::string(row.name) + "(value)"), 1u) << row.name;
       EXPECT_EQ(count(text, "#define store_exposed()"), 1u);
     }
@@ -70,8 +70,8 @@ TEST(ExposureLayout, DefinesOneMacroForEveryRow) {
 
 TEST(ExposureLayout, WritesNothingButTheMacrosWhenNothingIsWatched) {
   const std::string text = taa::exposeAsTargets({}, 2);
-  EXPECT_EQ(count(text, "\n"), kIntermediates.size() + 1);
-  EXPECT_EQ(count(text, "(value)\n"), kIntermediates.size()) << "every macro is empty";
+  EXPECT_EQ(count(text, "\n"), kResolveRows.size() + 1);
+  EXPECT_EQ(count(text, "(value)\n"), kResolveRows.size()) << "every macro is empty";
 }
 
 TEST(ExposureLayout, GivesTargetsBehindThoseOfTheHistory) {

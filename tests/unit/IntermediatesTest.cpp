@@ -32,6 +32,18 @@ TEST(Intermediates, SayWhatTheyAre) {
   }
 }
 
+TEST(Intermediates, ThoseOfTheReferenceComeLastAndFromNoResolve) {
+  const std::vector<IntermediateId> all = taa::allRows();
+  ASSERT_EQ(all.size(), taa::kResolveRowCount);
+  for (const Intermediate& row : kIntermediates) {
+    const bool isGiven = static_cast<std::size_t>(row.id) < all.size();
+    EXPECT_NE(isGiven, taa::isOfReference(row.id)) << row.name;
+    EXPECT_EQ(taa::rowsOfResolve({row.id}).size() + taa::rowsOfOutput({row.id}).size(), isGiven ? 1u : 0u)
+        << row.name;
+  }
+  EXPECT_EQ(all.back(), IntermediateId::output);
+}
+
 TEST(Intermediates, AreFoundByTheirName) {
   for (const Intermediate& row : kIntermediates) {
     EXPECT_EQ(taa::findIntermediate(row.name), row.id);

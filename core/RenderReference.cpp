@@ -1,0 +1,102 @@
+// What the render thread does for the reference in idle time, and the figures of each frame.
+#include "core/RenderWorker.h"
+
+#include <algorithm>
+
+namespace taa {
+
+namespace {
+
+bool isAny(const Wishes& wishes) {
+  return !wishes.isEmpty();
+}
+
+bool needsReferenceFor(Figure figure) {
+  return figureInfo(figure).needsReference;
+}
+
+// The picture is shown as often as its error halves: with 4, 16, 64 … samples.
+int nextShown(int samples, int goal) {
+  int next = kLeastReferenceSamples;
+  while (next <= samples) next *= 4;
+  return std::min(next, goal);
+}
+
+} // namespace
+
+void RenderWorker::applyReference(const Wishes& wishes) {
+  if (wishes.cancel) reference_.stoppedAt = version_;
+  if (wishes.referenceSamples) {
+    reference_.goal = std::clamp(*wishes.referenceSamples, kLeastReferenceSamples, kMostReferenceSamples);
+    reference_.stoppedAt = 0;
+    statusChanged_ = true;
+  }
+  if (wishes.figures) {
+    figures_.wanted = *wishes.figures;
+    figures_.deliveredOf = {};
+  }
+}
+
+// The lane of the next reference to draw samples of; nothing where each that somebody wants is whole.
+std::optional<int> RenderWorker::laneOfReference() const {
+  if (!isOpen() || playing_ || reference_.stoppedAt == version_) return {};
+  const bool isCompared = std::ranges::any_of(figures_.wanted, needsReferenceFor);
+  for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
+    const bool isShown = std::ranges::any_of(views_, [lane](const ViewRequest& view) {
+      return view.lane == lane && view.width > 0 && view.height > 0 && isOfReference(view.id);
+    });
+    if ((isShown || isCompared) && inspector_.referenceSamples(lane) != reference_.goal) return lane;
+  }
+  return {};
+}
+
+// Until the next picture that is shown, or a wish.
+void RenderWorker::refineReference(int lane) {
+  const auto told = [this](std::string_view, int done, int) {
+    if (listener_.onWork) listener_.onWork({"Drawing the reference", done, reference_.goal});
+    return !ends_ && !pending_(isAny);
+  };
+  const int goal = nextShown(inspector_.referenceSamples(lane), reference_.goal);
+  reference_.isTold = true;
+  bool goesOn = false;
+  const bool isDone = attempt([&] {
+    try {
+      inspector_.refineReference(goal, told, lane);
+    } catch (const Cancelled&) {
+      goesOn = true;
+    }
+  });
+  if (!isDone) reference_.stoppedAt = version_;
+  if (isDone && !goesOn) {
+    ++reference_.version;
+    probeDelivered_ = 0;
+    deliver(); // the last one, too: there may be nothing to do after it
+  }
+  endReference();
+}
+
+// Once nobody waits for it any more.
+void RenderWorker::endReference() {
+  if (!reference_.isTold || laneOfReference()) return;
+  reference_.isTold = false;
+  if (listener_.onWork) listener_.onWork({});
+}
+
+void RenderWorker::deliverFigures() {
+  const std::pair state(version_, reference_.version);
+  if (figures_.wanted.empty() || figures_.deliveredOf == state) return;
+  figures_.deliveredOf = state; // also when it fails: once is enough to tell
+  attempt([&] {
+    for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
+      FrameFigures figures = inspector_.figures(figures_.wanted, lane);
+      if (listener_.onFigures) listener_.onFigures(std::move(figures));
+    }
+  });
+}
+
+void RenderWorker::addReference(ViewResult& result) {
+  result.referenceSamples = inspector_.referenceSamples(result.request.lane);
+  if (result.referenceSamples > 0) result.error = inspector_.referenceError(result.request.lane);
+}
+
+} // namespace taa

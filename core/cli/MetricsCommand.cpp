@@ -1,0 +1,145 @@
+// taa-batch metrics: figures of a range of frames, against the supersampled reference and of the resolve.
+#include "core/cli/Commands.h"
+
+#include "core/cli/Shot.h"
+#include "core/cli/Table.h"
+#include "core/io/FrameJson.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace taa::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Of one lane, frame by frame.
+using LaneFigures = std::vector<FrameFigures>;
+
+std::vector<Figure> figuresWanted(int referenceSamples) {
+  std::vector<Figure> wanted;
+  for (const FigureInfo& info : kFigures)
+    if (referenceSamples > 0 || !info.needsReference) wanted.push_back(info.figure);
+  return wanted;
+}
+
+double meanOf(const LaneFigures& lane, Figure figure) {
+  double sum = 0.0;
+  for (const FrameFigures& frame : lane) sum += frame.at(figure).value();
+  return sum / static_cast<double>(lane.size());
+}
+
+/// As few digits as read back as the same number.
+std::string exactText(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string shortText(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.5g", value);
+  return text.data();
+}
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(exactText(value));
+}
+
+std::string heading(Figure figure) {
+  const FigureInfo& info = figureInfo(figure);
+  return std::string(info.id) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
+}
+
+void printLane(std::ostream& out, const LaneFigures& lane, const std::vector<Figure>& wanted) {
+  std::vector<std::vector<std::string>> table{{"FRAME"}};
+  for (const Figure figure : wanted) table[0].push_back(heading(figure));
+  for (const FrameFigures& frame : lane) {
+    table.push_back({std::to_string(frame.frame)});
+    for (const Figure figure : wanted) table.back().push_back(shortText(frame.at(figure).value()));
+  }
+  table.push_back({"mean"});
+  for (const Figure figure : wanted) table.back().push_back(shortText(meanOf(lane, figure)));
+  printTable(out, table);
+}
+
+void printCsv(std::ostream& out, const std::vector<LaneFigures>& lanes, const ShotPlan& plan,
+              const std::vector<Figure>& wanted) {
+  out << "frame,lane,preset";
+  for (const Figure figure : wanted) out << ',' << figureInfo(figure).id;
+  out << '\n';
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    for (const FrameFigures& frame : lanes[lane]) {
+      out << frame.frame << ',' << plan.lanes.at(lane).name << ',' << plan.lanes.at(lane).preset;
+      for (const Figure figure : wanted) out << ',' << exactText(frame.at(figure).value());
+      out << '\n';
+    }
+}
+
+ordered_json laneOf(const Inspector& inspector, const LaneFigures& figures, const LaneChoice& choice,
+                    int index, const std::vector<Figure>& wanted) {
+  ordered_json json = laneJson(inspector, choice, index);
+  json.erase("jitterIndex"); // of the last frame only
+  json.erase("jitterPx");
+  for (const FrameFigures& frame : figures) {
+    ordered_json row = {{"frame", frame.frame}};
+    for (const Figure figure : wanted)
+      row[std::string(figureInfo(figure).id)] = number(frame.at(figure).value());
+    json["frames"].push_back(row);
+  }
+  for (const Figure figure : wanted)
+    json["mean"][std::string(figureInfo(figure).id)] = number(meanOf(figures, figure));
+  return json;
+}
+
+void printJson(std::ostream& out, const Inspector& inspector, const std::vector<LaneFigures>& lanes,
+               const ShotPlan& plan, int referenceSamples, const std::vector<Figure>& wanted) {
+  ordered_json json = shotJson(inspector);
+  json["referenceSamples"] = referenceSamples;
+  for (const Figure figure : wanted) {
+    const FigureInfo& info = figureInfo(figure);
+    json["figures"].push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
+  }
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    json["lanes"].push_back(
+        laneOf(inspector, lanes[lane], plan.lanes.at(lane), static_cast<int>(lane), wanted));
+  out << json.dump(2) << '\n';
+}
+
+} // namespace
+
+void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress) {
+  if (arguments.json && arguments.csv) throw UsageError("--json and --csv: only one of them");
+  const ShotPlan plan = planShot(arguments.shot);
+  const FrameRange range = parseFrames(arguments.frames);
+  const int samples = arguments.referenceSamples;
+  if (samples != 0) checkReferenceSamples(samples);
+  const std::vector<Figure> wanted = figuresWanted(samples);
+  Inspector inspector;
+  openShot(inspector, arguments.shot, plan, progress);
+  requireFrame(inspector, range.last);
+  std::vector<LaneFigures> lanes(plan.lanes.size());
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    report(progress, "Measuring frames", frame - range.first, range.count());
+    inspector.seek(frame, frame == range.first ? progress : Progress());
+    for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+      if (samples > 0) inspector.refineReference(samples, progress, lane);
+      lanes[static_cast<std::size_t>(lane)].push_back(inspector.figures(wanted, lane));
+    }
+  }
+  if (arguments.json) return printJson(out, inspector, lanes, plan, samples, wanted);
+  if (arguments.csv) return printCsv(out, lanes, plan, wanted);
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+    if (!plan.lanes[lane].name.empty())
+      out << (lane > 0 ? "\n" : "") << "LANE " << plan.lanes[lane].name << ": " << plan.lanes[lane].preset
+          << '\n';
+    printLane(out, lanes[lane], wanted);
+  }
+}
+
+} // namespace taa::cli

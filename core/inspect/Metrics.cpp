@@ -1,0 +1,64 @@
+#include "core/inspect/Metrics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace taa {
+
+namespace {
+
+// Linear light to what a screen is sent (IEC 61966-2-1).
+double shown(float linear) {
+  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+template <typename Of>
+double meanSquare(const Image& picture, const Image& reference, Of of) {
+  double sum = 0.0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        const double difference = of(picture.at(x, y)[channel]) - of(reference.at(x, y)[channel]);
+        sum += difference * difference;
+      }
+  return sum / (3.0 * picture.width * picture.height);
+}
+
+double mean(const Image& row) {
+  return std::accumulate(row.pixels.begin(), row.pixels.end(), 0.0) / static_cast<double>(row.pixels.size());
+}
+
+double percentAbove0(const Image& row) {
+  const auto count = std::ranges::count_if(row.pixels, [](float value) { return value > 0.0f; });
+  return 100.0 * static_cast<double>(count) / static_cast<double>(row.pixels.size());
+}
+
+} // namespace
+
+PictureError pictureError(const Image& picture, const Image& reference) {
+  assert(picture.width == reference.width && picture.height == reference.height);
+  assert(picture.channels >= 3 && reference.channels >= 3 && !picture.empty());
+  PictureError error;
+  error.rmseLinear = std::sqrt(meanSquare(picture, reference, [](float value) { return double(value); }));
+  const double square = meanSquare(picture, reference, shown);
+  error.rmse = std::sqrt(square);
+  error.psnr = square == 0.0 ? std::numeric_limits<double>::infinity() : -10.0 * std::log10(square);
+  return error;
+}
+
+std::optional<Figure> findFigure(std::string_view id) {
+  const auto found = std::ranges::find(kFigures, id, &FigureInfo::id);
+  if (found == kFigures.end()) return {};
+  return found->figure;
+}
+
+double figureOf(Figure figure, const Image& row) {
+  assert(!figureInfo(figure).row.empty() && row.channels == 1 && !row.empty());
+  return figure == Figure::Rejected || figure == Figure::Clipped ? percentAbove0(row) : mean(row);
+}
+
+} // namespace taa

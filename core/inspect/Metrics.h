@@ -1,0 +1,92 @@
+// Figures of a whole picture: how far it is from the reference, and what the resolve did to it.
+#pragma once
+
+#include "core/base/Image.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+/// How many samples a reference may have, and has unless told otherwise.
+inline constexpr int kLeastReferenceSamples = 4, kMostReferenceSamples = 1024, kReferenceSamples = 64;
+
+/// How far a picture is from another one, over red, green and blue of all pixels.
+struct PictureError {
+  /// Root of the mean squared difference of the pictures as they are shown: exposure 0, clamped to 0…1,
+  /// encoded as sRGB. Scene-linear, a few highlights would be all of it.
+  double rmse = 0.0;
+  double psnr = 0.0;       ///< −20 log₁₀ of that, dB: the peak is 1; infinite where they are the same
+  double rmseLinear = 0.0; ///< as the first, but scene-linear and of all there is
+};
+
+/// Both have the same size and three channels at least.
+PictureError pictureError(const Image& picture, const Image& reference);
+
+/// One number for a frame.
+enum class Figure : std::uint8_t {
+  MeanAlpha,
+  Rejected,
+  Clipped,
+  ClipAmount,
+  HistoryLength,
+  Rmse,
+  Psnr,
+  RmseLinear
+};
+
+struct FigureInfo {
+  Figure figure;
+  std::string_view id;    ///< in files and command lines
+  std::string_view label; ///< as a heading
+  std::string_view unit;
+  double low, high; ///< range a plot opens with
+  std::string_view description;
+  std::string_view row;        ///< the intermediate it is made of; empty: of output and reference
+  bool needsReference = false; ///< not known of a frame without a reference
+};
+
+inline constexpr std::array<FigureInfo, 8> kFigures{{
+    {Figure::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
+    {Figure::Rejected, "rejected", "Rejected", "%", 0, 100,
+     "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
+    {Figure::Clipped, "clipped", "Clipped", "%", 0, 100, "Share of pixels whose history was pulled.",
+     "clipAmount"},
+    {Figure::ClipAmount, "clipAmount", "Mean clip amount", "", 0, 1,
+     "How far history was pulled towards its target, the mean over all pixels.", "clipAmount"},
+    {Figure::HistoryLength, "historyLength", "Mean history length", "frames", 0, 20,
+     "Mean number of samples that a pixel holds after the frame.", "historyLength"},
+    {Figure::Rmse, "rmse", "RMSE", "", 0, 0.1,
+     "Root of the mean squared difference of output and reference as they are shown: clamped to 0…1, sRGB, "
+     "over red, green and blue.",
+     "", true},
+    {Figure::Psnr, "psnr", "PSNR", "dB", 10, 60,
+     "Peak signal to noise of output against reference as they are shown, −20 log₁₀ RMSE: the peak is 1.", "",
+     true},
+    {Figure::RmseLinear, "rmseLinear", "RMSE, scene-linear", "", 0, 1,
+     "As RMSE, but scene-linear and not clamped: bright highlights count for what they are.", "", true},
+}};
+
+constexpr const FigureInfo& figureInfo(Figure figure) {
+  return kFigures[static_cast<std::size_t>(figure)];
+}
+std::optional<Figure> findFigure(std::string_view id);
+
+/// Figures of one lane of a frame; those that were not asked for or are not known are empty.
+struct FrameFigures {
+  int frame = 0, lane = 0;
+  bool exact = true;        ///< of the frame
+  int referenceSamples = 0; ///< of the reference that RMSE and PSNR were taken against; 0: there was none
+  std::array<std::optional<double>, kFigures.size()> values;
+
+  const std::optional<double>& at(Figure figure) const { return values[static_cast<std::size_t>(figure)]; }
+  std::optional<double>& at(Figure figure) { return values[static_cast<std::size_t>(figure)]; }
+};
+
+/// The figure from the picture of its row; expects that it has one.
+double figureOf(Figure figure, const Image& row);
+
+} // namespace taa

@@ -1,0 +1,114 @@
+// The reference and the figures of frames, on the render thread.
+#include "tests/support/RenderRecorder.h"
+
+#include <algorithm>
+
+using taa::Figure;
+using taa::IntermediateId;
+using taa::test::onThread::viewOf;
+
+namespace {
+constexpr auto kWork = "Drawing the reference";
+} // namespace
+
+class RenderReferenceTest : public taa::test::onThread::RenderThreadTest {
+ protected:
+  std::vector<int> samplesShown() {
+    std::vector<int> samples;
+    for (const taa::ViewResult& picture : recorder.pictures)
+      if (taa::isOfReference(picture.request.id)) samples.push_back(picture.referenceSamples);
+    return samples;
+  }
+};
+
+TEST_F(RenderReferenceTest, IsRefinedWhileAViewShowsIt) {
+  thread->setReferenceSamples(48);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.statuses.back().referenceGoal, 48);
+  EXPECT_TRUE(recorder.works.empty() || recorder.works.back().what != kWork) << "nobody looks";
+  thread->setViews({viewOf(IntermediateId::reference), viewOf(IntermediateId::resolved)});
+  thread->waitUntilIdle();
+  EXPECT_EQ(samplesShown(), (std::vector{0, 4, 16, 48}));
+  EXPECT_FALSE(recorder.pictures.front().error);
+  const taa::ViewResult& last = recorder.pictures.back();
+  ASSERT_TRUE(last.error);
+  EXPECT_GT(last.error->rmse, 0.0);
+  EXPECT_EQ(std::ranges::count(recorder.pictures, IntermediateId::resolved,
+                               [](const taa::ViewResult& picture) { return picture.request.id; }),
+            1)
+      << "the others are not drawn again";
+  const auto told = std::ranges::find(recorder.works, 48, &taa::Work::done);
+  ASSERT_NE(told, recorder.works.end());
+  EXPECT_EQ(told->what, kWork);
+  EXPECT_EQ(told->total, 48);
+  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
+  bool asked = false;
+  recorder.onWork = [&](const taa::Work& work) {
+    if (work.what != kWork || work.done < 20 || asked) return;
+    asked = true;
+    thread->probe(glm::ivec2(3, 4));
+    thread->cancel();
+  };
+  thread->setReferenceSamples(1024);
+  thread->setViews({viewOf(IntermediateId::referenceError)});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.probes.size(), 1u);
+  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_EQ(samplesShown().back(), 16);
+  thread->setReferenceSamples(16); // fewer than there are: anew
+  thread->waitUntilIdle();
+  EXPECT_EQ(samplesShown().back(), 16);
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.pictures.back().frame, 1);
+  EXPECT_EQ(samplesShown().back(), 16) << "another frame starts again by itself";
+}
+
+TEST_F(RenderReferenceTest, IsNotDrawnWhilePlaying) {
+  thread->setReferenceSamples(4);
+  thread->setPlaying(true);
+  thread->setViews({viewOf(IntermediateId::reference)});
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.pictures.size() > 3; }));
+  recorder.read([&] {
+    for (const int samples : samplesShown()) EXPECT_EQ(samples, 0);
+  });
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  EXPECT_EQ(samplesShown().back(), 4);
+}
+
+TEST_F(RenderReferenceTest, FiguresComeWithEachFrameThatIsShown) {
+  thread->setFigures({Figure::MeanAlpha, Figure::HistoryLength});
+  thread->step(1);
+  thread->waitUntilIdle();
+  thread->step(1);
+  thread->waitUntilIdle();
+  ASSERT_GE(recorder.figures.size(), 2u);
+  const taa::FrameFigures& last = recorder.figures.back();
+  EXPECT_EQ(last.frame, 2);
+  EXPECT_TRUE(last.exact);
+  ASSERT_TRUE(last.at(Figure::MeanAlpha) && last.at(Figure::HistoryLength));
+  EXPECT_GT(*last.at(Figure::HistoryLength), 1.0);
+  EXPECT_FALSE(last.at(Figure::Rmse));
+  thread->setFigures({});
+  thread->waitUntilIdle();
+  const std::size_t before = recorder.figures.size();
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.figures.size(), before);
+}
+
+TEST_F(RenderReferenceTest, AFigureAgainstTheReferenceHasItDrawn) {
+  thread->setReferenceSamples(8);
+  thread->setFigures({Figure::Rmse});
+  thread->waitUntilIdle();
+  ASSERT_FALSE(recorder.figures.empty());
+  EXPECT_FALSE(recorder.figures.front().at(Figure::Rmse)) << "at once, as far as it is known";
+  EXPECT_EQ(recorder.figures.back().referenceSamples, 8);
+  ASSERT_TRUE(recorder.figures.back().at(Figure::Rmse));
+  EXPECT_GT(*recorder.figures.back().at(Figure::Rmse), 0.0);
+}
