@@ -26,6 +26,7 @@ class ThreadRenderer final : public Renderer {
   void setThumbnails(int width, int height) override { thread_.setThumbnails(width, height); }
   void setReferenceSamples(int samples) override { thread_.setReferenceSamples(samples); }
   void setFigures(const std::vector<Figure>& figures) override { thread_.setFigures(figures); }
+  void setOtherLanes(const std::vector<Settings>& lanes) override { thread_.setOtherLanes(lanes); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }

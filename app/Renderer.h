@@ -33,6 +33,7 @@ class Renderer {
   virtual void setThumbnails(int width, int height) = 0;
   virtual void setReferenceSamples(int samples) = 0;
   virtual void setFigures(const std::vector<Figure>& figures) = 0;
+  virtual void setOtherLanes(const std::vector<Settings>& lanes) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
   virtual void setPlayback(const Playback& playback) = 0;

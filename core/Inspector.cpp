@@ -119,11 +119,15 @@ int Inspector::height() const {
   return parts_->subject.height;
 }
 
-void Inspector::setLanes(const std::vector<Settings>& lanes) {
+void Inspector::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMostLanes)
     throw Error("cannot run " + std::to_string(lanes.size()) + " lanes: there are one to " +
                 std::to_string(kMostLanes));
   checkSize(width(), height(), lanes, parts_->maker.watched, driver());
+}
+
+void Inspector::setLanes(const std::vector<Settings>& lanes) {
+  checkLanes(lanes);
   Subject next = parts_->subject;
   next.lanes = lanes;
   std::vector<Checkpoints> kept(lanes.size());

@@ -5,6 +5,7 @@
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
 #include "core/inspect/Metrics.h"
+#include "core/inspect/Look.h"
 #include "core/inspect/Profiler.h"
 #include "core/inspect/StageMeter.h"
 #include "core/inspect/Visualizer.h"
@@ -71,6 +72,9 @@ class Inspector {
 
   // Lanes: one to four (settings, history) pairs on the same inputs
   void setLanes(const std::vector<Settings>& lanes);
+  /// The first ones stay as they are, others come and go at once: a new one has no history, so that it is not
+  /// exact until refine() or a seek.
+  void changeLanes(const std::vector<Settings>& lanes);
   int laneCount() const;
   const Settings& settings(int lane = 0) const;
   /// Resolves the current frame again at once, on the history it had: isExact() is false until refine() or a
@@ -94,6 +98,7 @@ class Inspector {
   void refine(const Progress& progress = {});
   /// False while the picture rests on history from old settings (the badge).
   bool isExact(int lane = 0) const;
+  bool areAllExact() const;
   FrameTimes times() const;
   /// How many frames seek(frame) resolves: 0 when all of it is kept.
   int replayLength(int frame) const;
@@ -120,6 +125,19 @@ class Inspector {
   /// The finished picture of a view.
   Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
                   int height, int lane = 0);
+  // Beside the frame on show, others can be kept at hand
+  /// These frames of all lanes from now on, exactly, and no others, until anything but the frame changes.
+  /// Cancelled: those that are done are kept.
+  void keepAside(const std::vector<int>& frames, const Progress& progress = {});
+  /// Whether its frame is the one on show or kept aside, and its lane is there.
+  bool isAtHand(const Look& look) const;
+  bool isExact(const Look& look) const;
+  /// The picture of a view, or of what it is more than `minus` (of as many channels). Expects isAtHand().
+  Picture picture(const Look& look, const std::optional<Look>& minus, const ViewStyle& style,
+                  const ViewTransform& transform, int width, int height);
+  /// Values of a part of the picture, or of the difference.
+  Image image(const Look& look, const std::optional<Look>& minus, const gl::Rect& region);
+
   /// A small picture of it in the style it opens with; costs only the pixels that are in it.
   Picture thumbnail(IntermediateId id, const glm::ivec2& texels, int lane = 0);
   /// Drawn now when they are not.
@@ -153,6 +171,9 @@ class Inspector {
   void reloadShaders();
 
  private:
+  /// Throws Error when there are too many or the memory is too small for them.
+  void checkLanes(const std::vector<Settings>& lanes) const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -50,6 +50,7 @@ void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, in
   ShownFrame made = maker.replay(next, kept, frame, budget, {});
   subject = std::move(next);
   checkpoints = std::move(kept);
+  aside.clear();
   show(std::move(made));
 }
 
@@ -89,6 +90,7 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
     lane.asked.reset();
   }
   subject = std::move(next);
+  aside.clear();
   show(std::move(made));
   keepShown();
 }

@@ -16,6 +16,7 @@ struct Inspector::Parts {
   Visualizer visualizer;
   std::vector<Checkpoints> checkpoints{1}; // one a lane
   ShownFrame shown;
+  std::vector<ShownFrame> aside; // frames to compare with, of the same subject
   std::size_t budget = kDefaultCheckpointBudget;
   Thumbnails thumbnails;
   std::optional<gl::PassTimer> timer; // while profiling
@@ -38,12 +39,17 @@ struct Inspector::Parts {
   void show(ShownFrame&& next);
   void keepShown();
   void goTo(int frame, const Progress& progress);
+  /// The frame that is looked at; null when it is not at hand.
+  ShownFrame* find(const std::optional<int>& frame);
   /// Another source or other lanes: all is made first, then put in place of what there was.
   void startAnew(Subject next, std::vector<Checkpoints> kept, int frame);
   /// The frame on show with other settings, at once: changed lanes on the history they had, or on none. What
   /// does not depend on what changed stays.
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
   void prepare(const Settings& settings, std::size_t lane);
+
+  /// What a view draws: rows of the frame, of another one, of the reference.
+  DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);
 
   // InspectorReference.cpp
   ReferenceSubject referenceSubject(int lane) const;

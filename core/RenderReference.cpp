@@ -43,7 +43,8 @@ std::optional<int> RenderWorker::laneOfReference() const {
   const bool isCompared = std::ranges::any_of(figures_.wanted, needsReferenceFor);
   for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
     const bool isShown = std::ranges::any_of(views_, [lane](const ViewRequest& view) {
-      return view.lane == lane && view.width > 0 && view.height > 0 && isOfReference(view.id);
+      const auto isIt = [lane](const auto& side) { return side.lane == lane && isOfReference(side.id); };
+      return view.width > 0 && view.height > 0 && (isIt(view) || (view.other && isIt(*view.other)));
     });
     if ((isShown || isCompared) && inspector_.referenceSamples(lane) != reference_.goal) return lane;
   }

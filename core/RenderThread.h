@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/ViewRequest.h"
 
 #include <functional>
 #include <memory>
@@ -11,32 +12,6 @@
 #include <vector>
 
 namespace taa {
-
-/// One view on the screen. A picture is delivered again whenever what it shows or how has changed.
-struct ViewRequest {
-  IntermediateId id = IntermediateId::resolved;
-  ViewStyle style;
-  ViewTransform transform;
-  int width = 0, height = 0; ///< screen pixels; 0: not shown
-  int lane = 0;
-  bool withValues = false; ///< also deliver the values of the visible texels (for printing them when large)
-  bool operator==(const ViewRequest&) const = default;
-};
-
-/// A finished picture of a view, with what it was made from.
-struct ViewResult {
-  int view = 0; ///< index into the views
-  ViewRequest request;
-  Picture picture;
-  Image values;    ///< of `region` when asked for; else empty
-  gl::Rect region; ///< pixels of the picture that `values` holds
-  /// Of a row of the reference: how many samples that has, 0: none yet, the picture is empty; and how far the
-  /// output is from it.
-  int referenceSamples = 0;
-  std::optional<PictureError> error{};
-  int frame = 0;
-  bool exact = true;
-};
 
 struct ProbeResult {
   int x = 0, y = 0, frame = 0;
@@ -122,6 +97,9 @@ class RenderThread {
   void setCamera(const std::string& name);
   void setMotionModes(const std::vector<MotionOverride>& modes);
   void setSettings(const Settings& settings); ///< answered at once on the old history, then exactly
+  /// Settings of the lanes after the first, to compare with: at most three. At once without history, then
+  /// exactly.
+  void setOtherLanes(const std::vector<Settings>& lanes);
   /// Compiles what these will need when nothing else is to be done and nothing plays: somebody looks at a
   /// choice and may take it.
   void prepare(const Settings& settings);

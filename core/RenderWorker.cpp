@@ -13,23 +13,8 @@ namespace taa {
 
 namespace {
 
-// The pixels of the picture that a view shows, whole ones.
-gl::Rect visiblePixels(const ViewRequest& view, int width, int height) {
-  const auto edge = [](float position, int size) {
-    return static_cast<int>(std::clamp(position, 0.0f, static_cast<float>(size)));
-  };
-  const glm::vec2 from = view.transform.origin;
-  const glm::vec2 to = from + glm::vec2(view.width, view.height) / view.transform.zoom;
-  const int left = edge(std::floor(from.x), width), top = edge(std::floor(from.y), height);
-  return {left, top, edge(std::ceil(to.x), width) - left, edge(std::ceil(to.y), height) - top};
-}
-
 bool stopsOpening(const Wishes& wishes) {
   return wishes.source || wishes.cancel;
-}
-
-bool stopsReplayAtOnce(const Wishes& wishes) {
-  return wishes.endReplay();
 }
 
 // Any wish is answered between two frames; what was replayed until then is kept, and the replay goes on.
@@ -42,11 +27,17 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures;
+         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
+         !otherLanes;
 }
 
 bool Wishes::endReplay() const {
-  return reload || cancel || source || camera || size || motionModes || settings || frame || steps != 0;
+  return reload || cancel || source || camera || size || motionModes || settings || frame || steps != 0 ||
+         otherLanes;
+}
+
+bool endsReplay(const Wishes& wishes) {
+  return wishes.endReplay();
 }
 
 RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
@@ -69,6 +60,7 @@ void RenderWorker::apply(const Wishes& wishes) {
   if (wishes.cancel) {
     goal_.reset();
     refinementStopped_ = statusChanged_ = true;
+    stopAside();
   }
   if (wishes.checkpointBudget) {
     inspector_.setCheckpointBudget(*wishes.checkpointBudget);
@@ -79,10 +71,8 @@ void RenderWorker::apply(const Wishes& wishes) {
   if (wishes.views) {
     views_ = *wishes.views;
     delivered_.resize(views_.size());
-    std::vector<IntermediateId> ids;
-    for (const ViewRequest& view : views_)
-      if (view.width > 0 && view.height > 0) ids.push_back(view.id);
-    inspector_.watch(ids);
+    inspector_.watch(rowsOf(views_));
+    if (isOpen() && asideFrames().empty()) inspector_.keepAside({});
   }
   applySource(wishes);
   applyTime(wishes);
@@ -120,6 +110,7 @@ void RenderWorker::applySource(const Wishes& wishes) {
     change([&] { inspector_.setMotionModes(*wishes.motionModes); });
   if (wishes.settings && !(*wishes.settings == inspector_.settings()))
     change([&] { inspector_.setSettings(*wishes.settings); });
+  if (wishes.otherLanes) change([&] { applyLanes(*wishes.otherLanes); });
 }
 
 void RenderWorker::applyTime(const Wishes& wishes) {
@@ -140,7 +131,7 @@ void RenderWorker::applyTime(const Wishes& wishes) {
 }
 
 bool RenderWorker::needsRefinement() const {
-  return isOpen() && !playing_ && !refinementStopped_ && !inspector_.isExact();
+  return isOpen() && !playing_ && !refinementStopped_ && !inspector_.areAllExact();
 }
 
 void RenderWorker::work() {
@@ -148,12 +139,14 @@ void RenderWorker::work() {
   if (goal_ && goNear()) return;
   if (goal_)
     replay(*goal_, "Going to frame " + std::to_string(*goal_));
-  else if (measuring_ && !needsRefinement())
+  else if (measuring_ && !needsRefinement() && !needsAside())
     measureStages();
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
     replay(inspector_.frame(), "Replaying with the new settings");
+  else if (needsAside())
+    makeAside();
 }
 
 // Before a long way: shows the nearest frame at hand when it is much nearer than what is on show, and tells
@@ -171,11 +164,11 @@ bool RenderWorker::goNear() {
 // Goes to a frame, as far as wishes let it; what they interrupt is taken up again by the next work().
 void RenderWorker::replay(int frame, const std::string& what) {
   const int oldFrame = inspector_.frame();
-  const bool wasExact = inspector_.isExact();
+  const bool wasExact = inspector_.areAllExact();
   bool isCancelled = false;
   attempt([&] {
     try {
-      inspector_.seek(frame, progress(what, stopsReplayAtOnce));
+      inspector_.seek(frame, progress(what, endsReplay));
     } catch (const Cancelled&) {
       isCancelled = true;
     }
@@ -183,8 +176,8 @@ void RenderWorker::replay(int frame, const std::string& what) {
   if (listener_.onWork) listener_.onWork({});
   if (isCancelled) return;
   if (std::exchange(goal_, {})) statusChanged_ = true;
-  if (!inspector_.isExact()) refinementStopped_ = true; // it failed
-  if (inspector_.frame() == oldFrame && inspector_.isExact() == wasExact) return;
+  if (!inspector_.areAllExact()) refinementStopped_ = true; // it failed
+  if (inspector_.frame() == oldFrame && inspector_.areAllExact() == wasExact) return;
   ++version_;
   statusChanged_ = true;
 }
@@ -198,29 +191,6 @@ void RenderWorker::deliver() {
     deliverProfile();
   }
   if (statusChanged_) sendStatus();
-}
-
-void RenderWorker::deliverView(int index) {
-  const ViewRequest& view = views_[static_cast<std::size_t>(index)];
-  Delivered& last = delivered_[static_cast<std::size_t>(index)];
-  const Delivered now{view, version_, isOfReference(view.id) ? reference_.version : 0};
-  if (view.width <= 0 || view.height <= 0 || (last == now)) return;
-  last = now; // also when it fails: once is enough to tell
-  attempt([&] {
-    ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
-    result.frame = inspector_.frame();
-    result.exact = inspector_.isExact(view.lane);
-    result.picture =
-        inspector_.picture(view.id, view.style, view.transform, view.width, view.height, view.lane);
-    if (isOfReference(view.id)) addReference(result);
-    const gl::Rect region = visiblePixels(view, inspector_.width(), inspector_.height());
-    const bool hasValues = !isOfReference(view.id) || result.referenceSamples > 0;
-    if (view.withValues && hasValues && region.width > 0 && region.height > 0) {
-      result.region = region;
-      result.values = inspector_.image(view.id, view.lane, region);
-    }
-    if (listener_.onPicture) listener_.onPicture(std::move(result));
-  });
 }
 
 void RenderWorker::deliverProbe() {

@@ -32,11 +32,18 @@ struct Wishes {
   std::optional<Playback> playback;
   std::optional<int> referenceSamples;
   std::optional<std::vector<Figure>> figures;
+  std::optional<std::vector<Settings>> otherLanes;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
   bool endReplay() const;
 };
+
+/// A question for RenderWorker's `pending`.
+bool endsReplay(const Wishes& wishes);
+
+/// The rows that views show, with those that lie over them.
+std::vector<IntermediateId> rowsOf(const std::vector<ViewRequest>& views);
 
 /// Lives on the render thread, with the Inspector. `pending` answers what has been wished for since: called
 /// with a function that looks at the wishes while nobody changes them.
@@ -64,7 +71,7 @@ class RenderWorker {
  private:
   struct Delivered {
     ViewRequest request;
-    std::uint64_t version = 0, reference = 0;
+    std::uint64_t version = 0, asides = 0, reference = 0;
     bool operator==(const Delivered&) const = default;
   };
   /// The reference that is drawn while nothing else is to be done.
@@ -78,9 +85,10 @@ class RenderWorker {
     std::vector<Figure> wanted;
     std::pair<std::uint64_t, std::uint64_t> deliveredOf; ///< versions of frame and reference
   };
-  bool hasFrameGoal() const { return goal_ || needsRefinement() || measuring_; }
+  bool hasFrameGoal() const { return goal_ || needsRefinement() || needsAside() || measuring_; }
   bool isOpen() const { return !inspector_.source().empty(); }
   bool needsRefinement() const;
+  bool needsAside() const;
   void applySource(const Wishes& wishes);
   void applyTime(const Wishes& wishes);
   void applyLooks(const Wishes& wishes);
@@ -90,7 +98,13 @@ class RenderWorker {
   bool goNear();
   void replay(int frame, const std::string& what);
   void setPlaying(bool playing);
+  void applyLanes(const std::vector<Settings>& others);
+  std::optional<int> otherFrame(const ViewRequest& view) const;
+  std::vector<int> asideFrames() const;
+  void makeAside();
+  void stopAside();
   void deliverView(int index);
+  ViewResult draw(int index, const Look& look, const std::optional<Look>& other);
   void deliverProbe();
   void deliverProfile();
   void measureStages();
@@ -121,6 +135,9 @@ class RenderWorker {
   std::vector<std::string> objects_; // of the scene
   std::vector<ViewRequest> views_;
   std::vector<Delivered> delivered_;
+  std::uint64_t asides_ = 1;       // changes when frames beside the one on show are at hand
+  std::uint64_t asideStopped_ = 0; // version for which these were cancelled or failed: not again
+  std::vector<int> framesStopped_;
   std::optional<glm::ivec2> probe_;
   std::uint64_t probeDelivered_ = 0;
   bool measuring_ = false; // stages

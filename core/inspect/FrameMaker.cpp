@@ -231,4 +231,16 @@ const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, I
   return lane.watched;
 }
 
+const Exposure& FrameMaker::exposedAll(const Subject& subject, ShownFrame& shown,
+                                       const std::vector<IntermediateId>& ids, int laneIndex) {
+  ShownLane& lane = shown.lanes[static_cast<std::size_t>(laneIndex)];
+  const auto isWatched = [&](IntermediateId id) { return std::ranges::find(watched, id) != watched.end(); };
+  // What is watched is exposed together.
+  if (ids.size() == 1 || std::ranges::all_of(ids, isWatched))
+    return exposed(subject, shown, ids[0], laneIndex);
+  const bool isAtHand =
+      lane.asked && std::ranges::all_of(ids, [&](IntermediateId id) { return lane.asked->holds(id); });
+  return isAtHand ? *lane.asked : lane.asked.emplace(expose(subject, shown, ids, laneIndex));
+}
+
 } // namespace taa

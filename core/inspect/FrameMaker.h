@@ -89,6 +89,9 @@ class FrameMaker {
 
   /// The exposure of the whole picture that holds `id`, made now when there is none.
   const Exposure& exposed(const Subject& subject, ShownFrame& shown, IntermediateId id, int lane);
+  /// One exposure of the whole picture that holds all of `ids`, made now when there is none.
+  const Exposure& exposedAll(const Subject& subject, ShownFrame& shown,
+                             const std::vector<IntermediateId>& ids, int lane);
   /// The whole picture of several rows, made now.
   Exposure expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
                   int lane);

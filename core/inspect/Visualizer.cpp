@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace taa {
 
@@ -26,10 +27,12 @@ struct Variant {
   int channels = 1, alone = -1;
   ColorMap map = ColorMap::Gray;
   bool marksInvalid = true, isMinified = false;
+  bool isDifference = false, marksClipped = false, tintsRejected = false, outlines = false, hasArrows = false;
 
   bool operator<(const Variant& other) const { return key() < other.key(); }
-  std::tuple<Visual, int, int, ColorMap, bool, bool> key() const {
-    return {visual, channels, alone, map, marksInvalid, isMinified};
+  auto key() const {
+    return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
+                      tintsRejected, outlines, hasArrows);
   }
 };
 
@@ -47,6 +50,11 @@ std::string prelude(const Variant& variant) {
   add("int", "kMap", static_cast<int>(variant.map));
   add("bool", "kMarksInvalid", variant.marksInvalid);
   add("bool", "kIsMinified", variant.isMinified);
+  add("bool", "kIsDifference", variant.isDifference);
+  add("bool", "kMarksClipped", variant.marksClipped);
+  add("bool", "kTintsRejected", variant.tintsRejected);
+  add("bool", "kOutlines", variant.outlines);
+  add("bool", "kHasArrows", variant.hasArrows);
   return text;
 }
 
@@ -72,16 +80,37 @@ int channelAlone(const Intermediate& row, const ViewStyle& style) {
   return static_cast<int>(std::ranges::find(shown, true) - shown.begin());
 }
 
-shared::ViewBlock block(const gl::Texture& texture, int layer, int firstChannel, const ViewStyle& style,
-                        const ViewTransform& transform) {
+// The branches that a picture takes. A difference is a signed value, whatever the row is.
+Variant variantOf(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
+                  const ViewTransform& transform) {
+  const bool isDifference = layers.minus.texture != nullptr;
+  return {.visual = isDifference ? Visual::Signed : row.visual,
+          .channels = row.channels,
+          .alone = isDifference ? -1 : channelAlone(row, style),
+          .map = style.map,
+          .marksInvalid = style.markInvalid,
+          .isMinified = transform.zoom < 1.0f,
+          .isDifference = isDifference,
+          .marksClipped = style.markClipped,
+          .tintsRejected = style.markRejected && layers.rejectReason.texture,
+          .outlines = style.outlineObjects && layers.objectId.texture,
+          .hasArrows = style.arrows && row.visual == Visual::Vector && !isDifference};
+}
+
+shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const ViewTransform& transform) {
   const float span = style.high - style.low;
   shared::ViewBlock block;
-  block.sizePx = {texture.width(), texture.height()};
+  block.sizePx = {layers.row.texture->width(), layers.row.texture->height()};
   block.originPx = transform.origin;
   // An empty range is a step at its value.
   block.range = {style.low, span != 0.0f ? span : 1e-30f, std::exp2(style.exposure), transform.zoom};
   block.channels = {style.red, style.green, style.blue, 0};
-  block.layer = {layer, firstChannel, 0, 0};
+  block.layer = {layers.row.layer, layers.row.firstChannel, layers.minus.layer, layers.minus.firstChannel};
+  block.overlays = {layers.rejectReason.layer, layers.rejectReason.firstChannel, layers.objectId.layer,
+                    layers.objectId.firstChannel};
+  block.above = {kAboveColor[0], kAboveColor[1], kAboveColor[2], std::max(1.0f, std::round(transform.scale))};
+  block.below = {kBelowColor[0], kBelowColor[1], kBelowColor[2], kTintShare};
+  block.arrows = {kArrowSpacing, kLongestArrow, 0.0f, 0.0f};
   return block;
 }
 
@@ -131,21 +160,26 @@ Visualizer& Visualizer::operator=(Visualizer&&) noexcept = default;
 
 Picture Visualizer::draw(const gl::Texture& texture, int layer, int firstChannel, const Intermediate& row,
                          const ViewStyle& style, const ViewTransform& transform, int width, int height) {
-  assert(texture.size().layers > layer && width > 0 && height > 0 && transform.zoom > 0.0f);
-  const gl::Program& program = parts_->program({.visual = row.visual,
-                                                .channels = row.channels,
-                                                .alone = channelAlone(row, style),
-                                                .map = style.map,
-                                                .marksInvalid = style.markInvalid,
-                                                .isMinified = transform.zoom < 1.0f});
+  return draw(DrawnLayers{.row = {&texture, layer, firstChannel}}, row, style, transform, width, height);
+}
+
+Picture Visualizer::draw(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
+                         const ViewTransform& transform, int width, int height) {
+  assert(layers.row.texture && layers.row.texture->size().layers > layers.row.layer);
+  assert(width > 0 && height > 0 && transform.zoom > 0.0f);
+  const gl::Program& program = parts_->program(variantOf(layers, row, style, transform));
   const Parts::Target& target = parts_->target(width, height);
-  const shared::ViewBlock values = block(texture, layer, firstChannel, style, transform);
+  const shared::ViewBlock values = block(layers, style, transform);
   parts_->blocks.update(0, &values, sizeof(values));
   {
     gl::RenderPass pass(target.framebuffer, {}, "Visualizer");
     pass.program(program);
-    pass.texture(0, texture, parts_->sampler);
+    pass.texture(0, *layers.row.texture, parts_->sampler);
     pass.texture(1, parts_->colorMaps, parts_->sampler);
+    const std::pair<int, const Layer*> others[] = {
+        {2, &layers.minus}, {3, &layers.rejectReason}, {4, &layers.objectId}};
+    for (const auto& [unit, other] : others)
+      if (other->texture) pass.texture(unit, *other->texture, parts_->sampler);
     pass.uniformBlock(3, parts_->blocks);
     pass.drawFullscreen();
   }

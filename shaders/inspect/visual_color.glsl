@@ -90,11 +90,21 @@ vec3 indexColor(float value) {
   return kMap == kCategorical ? categoryColor(int(value)) : mapColor(kMap, ranged(value));
 }
 
+// The shown channel that differs most, with its sign.
+float mostDifferent(vec4 value) {
+  if (kChannels == 1) return value.x;
+  float most = 0.0;
+  for (int channel = 0; channel < min(kChannels, 3); ++channel)
+    if (view.channels[channel] != 0 && !(abs(value[channel]) <= abs(most))) most = value[channel];
+  return most;
+}
+
 vec3 displayedColor(vec4 value) {
   if (kMarksInvalid) {
     vec4 marked = mark(value);
     if (marked.a > 0.0) return marked.rgb;
   }
+  if (kIsDifference) return signedColor(mostDifferent(value));
   if (kVisual == kVisual_Color || kVisual == kVisual_Box) return lightColor(value.rgb);
   if (kVisual == kVisual_Depth) return depthColor(value.x);
   if (kVisual == kVisual_Signed) return signedColor(value.x);

@@ -1,12 +1,18 @@
 // A part of one intermediate as a picture for the screen. In: the layer, the color maps, ViewBlock; from the
 // prelude kVisual and kVisual_<name>, kChannels (of the row), kAlone (the channel shown alone, or -1), kMap (row of the
-// table of color maps), kMarksInvalid, kIsMinified. Constants, because a software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen pixel the picture covers.
+// table of color maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines,
+// kHasArrows. Constants, because a software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen
+// pixel the picture covers.
 // Colors are linear Rec. 709 until the last line; averages are taken of what would be displayed.
 #include "shared/ViewBlock.h"
 #include "inspect/color_maps.glsl"
 #include "inspect/visual_color.glsl"
+#include "inspect/overlays.glsl"
 
 layout(binding = 0) uniform sampler2DArray u_layer;
+layout(binding = 2) uniform sampler2DArray u_minus;
+layout(binding = 3) uniform sampler2DArray u_rejectReason;
+layout(binding = 4) uniform sampler2DArray u_objectId;
 
 layout(location = 0) out vec4 o_color;
 
@@ -29,33 +35,97 @@ Part texelBelow(vec2 corner) {
   return Part(texel, texel + (isInside ? 1.0 : 0.0), 1.0);
 }
 
-// The row's channels of a texel; what follows them is nothing of it.
-vec4 rowAt(ivec2 texel) {
-  vec4 value = texelFetch(u_layer, ivec3(texel, view.layer.x), 0);
-  if (view.layer.y == 1) return value.yzwx;
-  if (view.layer.y == 2) return value.zwxy;
-  return view.layer.y == 3 ? value.wxyz : value;
+// The channels from `first` on; what follows the row's is nothing of it.
+vec4 fromChannel(vec4 value, int first) {
+  if (first == 1) return value.yzwx;
+  if (first == 2) return value.zwxy;
+  return first == 3 ? value.wxyz : value;
 }
 
-// The mean over the part, every texel weighted by the area it has there.
-vec3 meanColor(Part part) {
-  if (!kIsMinified) return displayedColor(rowAt(ivec2(part.from)));
+vec4 rowAt(ivec2 texel) {
+  vec4 value = fromChannel(texelFetch(u_layer, ivec3(texel, view.layer.x), 0), view.layer.y);
+  if (kIsDifference) value -= fromChannel(texelFetch(u_minus, ivec3(texel, view.layer.z), 0), view.layer.w);
+  return value;
+}
+
+int rejectReasonAt(ivec2 texel) {
+  vec4 value = texelFetch(u_rejectReason, ivec3(texel, view.overlays.x), 0);
+  return int(fromChannel(value, view.overlays.y).x);
+}
+
+float objectAt(ivec2 texel) {
+  return fromChannel(texelFetch(u_objectId, ivec3(texel, view.overlays.z), 0), view.overlays.w).x;
+}
+
+vec3 colorAt(ivec2 texel, inout int clipped) {
+  vec4 value = rowAt(texel);
+  vec3 color = displayedColor(value);
+  if (kMarksClipped) clipped |= clippedEnds(value);
+  if (kTintsRejected) {
+    int reason = rejectReasonAt(texel);
+    if (reason != 0) color += view.below.w * (categoryColor(reason) - color);
+  }
+  return color;
+}
+
+// The mean over the part, every texel weighted by the area it has there; `clipped`: ends that any of it lies beyond.
+vec3 meanColor(Part part, inout int clipped) {
+  if (!kIsMinified) return colorAt(ivec2(part.from), clipped);
   ivec2 first = ivec2(floor(part.from)), last = ivec2(ceil(part.to)) - 1;
   vec3 sum = vec3(0.0);
   for (int y = first.y; y <= last.y; ++y) {
     float height = min(part.to.y, float(y + 1)) - max(part.from.y, float(y));
     for (int x = first.x; x <= last.x; ++x) {
       float width = min(part.to.x, float(x + 1)) - max(part.from.x, float(x));
-      sum += displayedColor(rowAt(ivec2(x, y))) * (width * height);
+      sum += colorAt(ivec2(x, y), clipped) * (width * height);
     }
   }
   vec2 size = part.to - part.from;
   return sum / (size.x * size.y);
 }
 
+ivec2 texelUnder(vec2 corner) {
+  return ivec2(floor(view.originPx + (corner + 0.5) / view.range.w));
+}
+
+bool isAnotherObject(ivec2 texel, float object) {
+  bool isInside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(view.sizePx)));
+  return isInside && objectAt(texel) != object;
+}
+
+// Dashes where the object one unit to the left or above is another one.
+vec3 outlined(vec3 color, vec2 corner) {
+  float unit = view.above.w;
+  ivec2 here = clamp(texelUnder(corner), ivec2(0), ivec2(view.sizePx) - 1);
+  float object = objectAt(here);
+  bool isEdge = isAnotherObject(texelUnder(corner - vec2(unit, 0.0)), object) ||
+                isAnotherObject(texelUnder(corner - vec2(0.0, unit)), object);
+  if (!isEdge) return color;
+  return mod(floor((corner.x + corner.y) / (4.0 * unit)), 2.0) < 1.0 ? vec3(1.0) : vec3(0.0);
+}
+
+// One arrow a cell of whole texels, so that it keeps its place in the picture: that of the texel in the middle.
+vec3 pointed(vec3 color, vec2 corner) {
+  float zoom = view.range.w;
+  float texels = ceil(view.arrows.x * view.above.w / zoom);
+  vec2 position = view.originPx + (corner + 0.5) / zoom;
+  vec2 middle = (floor(position / texels) + 0.5) * texels;
+  if (any(greaterThanEqual(middle, view.sizePx))) return color;
+  vec2 value = shownChannels(vec3(rowAt(ivec2(middle)).xy, 0.0)).xy;
+  return withArrow(color, value, (position - middle) * zoom / view.above.w, texels * zoom / view.above.w);
+}
+
 void main() {
   vec2 corner = floor(gl_FragCoord.xy);
   Part part = kIsMinified ? areaBelow(corner) : texelBelow(corner);
-  bool isInside = all(lessThan(part.from, part.to));
-  o_color = isInside ? vec4(encoded(meanColor(part)), part.covered) : vec4(0.0);
+  if (!all(lessThan(part.from, part.to))) {
+    o_color = vec4(0.0);
+    return;
+  }
+  int clipped = 0;
+  vec3 color = meanColor(part, clipped);
+  if (kMarksClipped) color = hatched(color, clipped, corner);
+  if (kOutlines) color = outlined(color, corner);
+  if (kHasArrows) color = pointed(color, corner);
+  o_color = vec4(encoded(color), part.covered);
 }

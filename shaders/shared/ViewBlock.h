@@ -16,7 +16,11 @@ layout(std140, binding = 3) uniform ViewBlock {
   vec2 originPx; // picture position at the top-left corner of the viewport
   vec4 range;    // x: lowest value shown, y: highest minus lowest, z: factor of the exposure, w: screen px a picture px
   ivec4 channels; // x, y, z: 1 where red, green, blue are shown; w unused
-  ivec4 layer;    // x: of the texture, y: channel of it that is the first of the row; others unused
+  ivec4 layer;    // x: of the texture, y: channel of it that is the first of the row; z, w: of what is subtracted
+  ivec4 overlays; // x, y: layer and channel of the reject reason; z, w: of the object id
+  vec4 above;     // xyz: color of what lies above the range, linear; w: screen px a unit of hatches, lines and arrows
+  vec4 below;     // xyz: color of what lies below the range, linear; w: share of a tint
+  vec4 arrows;    // x: units from one to the next at least, y: units one is long at most; others unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

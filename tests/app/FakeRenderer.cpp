@@ -77,6 +77,11 @@ void FakeRenderer::probe(std::optional<glm::ivec2> wanted) {
   deliver();
 }
 
+void FakeRenderer::setOtherLanes(const std::vector<Settings>& lanes) {
+  otherLanes = lanes;
+  deliver();
+}
+
 void FakeRenderer::measureStages() {
   StageCosts costs;
   costs.frame = status.info.frame;
@@ -136,25 +141,44 @@ void FakeRenderer::deliverProfile() {
   listener_.onProfile(profile);
 }
 
+Image FakeRenderer::valuesOf(IntermediateId id, int lane, int frame) const {
+  Image values(status.width, status.height, intermediate(id).channels);
+  for (int y = 0; y < status.height; ++y)
+    for (int x = 0; x < status.width; ++x)
+      std::fill_n(values.at(x, y), values.channels,
+                  valueAt(x, y, frame) + 10000.0f * static_cast<float>(lane));
+  return values;
+}
+
+/// A picture of one gray; alpha is whole.
+Picture FakeRenderer::gray(const ViewRequest& request, int level) {
+  Picture picture{request.width, request.height, {}};
+  picture.rgba.assign(static_cast<std::size_t>(request.width) * request.height * 4,
+                      static_cast<std::uint8_t>(level));
+  for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4) picture.rgba[alpha] = 255;
+  return picture;
+}
+
 ViewResult FakeRenderer::draw(int view) const {
   ViewResult result;
   result.view = view;
   result.request = views[static_cast<std::size_t>(view)];
   result.frame = status.info.frame;
   const ViewRequest& request = result.request;
-  result.picture.width = request.width;
-  result.picture.height = request.height;
-  result.picture.rgba.assign(static_cast<std::size_t>(request.width) * request.height * 4, 160);
+  result.picture = gray(request, request.asDifference ? kDifferenceGray : kGray);
   if (isOfReference(request.id)) {
     result.referenceSamples = 64;
     result.error = PictureError{0.0125, 38.25, 0.5};
   }
-  if (!request.withValues) return result;
-  result.region = {0, 0, status.width, status.height};
-  result.values = Image(status.width, status.height, intermediate(request.id).channels);
-  for (int y = 0; y < status.height; ++y)
-    for (int x = 0; x < status.width; ++x)
-      std::fill_n(result.values.at(x, y), result.values.channels, valueAt(x, y, status.info.frame));
+  if (request.withValues) {
+    result.region = {0, 0, status.width, status.height};
+    result.values = valuesOf(request.id, request.lane, result.frame);
+  }
+  if (!request.other) return result;
+  ViewSide& side = result.other.emplace();
+  side.frame = request.other->frame.value_or(result.frame - request.other->framesBefore);
+  side.picture = gray(request, kOtherGray);
+  if (request.withValues) side.values = valuesOf(request.other->id, request.other->lane, side.frame);
   return result;
 }
 

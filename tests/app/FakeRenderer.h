@@ -5,12 +5,16 @@
 
 namespace taa::app::test {
 
-/// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n.
+/// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,
+/// and 10,000 more for each lane.
 class FakeRenderer final : public Renderer {
  public:
   explicit FakeRenderer(RenderListener listener) : listener_(std::move(listener)) {}
 
   static float valueAt(int x, int y, int frame) { return static_cast<float>(x + 100 * y + frame); }
+
+  /// Levels of the pictures: of a view, of its other side, of a difference.
+  static constexpr int kGray = 160, kOtherGray = 80, kDifferenceGray = 240;
 
   void open(const std::string& source) override;
   void setSize(int width, int height) override;
@@ -30,6 +34,7 @@ class FakeRenderer final : public Renderer {
   void setThumbnails(int width, int height) override;
   void setReferenceSamples(int samples) override;
   void setFigures(const std::vector<Figure>& wanted) override;
+  void setOtherLanes(const std::vector<Settings>& lanes) override;
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
   void setPlayback(const Playback& playback) override;
@@ -41,6 +46,8 @@ class FakeRenderer final : public Renderer {
   bool isLooping = true, profiling = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
+  glm::ivec2 thumbnails{0}; ///< size wanted
+  std::vector<Settings> otherLanes;
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
 
@@ -50,6 +57,8 @@ class FakeRenderer final : public Renderer {
   void deliverProfile();
   void deliverFigures();
   ViewResult draw(int view) const;
+  Image valuesOf(IntermediateId id, int lane, int frame) const;
+  static Picture gray(const ViewRequest& request, int level);
 
   RenderListener listener_;
 };

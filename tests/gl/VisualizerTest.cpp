@@ -26,11 +26,15 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// What the visualizer puts before its shader, for one of its variants: all of the block is in use.
-constexpr std::string_view kPrelude = "const int kVisual_Color = 0, kVisual_Box = 1, kVisual_Depth = 2, "
-                                      "kVisual_Signed = 4, kVisual_Vector = 5,\n"
-                                      "  kVisual_Position = 6, kVisual_Normal = 7, kVisual_Index = 9;\n"
-                                      "const int kVisual = 0, kChannels = 3, kAlone = -1, kMap = 0;\n"
-                                      "const bool kMarksInvalid = true, kIsMinified = true;\n";
+constexpr std::string_view kPrelude =
+    "const int kVisual_Color = 0, kVisual_Box = 1, kVisual_Depth = 2, "
+    "kVisual_Signed = 4, kVisual_Vector = 5,\n"
+    "  kVisual_Position = 6, kVisual_Normal = 7, kVisual_Index = 9;\n"
+    "const int kVisual = 0, kChannels = 3, kAlone = -1, kMap = 0;\n"
+    "const bool kMarksInvalid = true, kIsMinified = true, kIsDifference = true,\n"
+    "  kMarksClipped = true, kTintsRejected = true, kOutlines = true, "
+    "kHasArrows = true;\n"
+    "const int kVisual_Scalar = 3;\n";
 
 int byteOf(float linear) {
   return static_cast<int>(std::lround(255.0f * taa::srgbEncoded(linear)));
@@ -92,7 +96,9 @@ TEST_F(VisualizerTest, SharesItsBlockWithTheShader) {
   const std::vector<std::pair<std::string, std::size_t>> expected = {
       {"sizePx", offsetof(ViewBlock, sizePx)}, {"originPx", offsetof(ViewBlock, originPx)},
       {"range", offsetof(ViewBlock, range)},   {"channels", offsetof(ViewBlock, channels)},
-      {"layer", offsetof(ViewBlock, layer)},
+      {"layer", offsetof(ViewBlock, layer)},   {"overlays", offsetof(ViewBlock, overlays)},
+      {"above", offsetof(ViewBlock, above)},   {"below", offsetof(ViewBlock, below)},
+      {"arrows", offsetof(ViewBlock, arrows)},
   };
   const auto offsets = program.blockOffsets("ViewBlock");
   EXPECT_EQ(offsets.size(), expected.size());
