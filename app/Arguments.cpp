@@ -26,9 +26,16 @@ glm::ivec2 parseNumbers(const std::string& option, const std::string& text, char
   return pair;
 }
 
+/// In the order of Overlay; the grid is on anyway.
+const std::vector<std::string>& overlayNames() {
+  static const std::vector<std::string> names = {"clipping", "rejection", "outlines", "arrows"};
+  return names;
+}
+
 struct Texts {
   std::string windowSize, size, pixel, theme;
-  std::vector<std::string> views;
+  std::vector<std::string> views, comparisons, overlays;
+  std::string showing;
   int frame = -1, checkpoints = -1;
   double zoom = 0.0;
 };
@@ -48,9 +55,23 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--zoom", texts.zoom, "Screen pixels for each pixel, around the probe")
       ->type_name("Z")
       ->check(CLI::Range(kLeastZoom, kGreatestZoom));
-  app.add_option("--view", texts.views, "Show this intermediate; given twice, the second is view B")
+  app.add_option("--view", texts.views,
+                 "Show this intermediate; given again, in the next of up to four views")
       ->type_name("ID")
       ->allow_extra_args(false); // else it would take the source, too
+  app.add_option(
+         "--compare", texts.comparisons,
+         "Compare view A with an intermediate, preset:NAME, frame:N or frame:-N (N frames before); given "
+         "again, the next view; \"nothing\" leaves one out")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+  app.add_option("--compare-as", texts.showing, "How both are shown: wipe, first, other or difference")
+      ->type_name("HOW");
+  app.add_option("--overlay", texts.overlays,
+                 "Lay this over the pictures: clipping, rejection, outlines, arrows")
+      ->type_name("NAME")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(overlayNames()));
   app.add_option("--size", texts.size, "Render size")->type_name("WxH");
   app.add_option("--checkpoints", texts.checkpoints,
                  "Memory for the histories that are kept to go back in time; 1024 without it")
@@ -82,8 +103,14 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (texts.zoom > 0) arguments.zoom = texts.zoom;
   ThemeChoice theme{};
   if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;
-  if (texts.views.size() > 2) throw taa::Error("--view: there are two views, A and B");
+  if (texts.views.size() > 4 || texts.comparisons.size() > 4)
+    throw taa::Error("--view, --compare: there are four views, A to D");
   for (const std::string& name : texts.views) arguments.views.push_back(intermediateNamed(name));
+  for (const std::string& text : texts.comparisons) arguments.comparisons.push_back(parseComparison(text));
+  if (!texts.showing.empty()) arguments.showing = showingNamed(texts.showing);
+  for (const std::string& name : texts.overlays)
+    for (std::size_t index = 0; index < overlayNames().size(); ++index)
+      if (overlayNames()[index] == name) arguments.overlays.push_back(static_cast<Overlay>(index));
 }
 
 } // namespace

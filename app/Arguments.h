@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/Theme.h"
+#include "app/views/Comparison.h"
 
 #include "core/taa/Intermediates.h"
 
@@ -23,10 +24,13 @@ struct Arguments {
   std::optional<glm::ivec2> pixel;  ///< probe
   std::optional<int> checkpoints;   ///< memory for kept histories, MiB
   std::optional<ThemeChoice> theme;
-  std::string camera, preset;        ///< empty: the source's own, "balanced"
-  std::vector<IntermediateId> views; ///< up to two
-  std::string panel;                 ///< page of the lower area to show; empty: none
-  bool timing = false;               ///< say on stderr when the first picture was there
+  std::string camera, preset;          ///< empty: the source's own, "balanced"
+  std::vector<IntermediateId> views;   ///< up to four; three show as four
+  std::vector<Comparison> comparisons; ///< of view A, B, …
+  std::optional<Showing> showing;      ///< of all that compare
+  std::vector<Overlay> overlays;       ///< over all views
+  std::string panel;                   ///< page of the lower area to show; empty: none
+  bool timing = false;                 ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

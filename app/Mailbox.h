@@ -12,7 +12,7 @@
 
 namespace taa::app {
 
-inline constexpr int kViewCount = 2;
+inline constexpr int kViewCount = 4;
 
 /// What arrived since the window last looked.
 struct Delivery {

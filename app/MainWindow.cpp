@@ -155,7 +155,7 @@ void MainWindow::connectProfiler() {
 }
 
 void MainWindow::connectViews() {
-  connect(views_, &ViewArea::requestsChanged, this, [this] { session_.setViews(views_->requests()); });
+  connectComparing();
   connect(views_, &ViewArea::shownChanged, this, [this] {
     pipeline_->setShown(views_->shown(), views_->activeIndex());
     menus_->refresh();
@@ -219,6 +219,8 @@ void MainWindow::showStatus() {
   parts << QString::fromStdString(session_.presetId()) +
                (session_.isPresetChanged() ? QStringLiteral("*") : QString());
   if (session_.isOpen()) parts << QStringLiteral("%1×%2").arg(status.width).arg(status.height);
+  views_->setSettingsName(QString::fromStdString(session_.presetId()) +
+                          (session_.isPresetChanged() ? QStringLiteral("*") : QString()));
   const QString text = parts.join(QStringLiteral(" · "));
   if (text == sourceLabel_->text()) return;
   sourceLabel_->setText(text);
@@ -237,22 +239,8 @@ void MainWindow::showPick() {
   probe_->setPick(session_.pick());
 }
 
-void MainWindow::showHover(int view) {
-  const Viewport* viewport = views_->view(view)->viewport();
-  const auto pixel = viewport->hovered();
-  if (!pixel) return statusLine_->setHover({});
-  QString text =
-      QStringLiteral("%1 (%2, %3)").arg(QChar(static_cast<char16_t>('A' + view))).arg(pixel->x).arg(pixel->y);
-  if (const auto values = viewport->valueAt(*pixel)) {
-    const Intermediate& row = intermediate(views_->view(view)->id());
-    const auto count = std::min(values->size(), static_cast<std::size_t>(row.channels));
-    text += QStringLiteral("  ") + tupleText(std::span(*values).first(count), 5);
-  }
-  statusLine_->setHover(text);
-}
-
 void MainWindow::showIntermediate(IntermediateId id, bool inOtherView) {
-  if (inOtherView) views_->setTwoViews(true);
+  if (inOtherView && views_->viewCount() == 1) views_->setViewCount(2);
   (inOtherView ? views_->other() : views_->active())->setIntermediate(id);
 }
 

@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
   void askForPresetFile();
   QString presetFolder() const; ///< of the user's own
   void chooseIntermediate(int view);
+  void chooseComparison(int view);
   void showCommands();
   void showKeys();
   void copyValue();
@@ -94,6 +95,8 @@ class MainWindow : public QMainWindow {
   void showPick();
   void showHistory();
   void showHover(int view);
+  void connectComparing();
+  void askForComparedFrame(int view);
   void pickAtFirstStart();
   void restore();
   void remember();

@@ -153,6 +153,8 @@ void MainWindow::showKeys() {
   };
   mouse("Wheel", tr("Zoom at the cursor"));
   mouse("Left drag", tr("Pan"));
+  mouse("Drag the divider", tr("Show more of one side; a double click puts it in the middle"));
+  mouse("Hold Shift", tr("Show the other side"));
   mouse("Right click, drag", tr("Probe a pixel; it stays"));
   mouse("Arrows", tr("Move the probe by 1 px"));
   mouse("Shift+arrows", tr("Move the probe by 10 px"));

@@ -46,6 +46,7 @@ bool Screenshot::isComplete() const {
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
     if (isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal) return false;
+    if (wanted[view].other && !(result->other && result->other->exact)) return false;
   }
   const PipelinePanel* pipeline = window_.pipeline();
   if (pipeline->isVisible() && pipeline->showsThumbnails() && !pipeline->hasThumbnailsOf(frame_))

@@ -48,7 +48,9 @@ QString Session::memoryText(const glm::ivec2& sizePx) const {
   for (const std::optional<ViewResult>& picture : pictures_)
     if (picture && std::ranges::find(watched, picture->request.id) == watched.end())
       watched.push_back(picture->request.id);
-  const std::size_t bytes = memoryNeed({settings_}, sizePx, watched).total();
+  std::vector<Settings> lanes{settings_};
+  lanes.insert(lanes.end(), otherLanes_.begin(), otherLanes_.end());
+  const std::size_t bytes = memoryNeed(lanes, sizePx, watched).total();
   return tr("about %1").arg(QString::fromStdString(bytesText(bytes)));
 }
 
@@ -224,6 +226,17 @@ void Session::setViews(const std::vector<ViewRequest>& views) {
   if (views == views_) return;
   views_ = views;
   ask([&](Renderer& renderer) { renderer.setViews(views_); });
+}
+
+void Session::setOtherPresets(const QStringList& idsOrPaths) {
+  if (idsOrPaths == otherPresets_) return;
+  otherPresets_ = idsOrPaths;
+  guarded([&] {
+    std::vector<Settings> lanes;
+    for (const QString& each : idsOrPaths) lanes.push_back(preset(each.toStdString()).settings);
+    otherLanes_ = std::move(lanes);
+    ask([&](Renderer& renderer) { renderer.setOtherLanes(otherLanes_); });
+  });
 }
 
 void Session::setPick(std::optional<glm::ivec2> pixel) {

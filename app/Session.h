@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 
 #include <array>
@@ -80,6 +81,8 @@ class Session : public QObject {
   void setThumbnails(int width, int height);           ///< 0: none
   void setReferenceSamples(int samples);               ///< see RenderThread
   void setFigures(const std::vector<Figure>& figures); ///< arrive by figuresArrived
+  /// Presets that views are compared with: lanes 1, 2, 3 next to that of the settings.
+  void setOtherPresets(const QStringList& idsOrPaths);
   void reloadShaders();
   void cancel();
 
@@ -117,6 +120,8 @@ class Session : public QObject {
   std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
   std::optional<glm::ivec2> pick_;
   std::vector<ViewRequest> views_;
+  QStringList otherPresets_;
+  std::vector<Settings> otherLanes_;
   bool looping_ = true, playsWhenOpen_ = false;
   Playback playback_;
   std::unique_ptr<Renderer> renderer_; ///< last: ends before what its results are put into

@@ -14,6 +14,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -66,17 +67,26 @@ void sayWhenPictureArrives(Session& session) {
   });
 }
 
+void showViews(ViewArea& views, const Arguments& arguments) {
+  const std::size_t wanted = std::max(arguments.views.size(), arguments.comparisons.size());
+  if (wanted > 0) views.setViewCount(wanted > 2 ? kViewCount : static_cast<int>(wanted));
+  for (std::size_t view = 0; view < arguments.views.size(); ++view)
+    views.view(static_cast<int>(view))->setIntermediate(arguments.views[view]);
+  for (std::size_t view = 0; view < arguments.comparisons.size(); ++view)
+    views.view(static_cast<int>(view))->setComparison(arguments.comparisons[view]);
+  for (int view = 0; view < kViewCount; ++view) {
+    if (arguments.showing) views.view(view)->setShowing(*arguments.showing);
+    for (const Overlay overlay : arguments.overlays) views.view(view)->setOverlay(overlay, true);
+  }
+}
+
 void begin(MainWindow& window, const Arguments& arguments) {
   Session& session = window.session();
   if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
   if (arguments.checkpoints)
     session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
   if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
-  if (!arguments.views.empty()) {
-    window.views()->view(0)->setIntermediate(arguments.views[0]);
-    window.views()->setTwoViews(arguments.views.size() > 1);
-    if (arguments.views.size() > 1) window.views()->view(1)->setIntermediate(arguments.views[1]);
-  }
+  showViews(*window.views(), arguments);
   if (arguments.pixel) session.setPick(*arguments.pixel);
   const bool plays = arguments.screenshot.empty() && !arguments.frame;
   session.open(QString::fromStdString(arguments.source), plays);

@@ -1,6 +1,8 @@
 // Comparing: lanes that come and go, frames beside the one on show, differences, overlays.
 #include "core/InspectorParts.h"
 
+#include "core/settings/Parameters.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>

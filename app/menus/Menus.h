@@ -53,6 +53,9 @@ class Menus : public QObject {
   // Submenus
   void makeArrangement(QMenu* menu);
   void makeLowerPages(QMenu* menu);
+  void makeViews(QMenu* menu);
+  void makeComparing(QMenu* menu);
+  void makeOverlays(QMenu* menu);
   void makePictures(QMenu* menu);
   void makeThemes(QMenu* menu);
   void makePlayback(QMenu* menu);

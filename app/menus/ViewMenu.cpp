@@ -20,18 +20,10 @@ void Menus::makeView() {
   ViewArea* views = window_.views();
   add(menu, tr("&Intermediate…"), keys({"I"}),
       [this, views] { window_.chooseIntermediate(views->activeIndex()); });
-  add(menu, tr("Keys act on view A"), keys({"Ctrl+1"}), [views] {
-    views->setActive(0);
-    views->active()->viewport()->setFocus();
-  });
-  add(menu, tr("Keys act on view B"), keys({"Ctrl+2"}), [views] {
-    views->setTwoViews(true);
-    views->setActive(1);
-    views->active()->viewport()->setFocus();
-  });
-  QAction* two = addCheck(menu, tr("&Two views"), QKeySequence(QStringLiteral("V")),
-                          [views](bool on) { views->setTwoViews(on); });
-  QAction* linked = addCheck(menu, tr("&Look at the same place in both"), QKeySequence(QStringLiteral("L")),
+  add(menu, tr("&Next number of views: one, two, four"), keys({"V"}), [views] { views->showNextCount(); });
+  makeViews(menu->addMenu(tr("&Views")));
+  makeComparing(menu->addMenu(tr("&Compare")));
+  QAction* linked = addCheck(menu, tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
                              [views](bool on) { views->setLinked(on); });
   makeArrangement(menu->addMenu(tr("&Arrangement")));
   menu->addSeparator();
@@ -54,9 +46,9 @@ void Menus::makeView() {
   panel->setChecked(true);
   menu->addSeparator();
   makePictures(menu->addMenu(tr("&Picture")));
+  makeOverlays(menu->addMenu(tr("O&verlays")));
   makeThemes(menu->addMenu(tr("T&heme")));
-  onRefresh([this, views, two, linked] {
-    two->setChecked(views->showsTwo());
+  onRefresh([this, views, linked] {
     linked->setChecked(views->areLinked());
   });
 }
@@ -85,6 +77,12 @@ void Menus::makePictures(QMenu* menu) {
   })->setIcon(themedIcon(QStringLiteral("auto-range")));
   add(menu, tr("Normalize always"), keys({"Shift+N"}),
       [views] { views->active()->setAlwaysAuto(!views->active()->isAlwaysAuto()); });
+  QAction* histogram = addCheck(menu, tr("&Histogram of the visible values"),
+                                QKeySequence(QStringLiteral("H")), [views](bool on) {
+                                  if (views->active()->showsHistogram() != on)
+                                    views->active()->setHistogramShown(on);
+                                });
+  onRefresh([views, histogram] { histogram->setChecked(views->active()->showsHistogram()); });
   add(menu, tr("&Reset"), keys({"R"}), [views] {
     views->active()->resetStyle();
   })->setIcon(themedIcon(QStringLiteral("reset")));
@@ -93,11 +91,6 @@ void Menus::makePictures(QMenu* menu) {
   for (int channel = 0; channel < 3; ++channel)
     add(menu, channels[channel], {QKeySequence(QStringLiteral("Alt+%1").arg(channel + 1))},
         [views, channel] { views->active()->toggleChannel(channel); });
-  QAction* marks = addCheck(menu, tr("Mark NaN red, infinite green, negative blue"),
-                            QKeySequence(QStringLiteral("X")), [views](bool on) {
-                              if (views->active()->style().markInvalid != on) views->active()->toggleMarks();
-                            });
-  onRefresh([views, marks] { marks->setChecked(views->active()->style().markInvalid); });
 }
 
 void Menus::makeThemes(QMenu* menu) {

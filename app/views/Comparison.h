@@ -34,4 +34,8 @@ std::string_view showingName(Showing showing);
 /// Throws Error naming those there are.
 Showing showingNamed(std::string_view name);
 
+/// What can be laid over a picture, besides the marks of what is no color.
+enum class Overlay : std::uint8_t { Clipped, Rejected, Outlines, Arrows, Grid };
+inline constexpr int kOverlayCount = 5;
+
 } // namespace taa::app

@@ -59,7 +59,7 @@ QImage hueDisk(int size) {
 QString channelText(const Intermediate& row, const ViewStyle& style) {
   if (row.channels == 1) return {};
   QString shown;
-  const std::vector<std::string> names = channelNames(row);
+  const std::vector<std::string> names = channelNames(intermediate(row.id)); // of a difference, too
   for (int channel = 0; channel < row.channels; ++channel)
     if (isShown(style, channel)) {
       if (!shown.isEmpty()) shown += QLatin1Char(' ');
@@ -84,6 +84,19 @@ class Pen {
     left_ += width + 2 * kUnit;
   }
 
+  /// As write, but cut where it is narrow.
+  void writeCut(const QString& text, const QFont& font, const QColor& color) {
+    constexpr int kLeast = 48;
+    const int room = strip_.right() - kUnit - left_;
+    if (room >= kLeast) write(QFontMetrics(font).elidedText(text, Qt::ElideRight, room), font, color);
+  }
+
+  /// A picture of `width` with its text, or neither.
+  QRect placeWith(int width, int height, const QString& text, const QFont& font) {
+    const int both = width + kUnit + 2 + QFontMetrics(font).horizontalAdvance(text);
+    return left_ + both > strip_.right() - kUnit ? QRect() : place(width, height);
+  }
+
   /// Room for a picture of `width`, or an empty rectangle.
   QRect place(int width, int height) {
     if (left_ + width > strip_.right() - kUnit) return {};
@@ -98,6 +111,17 @@ class Pen {
   QRect strip_;
 };
 
+void paintGround(QPainter& painter, const QRect& strip, const ThemeColors& colors) {
+  QColor ground = colors.panel;
+  ground.setAlpha(232);
+  painter.fillRect(strip, ground);
+}
+
+/// The value farthest from 0 in the range, as in shaders/inspect/visual_color.glsl.
+double extent(const ViewStyle& style) {
+  return std::max(std::abs(style.low), std::abs(style.high));
+}
+
 void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const ViewStyle& style,
                 const ThemeColors& colors) {
   const QFont digits = numberFont();
@@ -106,7 +130,7 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
     if (const QRect place = pen.place(size, size); !place.isEmpty())
       painter.drawImage(place,
                         hueDisk(size * std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()))));
-    pen.write(QStringLiteral("≤ %1").arg(shortText(style.high)), digits, colors.text);
+    pen.write(QStringLiteral("≤ %1").arg(shortText(extent(style))), digits, colors.text);
   } else if (row.visual == Visual::Index) {
     const int last = std::min(static_cast<int>(row.high), kCategoryCount - 1);
     for (int number = 0; number <= last; ++number) {
@@ -117,10 +141,12 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
                 row.id == IntermediateId::rejectReason ? secondaryFont() : digits, colors.text);
     }
   } else if (usesColorMap(row, style)) {
-    pen.write(shortText(style.low), digits, colors.text);
+    // Signed values have 0 in the middle of their map, whatever the range.
+    const bool isSigned = row.visual == Visual::Signed || row.visual == Visual::Vector;
+    pen.write(shortText(isSigned ? -extent(style) : style.low), digits, colors.text);
     if (const QRect bar = pen.place(kBarWidth, kBarHeight); !bar.isEmpty())
       painter.drawImage(bar, mapBar(style.map));
-    pen.write(shortText(style.high), digits, colors.text);
+    pen.write(shortText(isSigned ? extent(style) : style.high), digits, colors.text);
   } else if (hasRange(row)) {
     pen.write(QObject::tr("range %1 … %2").arg(shortText(style.low), shortText(style.high)), digits,
               colors.text);
@@ -130,12 +156,11 @@ void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const View
 } // namespace
 
 void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
-                 const ThemeColors& colors, const QString& note) {
-  QColor ground = colors.panel;
-  ground.setAlpha(232);
-  painter.fillRect(strip, ground);
+                 bool isDifference, const ThemeColors& colors, const QString& note) {
+  paintGround(painter, strip, colors);
   Pen pen(painter, strip);
-  pen.write(qtext(row.label), secondaryFont(), colors.text);
+  pen.write(isDifference ? QObject::tr("%1, difference").arg(qtext(row.label)) : qtext(row.label),
+            secondaryFont(), colors.text);
   paintScale(pen, painter, row, style, colors);
   pen.write(qtext(row.unit), secondaryFont(), colors.secondary);
   if (row.visual == Visual::Depth) pen.write(QObject::tr("logarithmic"), secondaryFont(), colors.secondary);
@@ -145,6 +170,79 @@ void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row,
               numberFont(), colors.text);
   pen.write(channelText(row, style), secondaryFont(), colors.secondary);
   pen.write(note, secondaryFont(), colors.text);
+  if (isDifference)
+    pen.writeCut(row.channels > 1
+                     ? QObject::tr("of the values: this minus other, the channel that differs most")
+                     : QObject::tr("of the values: this minus other"),
+                 secondaryFont(), colors.secondary);
+}
+
+namespace {
+
+/// A swatch of a hatch as the shader draws it, rising or falling.
+void paintHatch(QPainter& painter, const QRect& place, const std::array<float, 3>& color, bool rises) {
+  painter.fillRect(place, QColor(70, 70, 70));
+  for (int y = 0; y < place.height(); ++y)
+    for (int x = 0; x < place.width(); ++x)
+      if ((rises ? x + y : x - y + 6 * place.height()) % 6 < 2)
+        painter.fillRect(place.left() + x, place.top() + y, 1, 1, QColor(rgbOf(color)));
+}
+
+void paintReasons(QPainter& painter, const QRect& strip, const ThemeColors& colors) {
+  paintGround(painter, strip, colors);
+  Pen pen(painter, strip);
+  const int last = static_cast<int>(intermediate(IntermediateId::rejectReason).high);
+  for (int reason = 1; reason <= last; ++reason) {
+    const QString text = qtext(rejectReasonText(reason));
+    const QRect swatch = pen.placeWith(kBarHeight, kBarHeight, text, secondaryFont());
+    if (swatch.isEmpty()) return;
+    painter.fillRect(swatch, QColor(rgbOf(categoryColor(reason))));
+    pen.write(text, secondaryFont(), colors.text);
+  }
+}
+
+bool hasArrows(const Intermediate& row, const ViewStyle& style) {
+  return style.arrows && row.visual == Visual::Vector;
+}
+
+bool hasMarks(const Intermediate& row, const ViewStyle& style) {
+  return (style.markClipped && hasRange(row)) || style.outlineObjects || hasArrows(row, style);
+}
+
+} // namespace
+
+int overlayLegendLines(const Intermediate& row, const ViewStyle& style) {
+  return (hasMarks(row, style) ? 1 : 0) + (style.markRejected ? 1 : 0);
+}
+
+void paintOverlayLegend(QPainter& painter, QRect strip, const Intermediate& row, const ViewStyle& style,
+                        const ThemeColors& colors) {
+  if (style.markRejected) {
+    paintReasons(painter, strip, colors);
+    strip.translate(0, -kLegendHeight);
+  }
+  if (!hasMarks(row, style)) return;
+  paintGround(painter, strip, colors);
+  Pen pen(painter, strip);
+  if (hasArrows(row, style)) {
+    const QString longest = QStringLiteral("≥ %1 %2").arg(shortText(extent(style)), qtext(row.unit));
+    pen.writeCut(row.id == IntermediateId::dilatedOffset
+                     ? QObject::tr("arrows: to the neighbor, the longest %1").arg(longest)
+                     : QObject::tr("arrows: where it moves to, the longest %1").arg(longest),
+                 secondaryFont(), colors.text);
+  }
+  if (style.markClipped && hasRange(row)) {
+    constexpr int kSwatchWidth = 18, kSwatchHeight = 12;
+    for (const bool isAbove : {true, false}) {
+      const QString text = isAbove ? QObject::tr("above the range") : QObject::tr("below it");
+      const QRect place = pen.placeWith(kSwatchWidth, kSwatchHeight, text, secondaryFont());
+      if (place.isEmpty()) break;
+      paintHatch(painter, place, isAbove ? kAboveColor : kBelowColor, isAbove);
+      pen.write(text, secondaryFont(), colors.text);
+    }
+  }
+  if (style.outlineObjects)
+    pen.writeCut(QObject::tr("dashes: between objects"), secondaryFont(), colors.text);
 }
 
 } // namespace taa::app

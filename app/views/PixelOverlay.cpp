@@ -40,10 +40,9 @@ void PixelOverlay::paintGrid(QPainter& painter) const {
     painter.fillRect(QRectF(first.x, first.y + y * texel_, right - first.x, line), color);
 }
 
-void PixelOverlay::paintValues(QPainter& painter, const ViewResult& result) const {
-  const Image& values = result.values;
+void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const Image& values,
+                               const gl::Rect& region) const {
   if (values.empty()) return;
-  const Intermediate& row = intermediate(result.request.id);
   const int channels = std::min(row.channels, values.channels);
   QFont font = numberFont();
   // Larger texels hold more digits, not larger ones.
@@ -54,7 +53,7 @@ void PixelOverlay::paintValues(QPainter& painter, const ViewResult& result) cons
   painter.setRenderHint(QPainter::Antialiasing);
   for (int y = 0; y < values.height; ++y)
     for (int x = 0; x < values.width; ++x) {
-      const ScreenRect cell = pixelRect({result.region.x + x, result.region.y + y});
+      const ScreenRect cell = pixelRect({region.x + x, region.y + y});
       double top = cell.y + (texel_ - lineHeight * channels) / 2;
       for (int channel = 0; channel < channels; ++channel, top += lineHeight) {
         const QString text = shortText(values.at(x, y)[channel], digits);

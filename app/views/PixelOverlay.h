@@ -23,8 +23,9 @@ class PixelOverlay {
 
   double texelSize() const { return texel_; } ///< logical pixels
   void paintGrid(QPainter& painter) const;
-  /// Writes the values of the result's region into their texels.
-  void paintValues(QPainter& painter, const ViewResult& result) const;
+  /// Writes the values of a region of the row into their texels.
+  void paintValues(QPainter& painter, const Intermediate& row, const Image& values,
+                   const gl::Rect& region) const;
   void paintPick(QPainter& painter, glm::ivec2 pixel) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;

@@ -7,6 +7,15 @@
 
 namespace taa::app {
 
+ViewStyle differenceStyle(const Intermediate& row) {
+  ViewStyle style = defaultStyle(row);
+  const float span = row.high - row.low;
+  style.high = span > 0.0f ? span / 4.0f : 1.0f;
+  style.low = -style.high;
+  style.map = ColorMap::Diverging;
+  return style;
+}
+
 bool hasRange(const Intermediate& row) {
   switch (row.visual) {
   case Visual::Mask:
@@ -24,8 +33,8 @@ bool hasExposure(const Intermediate& row) {
 }
 
 bool usesColorMap(const Intermediate& row, const ViewStyle& style) {
-  if (row.channels == 1)
-    return row.visual == Visual::Scalar || row.visual == Visual::Signed || row.visual == Visual::Depth;
+  if (row.visual == Visual::Signed) return true; // of several channels: a difference
+  if (row.channels == 1) return row.visual == Visual::Scalar || row.visual == Visual::Depth;
   return shownChannels(row, style) == 1;
 }
 
@@ -43,17 +52,40 @@ int shownChannels(const Intermediate& row, const ViewStyle& style) {
   return count;
 }
 
-std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row, const ViewStyle& style) {
-  float low = INFINITY, high = -INFINITY;
+namespace {
+
+/// Calls `take` with each value of the shown channels that means something.
+template <typename Take>
+void forEachValue(const Image& values, const Intermediate& row, const ViewStyle& style, Take take) {
   const int stride = values.channels;
   for (std::size_t i = 0; i < values.pixels.size(); ++i) {
     const int channel = static_cast<int>(i % static_cast<std::size_t>(stride));
     const float value = values.pixels[i];
     if (channel >= row.channels || (row.channels > 1 && !isShown(style, channel))) continue;
     if (!std::isfinite(value) || (row.visual == Visual::Vector && value >= kNoPreviousPosition)) continue;
+    take(value);
+  }
+}
+
+} // namespace
+
+std::vector<int> histogram(const Image& values, const Intermediate& row, const ViewStyle& style,
+                           ValueRange scale, int bins) {
+  std::vector<int> counts(static_cast<std::size_t>(bins), 0);
+  forEachValue(values, row, style, [&](float value) {
+    const float place = (value - scale.low) / (scale.high - scale.low) * static_cast<float>(bins);
+    if (place < 0.0f || place > static_cast<float>(bins)) return;
+    ++counts[std::min(static_cast<std::size_t>(place), counts.size() - 1)];
+  });
+  return counts;
+}
+
+std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row, const ViewStyle& style) {
+  float low = INFINITY, high = -INFINITY;
+  forEachValue(values, row, style, [&](float value) {
     low = std::min(low, value);
     high = std::max(high, value);
-  }
+  });
   if (low > high) return {};
   if (row.visual == Visual::Vector || row.visual == Visual::Signed) {
     high = std::max(std::abs(low), std::abs(high));

@@ -5,6 +5,7 @@
 #include "core/inspect/Visualizer.h"
 
 #include <optional>
+#include <vector>
 
 namespace taa::app {
 
@@ -13,6 +14,8 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// The style a difference of this row opens with: both ways, a quarter of the row's own range.
+ViewStyle differenceStyle(const Intermediate& row);
 /// Whether low and high mean something for this row (ids, masks, normals and positions have their own scale).
 bool hasRange(const Intermediate& row);
 /// Whether exposure means something: colors.
@@ -28,5 +31,10 @@ void setShown(ViewStyle& style, int channel, bool shown);
 /// Least and greatest of the shown channels; symmetric for signed rows. NaN, Inf and "no previous position"
 /// do not count. Nothing when no value is left.
 std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row, const ViewStyle& style);
+
+/// How many values of the shown channels lie in each of `bins` equal parts of `scale`; those that autoRange()
+/// leaves out do not count.
+std::vector<int> histogram(const Image& values, const Intermediate& row, const ViewStyle& style,
+                           ValueRange scale, int bins);
 
 } // namespace taa::app

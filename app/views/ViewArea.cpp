@@ -3,6 +3,10 @@
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -10,19 +14,42 @@
 
 namespace taa::app {
 
-ViewArea::ViewArea(QWidget* parent) : QWidget(parent), splitter_(new QSplitter) {
+namespace {
+
+constexpr IntermediateId kFirst[kViewCount] = {IntermediateId::resolved, IntermediateId::alpha,
+                                               IntermediateId::color, IntermediateId::rejectReason};
+
+QSplitter* splitter(Qt::Orientation orientation) {
+  auto* splitter = new QSplitter(orientation);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(1);
+  return splitter;
+}
+
+} // namespace
+
+ViewArea::ViewArea(QWidget* parent)
+    : QWidget(parent), halves_(splitter(Qt::Vertical)), upper_(splitter(Qt::Horizontal)),
+      lower_(splitter(Qt::Horizontal)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(splitter_);
-  splitter_->setChildrenCollapsible(false);
-  splitter_->setHandleWidth(1);
-  const IntermediateId first[] = {IntermediateId::resolved, IntermediateId::alpha};
+  layout->addWidget(halves_);
+  halves_->addWidget(upper_);
+  halves_->addWidget(lower_);
   for (int index = 0; index < kViewCount; ++index) {
-    ViewPanel* view = new ViewPanel(index, first[index]);
+    ViewPanel* view = new ViewPanel(index, kFirst[index]);
     views_[static_cast<std::size_t>(index)] = view;
-    splitter_->addWidget(view);
+    (index < 2 ? upper_ : lower_)->addWidget(view);
     connectView(view);
+    view->setVisible(index < count_);
   }
+  lower_->hide();
+  // The columns of four views stay in line.
+  connect(upper_, &QSplitter::splitterMoved, this, [this] {
+    if (count_ == kViewCount) lower_->setSizes(upper_->sizes());
+  });
+  connect(lower_, &QSplitter::splitterMoved, this, [this] { upper_->setSizes(lower_->sizes()); });
+  qApp->installEventFilter(this);
   setActive(0);
 }
 
@@ -33,28 +60,46 @@ void ViewArea::connectView(ViewPanel* view) {
   connect(view, &ViewPanel::activated, this, [this, index] { setActive(index); });
   connect(view, &ViewPanel::intermediateRequested, this,
           [this, index] { Q_EMIT intermediateRequested(index); });
+  connect(view, &ViewPanel::comparisonRequested, this, [this, index] { Q_EMIT comparisonRequested(index); });
   connect(view->viewport(), &Viewport::hoverChanged, this, [this, index] { Q_EMIT hoverChanged(index); });
   connect(view->viewport(), &Viewport::picked, this, &ViewArea::picked);
   connect(view->viewport(), &Viewport::pickMoved, this, &ViewArea::pickMoved);
   connect(view->viewport(), &Viewport::cameraChanged, this, [this, index](const ViewCamera& camera) {
-    if (linked_) views_[static_cast<std::size_t>(1 - index)]->viewport()->setCamera(camera);
+    if (!linked_) return;
+    for (ViewPanel* each : views_)
+      if (each->index() != index) each->viewport()->setCamera(camera);
   });
 }
 
 void ViewArea::setActive(int index) {
-  if (!showsTwo_) index = 0;
-  active_ = index;
+  active_ = index < count_ ? index : 0;
   for (ViewPanel* view : views_) view->setActive(view->index() == active_);
   Q_EMIT shownChanged();
 }
 
-void ViewArea::setTwoViews(bool two) {
-  if (two == showsTwo_) return;
-  showsTwo_ = two;
-  views_[1]->setVisible(two);
-  setActive(two ? active_ : 0);
+void ViewArea::activate(int index) {
+  if (index >= count_) setViewCount(index < 2 ? 2 : kViewCount);
+  setActive(index);
+  active()->viewport()->setFocus();
+}
+
+void ViewArea::setViewCount(int count) {
+  if (count == count_ || (count != 1 && count != 2 && count != kViewCount)) return;
+  count_ = count;
+  for (ViewPanel* view : views_) view->setVisible(view->index() < count);
+  lower_->setVisible(count > 2);
+  setActive(active_);
   arrange();
+  if (count > 2) {
+    halves_->setSizes({1000, 1000});
+    lower_->setSizes({1000, 1000});
+    upper_->setSizes({1000, 1000});
+  }
   Q_EMIT requestsChanged();
+}
+
+void ViewArea::showNextCount() {
+  setViewCount(count_ == kViewCount ? 1 : 2 * count_);
 }
 
 void ViewArea::setArrangement(Arrangement arrangement) {
@@ -64,7 +109,8 @@ void ViewArea::setArrangement(Arrangement arrangement) {
 
 void ViewArea::setLinked(bool linked) {
   linked_ = linked;
-  if (linked) other()->viewport()->setCamera(active()->viewport()->camera());
+  if (!linked) return;
+  for (ViewPanel* view : views_) view->viewport()->setCamera(active()->viewport()->camera());
 }
 
 void ViewArea::setPictureSize(glm::ivec2 size) {
@@ -77,6 +123,11 @@ void ViewArea::setPick(std::optional<glm::ivec2> pixel) {
   for (ViewPanel* view : views_) view->viewport()->setPick(pixel);
 }
 
+void ViewArea::setSettingsName(const QString& name) {
+  for (ViewPanel* view : views_) view->setSettingsName(name);
+}
+
+// Only two views can be one above the other; four are two by two.
 void ViewArea::arrange() {
   const double aspect = static_cast<double>(std::max(1, pictureSize_.x)) / std::max(1, pictureSize_.y);
   const auto pictureWidth = [&](double width, double height) { return std::min(width, height * aspect); };
@@ -84,22 +135,33 @@ void ViewArea::arrange() {
                                pictureWidth(width() / 2.0, height() - ViewHeader::kHeight);
   const bool stacked =
       arrangement_ == Arrangement::Stacked || (arrangement_ == Arrangement::Automatic && stackedIsLarger);
-  const Qt::Orientation orientation = stacked ? Qt::Vertical : Qt::Horizontal;
-  if (splitter_->orientation() == orientation) return;
-  splitter_->setOrientation(orientation);
-  splitter_->setSizes({1000, 1000});
+  const Qt::Orientation orientation = stacked && count_ < kViewCount ? Qt::Vertical : Qt::Horizontal;
+  if (upper_->orientation() == orientation) return;
+  upper_->setOrientation(orientation);
+  upper_->setSizes({1000, 1000});
+}
+
+QStringList ViewArea::comparedPresets() const {
+  QStringList presets;
+  for (const ViewPanel* view : views_) {
+    const Comparison& comparison = view->comparison();
+    if (view->index() >= count_ || comparison.kind != OtherKind::Preset) continue;
+    if (!presets.contains(comparison.preset) && presets.size() < kMostOtherPresets)
+      presets << comparison.preset;
+  }
+  return presets;
 }
 
 std::vector<ViewRequest> ViewArea::requests() const {
+  const QStringList presets = comparedPresets();
   std::vector<ViewRequest> requests;
-  for (const ViewPanel* view : views_)
-    if (view->index() == 0 || showsTwo_) requests.push_back(view->request());
+  for (int index = 0; index < count_; ++index) requests.push_back(view(index)->request(presets));
   return requests;
 }
 
 std::vector<IntermediateId> ViewArea::shown() const {
-  std::vector<IntermediateId> ids{views_[0]->id()};
-  if (showsTwo_) ids.push_back(views_[1]->id());
+  std::vector<IntermediateId> ids;
+  for (int index = 0; index < count_; ++index) ids.push_back(view(index)->id());
   return ids;
 }
 
@@ -109,6 +171,26 @@ void ViewArea::resizeEvent(QResizeEvent*) {
 
 void ViewArea::showEvent(QShowEvent*) {
   Q_EMIT requestsChanged();
+}
+
+void ViewArea::peek(bool peeking) {
+  ViewPanel* looked = active();
+  for (ViewPanel* view : views_)
+    if (view->isVisible() && view->viewport()->underMouse()) looked = view;
+  for (ViewPanel* view : views_) view->setPeeking(peeking && view == looked);
+}
+
+// Shift shows the other side as long as it is held, wherever the focus is but in a text.
+bool ViewArea::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::ApplicationDeactivate) peek(false);
+  if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    const QWidget* focus = QApplication::focusWidget();
+    const bool writes = qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus);
+    if (key->key() == Qt::Key_Shift && !key->isAutoRepeat())
+      peek(event->type() == QEvent::KeyPress && !writes);
+  }
+  return QWidget::eventFilter(object, event);
 }
 
 } // namespace taa::app

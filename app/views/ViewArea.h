@@ -1,4 +1,4 @@
-// The views side by side or one above the other, whichever shows the picture larger.
+// One, two or four views: two side by side or one above the other, whichever shows the picture larger.
 #pragma once
 
 #include "app/Mailbox.h"
@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace taa::app {
 
 enum class Arrangement { Automatic, Beside, Stacked };
 
+/// Other presets that views can be compared with at a time: a lane each, besides that of the settings.
+inline constexpr int kMostOtherPresets = 3;
+
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
@@ -23,12 +27,16 @@ class ViewArea : public QWidget {
   ViewPanel* view(int index) const { return views_.at(static_cast<std::size_t>(index)); }
   ViewPanel* active() const { return view(active_); }
   int activeIndex() const { return active_; }
+  /// Also gives it the keys.
+  void activate(int index);
   void setActive(int index);
-  /// The view that is not active.
-  ViewPanel* other() const { return view(1 - active_); }
+  /// The view after the active one.
+  ViewPanel* other() const { return view((active_ + 1) % std::max(2, count_)); }
 
-  bool showsTwo() const { return showsTwo_; }
-  void setTwoViews(bool two);
+  int viewCount() const { return count_; }
+  /// 1, 2 or 4; shows as many.
+  void setViewCount(int count);
+  void showNextCount(); ///< one, two, four, one …
   void setArrangement(Arrangement arrangement);
   Arrangement arrangement() const { return arrangement_; }
   bool areLinked() const { return linked_; }
@@ -37,9 +45,15 @@ class ViewArea : public QWidget {
 
   void setPictureSize(glm::ivec2 size);
   void setPick(std::optional<glm::ivec2> pixel);
+  void setSettingsName(const QString& name);
   /// What the render thread shall deliver; hidden views have no size.
   std::vector<ViewRequest> requests() const;
+  /// The presets that views are compared with, the lanes after the first.
+  QStringList comparedPresets() const;
   std::vector<IntermediateId> shown() const;
+
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
 
  Q_SIGNALS:
   void requestsChanged();
@@ -48,19 +62,22 @@ class ViewArea : public QWidget {
   void picked(glm::ivec2 pixel);
   void pickMoved(int dx, int dy);
   void intermediateRequested(int view);
+  void comparisonRequested(int view);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
   void showEvent(QShowEvent*) override;
+  bool eventFilter(QObject*, QEvent*) override;
 
  private:
   void connectView(ViewPanel* view);
   void arrange();
+  void peek(bool peeking);
 
   std::array<ViewPanel*, kViewCount> views_{};
-  QSplitter* splitter_;
-  int active_ = 0;
-  bool showsTwo_ = true, linked_ = true;
+  QSplitter *halves_, *upper_, *lower_;
+  int active_ = 0, count_ = 2;
+  bool linked_ = true;
   Arrangement arrangement_ = Arrangement::Automatic;
   glm::ivec2 pictureSize_{16, 9};
 };

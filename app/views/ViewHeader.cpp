@@ -30,7 +30,7 @@ QString zoomText(double zoom) {
 } // namespace
 
 ViewHeader::ViewHeader(QChar letter, QWidget* parent)
-    : QWidget(parent), letter_(letter), row_(&intermediate(IntermediateId::resolved)) {
+    : QWidget(parent), letter_(letter), row_(intermediate(IntermediateId::resolved)) {
   setFixedHeight(kHeight);
   makeControls();
   connectControls();
@@ -59,6 +59,16 @@ void ViewHeader::makeControls() {
   QStringList maps;
   for (const ColorMap map : kMaps) maps << qtext(colorMapName(map));
   map_->setChoices(maps);
+  compare_ = new IconButton(QStringLiteral("compare"),
+                            tr("Compare with another intermediate, preset or frame (C)"), this);
+  compare_->setCheckable(true);
+  histogram_ = new IconButton(QStringLiteral("histogram"), tr("Histogram of the visible values (H)"), this);
+  histogram_->setCheckable(true);
+  overlays_ = new IconButton(QStringLiteral("overlays"), tr("What lies over the picture"), this);
+  showing_ = new ChoiceButton(this);
+  showing_->setToolTip(tr("Which of both sides is shown (O; Shift+O: divider; hold Shift: the other one)"));
+  showing_->setAccessibleName(tr("Which of both sides is shown"));
+  showing_->setChoices({tr("This side"), tr("Other side"), tr("Difference"), tr("Divider")});
   zoom_ = new ChoiceButton(this);
   zoom_->setFlat(true);
   zoom_->setPlain(true);
@@ -71,6 +81,11 @@ void ViewHeader::connectControls() {
   connect(reset_, &IconButton::clicked, this, &ViewHeader::resetRequested);
   connect(auto_, &IconButton::clicked, this, &ViewHeader::autoRangeRequested);
   connect(auto_, &QWidget::customContextMenuRequested, this, &ViewHeader::alwaysAutoToggled);
+  connect(compare_, &IconButton::clicked, this, &ViewHeader::comparisonRequested);
+  connect(histogram_, &IconButton::clicked, this, &ViewHeader::histogramToggled);
+  connect(overlays_, &IconButton::clicked, this, &ViewHeader::overlaysRequested);
+  connect(showing_, &ChoiceButton::chosen, this,
+          [this](int index) { Q_EMIT showingChosen(static_cast<Showing>(index)); });
   connect(map_, &ChoiceButton::chosen, this, [this](int index) {
     ViewStyle style = style_;
     style.map = kMaps[index];
@@ -93,25 +108,27 @@ void ViewHeader::connectControls() {
   });
   connect(channels_, &ChannelButtons::soloed, this, [this](int channel) {
     ViewStyle style = style_;
-    const bool isAlone = isShown(style, channel) && shownChannels(*row_, style) == 1;
+    const bool isAlone = isShown(style, channel) && shownChannels(row_, style) == 1;
     for (int other = 0; other < 3; ++other) setShown(style, other, isAlone || other == channel);
     editStyle(style);
   });
 }
 
 void ViewHeader::editStyle(const ViewStyle& style) {
-  setContent(*row_, style);
+  setContent(row_, style);
   Q_EMIT styleEdited(style);
 }
 
 void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style) {
-  row_ = &row;
+  row_ = row;
   style_ = style;
   name_->setCaption(qtext(row.label));
   name_->setToolTip(intermediateToolTip(row));
   QStringList names;
   if (row.channels > 1)
-    for (const std::string& name : channelNames(row)) names << QString::fromStdString(name);
+    for (const std::string& name : channelNames(intermediate(row.id)))
+      names // of a difference, too
+          << QString::fromStdString(name);
   channels_->setNames(names);
   channels_->setShown({style.red, style.green, style.blue});
   low_->setValue(style.low);
@@ -136,6 +153,24 @@ void ViewHeader::setAlwaysAuto(bool always) {
   auto_->setChecked(always);
 }
 
+void ViewHeader::setComparing(bool compares, bool hasDifference, Showing showing) {
+  compares_ = compares;
+  compare_->setChecked(compares);
+  showing_->setCurrent(static_cast<int>(showing));
+  showing_->setToolTip(
+      hasDifference ? tr("Which of both sides is shown (O; Shift+O: divider; hold Shift: the other one)")
+                    : tr("Which of both sides is shown (O); they have no difference: one has more channels"));
+  arrange();
+}
+
+void ViewHeader::setHistogramShown(bool shown) {
+  histogram_->setChecked(shown);
+}
+
+QPoint ViewHeader::overlaysPlace() const {
+  return overlays_->geometry().bottomLeft() + QPoint(0, 1);
+}
+
 void ViewHeader::arrange() {
   // From left to right, and how long each holds out when it gets narrow (0: longest).
   struct Item {
@@ -146,16 +181,20 @@ void ViewHeader::arrange() {
     bool isShown = false;
   };
   Item items[] = {{name_, true, 0},
-                  {channels_, row_->channels > 1, 2},
-                  {map_, usesColorMap(*row_, style_), 6},
-                  {low_, hasRange(*row_), 4},
-                  {high_, hasRange(*row_), 4},
-                  {auto_, hasRange(*row_), 5},
-                  {exposure_, hasExposure(*row_), 3},
-                  {reset_, true, 7},
+                  {channels_, row_.channels > 1, 2},
+                  {map_, usesColorMap(row_, style_), 6},
+                  {low_, hasRange(row_), 4},
+                  {high_, hasRange(row_), 4},
+                  {auto_, hasRange(row_), 5},
+                  {histogram_, hasRange(row_), 7},
+                  {exposure_, hasExposure(row_), 3},
+                  {reset_, true, 8},
+                  {compare_, true, 7},
+                  {showing_, compares_, 5},
+                  {overlays_, true, 7},
                   {zoom_, true, 1}};
   int left = 2 * kUnit + kLetter + kGap, room = width() - left - kUnit;
-  for (int rank = 0; rank <= 7; ++rank) {
+  for (int rank = 0; rank <= 8; ++rank) {
     int needed = 0;
     for (Item& item : items)
       if (item.rank == rank && item.isWanted) needed += (item.width = item.widget->sizeHint().width()) + kGap;

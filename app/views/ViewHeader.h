@@ -1,6 +1,8 @@
 // The line above a view: what it shows and how. Hides its lesser parts where it is narrow.
 #pragma once
 
+#include "app/views/Comparison.h"
+
 #include "core/inspect/Visualizer.h"
 
 #include <QWidget>
@@ -25,6 +27,11 @@ class ViewHeader : public QWidget {
   void setZoom(double zoom, bool fit);
   void setActive(bool active);
   void setAlwaysAuto(bool always);
+  /// Whether there is another side, a difference of both, and how they are shown.
+  void setComparing(bool compares, bool hasDifference, Showing showing);
+  void setHistogramShown(bool shown);
+  /// Below the button that opens the list of overlays.
+  QPoint overlaysPlace() const;
   QSize sizeHint() const override { return {400, kHeight}; }
   QSize minimumSizeHint() const override { return {120, kHeight}; }
 
@@ -35,6 +42,10 @@ class ViewHeader : public QWidget {
   void alwaysAutoToggled();
   void resetRequested();
   void zoomClicked();
+  void comparisonRequested();
+  void showingChosen(Showing showing);
+  void overlaysRequested();
+  void histogramToggled();
   void pressed();
 
  protected:
@@ -51,13 +62,15 @@ class ViewHeader : public QWidget {
 
   QChar letter_;
   bool active_ = false;
-  const Intermediate* row_;
+  Intermediate row_;
   ViewStyle style_;
+  bool compares_ = false;
   ChoiceButton* name_ = nullptr;
   ChannelButtons* channels_ = nullptr;
   NumberField *low_ = nullptr, *high_ = nullptr, *exposure_ = nullptr;
-  IconButton *auto_ = nullptr, *reset_ = nullptr;
-  ChoiceButton *map_ = nullptr, *zoom_ = nullptr;
+  IconButton *auto_ = nullptr, *reset_ = nullptr, *compare_ = nullptr, *overlays_ = nullptr;
+  IconButton* histogram_ = nullptr;
+  ChoiceButton *map_ = nullptr, *zoom_ = nullptr, *showing_ = nullptr;
 };
 
 } // namespace taa::app

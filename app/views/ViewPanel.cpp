@@ -1,5 +1,7 @@
 #include "app/views/ViewPanel.h"
 
+#include "app/Theme.h"
+#include "app/views/RangeHistogram.h"
 #include "app/views/RangeMath.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -10,14 +12,19 @@ namespace taa::app {
 
 ViewPanel::ViewPanel(int index, IntermediateId id, QWidget* parent)
     : QWidget(parent), index_(index), id_(id), style_(defaultStyle(intermediate(id))),
-      header_(new ViewHeader(QChar(static_cast<char16_t>('A' + index)))), viewport_(new Viewport) {
+      difference_(differenceStyle(intermediate(id))),
+      header_(new ViewHeader(QChar(static_cast<char16_t>('A' + index)))), viewport_(new Viewport),
+      histogram_(new RangeHistogram(viewport_)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(header_);
   layout->addWidget(viewport_, 1);
   setObjectName(QStringLiteral("view") + QChar(static_cast<char16_t>('A' + index)));
+  viewport_->setAccessibleName(tr("View %1").arg(QChar(static_cast<char16_t>('A' + index))));
   connectParts();
+  connectComparing();
+  makeHistogram();
   refresh();
 }
 
@@ -46,24 +53,30 @@ void ViewPanel::connectParts() {
   connect(viewport_, &Viewport::hoverChanged, this, &ViewPanel::requestChanged);
 }
 
-ViewRequest ViewPanel::request() const {
-  const ViewGeometry geometry = viewport_->viewGeometry();
-  ViewRequest request;
-  request.id = id_;
-  request.style = style_;
-  request.transform = viewport_->transform();
-  const bool isShown = isVisible() && !geometry.isEmpty();
-  request.width = isShown ? geometry.viewport.x : 0;
-  request.height = isShown ? geometry.viewport.y : 0;
-  request.withValues =
-      wantsRange_ || alwaysAuto_ || viewport_->showsValues() || viewport_->hovered().has_value();
-  return request;
+const ViewStyle& ViewPanel::style() const {
+  return isDifference() ? difference_ : style_;
 }
 
 void ViewPanel::refresh() {
-  header_->setContent(intermediate(id_), style_);
+  const Intermediate row = shownRow();
+  header_->setContent(row, style());
   header_->setAlwaysAuto(alwaysAuto_);
-  viewport_->setContent(id_, style_);
+  header_->setComparing(static_cast<bool>(comparison_), hasDifference(), showing_);
+  viewport_->setContent({row, drawn(style()), sideText(false)});
+  viewport_->setOther(comparison_
+                          ? std::optional(ViewContent{intermediate(otherId()), otherStyle(), sideText(true)})
+                          : std::nullopt);
+  viewport_->setShowing(showing_);
+  viewport_->setShowsGrid(shows(Overlay::Grid));
+  histogram_->setRange({style().low, style().high});
+  if (!hasRange(row)) setHistogramShown(false);
+}
+
+// After anything that is drawn has changed.
+void ViewPanel::change() {
+  refresh();
+  Q_EMIT contentChanged();
+  Q_EMIT requestChanged();
 }
 
 void ViewPanel::setIntermediate(IntermediateId id) {
@@ -72,30 +85,30 @@ void ViewPanel::setIntermediate(IntermediateId id) {
   id_ = id;
   const auto known = remembered_.find(id);
   style_ = known != remembered_.end() ? known->second : defaultStyle(intermediate(id));
+  difference_ = differenceStyle(intermediate(id));
   wantsRange_ = false;
-  refresh();
-  Q_EMIT contentChanged();
-  Q_EMIT requestChanged();
+  if (showing_ == Showing::Difference && !hasDifference()) showing_ = Showing::Wipe;
+  change();
 }
 
 void ViewPanel::setStyle(const ViewStyle& style) {
-  if (style == style_) return;
-  style_ = style;
-  refresh();
-  Q_EMIT contentChanged();
-  Q_EMIT requestChanged();
+  if (style == this->style()) return;
+  (isDifference() ? difference_ : style_) = style;
+  change();
 }
 
 void ViewPanel::setResult(const ViewResult& result) {
   viewport_->setResult(result);
   fitRange(result);
+  fillHistogram();
 }
 
 void ViewPanel::fitRange(const ViewResult& result) {
   if (!(wantsRange_ || alwaysAuto_) || result.request.id != id_ || result.values.empty()) return;
+  if (result.request.asDifference != isDifference()) return;
   wantsRange_ = false;
-  const std::optional<ValueRange> range = autoRange(result.values, intermediate(id_), style_);
-  ViewStyle style = style_;
+  const std::optional<ValueRange> range = autoRange(result.values, shownRow(), this->style());
+  ViewStyle style = this->style();
   if (range) {
     style.low = range->low;
     style.high = range->high;
@@ -110,20 +123,18 @@ void ViewPanel::setActive(bool active) {
 }
 
 void ViewPanel::changeExposure(float stops) {
-  if (!hasExposure(intermediate(id_))) return;
-  ViewStyle style = style_;
+  if (!hasExposure(shownRow())) return;
+  ViewStyle style = this->style();
   style.exposure += stops;
   setStyle(style);
 }
 
 void ViewPanel::normalize() {
   refresh(); // a click has checked the button
-  if (!hasRange(intermediate(id_))) return;
+  if (!hasRange(shownRow())) return;
   wantsRange_ = true;
-  if (viewport_->result() && viewport_->result()->request.id == id_ && !viewport_->result()->values.empty())
-    fitRange(*viewport_->result());
-  else
-    Q_EMIT requestChanged();
+  if (viewport_->result()) fitRange(*viewport_->result());
+  if (wantsRange_) Q_EMIT requestChanged();
 }
 
 void ViewPanel::setAlwaysAuto(bool always) {
@@ -135,28 +146,62 @@ void ViewPanel::setAlwaysAuto(bool always) {
 void ViewPanel::resetStyle() {
   alwaysAuto_ = false;
   refresh();
-  setStyle(defaultStyle(intermediate(id_)));
+  setStyle(isDifference() ? differenceStyle(intermediate(id_)) : defaultStyle(intermediate(id_)));
 }
 
 void ViewPanel::nextColorMap() {
-  if (!usesColorMap(intermediate(id_), style_)) return;
-  ViewStyle style = style_;
+  if (!usesColorMap(shownRow(), style())) return;
+  ViewStyle style = this->style();
   constexpr int kMapCount = static_cast<int>(ColorMap::Categorical) + 1;
   style.map = static_cast<ColorMap>((static_cast<int>(style.map) + 1) % kMapCount);
   setStyle(style);
 }
 
 void ViewPanel::toggleMarks() {
-  ViewStyle style = style_;
+  ViewStyle style = this->style();
   style.markInvalid = !style.markInvalid;
   setStyle(style);
 }
 
 void ViewPanel::toggleChannel(int channel) {
   if (channel >= intermediate(id_).channels) return;
-  ViewStyle style = style_;
+  ViewStyle style = this->style();
   setShown(style, channel, !isShown(style, channel));
   setStyle(style);
+}
+
+// Below the header, over the picture; asks for values while it is open.
+void ViewPanel::makeHistogram() {
+  histogram_->hide();
+  histogram_->move(2 * kUnit, 8 * kUnit); // below the label of a side
+  connect(header_, &ViewHeader::histogramToggled, this, [this] { setHistogramShown(!showsHistogram()); });
+  connect(histogram_, &RangeHistogram::rangeEdited, this, [this](ValueRange range) {
+    ViewStyle style = this->style();
+    style.low = range.low;
+    style.high = range.high;
+    setStyle(style);
+  });
+}
+
+void ViewPanel::fillHistogram() {
+  const auto& result = viewport_->result();
+  if (!showsHistogram() || !result || result->values.empty()) return;
+  if (result->request.id == id_ && result->request.asDifference == isDifference())
+    histogram_->setValues(result->values, shownRow(), style());
+}
+
+bool ViewPanel::showsHistogram() const {
+  return !histogram_->isHidden();
+}
+
+void ViewPanel::setHistogramShown(bool shown) {
+  shown = shown && hasRange(shownRow());
+  if (shown == showsHistogram()) return header_->setHistogramShown(shown); // a click has checked the button
+  histogram_->setVisible(shown);
+  header_->setHistogramShown(showsHistogram());
+  fillHistogram();
+  Q_EMIT contentChanged();
+  Q_EMIT requestChanged();
 }
 
 } // namespace taa::app

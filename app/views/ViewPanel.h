@@ -1,17 +1,24 @@
-// One view: header and viewport, what it shows, and its memory of how each intermediate was last shown.
+// One view: header and viewport, what it shows, what it is compared with, and its memory of how each
+// intermediate was last shown.
 #pragma once
 
+#include "app/views/Comparison.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/RenderThread.h"
 
+#include <QJsonObject>
+#include <QStringList>
 #include <QWidget>
 
 #include <map>
 #include <optional>
 
+class QMenu;
+
 namespace taa::app {
 
+class RangeHistogram;
 class ViewHeader;
 class Viewport;
 
@@ -23,16 +30,43 @@ class ViewPanel : public QWidget {
 
   int index() const { return index_; }
   IntermediateId id() const { return id_; }
-  const ViewStyle& style() const { return style_; }
+  /// Of what is shown: the row, or the difference.
+  const ViewStyle& style() const;
   Viewport* viewport() const { return viewport_; }
   ViewHeader* header() const { return header_; }
-  /// What the render thread shall deliver.
-  ViewRequest request() const;
+  /// What the render thread shall deliver. `presets`: those of the lanes after the first.
+  ViewRequest request(const QStringList& presets) const;
 
   void setIntermediate(IntermediateId id);
   void setStyle(const ViewStyle& style);
   void setResult(const ViewResult& result);
   void setActive(bool active);
+
+  // Comparing
+  const Comparison& comparison() const { return comparison_; }
+  /// At first both are shown with a divider between them.
+  void setComparison(const Comparison& comparison);
+  Showing showing() const { return showing_; }
+  void setShowing(Showing showing);
+  /// One side, the other, their difference; asks for something to compare with when there is nothing.
+  void cycleShowing();
+  void toggleWipe();
+  /// Whether both sides have as many channels.
+  bool hasDifference() const;
+  bool isDifference() const { return comparison_ && showing_ == Showing::Difference; }
+  /// Shows the other side for as long as it lasts.
+  void setPeeking(bool peeking);
+  /// What the settings in force are called: "balanced*".
+  void setSettingsName(const QString& name);
+
+  /// Counts the visible values below the range, to set it by.
+  void setHistogramShown(bool shown);
+  bool showsHistogram() const;
+
+  // Overlays
+  bool shows(Overlay overlay) const { return overlays_[static_cast<std::size_t>(overlay)]; }
+  void setOverlay(Overlay overlay, bool on);
+  static QString overlayText(Overlay overlay);
 
   // Keys
   void changeExposure(float stops);
@@ -44,24 +78,43 @@ class ViewPanel : public QWidget {
   void toggleMarks();
   void toggleChannel(int channel);
 
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
+
  Q_SIGNALS:
   void requestChanged();
-  void contentChanged(); ///< intermediate or style
+  void contentChanged(); ///< intermediate, style, comparison or overlays
   void activated();
   void intermediateRequested();
+  void comparisonRequested(); ///< a list to choose from is wanted
 
  private:
   void connectParts();
+  void makeHistogram();
+  void fillHistogram();
+  void connectComparing();
   void fitRange(const ViewResult& result);
   void refresh();
+  void change();
+  void openOverlayMenu();
+  Intermediate shownRow() const;
+  IntermediateId otherId() const;
+  ViewStyle drawn(const ViewStyle& style) const;
+  ViewStyle otherStyle() const;
+  QString sideText(bool other) const;
 
   int index_;
   IntermediateId id_;
-  ViewStyle style_;
+  ViewStyle style_, difference_;
   std::map<IntermediateId, ViewStyle> remembered_;
+  Comparison comparison_;
+  Showing showing_ = Showing::First;
+  std::array<bool, kOverlayCount> overlays_{false, false, false, false, true};
+  QString settingsName_;
   bool wantsRange_ = false, alwaysAuto_ = false;
   ViewHeader* header_;
   Viewport* viewport_;
+  RangeHistogram* histogram_;
 };
 
 } // namespace taa::app

@@ -3,7 +3,7 @@
 #include "app/Theme.h"
 #include "app/views/Legend.h"
 #include "app/views/PixelOverlay.h"
-#include "app/views/ReferenceNote.h"
+#include "app/views/Wipe.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,7 +14,8 @@
 
 namespace taa::app {
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+Viewport::Viewport(QWidget* parent)
+    : QWidget(parent), content_{intermediate(IntermediateId::resolved), {}, {}} {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setCursor(Qt::CrossCursor);
@@ -30,7 +31,9 @@ ViewGeometry Viewport::viewGeometry() const {
 }
 
 ViewTransform Viewport::transform() const {
-  return viewGeometry().transform(camera_);
+  ViewTransform transform = viewGeometry().transform(camera_);
+  transform.scale = static_cast<float>(devicePixelRatioF());
+  return transform;
 }
 
 glm::dvec2 Viewport::deviceFrom(QPointF logical) const {
@@ -48,21 +51,9 @@ void Viewport::setPictureSize(glm::ivec2 size) {
   Q_EMIT transformChanged();
 }
 
-void Viewport::setContent(IntermediateId id, const ViewStyle& style) {
-  id_ = id;
-  style_ = style;
+void Viewport::setContent(const ViewContent& content) {
+  content_ = content;
   update();
-}
-
-void Viewport::setResult(const ViewResult& result) {
-  result_ = result;
-  const Picture& picture = result.picture;
-  const QImage raw(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
-                   QImage::Format_RGBA8888);
-  image_ = raw.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-  result_->picture = {}; // kept as image_
-  update();
-  if (hovered_) Q_EMIT hoverChanged();
 }
 
 void Viewport::setPick(std::optional<glm::ivec2> pixel) {
@@ -103,49 +94,18 @@ void Viewport::reveal(glm::ivec2 pixel) {
   if (!camera_.fit) moveCamera(viewGeometry().revealed(camera_, pixel));
 }
 
-std::optional<std::vector<float>> Viewport::valueAt(glm::ivec2 pixel) const {
-  if (!result_ || result_->values.empty() || result_->request.id != id_) return {};
-  const glm::ivec2 at = pixel - glm::ivec2(result_->region.x, result_->region.y);
-  const Image& values = result_->values;
-  if (at.x < 0 || at.y < 0 || at.x >= values.width || at.y >= values.height) return {};
-  const float* first = values.at(at.x, at.y);
-  return std::vector<float>(first, first + values.channels);
-}
-
 void Viewport::setHovered(std::optional<glm::ivec2> pixel) {
   if (pixel == hovered_) return;
   hovered_ = pixel;
   Q_EMIT hoverChanged();
 }
 
-void Viewport::paintPicture(QPainter& painter) const {
-  if (image_.isNull() || !result_) return;
-  const ScreenRect place =
-      movedPicture(result_->request.transform, {image_.width(), image_.height()}, transform());
-  const double ratio = devicePixelRatioF();
-  painter.drawImage(QRectF(place.x / ratio, place.y / ratio, place.width / ratio, place.height / ratio),
-                    image_);
-}
-
 void Viewport::paintEvent(QPaintEvent*) {
-  const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
-  painter.fillRect(rect(), colors.surround);
-  paintPicture(painter);
-  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-  if (size_.x > 0 && overlay.texelSize() >= kGridZoom) overlay.paintGrid(painter);
-  if (result_ && result_->request.id == id_ && showsValues()) overlay.paintValues(painter, *result_);
-  if (pick_) overlay.paintPick(painter, *pick_);
-
-  QRect strip(0, height() - kLegendHeight, width(), kLegendHeight);
-  if (pick_) {
-    // The strip gives way to the picked pixel.
-    const ScreenRect cell = overlay.pixelRect(*pick_);
-    if (cell.y + cell.height > strip.top() - 2 * kUnit && cell.y < height()) strip.moveTop(0);
-  }
-  const bool isOfResult = result_ && result_->request.id == id_;
-  paintLegend(painter, strip, intermediate(id_), style_, colors,
-              isOfResult ? referenceNote(*result_) : QString());
+  painter.fillRect(rect(), themeColors(this).surround);
+  paintSides(painter);
+  if (pick_) PixelOverlay(viewGeometry(), transform(), devicePixelRatioF()).paintPick(painter, *pick_);
+  paintLegends(painter);
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {
@@ -163,9 +123,10 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   cursor_ = event->position();
   drag_ = event->button();
   Q_EMIT activated();
+  dragsDivider_ = drag_ == Qt::LeftButton && isOnDivider(cursor_);
   if (drag_ == Qt::RightButton && size_.x > 0)
     Q_EMIT picked(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
-  else if (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)
+  else if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
     setCursor(Qt::ClosedHandCursor);
 }
 
@@ -174,14 +135,25 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   cursor_ = event->position();
   if (drag_ == Qt::RightButton && size_.x > 0)
     Q_EMIT picked(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
+  else if (dragsDivider_)
+    setDivider(wipeShare(cursor_.x(), width()));
   else if (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)
     moveCamera(viewGeometry().panned(camera_, moved));
+  if (drag_ == Qt::NoButton) setCursor(isOnDivider(cursor_) ? Qt::SplitHCursor : Qt::CrossCursor);
   setHovered(viewGeometry().pixelAt(transform(), deviceFrom(cursor_)));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent*) {
   drag_ = Qt::NoButton;
-  setCursor(Qt::CrossCursor);
+  dragsDivider_ = false;
+  setCursor(isOnDivider(cursor_) ? Qt::SplitHCursor : Qt::CrossCursor);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && isOnDivider(event->position()))
+    setDivider(0.5);
+  else
+    mousePressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent*) {

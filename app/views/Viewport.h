@@ -2,6 +2,8 @@
 // once.
 #pragma once
 
+#include "app/views/Comparison.h"
+#include "app/views/Legend.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/RenderThread.h"
@@ -13,6 +15,13 @@
 
 namespace taa::app {
 
+/// One side of what is looked at.
+struct ViewContent {
+  Intermediate row; ///< of a difference: a signed one
+  ViewStyle style;
+  QString text; ///< row and settings
+};
+
 class Viewport : public QWidget {
   Q_OBJECT
  public:
@@ -21,7 +30,15 @@ class Viewport : public QWidget {
   /// Size of what is looked at, px.
   void setPictureSize(glm::ivec2 size);
   /// What legend and overlays speak of.
-  void setContent(IntermediateId id, const ViewStyle& style);
+  void setContent(const ViewContent& content);
+  /// The other side, when there is one.
+  void setOther(const std::optional<ViewContent>& other);
+  void setShowing(Showing showing);
+  /// Shows the other side meanwhile.
+  void setPeeking(bool peeking);
+  void setShowsGrid(bool shows);
+  /// Where the divider lies, share of the width.
+  void setDivider(double share);
   void setResult(const ViewResult& result);
   void setPick(std::optional<glm::ivec2> pixel);
   void setCamera(const ViewCamera& camera);
@@ -35,6 +52,12 @@ class Viewport : public QWidget {
   std::optional<glm::ivec2> hovered() const { return hovered_; }
   /// The value at a pixel, when the last result brought it.
   std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const;
+  std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const;
+  double divider() const { return divider_; }
+  /// What is on the screen now, peeking included.
+  Showing shown() const;
+  /// Who is on a side: row, settings, frame.
+  QString label(bool other) const;
   const std::optional<ViewResult>& result() const { return result_; }
 
   void fit();
@@ -49,6 +72,7 @@ class Viewport : public QWidget {
   void picked(glm::ivec2 pixel);
   void pickMoved(int dx, int dy);
   void activated();
+  void dividerMoved();
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -57,6 +81,7 @@ class Viewport : public QWidget {
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
   void leaveEvent(QEvent*) override;
   void keyPressEvent(QKeyEvent*) override;
   void focusInEvent(QFocusEvent*) override;
@@ -65,14 +90,21 @@ class Viewport : public QWidget {
   glm::dvec2 deviceFrom(QPointF logical) const;
   void moveCamera(const ViewCamera& camera);
   void setHovered(std::optional<glm::ivec2> pixel);
-  void paintPicture(QPainter& painter) const;
+  bool isOnDivider(QPointF position) const;
+  bool isResultOfContent() const;
+  void paintSide(QPainter& painter, bool other, const QRect& part) const;
+  void paintSides(QPainter& painter) const;
+  void paintLegends(QPainter& painter) const;
 
   glm::ivec2 size_{0};
   ViewCamera camera_;
-  IntermediateId id_ = IntermediateId::resolved;
-  ViewStyle style_;
+  ViewContent content_;
+  std::optional<ViewContent> other_;
+  Showing showing_ = Showing::First;
+  bool peeks_ = false, showsGrid_ = true, dragsDivider_ = false;
+  double divider_ = 0.5;
   std::optional<ViewResult> result_;
-  QImage image_;
+  QImage image_, otherImage_;
   std::optional<glm::ivec2> pick_, hovered_;
   QPointF cursor_;
   Qt::MouseButton drag_ = Qt::NoButton;

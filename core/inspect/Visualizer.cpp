@@ -29,11 +29,11 @@ struct Variant {
   bool marksInvalid = true, isMinified = false;
   bool isDifference = false, marksClipped = false, tintsRejected = false, outlines = false, hasArrows = false;
 
-  bool operator<(const Variant& other) const { return key() < other.key(); }
   auto key() const {
     return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
                       tintsRejected, outlines, hasArrows);
   }
+  bool operator<(const Variant& other) const { return key() < other.key(); }
 };
 
 std::string prelude(const Variant& variant) {

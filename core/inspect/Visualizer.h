@@ -67,8 +67,8 @@ struct Layer {
 /// Rows of one picture that are drawn together.
 struct DrawnLayers {
   Layer row;
-  Layer minus;                  ///< of as many channels: their difference is drawn, row minus this
-  Layer rejectReason, objectId; ///< for the overlays that show them
+  Layer minus{};                    ///< of as many channels: their difference is drawn, row minus this
+  Layer rejectReason{}, objectId{}; ///< for the overlays that show them
 };
 
 /// Nearest neighbor above 1:1, exact area average below it (of the displayed colors' linear values).

@@ -226,14 +226,6 @@ TEST_F(Window, ChannelButtonsToggleAndSolo) {
   EXPECT_TRUE(renderer->views[0].style.red && renderer->views[0].style.green);
 }
 
-TEST_F(Window, TheSecondViewCanBeHiddenAndCostsNothingThen) {
-  EXPECT_EQ(renderer->views.size(), 2u);
-  key(Qt::Key_V);
-  EXPECT_EQ(renderer->views.size(), 1u);
-  key(Qt::Key_V);
-  EXPECT_EQ(renderer->views.size(), 2u);
-}
-
 TEST_F(Window, ABrokenFileIsToldAndKeepsThePicture) {
   const QImage before = window.views()->view(0)->viewport()->grab().toImage();
   QMimeData data;

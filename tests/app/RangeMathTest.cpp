@@ -57,3 +57,19 @@ TEST(RangeMath, ColorMapsAreForSingleChannels) {
   EXPECT_TRUE(hasExposure(kColor));
   EXPECT_FALSE(hasExposure(kAlpha));
 }
+
+TEST(RangeMath, CountsValuesInEqualPartsOfAScale) {
+  const Image values = valuesOf(1, {0.0f, 0.1f, 0.25f, 0.5f, 1.0f, NAN, INFINITY, -0.5f, 1.5f});
+  EXPECT_EQ(histogram(values, kAlpha, {}, {0.0f, 1.0f}, 4), (std::vector<int>{2, 1, 1, 1}));
+  ViewStyle style;
+  style.red = style.blue = false;
+  EXPECT_EQ(histogram(valuesOf(3, {9, 0.25f, 9, 9, 0.75f, 9}), kColor, style, {0.0f, 1.0f}, 2),
+            (std::vector<int>{1, 1}));
+}
+
+TEST(RangeMath, ADifferenceOpensWithAQuarterOfTheRangeBothWays) {
+  const ViewStyle style = differenceStyle(kMotion);
+  EXPECT_EQ(style.high, 8.0f);
+  EXPECT_EQ(style.low, -8.0f);
+  EXPECT_EQ(style.map, ColorMap::Diverging);
+}

@@ -12,13 +12,12 @@ using taa::Look;
 using taa::Picture;
 using taa::Settings;
 using taa::ViewStyle;
-using taa::test::small::everything;
 using taa::test::small::expectSame;
 using taa::test::small::fresh;
 using taa::test::small::isSame;
 using taa::test::small::kHeight;
 using taa::test::small::kWidth;
-using taa::test::small::otherJitter;
+using taa::test::otherJitter;
 using taa::test::small::otherSettings;
 
 using ComparingTest = taa::test::small::InspectorTest;
@@ -51,12 +50,12 @@ TEST_F(ComparingTest, ALaneThatComesGivesWhatItsPresetGivesAlone) {
   EXPECT_FALSE(inspector->areAllExact());
   inspector->refine();
   EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(everything(), 0), fresh(Settings{}, 5));
-  expectSame(inspector->images(everything(), 1), fresh(otherSettings(), 5));
+  expectSame(inspector->images(taa::allRows(), 0), fresh(Settings{}, 5));
+  expectSame(inspector->images(taa::allRows(), 1), fresh(otherSettings(), 5));
   inspector->changeLanes({Settings{}});
   EXPECT_EQ(inspector->laneCount(), 1);
   EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(everything()), fresh(Settings{}, 5));
+  expectSame(inspector->images(taa::allRows()), fresh(Settings{}, 5));
 }
 
 TEST_F(ComparingTest, TwoLanesOfTheSameInputsDrawTheSceneOnce) {
@@ -82,7 +81,7 @@ TEST_F(ComparingTest, ALaneCanTakeOtherSettingsWithoutTheOthersNoticing) {
   inspector->changeLanes({Settings{}, otherJitter()});
   EXPECT_TRUE(inspector->isExact(0));
   inspector->refine();
-  expectSame(inspector->images(everything(), 1), fresh(otherJitter(), 3));
+  expectSame(inspector->images(taa::allRows(), 1), fresh(otherJitter(), 3));
 }
 
 TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
@@ -94,19 +93,19 @@ TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
 TEST_F(ComparingTest, AFrameKeptAsideIsThatFrameAndTheOneOnShowStays) {
   const auto inspector = opened();
   inspector->seek(6);
-  const std::vector<Image> before = inspector->images(everything());
+  const std::vector<Image> before = inspector->images(taa::allRows());
   const Look aside{IntermediateId::alpha, 0, 2};
   EXPECT_FALSE(inspector->isAtHand(aside));
   inspector->keepAside({2, 9});
   EXPECT_TRUE(inspector->isAtHand(aside) && inspector->isExact(aside));
   EXPECT_TRUE(inspector->isAtHand({.frame = 9}));
   const std::vector<Image> expected = fresh(Settings{}, 2);
-  for (std::size_t index = 0; index < everything().size(); ++index)
-    EXPECT_TRUE(isSame(inspector->image({everything()[index], 0, 2}, {}, kWhole), expected[index]))
+  for (std::size_t index = 0; index < taa::allRows().size(); ++index)
+    EXPECT_TRUE(isSame(inspector->image({taa::allRows()[index], 0, 2}, {}, kWhole), expected[index]))
         << taa::kIntermediates[index].name;
   EXPECT_EQ(inspector->frame(), 6);
   EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(everything()), before);
+  expectSame(inspector->images(taa::allRows()), before);
   inspector->keepAside({9});
   EXPECT_FALSE(inspector->isAtHand(aside));
   inspector->setSettings(otherSettings());
@@ -120,7 +119,7 @@ TEST_F(ComparingTest, AFrameToKeepAsideCanBeGivenUp) {
                taa::Cancelled);
   EXPECT_FALSE(inspector->isAtHand({.frame = 40}));
   EXPECT_EQ(inspector->frame(), 4);
-  expectSame(inspector->images(everything()), fresh(Settings{}, 4));
+  expectSame(inspector->images(taa::allRows()), fresh(Settings{}, 4));
 }
 
 TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {

@@ -1,0 +1,167 @@
+// Views with two sides from the render thread: lanes, other frames, differences, all of the frame they say.
+#include "core/settings/Parameters.h"
+#include "tests/support/RenderRecorder.h"
+
+#include <future>
+
+using taa::IntermediateId;
+using taa::OtherSide;
+using taa::Picture;
+using taa::Settings;
+using taa::ViewRequest;
+using taa::ViewResult;
+using taa::test::onThread::kHeight;
+using taa::test::onThread::kWidth;
+using taa::test::onThread::viewOf;
+
+namespace {
+
+/// The picture of a view from an inspector that only has these settings, on a thread of its own.
+Picture alone(const Settings& settings, IntermediateId id, int frame) {
+  const auto make = [&] {
+    taa::Inspector inspector;
+    inspector.setSize(kWidth, kHeight);
+    inspector.setSettings(settings);
+    inspector.open("builtin:fan");
+    inspector.seek(frame);
+    return inspector.picture(id, defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
+  };
+  return std::async(std::launch::async, make).get();
+}
+
+Settings otherSettings() {
+  Settings settings;
+  taa::applyAssignment(settings, "rectify.method=none");
+  taa::applyAssignment(settings, "weight.minimum=0.02");
+  return settings;
+}
+
+class RenderSidesTest : public taa::test::onThread::RenderThreadTest {
+ protected:
+  static ViewRequest comparing(OtherSide other) {
+    ViewRequest view = viewOf(IntermediateId::resolved);
+    other.style = defaultStyle(taa::intermediate(other.id));
+    view.other = other;
+    return view;
+  }
+  ViewResult last() {
+    thread->waitUntilIdle();
+    return recorder.read([&] { return recorder.pictures.empty() ? ViewResult{} : recorder.pictures.back(); });
+  }
+};
+
+} // namespace
+
+TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) {
+  thread->seek(5);
+  thread->setOtherLanes({otherSettings()});
+  thread->setViews({comparing({.lane = 1})});
+  const ViewResult result = last();
+  ASSERT_TRUE(result.other);
+  EXPECT_TRUE(result.exact && result.other->exact);
+  EXPECT_EQ(result.frame, 5);
+  EXPECT_EQ(result.other->frame, 5);
+  EXPECT_EQ(result.picture.rgba, alone(Settings{}, IntermediateId::resolved, 5).rgba);
+  EXPECT_EQ(result.other->picture.rgba, alone(otherSettings(), IntermediateId::resolved, 5).rgba);
+  EXPECT_NE(result.picture.rgba, result.other->picture.rgba);
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
+  thread->setOtherLanes({otherSettings()});
+  thread->setViews({comparing({.lane = 1})});
+  thread->step(3);
+  thread->waitUntilIdle();
+  thread->setSettings(otherSettings());
+  thread->setOtherLanes({Settings{}});
+  const ViewResult result = last();
+  ASSERT_TRUE(result.other);
+  EXPECT_EQ(result.picture.rgba, alone(otherSettings(), IntermediateId::resolved, 3).rgba);
+  EXPECT_EQ(result.other->picture.rgba, alone(Settings{}, IntermediateId::resolved, 3).rgba);
+}
+
+TEST_F(RenderSidesTest, ALaneThatGoesTakesItsSideWithIt) {
+  thread->setOtherLanes({otherSettings()});
+  thread->setViews({comparing({.lane = 1})});
+  ASSERT_TRUE(last().other);
+  thread->setOtherLanes({});
+  EXPECT_FALSE(last().other);
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
+  thread->seek(8);
+  thread->setViews({comparing({.id = IntermediateId::alpha, .frame = 3})});
+  ViewResult result = last();
+  ASSERT_TRUE(result.other);
+  EXPECT_EQ(result.frame, 8);
+  EXPECT_EQ(result.other->frame, 3);
+  EXPECT_EQ(result.other->picture.rgba, alone(Settings{}, IntermediateId::alpha, 3).rgba);
+  EXPECT_EQ(result.picture.rgba, alone(Settings{}, IntermediateId::resolved, 8).rgba);
+  thread->setSettings(otherSettings());
+  result = last();
+  ASSERT_TRUE(result.other);
+  EXPECT_TRUE(result.other->exact);
+  EXPECT_EQ(result.other->picture.rgba, alone(otherSettings(), IntermediateId::alpha, 3).rgba);
+  EXPECT_EQ(recorder.frame(), 8) << "the frame on show stays";
+}
+
+TEST_F(RenderSidesTest, TheFrameBeforeStaysOneBehind) {
+  thread->setViews({comparing({.framesBefore = 1})});
+  EXPECT_EQ(last().other->frame, 0) << "there is none before the first";
+  thread->step(2);
+  EXPECT_EQ(last().other->frame, 1);
+  thread->step(1);
+  const ViewResult result = last();
+  EXPECT_EQ(result.other->frame, 2);
+  EXPECT_EQ(result.other->picture.rgba, alone(Settings{}, IntermediateId::resolved, 2).rgba);
+}
+
+TEST_F(RenderSidesTest, AFrameBeyondTheEndIsTheLast) {
+  thread->setViews({comparing({.frame = 1000000})});
+  const ViewResult result = last();
+  ASSERT_TRUE(result.other);
+  EXPECT_EQ(result.other->frame, recorder.read([&] { return recorder.statuses.back().frameCount; }) - 1);
+}
+
+TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
+  thread->seek(4);
+  thread->setOtherLanes({otherSettings()});
+  ViewRequest view = comparing({.lane = 1});
+  view.withValues = true;
+  thread->setViews({view});
+  const ViewResult sides = last();
+  view.asDifference = true;
+  thread->setViews({view});
+  const ViewResult difference = last();
+  ASSERT_TRUE(sides.other && difference.other);
+  ASSERT_EQ(difference.values.pixels.size(), sides.values.pixels.size());
+  bool differs = false;
+  for (std::size_t index = 0; index < sides.values.pixels.size(); ++index) {
+    const float expected = sides.values.pixels[index] - sides.other->values.pixels[index];
+    ASSERT_EQ(difference.values.pixels[index], expected);
+    differs = differs || expected != 0.0f;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
+  recorder.onWork = [&](const taa::Work& work) {
+    if (work.what == "Drawing the frame to compare with" && work.done > 2) thread->cancel();
+  };
+  const ViewRequest view = comparing({.frame = 200});
+  thread->setViews({view});
+  EXPECT_FALSE(last().other);
+  recorder.onWork = nullptr;
+  recorder.clear();
+  thread->setViews({view, viewOf(IntermediateId::alpha)});
+  EXPECT_FALSE(last().other);
+  for (const taa::Work& work : recorder.works) EXPECT_TRUE(work.what.empty()) << work.what;
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.read([&] {
+    for (const ViewResult& picture : recorder.pictures)
+      if (picture.other && picture.other->frame == 200) return true;
+    return false;
+  })) << "another frame on show asks for it again";
+}
