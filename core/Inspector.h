@@ -4,8 +4,8 @@
 
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
-#include "core/inspect/Metrics.h"
 #include "core/inspect/Look.h"
+#include "core/inspect/Metrics.h"
 #include "core/inspect/Profiler.h"
 #include "core/inspect/StageMeter.h"
 #include "core/inspect/Visualizer.h"

@@ -180,6 +180,8 @@ void RenderThread::setReferenceSamples(int samples) {
 
 void RenderThread::setFigures(const std::vector<Figure>& figures) {
   parts_->post([&](Wishes& wishes) { wishes.figures = figures; });
+}
+
 void RenderThread::setOtherLanes(const std::vector<Settings>& lanes) {
   parts_->post([&](Wishes& wishes) { wishes.otherLanes = lanes; });
 }

@@ -27,8 +27,7 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
-         !otherLanes;
+         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes;
 }
 
 bool Wishes::endReplay() const {

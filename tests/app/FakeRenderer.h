@@ -46,7 +46,6 @@ class FakeRenderer final : public Renderer {
   bool isLooping = true, profiling = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
-  glm::ivec2 thumbnails{0}; ///< size wanted
   std::vector<Settings> otherLanes;
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }

@@ -12,12 +12,12 @@ using taa::Look;
 using taa::Picture;
 using taa::Settings;
 using taa::ViewStyle;
+using taa::test::otherJitter;
 using taa::test::small::expectSame;
 using taa::test::small::fresh;
 using taa::test::small::isSame;
 using taa::test::small::kHeight;
 using taa::test::small::kWidth;
-using taa::test::otherJitter;
 using taa::test::small::otherSettings;
 
 using ComparingTest = taa::test::small::InspectorTest;
