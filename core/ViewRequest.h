@@ -14,9 +14,9 @@ namespace taa {
 /// What a view is compared with: another row, lane or frame.
 struct OtherSide {
   IntermediateId id = IntermediateId::resolved;
-  ViewStyle style;
+  ViewStyle style{};
   int lane = 0;
-  std::optional<int> frame; ///< clamped to the shot; nothing: the frame on show
+  std::optional<int> frame{}; ///< clamped to the shot; nothing: the frame on show
   int framesBefore = 0;     ///< without `frame`: that long before the one on show
   bool operator==(const OtherSide&) const = default;
   bool isOfAnotherFrame() const { return frame || framesBefore != 0; }

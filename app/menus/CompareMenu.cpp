@@ -51,7 +51,7 @@ void Menus::makeComparing(QMenu* menu) {
   add(menu, tr("With the frame &before"), keys({"Shift+C"}), [views] {
     views->active()->setComparison({OtherKind::FramesBefore, {}, {}, 1});
   });
-  add(menu, tr("With the &preset as it was chosen"), keys({"Alt+P"}), [this, views] {
+  add(menu, tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [this, views] {
     const QString preset = QString::fromStdString(window_.session().presetId());
     views->active()->setComparison({OtherKind::Preset, {}, preset});
   });
@@ -64,9 +64,11 @@ void Menus::makeComparing(QMenu* menu) {
       add(menu, tr("&Divider between both"), keys({"Shift+O"}), [views] { views->active()->toggleWipe(); });
   wipe->setCheckable(true);
   QList<QAction*> moves;
-  moves << add(menu, tr("Divider to the left"), keys({"["}), [views] { moveDivider(views, -kDividerStep); });
-  moves << add(menu, tr("Divider to the right"), keys({"]"}), [views] { moveDivider(views, kDividerStep); });
-  moves << add(menu, tr("Divider to the middle"), keys({"\\"}),
+  moves << add(menu, tr("Divider to the left"), keys({"Alt+Left"}),
+               [views] { moveDivider(views, -kDividerStep); });
+  moves << add(menu, tr("Divider to the right"), keys({"Alt+Right"}),
+               [views] { moveDivider(views, kDividerStep); });
+  moves << add(menu, tr("Divider to the middle"), keys({"Alt+Down"}),
                [views] { views->active()->viewport()->setDivider(0.5); });
   onRefresh([views, none, wipe, moves] {
     const bool isWipe = views->active()->showing() == Showing::Wipe;
@@ -83,7 +85,7 @@ void Menus::makeOverlays(QMenu* menu) {
                               if (views->active()->style().markInvalid != on) views->active()->toggleMarks();
                             });
   onRefresh([views, marks] { marks->setChecked(views->active()->style().markInvalid); });
-  const char* const keysOf[] = {"Shift+X", "J", "K", "Shift+A", "Shift+G"};
+  const char* const keysOf[] = {"Shift+X", "J", "Ctrl+K", "Shift+A", "Shift+G"};
   for (int index = 0; index < kOverlayCount; ++index) {
     const auto overlay = static_cast<Overlay>(index);
     QAction* action =

@@ -120,9 +120,9 @@ TEST_F(ComparingTest, ADividerSeparatesBothSidesAndCanBeDragged) {
   EXPECT_EQ(grayAt(target - 12, middleY()), FakeRenderer::kGray);
   QTest::mouseDClick(viewport(), Qt::LeftButton, {}, {target, middleY()});
   EXPECT_EQ(viewport()->divider(), 0.5);
-  key(Qt::Key_BracketLeft);
+  key(Qt::Key_Left, Qt::AltModifier);
   EXPECT_NEAR(viewport()->divider(), 0.45, 1e-9);
-  key(Qt::Key_Backslash);
+  key(Qt::Key_Down, Qt::AltModifier);
   EXPECT_EQ(viewport()->divider(), 0.5);
 }
 
@@ -255,7 +255,7 @@ TEST_F(ComparingTest, HoverShowsTheValuesOfBothSides) {
 TEST_F(ComparingTest, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
   key(Qt::Key_X, Qt::ShiftModifier);
   key(Qt::Key_J);
-  key(Qt::Key_K);
+  key(Qt::Key_K, Qt::ControlModifier);
   key(Qt::Key_A, Qt::ShiftModifier);
   const ViewStyle& style = asked().style;
   EXPECT_TRUE(style.markClipped && style.markRejected && style.outlineObjects && style.arrows);

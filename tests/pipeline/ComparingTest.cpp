@@ -1,6 +1,7 @@
 // Comparing on a small picture: lanes that come and go, frames beside the one on show, differences.
 #include "core/inspect/ColorMap.h"
 #include "tests/support/SmallInspector.h"
+#include "tests/support/Variants.h"
 
 #include <algorithm>
 #include <cmath>
