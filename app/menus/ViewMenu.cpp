@@ -48,7 +48,7 @@ void Menus::makeView() {
   makePictures(menu->addMenu(tr("&Picture")));
   makeOverlays(menu->addMenu(tr("O&verlays")));
   makeThemes(menu->addMenu(tr("T&heme")));
-  onRefresh([this, views, linked] { linked->setChecked(views->areLinked()); });
+  onRefresh([views, linked] { linked->setChecked(views->areLinked()); });
 }
 
 void Menus::makeArrangement(QMenu* menu) {

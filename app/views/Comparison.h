@@ -15,9 +15,9 @@ enum class OtherKind : std::uint8_t { Nothing, Row, Preset, Frame, FramesBefore 
 /// The other side of a view. What it does not say is as in the view: row, settings, frame.
 struct Comparison {
   OtherKind kind = OtherKind::Nothing;
-  IntermediateId id = IntermediateId::resolved; ///< Row
-  QString preset{};                             ///< Preset: id of a built-in one, or the path of a file
-  int frame = 0;                                ///< Frame: its number; FramesBefore: how many
+  IntermediateId id{}; ///< Row
+  QString preset{};    ///< Preset: id of a built-in one, or the path of a file
+  int frame = 0;       ///< Frame: its number; FramesBefore: how many
   bool operator==(const Comparison&) const = default;
   explicit operator bool() const { return kind != OtherKind::Nothing; }
 };

@@ -94,14 +94,15 @@ TEST(Arguments, TakeTheSourceBehindAnyOption) {
 
 TEST(Arguments, RefuseWhatTheyDoNotUnderstand) {
   Arguments arguments;
-  for (const std::vector<const char*>& words : {std::vector<const char*>{"--size", "12"},
-                                                {"--size", "0x4"},
-                                                {"--pixel", "4;5"},
-                                                {"--frame", "-1"},
-                                                {"--checkpoints", "-1"},
-                                                {"--view", "nothing"},
-                                                {"--view", "color", "--view", "color", "--view", "color"},
-                                                {"--theme", "pink"}})
+  for (const std::vector<const char*>& words :
+       {std::vector<const char*>{"--size", "12"},
+        {"--size", "0x4"},
+        {"--pixel", "4;5"},
+        {"--frame", "-1"},
+        {"--checkpoints", "-1"},
+        {"--view", "nothing"},
+        {"--view", "color", "--view", "color", "--view", "color", "--view", "color", "--view", "color"},
+        {"--theme", "pink"}})
     EXPECT_EQ(parse(words, arguments).value_or(EarlyEnd{}).code, 2) << words[1];
   const auto help = parse({"--help"}, arguments);
   ASSERT_TRUE(help);

@@ -106,13 +106,14 @@ TEST_F(OverlaysTest, HatchesEitherEndInItsOwnColorAndDirection) {
   const Picture picture = draw({.row = {&values}}, IntermediateId::alpha, style,
                                {.zoom = static_cast<float>(zoom)}, 3 * zoom, zoom);
   const Bytes above = bytesOf(taa::kAboveColor), below = bytesOf(taa::kBelowColor);
+  const Bytes middle = bytesOf(taa::mapColor(taa::ColorMap::Gray, 0.5f));
   EXPECT_EQ(above, (Bytes{213, 94, 0}));
   EXPECT_EQ(below, (Bytes{86, 180, 233}));
   for (int y = 0; y < zoom; ++y)
     for (int x = 0; x < 3 * zoom; ++x) {
       const bool rises = (x + y) % 6 < 2, falls = (x - y + 600) % 6 < 2;
       const Bytes expected = x < zoom       ? (rises ? above : kWhite)
-                             : x < 2 * zoom ? Bytes{188, 188, 188}
+                             : x < 2 * zoom ? middle
                                             : (falls ? below : kBlack);
       ASSERT_EQ(pixel(picture, x, y), expected) << x << ", " << y;
     }
@@ -145,10 +146,11 @@ TEST_F(OverlaysTest, TintsByTheReasonAndLeavesWhatIsKept) {
   style.markRejected = true;
   const Picture picture =
       draw({.row = {&values}, .rejectReason = {&reasons}}, IntermediateId::alpha, style, {}, 3, 1);
-  EXPECT_EQ(pixel(picture, 0), bytesOf({0.25f, 0.25f, 0.25f}));
+  const float quarter = taa::mapColor(taa::ColorMap::Gray, 0.25f)[0];
+  EXPECT_EQ(pixel(picture, 0), bytesOf({quarter, quarter, quarter}));
   for (const int reason : {3, 7}) {
     std::array<float, 3> tinted = taa::categoryColor(reason);
-    for (float& channel : tinted) channel = 0.25f + taa::kTintShare * (channel - 0.25f);
+    for (float& channel : tinted) channel = quarter + taa::kTintShare * (channel - quarter);
     EXPECT_EQ(pixel(picture, reason == 3 ? 1 : 2), bytesOf(tinted)) << reason;
   }
 }
@@ -164,7 +166,8 @@ TEST_F(OverlaysTest, OutlinesRunBetweenObjectsAndNotAroundThePicture) {
     for (int x = 0; x < 16; ++x) {
       const bool isEdge = (x == 8 && y >= 8) || (y == 8 && x >= 8);
       const Bytes dash = (x + y) / 4 % 2 == 0 ? kWhite : kBlack;
-      ASSERT_EQ(pixel(picture, x, y), isEdge ? dash : bytesOf({0.25f, 0.25f, 0.25f})) << x << ", " << y;
+      ASSERT_EQ(pixel(picture, x, y), isEdge ? dash : bytesOf(taa::mapColor(taa::ColorMap::Gray, 0.25f)))
+          << x << ", " << y;
     }
 }
 
