@@ -17,7 +17,7 @@ struct OtherSide {
   ViewStyle style{};
   int lane = 0;
   std::optional<int> frame{}; ///< clamped to the shot; nothing: the frame on show
-  int framesBefore = 0;     ///< without `frame`: that long before the one on show
+  int framesBefore = 0;       ///< without `frame`: that long before the one on show
   bool operator==(const OtherSide&) const = default;
   bool isOfAnotherFrame() const { return frame || framesBefore != 0; }
 };

@@ -112,9 +112,11 @@ void Chooser::accept() {
   const QListWidgetItem* item = list_->currentItem();
   if (!item || !item->data(kEntryRole).isValid()) return;
   const int index = item->data(kEntryRole).toInt();
-  const auto choose = choose_; // outlives this popup
+  // Once this popup is gone: another one, which the choice may open, would be closed with it.
+  connect(
+      this, &QObject::destroyed, parentWidget()->window(), [choose = choose_, index] { choose(index); },
+      Qt::QueuedConnection);
   close();
-  choose(index);
 }
 
 void Chooser::moveCurrent(int rows) {

@@ -296,6 +296,7 @@ TEST_F(Window, KeysAreListedAndCommandsAreFound) {
   auto* field = chooser->findChild<QLineEdit*>();
   QTest::keyClicks(field, "reload");
   QTest::keyClick(field, Qt::Key_Return);
+  settle();
   EXPECT_EQ(renderer->reloads, 1);
 }
 
