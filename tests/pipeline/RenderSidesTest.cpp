@@ -29,6 +29,25 @@ Picture alone(const Settings& settings, IntermediateId id, int frame) {
   return std::async(std::launch::async, make).get();
 }
 
+OtherSide ofLane(int lane) {
+  OtherSide side;
+  side.lane = lane;
+  return side;
+}
+
+OtherSide ofFrame(int frame, IntermediateId id = IntermediateId::resolved) {
+  OtherSide side;
+  side.id = id;
+  side.frame = frame;
+  return side;
+}
+
+OtherSide framesBefore(int frames) {
+  OtherSide side;
+  side.framesBefore = frames;
+  return side;
+}
+
 Settings otherSettings() {
   Settings settings;
   taa::applyAssignment(settings, "rectify.method=none");
@@ -55,7 +74,7 @@ class RenderSidesTest : public taa::test::onThread::RenderThreadTest {
 TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) {
   thread->seek(5);
   thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing({.lane = 1})});
+  thread->setViews({comparing(ofLane(1))});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_TRUE(result.exact && result.other->exact);
@@ -69,7 +88,7 @@ TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) 
 
 TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
   thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing({.lane = 1})});
+  thread->setViews({comparing(ofLane(1))});
   thread->step(3);
   thread->waitUntilIdle();
   thread->setSettings(otherSettings());
@@ -82,7 +101,7 @@ TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
 
 TEST_F(RenderSidesTest, ALaneThatGoesTakesItsSideWithIt) {
   thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing({.lane = 1})});
+  thread->setViews({comparing(ofLane(1))});
   ASSERT_TRUE(last().other);
   thread->setOtherLanes({});
   EXPECT_FALSE(last().other);
@@ -91,7 +110,7 @@ TEST_F(RenderSidesTest, ALaneThatGoesTakesItsSideWithIt) {
 
 TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
   thread->seek(8);
-  thread->setViews({comparing({.id = IntermediateId::alpha, .frame = 3})});
+  thread->setViews({comparing(ofFrame(3, IntermediateId::alpha))});
   ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_EQ(result.frame, 8);
@@ -107,7 +126,7 @@ TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
 }
 
 TEST_F(RenderSidesTest, TheFrameBeforeStaysOneBehind) {
-  thread->setViews({comparing({.framesBefore = 1})});
+  thread->setViews({comparing(framesBefore(1))});
   EXPECT_EQ(last().other->frame, 0) << "there is none before the first";
   thread->step(2);
   EXPECT_EQ(last().other->frame, 1);
@@ -118,7 +137,7 @@ TEST_F(RenderSidesTest, TheFrameBeforeStaysOneBehind) {
 }
 
 TEST_F(RenderSidesTest, AFrameBeyondTheEndIsTheLast) {
-  thread->setViews({comparing({.frame = 1000000})});
+  thread->setViews({comparing(ofFrame(1000000))});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_EQ(result.other->frame, recorder.read([&] { return recorder.statuses.back().frameCount; }) - 1);
@@ -127,7 +146,7 @@ TEST_F(RenderSidesTest, AFrameBeyondTheEndIsTheLast) {
 TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
   thread->seek(4);
   thread->setOtherLanes({otherSettings()});
-  ViewRequest view = comparing({.lane = 1});
+  ViewRequest view = comparing(ofLane(1));
   view.withValues = true;
   thread->setViews({view});
   const ViewResult sides = last();
@@ -149,7 +168,7 @@ TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what == "Drawing the frame to compare with" && work.done > 2) thread->cancel();
   };
-  const ViewRequest view = comparing({.frame = 200});
+  const ViewRequest view = comparing(ofFrame(200));
   thread->setViews({view});
   EXPECT_FALSE(last().other);
   recorder.onWork = nullptr;
