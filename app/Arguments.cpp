@@ -86,7 +86,8 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   std::vector<std::string> pages;
   for (int page = 0; page < kLowerPageCount; ++page)
     pages.push_back(lowerPageId(static_cast<LowerPage>(page)).toStdString());
-  app.add_option("--panel", arguments.panel, "Show this page above the timeline, too")
+  for (const char* page : {"colorspace", "whatif"}) pages.emplace_back(page);
+  app.add_option("--panel", arguments.panel, "Show this page above the timeline, or of the probe, too")
       ->type_name("NAME")
       ->check(CLI::IsMember(pages));
   app.add_flag("--timing", arguments.timing,

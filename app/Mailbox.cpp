@@ -17,6 +17,14 @@ void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
     thumbnails.push_back(std::move(newest));
 }
 
+void keepNewest(std::vector<ProbeResult>& probes, ProbeResult newest) {
+  const auto old = std::ranges::find(probes, newest.pin, &ProbeResult::pin);
+  if (old != probes.end())
+    *old = std::move(newest);
+  else
+    probes.push_back(std::move(newest));
+}
+
 } // namespace
 
 RenderListener listenerOf(Mailbox& mailbox) {
@@ -28,7 +36,7 @@ RenderListener listenerOf(Mailbox& mailbox) {
     });
   };
   listener.onProbe = [&mailbox](ProbeResult result) {
-    mailbox.put([&](Delivery& delivery) { delivery.probe = std::move(result); });
+    mailbox.put([&](Delivery& delivery) { keepNewest(delivery.probes, std::move(result)); });
   };
   listener.onStatus = [&mailbox](Status status) {
     mailbox.put([&](Delivery& delivery) { delivery.status = std::move(status); });

@@ -52,6 +52,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   layOut();
   menus_ = new Menus(*this);
   connectPanels();
+  connectProbe();
   connectProfiler();
   connectLower();
   connectViews();
@@ -129,10 +130,6 @@ void MainWindow::connectPanels() {
   connect(pipeline_, &PipelinePanel::parameterConsidered, &session_, &Session::prepareParameter);
   connect(pipeline_, &PipelinePanel::presetConsidered, &session_, &Session::preparePreset);
   connect(pipeline_, &PipelinePanel::intermediateChosen, this, &MainWindow::showIntermediate);
-  connect(probe_, &ProbePanel::removeRequested, &session_, [this] { session_.setPick({}); });
-  connect(probe_, &ProbePanel::copyRequested, this, &MainWindow::copyAll);
-  connect(probe_, &ProbePanel::intermediateChosen, this,
-          [this](IntermediateId id) { showIntermediate(id, false); });
   connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
   connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
   connect(timeline_, &TimelinePanel::playToggled, &session_, &Session::togglePlaying);
@@ -173,13 +170,9 @@ void MainWindow::connectViews() {
 void MainWindow::connectSession() {
   connect(&session_, &Session::statusChanged, this, &MainWindow::showStatus);
   connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
-  connect(&session_, &Session::pickChanged, this, &MainWindow::showPick);
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
   connect(&session_, &Session::pictureArrived, this, [this](int view) {
     if (const ViewResult* result = session_.picture(view)) views_->view(view)->setResult(*result);
-  });
-  connect(&session_, &Session::probeArrived, this, [this] {
-    if (const ProbeResult* result = session_.probe()) probe_->setResult(*result, session_.settings());
   });
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
@@ -234,11 +227,6 @@ void MainWindow::showSettings() {
   showStatus();
 }
 
-void MainWindow::showPick() {
-  views_->setPick(session_.pick());
-  probe_->setPick(session_.pick());
-}
-
 void MainWindow::showIntermediate(IntermediateId id, bool inOtherView) {
   if (inOtherView && views_->viewCount() == 1) views_->setViewCount(2);
   (inOtherView ? views_->other() : views_->active())->setIntermediate(id);
@@ -264,15 +252,6 @@ void MainWindow::copyProfile(bool asCsv) {
 void MainWindow::measureStages() {
   setLowerPage(LowerPage::Profiler, true);
   session_.measureStages();
-}
-
-void MainWindow::copyValue() {
-  const QString text = probe_->valueText(views_->active()->id());
-  if (!text.isEmpty()) QApplication::clipboard()->setText(text);
-}
-
-void MainWindow::copyAll() {
-  if (const QString text = probe_->allText(); !text.isEmpty()) QApplication::clipboard()->setText(text);
 }
 
 void MainWindow::restore() {

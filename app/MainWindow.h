@@ -28,6 +28,10 @@ class ViewArea;
 class WeightsPanel;
 class WorkBar;
 
+enum class ProbeTab;
+/// How a probe is copied; JSON is what taa-batch probe prints.
+enum class ProbeFormat { Text, Markdown, Json };
+
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -71,7 +75,10 @@ class MainWindow : public QMainWindow {
   void showCommands();
   void showKeys();
   void copyValue();
-  void copyAll();
+  void copyProbe(ProbeFormat format);
+  /// Opens the panel at a page.
+  void setProbeTab(ProbeTab tab);
+  void pinAnother();
   void copyProfile(bool asCsv);
   /// Opens the profiler if need be.
   void measureStages();
@@ -86,6 +93,7 @@ class MainWindow : public QMainWindow {
   void makeParts();
   void layOut();
   void connectPanels();
+  void connectProbe();
   void connectProfiler();
   void connectLower();
   void connectViews();
@@ -94,6 +102,7 @@ class MainWindow : public QMainWindow {
   void showSettings();
   void showPick();
   void showHistory();
+  void showProbe();
   void showHover(int view);
   void connectComparing();
   void askForComparedFrame(int view);

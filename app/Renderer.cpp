@@ -19,7 +19,7 @@ class ThreadRenderer final : public Renderer {
   void seek(int frame) override { thread_.seek(frame); }
   void step(int frames) override { thread_.step(frames); }
   void setViews(const std::vector<ViewRequest>& views) override { thread_.setViews(views); }
-  void probe(std::optional<glm::ivec2> pixel) override { thread_.probe(pixel); }
+  void setPins(const PinWish& pins) override { thread_.setPins(pins); }
   void setCheckpointBudget(std::size_t bytes) override { thread_.setCheckpointBudget(bytes); }
   void setProfiling(bool profiling) override { thread_.setProfiling(profiling); }
   void measureStages() override { thread_.measureStages(); }

@@ -26,7 +26,7 @@ class Renderer {
   virtual void seek(int frame) = 0;
   virtual void step(int frames) = 0;
   virtual void setViews(const std::vector<ViewRequest>& views) = 0;
-  virtual void probe(std::optional<glm::ivec2> pixel) = 0;
+  virtual void setPins(const PinWish& pins) = 0;
   virtual void setCheckpointBudget(std::size_t bytes) = 0;
   virtual void setProfiling(bool profiling) = 0;
   virtual void measureStages() = 0;

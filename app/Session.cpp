@@ -6,8 +6,6 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <exception>
 #include <limits>
@@ -79,11 +77,12 @@ void Session::deliver() {
   if (delivery.status) {
     const bool isNew = delivery.status->source != status_.source;
     if (isNew) motionModes_.clear();
+    if (isNew && pins_.forgetSurfaces()) sendPins();
     status_ = std::move(*delivery.status);
     // Only now: a file that cannot be opened leaves everything as it is, playing or not.
     if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
     Q_EMIT statusChanged();
-    if (pick_) setPick(pick_); // the picture may have become smaller
+    keepPinsInPicture();
   }
   if (delivery.work) {
     work_ = std::move(*delivery.work);
@@ -94,10 +93,9 @@ void Session::deliver() {
       pictures_[static_cast<std::size_t>(view)] = std::move(picture);
       Q_EMIT pictureArrived(view);
     }
-  if (delivery.probe && pick_) {
-    probe_ = std::move(delivery.probe);
-    Q_EMIT probeArrived();
-  }
+  bool hasProbes = false;
+  for (ProbeResult& probe : delivery.probes) hasProbes = pins_.take(std::move(probe)) || hasProbes;
+  if (hasProbes) Q_EMIT probeArrived();
   for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
@@ -237,20 +235,6 @@ void Session::setOtherPresets(const QStringList& idsOrPaths) {
     otherLanes_ = std::move(lanes);
     ask([&](Renderer& renderer) { renderer.setOtherLanes(otherLanes_); });
   });
-}
-
-void Session::setPick(std::optional<glm::ivec2> pixel) {
-  if (pixel && isOpen())
-    pixel = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(status_.width, status_.height) - 1);
-  if (pixel == pick_) return;
-  pick_ = pixel;
-  if (!pick_) probe_.reset();
-  ask([&](Renderer& renderer) { renderer.probe(pick_); });
-  Q_EMIT pickChanged();
-}
-
-void Session::movePick(int dx, int dy) {
-  if (pick_) setPick(*pick_ + glm::ivec2(dx, dy));
 }
 
 void Session::setCheckpointBudget(std::size_t bytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/Mailbox.h"
+#include "app/Pins.h"
 #include "app/Renderer.h"
 #include "app/SettingsHistory.h"
 
@@ -30,7 +31,9 @@ class Session : public QObject {
   // State; what has not arrived yet is empty
   const Status& status() const { return status_; }
   const Work& work() const { return work_; }
-  const ProbeResult* probe() const { return probe_ ? &*probe_ : nullptr; }
+  /// What last arrived for the active pin, or for another.
+  const ProbeResult* probe() const { return pins_.result(pins_.active()); }
+  const ProbeResult* probe(int pin) const { return pins_.result(pin); }
   const ViewResult* picture(int view) const;
   /// What another size takes with these settings and views: "about 155 MiB".
   QString memoryText(const glm::ivec2& sizePx) const;
@@ -39,7 +42,11 @@ class Session : public QObject {
   const std::string& presetId() const { return presetId_; }
   const Settings& presetSettings() const { return presetSettings_; }
   bool isPresetChanged() const;
-  std::optional<glm::ivec2> pick() const { return pick_; }
+  const std::vector<ProbePin>& pins() const { return pins_.all(); }
+  int activePin() const { return pins_.active(); } ///< −1: there is none
+  std::vector<PinMark> pinMarks() const { return pins_.marks(); }
+  /// Where the active pin is now.
+  std::optional<glm::ivec2> pick() const;
   bool isLooping() const { return looping_; }
   /// As asked for.
   const Playback& playback() const { return playback_; }
@@ -72,8 +79,20 @@ class Session : public QObject {
   void undo();
   void redo();
   void setViews(const std::vector<ViewRequest>& views);
+  // Probes are pinned, up to kMostPins of them; one is active
+  /// Sets the active pin there, the first one when there is none; nothing: removes it.
   void setPick(std::optional<glm::ivec2> pixel);
   void movePick(int dx, int dy);
+  /// Pins another, which becomes active.
+  void addPin(glm::ivec2 pixel, Follow follow = Follow::Screen);
+  void removePin(int pin);
+  void removeAllPins();
+  void setActivePin(int pin);
+  /// What a pin stays on from now on; begins where it is now.
+  void setFollow(int pin, Follow follow);
+  void setPins(const std::vector<ProbePin>& pins, int active);
+  /// Whether probes come with the active pixel under other choices.
+  void setWhatIf(bool wanted);
   /// Memory for histories that are kept, of all lanes together.
   void setCheckpointBudget(std::size_t bytes);
   void setProfiling(bool profiling);
@@ -91,8 +110,8 @@ class Session : public QObject {
   void settingsChanged();
   void playbackChanged();
   void pictureArrived(int view);
-  void probeArrived();
-  void pickChanged();
+  void probeArrived(); ///< of at least one pin
+  void pickChanged();  ///< a pin was set, removed, or made active
   void workChanged();
   void profileArrived(const FrameProfile& profile);
   void stageCostsArrived(const StageCosts& costs);
@@ -106,11 +125,15 @@ class Session : public QObject {
   void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
   void guarded(const std::function<void()>& act);
+  void sendPins();
+  glm::ivec2 inPicture(glm::ivec2 pixel) const;
+  void keepPinsInPicture();
 
   Mailbox mailbox_;
   Status status_;
   Work work_;
-  std::optional<ProbeResult> probe_;
+  Pins pins_;
+  bool wantsWhatIf_ = false;
   std::array<std::optional<ViewResult>, kViewCount> pictures_;
   Settings settings_, presetSettings_;
   std::string presetId_;
@@ -118,7 +141,6 @@ class Session : public QObject {
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
   SettingsHistory history_;
   std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
-  std::optional<glm::ivec2> pick_;
   std::vector<ViewRequest> views_;
   QStringList otherPresets_;
   std::vector<Settings> otherLanes_;

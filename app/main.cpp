@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 #include "app/Screenshot.h"
 #include "app/panels/LowerArea.h"
+#include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
@@ -97,6 +98,8 @@ void begin(MainWindow& window, const Arguments& arguments) {
   }
   if (const auto page = lowerPageWithId(QString::fromStdString(arguments.panel)))
     window.setLowerPage(*page, true);
+  if (arguments.panel == "colorspace") window.setProbeTab(ProbeTab::ColorSpace);
+  if (arguments.panel == "whatif") window.setProbeTab(ProbeTab::WhatIf);
   if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
 }
 

@@ -6,13 +6,16 @@
 #include "core/gl/Context.h"
 #include "core/inspect/Look.h"
 #include "core/inspect/Metrics.h"
+#include "core/inspect/ProbePin.h"
 #include "core/inspect/Profiler.h"
 #include "core/inspect/StageMeter.h"
 #include "core/inspect/Visualizer.h"
+#include "core/inspect/WhatIf.h"
 #include "core/render/FrameInputs.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
+#include "core/taa/reference/Details.h"
 #include "core/taa/reference/Reference.h"
 
 #include <memory>
@@ -122,6 +125,16 @@ class Inspector {
   PixelRecord probe(int x, int y, int lane = 0);
   /// Everything at a square of pixels around (x, y), `radius` 1: 3×3, row-major; clamped at the border.
   std::vector<PixelRecord> probeAround(int x, int y, int radius, int lane = 0);
+  // By the CPU twin, which reads what the GPU read
+  /// What formulas of a pixel are made of.
+  reference::Details details(int x, int y, int lane = 0);
+  /// The pixel under other choices. The row of the present ones has the bits of probe() where the driver
+  /// rounds as IEEE 754 says.
+  std::vector<WhatIfRow> whatIf(int x, int y, int lane = 0);
+  /// The pin with the surface it follows looked up, in the frame it was set in; others as they are.
+  ProbePin anchored(const ProbePin& pin);
+  /// Where a pin is in the frame on show. Expects an anchored one.
+  PinSpot spot(const ProbePin& pin);
   /// The finished picture of a view.
   Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
                   int height, int lane = 0);

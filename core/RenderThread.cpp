@@ -154,8 +154,8 @@ void RenderThread::setViews(const std::vector<ViewRequest>& views) {
   parts_->post([&](Wishes& wishes) { wishes.views = views; });
 }
 
-void RenderThread::probe(std::optional<glm::ivec2> pixel) {
-  parts_->post([&](Wishes& wishes) { wishes.probe = pixel; });
+void RenderThread::setPins(const PinWish& pins) {
+  parts_->post([&](Wishes& wishes) { wishes.pins = pins; });
 }
 
 void RenderThread::setCheckpointBudget(std::size_t bytes) {

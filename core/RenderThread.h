@@ -3,6 +3,9 @@
 
 #include "core/Inspector.h"
 #include "core/ViewRequest.h"
+#include "core/inspect/ProbePin.h"
+#include "core/inspect/WhatIf.h"
+#include "core/taa/reference/Details.h"
 
 #include <functional>
 #include <memory>
@@ -14,9 +17,23 @@
 namespace taa {
 
 struct ProbeResult {
+  ProbePin pin{}; ///< whose, with its anchor
+  PinSpot spot{}; ///< where it is now; there is nothing around one that is off screen or gone
   int x = 0, y = 0, frame = 0;
-  std::vector<PixelRecord> around; ///< 3×3 row-major, [4] is the pixel itself
+  std::vector<PixelRecord> around{}; ///< 3×3 row-major, [4] is the pixel itself
   bool exact = true;
+  Settings settings{}; ///< that made the values
+  FrameInfo info{};
+  // Of the active pin.
+  std::shared_ptr<const reference::Details> details{}; ///< by the CPU twin
+  std::vector<WhatIfRow> whatIf{};                     ///< when it is asked for
+};
+
+/// The pinned probes, and of which more is wanted.
+struct PinWish {
+  std::vector<ProbePin> pins;
+  int active = -1;
+  bool whatIf = false; ///< also the active pixel under other choices
 };
 
 /// A small picture of a stage's main row, in the style it opens with.
@@ -109,8 +126,8 @@ class RenderThread {
   void seek(int frame);  ///< the nearest frame that is at hand at once, then exactly this one
   void step(int frames); ///< relative; steps add up while they wait; pauses
   void setViews(const std::vector<ViewRequest>& views);
-  void probe(
-      std::optional<glm::ivec2> pixel); ///< stays: delivered again for each new frame until it is taken back
+  /// Stay: each is delivered again for each new frame until it is taken back.
+  void setPins(const PinWish& pins);
   void setCheckpointBudget(std::size_t bytes);
   /// Times every pass from now on, which costs; a profile of each frame made is delivered.
   void setProfiling(bool profiling);

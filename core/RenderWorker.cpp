@@ -26,7 +26,7 @@ bool stopsReplay(const Wishes& wishes) {
 
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
-         !playing && !frame && steps == 0 && !views && !probe && !checkpointBudget && !measureStages &&
+         !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
          !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes;
 }
 
@@ -75,10 +75,7 @@ void RenderWorker::apply(const Wishes& wishes) {
   }
   applySource(wishes);
   applyTime(wishes);
-  if (wishes.probe) {
-    probe_ = *wishes.probe;
-    probeDelivered_ = 0;
-  }
+  if (wishes.pins) applyPins(*wishes.pins);
   applyLooks(wishes);
   applyReference(wishes);
   endReference();
@@ -185,24 +182,11 @@ void RenderWorker::deliver() {
   if (isOpen()) {
     if (statusChanged_ && (goal_ || !inspector_.isExact())) sendStatus();
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
-    if (probe_ && probeDelivered_ != version_) deliverProbe();
+    deliverPins();
     deliverFigures();
     deliverProfile();
   }
   if (statusChanged_) sendStatus();
-}
-
-void RenderWorker::deliverProbe() {
-  probeDelivered_ = version_;
-  // A pinned pixel may lie outside for a while, when the size changes.
-  if (probe_->x < 0 || probe_->y < 0 || probe_->x >= inspector_.width() || probe_->y >= inspector_.height())
-    return;
-  attempt([&] {
-    ProbeResult result{.x = probe_->x, .y = probe_->y, .frame = inspector_.frame(), .around = {}};
-    result.around = inspector_.probeAround(probe_->x, probe_->y, 1);
-    result.exact = inspector_.isExact();
-    if (listener_.onProbe) listener_.onProbe(std::move(result));
-  });
 }
 
 void RenderWorker::sendStatus() {

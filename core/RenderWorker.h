@@ -25,7 +25,7 @@ struct Wishes {
   std::optional<int> frame; ///< to go to, before the steps
   int steps = 0;
   std::optional<std::vector<ViewRequest>> views;
-  std::optional<std::optional<glm::ivec2>> probe;
+  std::optional<PinWish> pins;
   std::optional<std::size_t> checkpointBudget;
   std::optional<bool> profiling;
   std::optional<glm::ivec2> thumbnails;
@@ -105,7 +105,9 @@ class RenderWorker {
   void stopAside();
   void deliverView(int index);
   ViewResult draw(int index, const Look& look, const std::optional<Look>& other);
-  void deliverProbe();
+  void applyPins(const PinWish& wish);
+  void deliverPins();
+  void deliverPin(int index);
   void deliverProfile();
   void measureStages();
   std::optional<Clock::time_point> thumbnailDueAt();
@@ -138,8 +140,8 @@ class RenderWorker {
   std::uint64_t asides_ = 1;       // changes when frames beside the one on show are at hand
   std::uint64_t asideStopped_ = 0; // version for which these were cancelled or failed: not again
   std::vector<int> framesStopped_;
-  std::optional<glm::ivec2> probe_;
-  std::uint64_t probeDelivered_ = 0;
+  PinWish pins_;
+  std::uint64_t pinsDelivered_ = 0;
   bool measuring_ = false; // stages
   ThumbnailSchedule thumbnails_;
   std::optional<Settings> prepared_; // to compile

@@ -20,7 +20,12 @@ void Menus::makeEdit() {
   add(menu, tr("&Copy probed value"), keys({"Ctrl+C"}), [this] {
     window_.copyValue();
   })->setIcon(themedIcon(QStringLiteral("copy")));
-  add(menu, tr("Copy &all probed values"), keys({"Ctrl+Shift+C"}), [this] { window_.copyAll(); });
+  add(menu, tr("Copy &all probed values"), keys({"Ctrl+Shift+C"}),
+      [this] { window_.copyProbe(ProbeFormat::Text); });
+  add(menu, tr("Copy the probe as &Markdown"), keys({"Ctrl+Alt+M"}),
+      [this] { window_.copyProbe(ProbeFormat::Markdown); });
+  add(menu, tr("Copy the probe as &JSON"), keys({"Ctrl+Alt+J"}),
+      [this] { window_.copyProbe(ProbeFormat::Json); });
   add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });
   add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });
   menu->addSeparator();

@@ -49,6 +49,7 @@ class Menus : public QObject {
   void makeFrame();
   void makePipeline();
   void makeProbe();
+  void makeProbePages(QMenu* menu);
   void makeHelp();
   // Submenus
   void makeArrangement(QMenu* menu);

@@ -11,7 +11,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kFraction = 12; ///< characters kept free after the whole part of a value
+constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
+constexpr int kFraction = 12;      ///< characters kept free after the whole part of a value
 
 QString valueText(const Intermediate& row, const glm::vec4& value) {
   const std::vector<std::string> names = channelNames(row);
@@ -36,8 +37,21 @@ ProbeModel::ProbeModel(QObject* parent) : QAbstractItemModel(parent) {
   }
 }
 
+void ProbeModel::setPixel(const ProbeResult& result) {
+  setRecord(result.around.at(kMiddle));
+  pixel_ = result;
+}
+
+RowStory ProbeModel::storyOf(IntermediateId id) const {
+  if (!pixel_ || !pixel_->details) return {};
+  return taa::storyOf(
+      id,
+      {pixel_->around[kMiddle], *pixel_->details, pixel_->settings, pixel_->info, {pixel_->x, pixel_->y}});
+}
+
 void ProbeModel::setRecord(const std::optional<reference::PixelRecord>& record) {
   record_ = record;
+  pixel_.reset();
   for (int row = 0; row < rowCount(); ++row) {
     const QModelIndex branch = index(row, 0);
     Q_EMIT dataChanged(index(0, Value, branch), index(rowCount(branch) - 1, Meaning, branch));
@@ -103,7 +117,7 @@ QVariant ProbeModel::data(const QModelIndex& index, int role) const {
   case Qt::DisplayRole:
     return cell(row, index.column());
   case Qt::ToolTipRole:
-    return QStringLiteral("<b>%1</b><br>%2").arg(qtext(row.label), qtext(row.description).toHtmlEscaped());
+    return storyHtml(row.id, storyOf(row.id));
   case Qt::FontRole:
     return index.column() == Value ? numberFont() : secondaryFont();
   case Qt::TextAlignmentRole:

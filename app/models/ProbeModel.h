@@ -1,6 +1,8 @@
 // Everything at one pixel as a table: a branch for each stage, a row for each intermediate.
 #pragma once
 
+#include "core/RenderThread.h"
+#include "core/inspect/ProbeStory.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 #include "core/taa/reference/Reference.h"
@@ -19,6 +21,10 @@ class ProbeModel : public QAbstractItemModel {
 
   explicit ProbeModel(QObject* parent = nullptr);
 
+  /// With all that formulas are made of.
+  void setPixel(const ProbeResult& result);
+  /// What happened at a row; empty without a probe.
+  RowStory storyOf(IntermediateId id) const;
   void setRecord(const std::optional<reference::PixelRecord>& record);
   /// The intermediate of a row; nothing for a stage.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;
@@ -41,6 +47,7 @@ class ProbeModel : public QAbstractItemModel {
 
   std::vector<Branch> branches_;
   std::optional<reference::PixelRecord> record_;
+  std::optional<ProbeResult> pixel_; ///< whose record that is
 };
 
 } // namespace taa::app

@@ -2,6 +2,7 @@
 
 #include "app/Numbers.h"
 #include "app/Text.h"
+#include "app/Theme.h"
 
 #include "core/render/FrameInputs.h"
 #include "core/scene/ObjectClass.h"
@@ -197,14 +198,26 @@ QString rowText(const Intermediate& row, const glm::vec4& value) {
   return texts.join(QLatin1Char(' '));
 }
 
-QString probeText(const reference::PixelRecord& record) {
-  QString text;
-  for (const Intermediate& row : kIntermediates) {
-    text += qtext(row.name) + QLatin1Char(' ') + rowText(row, reference::at(record, row.id));
-    if (!row.unit.empty()) text += QLatin1Char(' ') + qtext(row.unit);
-    text += QLatin1Char('\n');
+QString storyText(IntermediateId id, const RowStory& story) {
+  QStringList lines;
+  if (!story.words.empty())
+    lines << qtext(intermediate(id).label) + QStringLiteral(": ") + qtext(story.words);
+  if (!story.formula.empty())
+    lines << (story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ")) +
+                 qtext(story.formula);
+  lines << qtext(intermediate(id).description);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString storyHtml(IntermediateId id, const RowStory& story) {
+  QString html = QStringLiteral("<b>%1</b>").arg(qtext(intermediate(id).label).toHtmlEscaped());
+  if (!story.words.empty()) html += QStringLiteral(": ") + qtext(story.words).toHtmlEscaped();
+  if (!story.formula.empty()) {
+    const QString subject = story.subject.empty() ? QString() : qtext(story.subject) + QStringLiteral(": ");
+    html += QStringLiteral("<br><span style=\"font-family:'%1'\">%2</span>")
+                .arg(numberFont().family(), (subject + qtext(story.formula)).toHtmlEscaped());
   }
-  return text;
+  return html + QStringLiteral("<br><i>%1</i>").arg(qtext(intermediate(id).description).toHtmlEscaped());
 }
 
 } // namespace taa::app

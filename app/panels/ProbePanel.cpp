@@ -4,14 +4,18 @@
 #include "app/Theme.h"
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
+#include "app/panels/ProbePages.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/PinBar.h"
 #include "app/widgets/Swatches.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
+#include <QStackedWidget>
+#include <QTabBar>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -33,6 +37,10 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(makeTop());
+  pins_ = new PinBar;
+  connect(pins_, &PinBar::pinChosen, this, &ProbePanel::pinChosen);
+  connect(pins_, &PinBar::followChosen, this, &ProbePanel::followChosen);
+  layout->addWidget(pins_);
 
   invitation_ = new QLabel(tr("Right-click a pixel to see every value at it."));
   invitation_->setWordWrap(true);
@@ -41,9 +49,40 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   invitation_->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(invitation_, 1);
 
+  makePages();
+  layout->addWidget(content_, 1);
+  setMinimumWidth(300);
+  setPick({});
+}
+
+void ProbePanel::makePages() {
   content_ = new QWidget;
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  tabs_ = new QTabBar;
+  tabs_->setExpanding(false);
+  tabs_->setDrawBase(false);
+  tabs_->setAccessibleName(tr("Pages of the probe"));
+  for (const QString& label : {tr("Values"), tr("Color space"), tr("What if")}) tabs_->addTab(label);
+  pages_ = new QStackedWidget;
+  colorSpace_ = new ColorSpacePage;
+  whatIf_ = new WhatIfPage;
+  for (QWidget* page : {makeValues(), static_cast<QWidget*>(colorSpace_), static_cast<QWidget*>(whatIf_)})
+    pages_->addWidget(page);
+  column->addWidget(tabs_);
+  column->addWidget(new Line);
+  column->addWidget(pages_, 1);
+  connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
+    pages_->setCurrentIndex(index);
+    Q_EMIT whatIfWanted(tab() != ProbeTab::Values);
+  });
+}
+
+QWidget* ProbePanel::makeValues() {
+  auto* values = new QWidget;
+  auto* column = new QVBoxLayout(values);
+  column->setContentsMargins(0, 2 * kUnit, 0, 0);
   column->setSpacing(0);
   summary_ = new QLabel;
   summary_->setWordWrap(true);
@@ -55,16 +94,22 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   column->addWidget(table_, 1);
   description_ = new QLabel;
   description_->setFont(secondaryFont());
-  description_->setForegroundRole(QPalette::PlaceholderText);
+  description_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  description_->setFixedHeight(3 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit);
+  description_->setFixedHeight(7 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit);
   column->addWidget(new Line);
   column->addWidget(description_);
-  layout->addWidget(content_, 1);
-  setMinimumWidth(300);
-  setPick({});
+  return values;
+}
+
+void ProbePanel::setTab(ProbeTab tab) {
+  tabs_->setCurrentIndex(static_cast<int>(tab));
+}
+
+ProbeTab ProbePanel::tab() const {
+  return static_cast<ProbeTab>(tabs_->currentIndex());
 }
 
 QWidget* ProbePanel::makeTop() {
@@ -147,31 +192,50 @@ void ProbePanel::fitColumns() {
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {
-
+  const int room = 3 * Swatches::wideWidth() + 2 * 4 * kUnit + 4 * kUnit;
+  for (Swatches* swatches : swatches_) swatches->setWide(width() >= room);
   fitColumns();
 }
 
 void ProbePanel::setPick(std::optional<glm::ivec2> pixel) {
   content_->setVisible(pixel.has_value());
   invitation_->setVisible(!pixel);
+  pins_->setVisible(pixel.has_value());
   copy_->setVisible(pixel.has_value());
   remove_->setVisible(pixel.has_value());
   if (!pixel) {
     result_.reset();
     place_->clear();
     model_->setRecord({});
+    colorSpace_->setResult({});
+    whatIf_->setResult({});
     return;
   }
   place_->setText(QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y));
 }
 
-void ProbePanel::setResult(const ProbeResult& result, const Settings& settings) {
-  if (result.around.size() <= kMiddle) return;
+void ProbePanel::setPins(const std::vector<ProbePin>& pins, int active) {
+  pins_->setPins(pins, active);
+}
+
+void ProbePanel::setResult(const ProbeResult& result) {
+  if (result.around.size() <= kMiddle) return showLost(result);
   result_ = result;
   const PixelRecord& record = result.around[kMiddle];
   place_->setText(tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame));
-  summary_->setText(probeSummary(record, settings).join(QLatin1Char('\n')));
-  model_->setRecord(record);
+  QStringList lines = probeSummary(record, result.settings);
+  if (result.spot.state == PinState::Hidden)
+    lines.prepend(tr("The surface is behind something here: these are the values of what hides it"));
+  summary_->setText(lines.join(QLatin1Char('\n')));
+  model_->setPixel(result);
+  showColors();
+  colorSpace_->setResult(result);
+  whatIf_->setResult(result);
+  describeCurrentRow();
+}
+
+void ProbePanel::showColors() {
+  const ProbeResult& result = *result_;
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
     std::array<std::array<float, 3>, 9> colors{};
     for (std::size_t pixel = 0; pixel < std::min(colors.size(), result.around.size()); ++pixel) {
@@ -180,14 +244,30 @@ void ProbePanel::setResult(const ProbeResult& result, const Settings& settings) 
     }
     swatches_[i]->setColors(colors);
   }
-  describeCurrentRow();
+}
+
+// There are no values where the surface cannot be seen.
+void ProbePanel::showLost(const ProbeResult& result) {
+  result_.reset();
+  model_->setRecord({});
+  place_->setText(tr("frame %1").arg(result.frame));
+  summary_->setText(result.spot.state == PinState::Gone ? tr("The surface is not drawn in this frame")
+                                                        : tr("The surface is off screen in this frame"));
+  for (Swatches* swatches : swatches_) swatches->setColors({});
+  colorSpace_->setResult({});
+  whatIf_->setResult({});
 }
 
 void ProbePanel::describeCurrentRow() {
   const auto id = model_->idOf(table_->currentIndex());
   description_->setText(
-      id ? QStringLiteral("%1: %2").arg(qtext(intermediate(*id).label), qtext(intermediate(*id).description))
-         : tr("Select a row to read what it means; Enter shows it in the active view."));
+      id ? storyHtml(*id, model_->storyOf(*id))
+         : tr("Select a row to read what happened there; Enter shows it in the active view."));
+}
+
+QString ProbePanel::story() const {
+  const auto id = model_->idOf(table_->currentIndex());
+  return id ? storyText(*id, model_->storyOf(*id)) : QString();
 }
 
 QString ProbePanel::valueText(IntermediateId fallback) const {
@@ -195,12 +275,6 @@ QString ProbePanel::valueText(IntermediateId fallback) const {
   const auto selected = table_->hasFocus() ? model_->idOf(table_->currentIndex()) : std::nullopt;
   const IntermediateId id = selected.value_or(fallback);
   return rowText(intermediate(id), reference::at(result_->around[kMiddle], id));
-}
-
-QString ProbePanel::allText() const {
-  if (!result_) return {};
-  return tr("pixel %1 %2 frame %3\n").arg(result_->x).arg(result_->y).arg(result_->frame) +
-         probeText(result_->around[kMiddle]);
 }
 
 QString ProbePanel::summary() const {

@@ -9,13 +9,20 @@
 #include <optional>
 
 class QLabel;
+class QStackedWidget;
+class QTabBar;
 class QTreeView;
 
 namespace taa::app {
 
+class ColorSpacePage;
 class IconButton;
+class PinBar;
 class ProbeModel;
 class Swatches;
+class WhatIfPage;
+
+enum class ProbeTab { Values, ColorSpace, WhatIf };
 
 class ProbePanel : public QWidget {
   Q_OBJECT
@@ -24,36 +31,55 @@ class ProbePanel : public QWidget {
 
   /// The pick, whose values may still be on their way; nothing: an invitation.
   void setPick(std::optional<glm::ivec2> pixel);
-  void setResult(const ProbeResult& result, const Settings& settings);
+  void setPins(const std::vector<ProbePin>& pins, int active);
+  void setResult(const ProbeResult& result);
 
   /// The exact value of the row that is selected, else of `fallback`; empty without a probe.
   QString valueText(IntermediateId fallback) const;
-  /// Every row, exact.
-  QString allText() const;
   QString summary() const;
+  void setTab(ProbeTab tab);
+  ProbeTab tab() const;
+  ColorSpacePage* colorSpace() const { return colorSpace_; }
+  WhatIfPage* whatIf() const { return whatIf_; }
+  /// What the selected row tells: what happened, and its formula with the pixel's numbers.
+  QString story() const;
   ProbeModel* model() const { return model_; }
   QTreeView* table() const { return table_; }
+  PinBar* pins() const { return pins_; }
   QSize sizeHint() const override { return {380, 600}; }
 
  Q_SIGNALS:
   void removeRequested();
   void copyRequested();
+  void pinChosen(int pin);
+  void followChosen(Follow follow);
   void intermediateChosen(IntermediateId id);
+  /// A page that shows it is open, or none is any more.
+  void whatIfWanted(bool wanted);
 
  protected:
   void resizeEvent(QResizeEvent*) override;
 
  private:
   QWidget* makeTop();
+  void makePages();
+  QWidget* makeValues();
   QWidget* makeNeighbors();
+  void showColors();
   void makeTable();
   void describeCurrentRow();
+  void showLost(const ProbeResult& result);
   void fitColumns();
 
   std::optional<ProbeResult> result_;
   ProbeModel* model_;
+  PinBar* pins_ = nullptr;
   QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
   QWidget* content_ = nullptr;
+  QTabBar* tabs_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  ColorSpacePage* colorSpace_ = nullptr;
+  WhatIfPage* whatIf_ = nullptr;
   IconButton *copy_ = nullptr, *remove_ = nullptr;
   std::array<Swatches*, 3> swatches_{};
   QTreeView* table_ = nullptr;

@@ -68,9 +68,9 @@ void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-void PixelOverlay::paintPick(QPainter& painter, glm::ivec2 pixel) const {
-  constexpr double kLeastBox = 9, kArm = 8;
-  const ScreenRect cell = pixelRect(pixel);
+void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
+  constexpr double kLeastBox = 9, kArm = 8, kGap = 2;
+  const ScreenRect cell = pixelRect(mark.pixel);
   const double x = cell.x + texel_ / 2, y = cell.y + texel_ / 2;
   const double half = std::max(texel_, kLeastBox) / 2;
   const QRectF box(x - half, y - half, 2 * half, 2 * half);
@@ -80,12 +80,20 @@ void PixelOverlay::paintPick(QPainter& painter, glm::ivec2 pixel) const {
                          {x, y + half, x, y + half + kArm}};
   painter.setRenderHint(QPainter::Antialiasing);
   // On pictures the brighter accent with its outline shows on any color, whatever the theme.
-  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(darkColors().accent, 1.5)}) {
-    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+  const QColor color = mark.isActive ? darkColors().accent : QColor(255, 255, 255);
+  const Qt::PenStyle line = mark.state == PinState::Hidden ? Qt::DotLine : Qt::SolidLine;
+  for (const auto& [ink, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(color, 1.5)}) {
+    painter.setPen(QPen(ink, width, line, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(box);
+    if (mark.followsSurface && texel_ < kLeastBox)
+      painter.drawEllipse(box);
+    else
+      painter.drawRect(box);
     painter.drawLines(arms, 4);
   }
+  QFont font = secondaryFont();
+  font.setBold(mark.isActive);
+  drawOutlined(painter, {x + half + kGap, y - half - kGap}, font, QString::number(mark.number));
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 

@@ -1,6 +1,7 @@
 // What is drawn over a picture at high zoom and at the pick: pixel grid, values in texels, crosshair.
 #pragma once
 
+#include "app/Pins.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/RenderThread.h"
@@ -26,7 +27,8 @@ class PixelOverlay {
   /// Writes the values of a region of the row into their texels.
   void paintValues(QPainter& painter, const Intermediate& row, const Image& values,
                    const gl::Rect& region) const;
-  void paintPick(QPainter& painter, glm::ivec2 pixel) const;
+  /// A cross with its number; dotted where the surface it follows is hidden.
+  void paintPin(QPainter& painter, const PinMark& mark) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;
 

@@ -63,6 +63,7 @@ void ViewArea::connectView(ViewPanel* view) {
   connect(view, &ViewPanel::comparisonRequested, this, [this, index] { Q_EMIT comparisonRequested(index); });
   connect(view->viewport(), &Viewport::hoverChanged, this, [this, index] { Q_EMIT hoverChanged(index); });
   connect(view->viewport(), &Viewport::picked, this, &ViewArea::picked);
+  connect(view->viewport(), &Viewport::pinned, this, &ViewArea::pinned);
   connect(view->viewport(), &Viewport::pickMoved, this, &ViewArea::pickMoved);
   connect(view->viewport(), &Viewport::cameraChanged, this, [this, index](const ViewCamera& camera) {
     if (!linked_) return;
@@ -119,8 +120,8 @@ void ViewArea::setPictureSize(glm::ivec2 size) {
   arrange();
 }
 
-void ViewArea::setPick(std::optional<glm::ivec2> pixel) {
-  for (ViewPanel* view : views_) view->viewport()->setPick(pixel);
+void ViewArea::setMarks(const std::vector<PinMark>& marks) {
+  for (ViewPanel* view : views_) view->viewport()->setMarks(marks);
 }
 
 void ViewArea::setSettingsName(const QString& name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/Mailbox.h"
+#include "app/Pins.h"
 #include "app/views/ViewPanel.h"
 
 #include <QWidget>
@@ -44,7 +45,7 @@ class ViewArea : public QWidget {
   void setLinked(bool linked);
 
   void setPictureSize(glm::ivec2 size);
-  void setPick(std::optional<glm::ivec2> pixel);
+  void setMarks(const std::vector<PinMark>& marks);
   void setSettingsName(const QString& name);
   /// What the render thread shall deliver; hidden views have no size.
   std::vector<ViewRequest> requests() const;
@@ -60,6 +61,7 @@ class ViewArea : public QWidget {
   void shownChanged(); ///< which intermediates, which view is active
   void hoverChanged(int view);
   void picked(glm::ivec2 pixel);
+  void pinned(glm::ivec2 pixel);
   void pickMoved(int dx, int dy);
   void intermediateRequested(int view);
   void comparisonRequested(int view);

@@ -56,9 +56,9 @@ void Viewport::setContent(const ViewContent& content) {
   update();
 }
 
-void Viewport::setPick(std::optional<glm::ivec2> pixel) {
-  if (pixel == pick_) return;
-  pick_ = pixel;
+void Viewport::setMarks(const std::vector<PinMark>& marks) {
+  if (marks == marks_) return;
+  marks_ = marks;
   update();
 }
 
@@ -104,7 +104,8 @@ void Viewport::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), themeColors(this).surround);
   paintSides(painter);
-  if (pick_) PixelOverlay(viewGeometry(), transform(), devicePixelRatioF()).paintPick(painter, *pick_);
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
   paintLegends(painter);
 }
 
@@ -124,9 +125,13 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   drag_ = event->button();
   Q_EMIT activated();
   dragsDivider_ = drag_ == Qt::LeftButton && isOnDivider(cursor_);
-  if (drag_ == Qt::RightButton && size_.x > 0)
-    Q_EMIT picked(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
-  else if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
+  if (drag_ == Qt::RightButton && size_.x > 0) {
+    const glm::ivec2 pixel = viewGeometry().nearestPixel(transform(), deviceFrom(cursor_));
+    if (event->modifiers().testFlag(Qt::ShiftModifier))
+      Q_EMIT pinned(pixel);
+    else
+      Q_EMIT picked(pixel);
+  } else if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
     setCursor(Qt::ClosedHandCursor);
 }
 

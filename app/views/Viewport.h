@@ -2,6 +2,7 @@
 // once.
 #pragma once
 
+#include "app/Pins.h"
 #include "app/views/Comparison.h"
 #include "app/views/Legend.h"
 #include "app/views/ViewportMath.h"
@@ -40,7 +41,7 @@ class Viewport : public QWidget {
   /// Where the divider lies, share of the width.
   void setDivider(double share);
   void setResult(const ViewResult& result);
-  void setPick(std::optional<glm::ivec2> pixel);
+  void setMarks(const std::vector<PinMark>& marks);
   void setCamera(const ViewCamera& camera);
 
   const ViewCamera& camera() const { return camera_; }
@@ -70,6 +71,7 @@ class Viewport : public QWidget {
   void transformChanged();                      ///< by anything
   void hoverChanged();
   void picked(glm::ivec2 pixel);
+  void pinned(glm::ivec2 pixel); ///< another probe
   void pickMoved(int dx, int dy);
   void activated();
   void dividerMoved();
@@ -105,7 +107,8 @@ class Viewport : public QWidget {
   double divider_ = 0.5;
   std::optional<ViewResult> result_;
   QImage image_, otherImage_;
-  std::optional<glm::ivec2> pick_, hovered_;
+  std::vector<PinMark> marks_; ///< the active one last
+  std::optional<glm::ivec2> hovered_;
   QPointF cursor_;
   Qt::MouseButton drag_ = Qt::NoButton;
 };

@@ -157,10 +157,10 @@ void Viewport::paintLegends(QPainter& painter) const {
   const bool hasSecond = shown() == Showing::Wipe && (other_->row.id != main.row.id);
   if (hasSecond) ++lines;
   QRect strip(0, height() - kLegendHeight, width(), kLegendHeight);
-  if (pick_) {
+  if (!marks_.empty() && marks_.back().isActive) {
     // The strip gives way to the picked pixel.
     const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-    const ScreenRect cell = overlay.pixelRect(*pick_);
+    const ScreenRect cell = overlay.pixelRect(marks_.back().pixel);
     const int top = height() - lines * kLegendHeight;
     if (cell.y + cell.height > top - 2 * kUnit && cell.y < height()) {
       const int labels = other_ ? 7 * kUnit : 0;

@@ -1,10 +1,14 @@
 #include "app/widgets/Swatches.h"
 
+#include "app/Numbers.h"
 #include "app/Theme.h"
 
 #include "core/inspect/ColorMap.h"
+#include "core/taa/reference/Color.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +17,12 @@ namespace taa::app {
 
 namespace {
 constexpr int kCell = 16;
+constexpr int kWideCell = 44; // holds a number of three digits
 } // namespace
 
 Swatches::Swatches(const QString& caption, QWidget* parent) : QWidget(parent), caption_(caption) {
   setFont(secondaryFont());
+  setAccessibleName(tr("Neighborhood: %1").arg(caption));
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
@@ -26,23 +32,69 @@ void Swatches::setColors(const std::array<std::array<float, 3>, 9>& linear) {
   };
   for (std::size_t i = 0; i < linear.size(); ++i)
     colors_[i] = QColor(byte(linear[i][0]), byte(linear[i][1]), byte(linear[i][2]));
+  values_ = linear;
+  QStringList texts;
+  for (int cell = 0; cell < 9; ++cell) texts << cellText(cell);
+  setAccessibleDescription(texts.join(QStringLiteral("; ")));
   update();
 }
 
+void Swatches::setWide(bool wide) {
+  if (wide == isWide_) return;
+  isWide_ = wide;
+  updateGeometry();
+  update();
+}
+
+int Swatches::wideWidth() {
+  return 3 * kWideCell + 1;
+}
+
+QRect Swatches::cellRect(int cell) const {
+  const int wide = isWide_ ? kWideCell : kCell;
+  return {cell % 3 * wide, cell / 3 * kCell, wide, kCell};
+}
+
+QString Swatches::cellText(int cell) const {
+  const auto signedText = [](int step) { return shortText(step); };
+  return QStringLiteral("(%1, %2)  %3")
+      .arg(signedText(cell % 3 - 1), signedText(cell / 3 - 1),
+           tupleText(values_.at(static_cast<std::size_t>(cell)), 5));
+}
+
 QSize Swatches::sizeHint() const {
-  return {std::max(3 * kCell + 1, fontMetrics().horizontalAdvance(caption_)),
+  return {std::max(3 * cellRect(0).width() + 1, fontMetrics().horizontalAdvance(caption_)),
           3 * kCell + 1 + fontMetrics().height() + 2};
+}
+
+bool Swatches::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QString text = toolTip();
+  for (int cell = 0; cell < 9; ++cell)
+    if (cellRect(cell).contains(help->pos())) text = caption_ + QLatin1Char(' ') + cellText(cell);
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
 }
 
 void Swatches::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
-  for (int i = 0; i < 9; ++i)
-    painter.fillRect(QRect(i % 3 * kCell, i / 3 * kCell, kCell, kCell), colors_[static_cast<std::size_t>(i)]);
+  for (int cell = 0; cell < 9; ++cell) {
+    const QColor& color = colors_[static_cast<std::size_t>(cell)];
+    painter.fillRect(cellRect(cell), color);
+    if (!isWide_) continue;
+    const auto& [red, green, blue] = values_[static_cast<std::size_t>(cell)];
+    painter.setFont(numberFont());
+    painter.setPen(color.lightness() > 128 ? Qt::black : Qt::white);
+    painter.drawText(cellRect(cell), Qt::AlignCenter,
+                     shortText(static_cast<double>(reference::luma({red, green, blue}))));
+  }
+  painter.setFont(font());
   painter.setPen(colors.line);
-  painter.drawRect(0, 0, 3 * kCell, 3 * kCell);
+  painter.drawRect(0, 0, 3 * cellRect(0).width(), 3 * kCell);
   painter.setPen(colors.accent);
-  painter.drawRect(kCell, kCell, kCell, kCell);
+  painter.drawRect(cellRect(4));
   painter.setPen(colors.secondary);
   painter.drawText(QRect(0, 3 * kCell + 2, width(), fontMetrics().height()), Qt::AlignLeft | Qt::AlignVCenter,
                    caption_);

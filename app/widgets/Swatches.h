@@ -16,15 +16,24 @@ class Swatches : public QWidget {
 
   /// Scene-linear colors, row-major; encoded as the views encode them, without exposure.
   void setColors(const std::array<std::array<float, 3>, 9>& linear);
+  /// Room for the luma of each pixel in its cell; else only the tooltip has values.
+  void setWide(bool wide);
+  /// Of the pixel in a cell: where it is from the middle one, and its color.
+  QString cellText(int cell) const;
+  QRect cellRect(int cell) const;
+  static int wideWidth();
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void paintEvent(QPaintEvent*) override;
+  bool event(QEvent*) override;
 
  private:
   QString caption_;
   std::array<QColor, 9> colors_;
+  std::array<std::array<float, 3>, 9> values_{};
+  bool isWide_ = false;
 };
 
 } // namespace taa::app

@@ -51,6 +51,7 @@ struct ProbeArguments {
   std::string pixel;
   int frame = 0;
   bool json = false;
+  bool whatIf = false; ///< also the pixel under other choices
 };
 
 struct ProfileArguments {

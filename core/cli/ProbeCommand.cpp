@@ -10,8 +10,6 @@
 
 namespace taa::cli {
 
-using nlohmann::ordered_json;
-
 namespace {
 
 std::string valuesText(const Intermediate& row, const glm::vec4& value) {
@@ -36,6 +34,25 @@ void printRecord(std::ostream& out, const PixelRecord& record) {
   }
 }
 
+void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
+  std::vector<std::vector<std::string>> rows{
+      {"", "", "resolved R", "G", "B", "difference R", "G", "B", "alpha", ""}};
+  for (const WhatIfRow& row : variants) {
+    const bool isFirst = &row == variants.data() || (&row - 1)->group != row.group;
+    std::vector<std::string> cells{std::string(isFirst ? whatIfGroupLabel(row.group) : ""),
+                                   (row.isCurrent ? "* " : "  ") + row.label};
+    for (const glm::vec3& color : {row.resolved, row.difference})
+      for (int channel = 0; channel < 3; ++channel) cells.push_back(floatText(color[channel]));
+    cells.push_back(floatText(row.alpha));
+    cells.push_back(row.rejectReason == 0 ? row.note
+                                          : std::string(rejectReasonText(row.rejectReason)) +
+                                                (row.note.empty() ? "" : "; " + row.note));
+    rows.push_back(std::move(cells));
+  }
+  out << "What if\n";
+  printTable(out, rows, "  ");
+}
+
 } // namespace
 
 void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress) {
@@ -47,24 +64,24 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   requireFrame(inspector, arguments.frame);
   inspector.seek(arguments.frame, progress);
 
-  ordered_json json = shotJson(inspector);
-  json["frame"] = arguments.frame;
-  json["time"] = inspector.info().time;
-  json["pixel"] = {pixel.x, pixel.y};
+  ProbeReport report{shotFacts(inspector), pixel, {}};
   for (int lane = 0; lane < inspector.laneCount(); ++lane) {
     const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
-    const PixelRecord record = inspector.probe(pixel.x, pixel.y, lane);
-    if (!arguments.json) {
-      if (!choice.name.empty())
-        out << (lane > 0 ? "\n" : "") << "LANE " << choice.name << ": " << choice.preset << '\n';
-      printRecord(out, record);
-      continue;
-    }
-    ordered_json row = laneJson(inspector, choice, lane);
-    row["values"] = recordJson(record);
-    json["lanes"].push_back(row);
+    ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probe(pixel.x, pixel.y, lane)};
+    if (arguments.whatIf) probed.whatIf = inspector.whatIf(pixel.x, pixel.y, lane);
+    report.lanes.push_back(std::move(probed));
   }
-  if (arguments.json) out << json.dump(2) << '\n';
+  if (arguments.json) {
+    out << probeJson(report).dump(2) << '\n';
+    return;
+  }
+  for (const ProbedLane& lane : report.lanes) {
+    if (!lane.lane.name.empty())
+      out << (&lane == report.lanes.data() ? "" : "\n") << "LANE " << lane.lane.name << ": "
+          << lane.lane.preset << '\n';
+    printRecord(out, lane.record);
+    if (!lane.whatIf.empty()) printWhatIf(out, lane.whatIf);
+  }
 }
 
 } // namespace taa::cli

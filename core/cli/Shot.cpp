@@ -1,7 +1,6 @@
 #include "core/cli/Shot.h"
 
 #include "core/base/Error.h"
-#include "core/io/FrameJson.h"
 
 #include <iostream>
 
@@ -33,20 +32,22 @@ void requireFrame(const Inspector& inspector, int frame) {
                 " has frames 0 to " + std::to_string(last));
 }
 
+ShotFacts shotFacts(const Inspector& inspector) {
+  return {inspector.source(), inspector.camera(),
+          inspector.driver().renderer + ", " + inspector.driver().version, inspector.width(),
+          inspector.height()};
+}
+
 ordered_json shotJson(const Inspector& inspector) {
-  return {{"source", inspector.source()},
-          {"camera", inspector.camera()},
-          {"driver", inspector.driver().renderer + ", " + inspector.driver().version},
-          {"size", {inspector.width(), inspector.height()}}};
+  return taa::shotJson(shotFacts(inspector));
+}
+
+LaneFacts laneFacts(const Inspector& inspector, const LaneChoice& choice, int lane) {
+  return {choice.name, choice.preset, choice.settings, inspector.info(lane)};
 }
 
 ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane) {
-  const FrameInfo info = inspector.info(lane);
-  return {{"name", choice.name},
-          {"preset", choice.preset},
-          {"settings", toJson(choice.settings)},
-          {"jitterIndex", info.jitterIndex},
-          {"jitterPx", {floatJson(info.jitterPx.x), floatJson(info.jitterPx.y)}}};
+  return taa::laneJson(laneFacts(inspector, choice, lane));
 }
 
 } // namespace taa::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/ProbeReport.h"
 #include "core/cli/Arguments.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,10 +24,12 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
 /// Throws Error that names the frames there are.
 void requireFrame(const Inspector& inspector, int frame);
 
-/// What was rendered, on which driver: {"source", "camera", "driver", "size"}.
+/// What was rendered, on which driver.
+ShotFacts shotFacts(const Inspector& inspector);
 nlohmann::ordered_json shotJson(const Inspector& inspector);
 
 /// A lane's name, preset, settings and where in the jitter pattern its frame lies.
+LaneFacts laneFacts(const Inspector& inspector, const LaneChoice& choice, int lane);
 nlohmann::ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane);
 
 } // namespace taa::cli

@@ -107,6 +107,8 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
   command->add_option("--frame", probe.frame, "Number of the frame, from 0")->required();
   command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left")->required();
   command->add_flag("--json", probe.json, "Print JSON");
+  command->add_flag("--what-if", probe.whatIf,
+                    "Also print the pixel under every rectification, box, history filter and preset");
   command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
 }
 

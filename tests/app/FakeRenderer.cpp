@@ -72,8 +72,9 @@ void FakeRenderer::setViews(const std::vector<ViewRequest>& wanted) {
   deliver();
 }
 
-void FakeRenderer::probe(std::optional<glm::ivec2> wanted) {
-  pixel = wanted;
+void FakeRenderer::setPins(const PinWish& wanted) {
+  pinWish = wanted;
+  pins = wanted.pins;
   deliver();
 }
 
@@ -188,16 +189,45 @@ void FakeRenderer::deliver() {
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
   deliverThumbnails();
+  for (const ProbePin& pin : pins) deliverPin(pin);
   deliverFigures();
-  if (!pixel) return;
-  ProbeResult result{.x = pixel->x, .y = pixel->y, .frame = status.info.frame, .around = {}};
-  for (int y = -1; y <= 1; ++y)
+}
+
+/// A surface goes one pixel to the right a frame, and out of the picture.
+void FakeRenderer::deliverPin(const ProbePin& pin) {
+  ProbeResult result{.pin = pin, .spot = {.pixel = pin.pixel}, .around = {}};
+  if (pin.follow == Follow::Surface) {
+    result.pin.anchor = SurfaceAnchor{.object = 1};
+    result.spot.pixel.x += status.info.frame - pin.frame;
+    if (result.spot.pixel.x >= status.width) result.spot.state = PinState::OffScreen;
+  }
+  result.x = result.spot.pixel.x;
+  result.y = result.spot.pixel.y;
+  result.frame = status.info.frame;
+  result.info = status.info;
+  result.settings = status.settings;
+  for (int y = -1; y <= 1 && result.spot.state == PinState::Seen; ++y)
     for (int x = -1; x <= 1; ++x) {
       PixelRecord record;
-      record.fill(glm::vec4(valueAt(pixel->x + x, pixel->y + y, status.info.frame)));
+      record.fill(glm::vec4(valueAt(result.x + x, result.y + y, status.info.frame)));
       reference::at(record, IntermediateId::rejectReason) = glm::vec4(0);
       result.around.push_back(record);
     }
+  const bool isActive = pinWish.active >= 0 && pins[static_cast<std::size_t>(pinWish.active)] == pin;
+  if (isActive && !result.around.empty()) result.details = std::make_shared<const reference::Details>();
+  if (isActive && pinWish.whatIf)
+    for (const Variant& variant : variantsOf(status.settings))
+      result.whatIf.push_back({variant.group,
+                               variant.id,
+                               variant.label,
+                               variant.note,
+                               variant.isCurrent,
+                               glm::vec3(0.25f),
+                               glm::vec3(variant.isCurrent ? 0.0f : 0.125f),
+                               {},
+                               {},
+                               0.5f,
+                               0});
   listener_.onProbe(result);
 }
 

@@ -27,7 +27,7 @@ class FakeRenderer final : public Renderer {
   void seek(int frame) override;
   void step(int frames) override { seek(status.info.frame + frames); }
   void setViews(const std::vector<ViewRequest>& wanted) override;
-  void probe(std::optional<glm::ivec2> pixel) override;
+  void setPins(const PinWish& wanted) override;
   void setCheckpointBudget(std::size_t bytes) override;
   void setProfiling(bool wanted) override { profiling = wanted; }
   void measureStages() override;
@@ -41,7 +41,8 @@ class FakeRenderer final : public Renderer {
 
   Status status;
   std::vector<ViewRequest> views;
-  std::optional<glm::ivec2> pixel;
+  std::vector<ProbePin> pins;
+  PinWish pinWish;
   std::optional<Settings> prepared; ///< the last ones
   bool isLooping = true, profiling = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
@@ -55,6 +56,7 @@ class FakeRenderer final : public Renderer {
   void deliverThumbnails();
   void deliverProfile();
   void deliverFigures();
+  void deliverPin(const ProbePin& pin);
   ViewResult draw(int view) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);

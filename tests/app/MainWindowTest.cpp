@@ -144,7 +144,8 @@ TEST_F(Window, ARightClickPicksAndArrowsMoveThePick) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
   EXPECT_EQ(session.pick(), glm::ivec2(30, 12));
-  EXPECT_EQ(renderer->pixel, glm::ivec2(30, 12));
+  ASSERT_EQ(renderer->pins.size(), 1u);
+  EXPECT_EQ(renderer->pins[0].pixel, glm::ivec2(30, 12));
   viewport->setFocus();
   QTest::keyClick(viewport, Qt::Key_Right);
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);

@@ -158,7 +158,7 @@ TEST_F(RenderThreadTest, AnswersViewsAndProbesWhileItReplays) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
     thread->setViews({viewOf(IntermediateId::motion)});
-    thread->probe(glm::ivec2(3, 3));
+    thread->setPins({.pins = {{.pixel = {3, 3}}}});
   };
   thread->seek(40);
   thread->waitUntilIdle();
@@ -188,7 +188,7 @@ TEST_F(RenderThreadTest, TellsErrorsAndKeepsWhatItShows) {
 }
 
 TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
-  thread->probe(glm::ivec2(5, 6));
+  thread->setPins({.pins = {{.pixel = {5, 6}}}});
   thread->waitUntilIdle();
   thread->step(1);
   thread->waitUntilIdle();
@@ -201,11 +201,11 @@ TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
     EXPECT_EQ(probe.x, 5);
     EXPECT_EQ(probe.around.size(), 9u);
   }
-  thread->probe({});
+  thread->setPins({});
   thread->step(1);
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "taken back";
-  thread->probe(glm::ivec2(kWidth, 0));
+  thread->setPins({.pins = {{.pixel = {kWidth, 0}}}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "outside the picture";
   EXPECT_TRUE(recorder.errors.empty());

@@ -10,7 +10,7 @@
 namespace taa::reference {
 namespace {
 
-std::array<glm::vec4, 4> around(const Inputs& inputs, const Image& stored, const glm::vec2& position) {
+std::array<glm::vec4, 4> around(const Inputs& inputs, const Texels& stored, const glm::vec2& position) {
   const glm::ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
                           static_cast<int>(std::floor(position.y - 0.5f)));
   std::array<glm::vec4, 4> texels{};

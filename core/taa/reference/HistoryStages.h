@@ -85,6 +85,9 @@ GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, co
 /// How far the motion around a render texel parts (catalogue 12.7).
 float motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
 
+/// Sum of the depth steps to the neighbors of a render texel, m: its surface's slope.
+float depthSlope(const Inputs& inputs, const glm::ivec2& drawn);
+
 enum class RejectReason : int {
   Kept,
   NoHistory,

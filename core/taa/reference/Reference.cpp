@@ -2,6 +2,7 @@
 #include "core/taa/reference/Reference.h"
 
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Details.h"
 #include "core/taa/reference/Stages.h"
 #include "core/taa/reference/Upsample.h"
 
@@ -157,8 +158,18 @@ glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
   return inputs.mask.empty() ? glm::vec2(0.0f) : glm::vec2(inputs.mask.texel(texel.x, texel.y));
 }
 
-PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept) {
-  const glm::ivec2 p(x, y);
+namespace {
+
+/// Of the current filter: what it weighs and how much.
+void describeFilter(const Inputs& inputs, const Settings& settings, Details& details) {
+  for (int k = 0; k < 9; ++k)
+    details.filterSamples[static_cast<std::size_t>(k)] =
+        currentColor(inputs, details.texel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+  if (!isUpsampled(settings)) details.filterWeights = currentWeights(settings.current, inputs.jitterPx);
+}
+
+PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, Kept* kept,
+                     Details* details) {
   const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
   const glm::ivec2& texel = place.texel;
   PixelRecord record{};
@@ -224,7 +235,30 @@ PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, 
                                        confidence, dilated.motion, p, inputs.frame}));
   if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, held);
+  if (!details) return record;
+  details->texel = texel;
+  details->neighborhood = neighborhood;
+  details->seen = seen;
+  details->held = held.share;
+  details->slope = depthSlope(inputs, texel);
+  details->isFirst = inputs.historyColor.empty();
+  details->depthTerms = inputs.depthTerms;
+  details->jitterPx = inputs.jitterPx;
+  details->picturePx = {inputs.outputWidth(), inputs.outputHeight()};
+  details->readPosition = history.position;
+  describeFilter(inputs, settings, *details);
   return record;
+}
+
+} // namespace
+
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept) {
+  return resolved(inputs, settings, {x, y}, kept, nullptr);
+}
+
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                         Details& details) {
+  return resolved(inputs, settings, pixel, nullptr, &details);
 }
 
 } // namespace taa::reference

@@ -2,9 +2,9 @@
 // questions.
 #pragma once
 
-#include "core/base/Image.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
+#include "core/taa/reference/Texels.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -17,23 +17,23 @@ namespace taa::reference {
 /// Downloaded inputs of one frame, row 0 at the top. Channels and units as in FrameInputs and History: what
 /// is drawn has one size, the picture and its history another where settings draw less.
 struct Inputs {
-  Image color;          ///< 4 channels
-  Image depth;          ///< 1
-  Image motion;         ///< 2
-  Image normal;         ///< 4
-  Image objectId;       ///< 1
-  Image previousDepth;  ///< 1
-  Image mask;           ///< 2: reactive, responsive; empty: none
-  Image overlay;        ///< 4, premultiplied; empty: none
-  Image historyColor;   ///< 4; empty: no history
-  Image historySurface; ///< 2: N, view depth
-  Image resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
+  Texels color;          ///< 4 channels
+  Texels depth;          ///< 1
+  Texels motion;         ///< 2
+  Texels normal;         ///< 4
+  Texels objectId;       ///< 1
+  Texels previousDepth;  ///< 1
+  Texels mask;           ///< 2: reactive, responsive; empty: none
+  Texels overlay;        ///< 4, premultiplied; empty: none
+  Texels historyColor;   ///< 4; empty: no history
+  Texels historySurface; ///< 2: N, view depth
+  Texels resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
   // What only some settings keep; empty: not kept.
-  Image historyObject;             ///< 2: number, class
-  Image historyNormal;             ///< 4
-  Image historyMotion;             ///< 2
-  Image historyLock;               ///< 2: life, luma
-  Image historyLumas;              ///< 4: latest first, as L/(1 + L)
+  Texels historyObject;            ///< 2: number, class
+  Texels historyNormal;            ///< 4
+  Texels historyMotion;            ///< 2
+  Texels historyLock;              ///< 2: life, luma
+  Texels historyLumas;             ///< 4: latest first, as L/(1 + L)
   int frame = 0;                   ///< its number
   double stepSeconds = 1.0 / 60.0; ///< from frame to frame
   glm::vec2 jitterPx{0.0f};
@@ -73,5 +73,11 @@ struct Kept {
 /// All intermediates of pixel (x, y) of the picture, in 32-bit floats rounded after every operation. Those of
 /// stage Output are 0 without `inputs.resolved`. Fills `kept` when given.
 PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept = nullptr);
+
+/// What no intermediate holds but formulas are made of.
+struct Details;
+/// As resolvePixel, and fills `details`.
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                         Details& details);
 
 } // namespace taa::reference

@@ -48,8 +48,7 @@ float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, co
                       float expected) {
   const float center = viewDepth(inputs.depth.texel(pixel.x, pixel.y).x, inputs.depthTerms);
   if (expected == 0.0f || center == 0.0f) return settings.depthTolerance;
-  const float slope = depthStep(inputs, pixel, {1, 0}, center) + depthStep(inputs, pixel, {0, 1}, center);
-  return settings.depthTolerance + (settings.slopeAllowance * slope) / expected;
+  return settings.depthTolerance + (settings.slopeAllowance * depthSlope(inputs, pixel)) / expected;
 }
 
 /// By the chosen rule (catalogue 5.0, 5.1, 5.3, 5.7); NaN is outside.
@@ -77,6 +76,11 @@ RejectReason reasonOf(const Inputs& inputs, const ValidateSettings& settings, co
 }
 
 } // namespace
+
+float depthSlope(const Inputs& inputs, const glm::ivec2& drawn) {
+  const float center = viewDepth(inputs.depth.texel(drawn.x, drawn.y).x, inputs.depthTerms);
+  return depthStep(inputs, drawn, {1, 0}, center) + depthStep(inputs, drawn, {0, 1}, center);
+}
 
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
                           const Reprojected& reprojected, const glm::vec2& readPosition,

@@ -1,0 +1,103 @@
+// The façade's pins, what they follow and where that is; and what the CPU twin says about a pixel.
+#include "core/InspectorParts.h"
+
+#include "core/inspect/ProbePin.h"
+#include "core/taa/reference/SampleStages.h"
+
+#include <algorithm>
+
+namespace taa {
+
+namespace {
+
+/// The drawn texel that a pixel of the picture shows.
+SeenSurface surfaceAt(const FrameInputs& inputs, const glm::ivec2& pixel) {
+  const glm::ivec2 texel = pixel * glm::ivec2(inputs.width(), inputs.height()) /
+                           glm::ivec2(inputs.outputWidth(), inputs.outputHeight());
+  const gl::Rect one{texel.x, texel.y, 1, 1};
+  return {static_cast<int>(inputs.objectId.download(one).texel(0, 0).x),
+          inputs.depth.download(one).texel(0, 0).x};
+}
+
+reference::Texels texelsOf(const gl::Texture& texture) {
+  if (!texture) return {};
+  return {texture.width(), texture.height(), gl::channels(texture.format()),
+          [&texture](int x, int y, int width, int height) {
+            return texture.download({x, y, width, height});
+          }};
+}
+
+/// What the resolve of a frame was given, read where the twin looks at it. Both must stay as long as it does.
+reference::Inputs twinOf(const FrameInputs& inputs, const History* previous) {
+  reference::Inputs twin;
+  twin.color = texelsOf(inputs.color);
+  twin.depth = texelsOf(inputs.depth);
+  twin.motion = texelsOf(inputs.motion);
+  twin.normal = texelsOf(inputs.normal);
+  twin.objectId = texelsOf(inputs.objectId);
+  twin.previousDepth = texelsOf(inputs.previousDepth);
+  twin.mask = texelsOf(inputs.mask);
+  twin.overlay = texelsOf(inputs.overlay);
+  if (previous) {
+    twin.historyColor = texelsOf(previous->color);
+    twin.historySurface = texelsOf(previous->surface);
+    twin.historyObject = texelsOf(previous->object);
+    twin.historyNormal = texelsOf(previous->normal);
+    twin.historyMotion = texelsOf(previous->motion);
+    twin.historyLock = texelsOf(previous->lock);
+    twin.historyLumas = texelsOf(previous->lumas);
+  }
+  twin.outputPx = inputs.outputPx;
+  twin.frame = inputs.info.frame;
+  twin.stepSeconds = inputs.info.stepSeconds;
+  twin.jitterPx = inputs.block.jitterPx;
+  twin.depthTerms = inputs.block.depthTerms;
+  return twin;
+}
+
+} // namespace
+
+reference::Details Inspector::details(int x, int y, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  reference::Details details;
+  reference::resolvePixel(twinOf(inputs(lane), parts_->lane(lane).previous.get()), settings(lane), {x, y},
+                          details);
+  return details;
+}
+
+std::vector<WhatIfRow> Inspector::whatIf(int x, int y, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  return taa::whatIf(twinOf(inputs(lane), parts_->lane(lane).previous.get()), settings(lane), {x, y});
+}
+
+ProbePin Inspector::anchored(const ProbePin& pin) {
+  if (pin.follow == Follow::Screen || pin.anchor) return pin;
+  const gl::PassGroup group(pass_group::kProbe);
+  const Subject& subject = parts_->subject;
+  const FrameRequest request = subject.request(0);
+  const int setIn = std::clamp(pin.frame, 0, frameCount() - 1);
+  FrameInputs other; // what a pin follows shows only in its own frame
+  const FrameInputs* drawn = &other;
+  if (setIn == frame())
+    drawn = &inputs();
+  else
+    subject.renderer->draw(request, setIn, other);
+  ProbePin found = pin;
+  found.anchor = anchorAt(scene(), viewAt(scene(), request, setIn), {width(), height()}, pin.pixel,
+                          surfaceAt(*drawn, pin.pixel));
+  return found;
+}
+
+PinSpot Inspector::spot(const ProbePin& pin) {
+  if (pin.follow == Follow::Screen) return spotOf(scene(), {}, {width(), height()}, pin);
+  const View view = viewAt(scene(), parts_->subject.request(0), frame());
+  PinSpot spot = spotOf(scene(), view, {width(), height()}, pin);
+  if (!pin.anchor || spot.state != PinState::Seen) return spot;
+  const gl::PassGroup group(pass_group::kProbe);
+  const SeenSurface drawn = surfaceAt(inputs(), spot.pixel);
+  const float depth = reference::viewDepth(drawn.depth, view.block.depthTerms);
+  if (isHidden(spot, *pin.anchor, drawn, depth)) spot.state = PinState::Hidden;
+  return spot;
+}
+
+} // namespace taa

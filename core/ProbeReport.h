@@ -1,0 +1,51 @@
+// A probed pixel to hand on: as JSON, plain text or Markdown; the same from taa-batch and from the window.
+#pragma once
+
+#include "core/inspect/ProbeStory.h"
+#include "core/inspect/WhatIf.h"
+#include "core/render/FrameInputs.h"
+#include "core/settings/Settings.h"
+#include "core/taa/reference/Reference.h"
+
+#include <glm/vec2.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// What was looked at.
+struct ShotFacts {
+  std::string source, camera;
+  std::string driver; ///< renderer and version
+  int width = 0, height = 0;
+};
+nlohmann::ordered_json shotJson(const ShotFacts& shot);
+
+struct LaneFacts {
+  std::string name, preset;
+  Settings settings;
+  FrameInfo info;
+};
+nlohmann::ordered_json laneJson(const LaneFacts& lane);
+
+/// What a lane has at the pixel.
+struct ProbedLane {
+  LaneFacts lane;
+  reference::PixelRecord record{};
+  std::vector<WhatIfRow> whatIf{}; ///< empty: not asked for
+};
+struct ProbeReport {
+  ShotFacts shot;
+  glm::ivec2 pixel{0};
+  std::vector<ProbedLane> lanes;
+};
+
+nlohmann::ordered_json probeJson(const ProbeReport& report);
+/// Every row by stages, exact: "alpha 0.125".
+std::string probeText(const ProbeReport& report);
+/// A table for an issue or a page, each row with its unit.
+std::string probeMarkdown(const ProbeReport& report);
+
+} // namespace taa

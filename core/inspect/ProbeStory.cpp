@@ -1,0 +1,168 @@
+#include "core/inspect/ProbeStory.h"
+
+#include "core/inspect/StoryText.h"
+#include "core/scene/ObjectClass.h"
+#include "core/taa/reference/Color.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace taa {
+
+namespace story {
+
+std::string Teller::number(double x) const {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x < 0 ? "−inf" : "inf";
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::fabs(x) + 0.0,
+                                 std::chars_format::general, digits);
+  return (x < 0 ? "−" : "") + std::string(text.data(), end.ptr);
+}
+
+std::string Teller::tuple(const glm::vec2& v) const {
+  return "(" + number(static_cast<double>(v.x)) + ", " + number(static_cast<double>(v.y)) + ")";
+}
+
+std::string Teller::tuple(const glm::vec3& v) const {
+  return "(" + number(static_cast<double>(v.x)) + ", " + number(static_cast<double>(v.y)) + ", " +
+         number(static_cast<double>(v.z)) + ")";
+}
+
+std::string Teller::percent(double share) const {
+  return Teller{probed, 3}.number(std::round(share * 1000.0) / 10.0) + " %";
+}
+
+std::string Teller::equals(const std::string& expression, Id id) const {
+  const int channels = intermediate(id).channels;
+  return expression + " = " + (channels == 1 ? number(id) : channels == 2 ? tuple(pair(id)) : tuple(id));
+}
+
+glm::vec3 Teller::box(const glm::vec3& color) const {
+  return reference::toBox(color, settings().space);
+}
+
+std::string Teller::channelName(int channel) const {
+  static constexpr std::array<std::array<const char*, 3>, 4> kNames{
+      {{"R", "G", "B"}, {"Y", "Co", "Cg"}, {"Y", "Co", "Cg"}, {"Y", "Cb", "Cr"}}};
+  return kNames[static_cast<std::size_t>(settings().space.color)][static_cast<std::size_t>(channel)];
+}
+
+std::string call(const std::string& function, std::initializer_list<std::string> arguments) {
+  return call(function, std::span(arguments.begin(), arguments.size()));
+}
+
+std::string call(const std::string& function, std::span<const std::string> arguments) {
+  std::string text = function + "(";
+  for (const std::string& argument : arguments)
+    text += (&argument == arguments.data() ? "" : ", ") + argument;
+  return text + ")";
+}
+
+bool isOn(Switch value) {
+  return value == Switch::On;
+}
+
+namespace {
+
+std::string depthWords(float depth) {
+  return depth == 0.0f ? "nothing was drawn here: the sky" : "";
+}
+
+std::string objectWords(const Teller& t) {
+  switch (static_cast<ObjectClass>(static_cast<int>(t.value(Id::objectClass)))) {
+  case ObjectClass::Still:
+    return "an object that stands still";
+  case ObjectClass::Moving:
+    return "an object that moves rigidly";
+  case ObjectClass::Deforming:
+    return "an object that deforms";
+  default:
+    return "the sky";
+  }
+}
+
+RowStory viewDepthStory(const Teller& t) {
+  const float depth = t.value(Id::depth);
+  if (depth == 0.0f) return {depthWords(depth), "", ""};
+  const glm::vec4& p = t.details().depthTerms;
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  return {"distance along the view axis",
+          t.equals("(" + n(depth) + " × " + n(p.x) + " − " + n(p.y) + ") / (" + n(depth) + " × " + n(p.z) +
+                       " − " + n(p.w) + ")",
+                   Id::depthView),
+          ""};
+}
+
+} // namespace
+
+RowStory inputStory(Id id, const Teller& t) {
+  switch (id) {
+  case Id::color:
+    return {"the sample of this frame, taken " + t.tuple(-t.details().jitterPx) +
+                " px from the pixel's center",
+            "", ""};
+  case Id::depth: {
+    const std::string sky = depthWords(t.value(id));
+    return {sky.empty() ? "1 at the near plane, 0 in the distance" : sky, "", ""};
+  }
+  case Id::depthView:
+    return viewDepthStory(t);
+  case Id::motion:
+    return {t.value(id) >= kNoPreviousPosition ? "the surface was behind the previous camera"
+            : t.pair(id) == glm::vec2(0.0f)
+                ? "the surface stayed where it was"
+                : "the surface came from " + t.tuple(-t.pair(id)) + " px from here",
+            "", ""};
+  case Id::normal:
+    return {t.color(id) == glm::vec3(0.0f) ? "the sky has none" : "the way the surface faces, in the world",
+            "", ""};
+  case Id::objectId:
+  case Id::objectClass:
+    return {objectWords(t), "", ""};
+  case Id::reactive:
+    return {t.value(id) > 0 ? t.percent(static_cast<double>(t.value(id))) + " was blended in"
+                            : "nothing was blended in",
+            "", ""};
+  case Id::responsive:
+    return {t.value(id) > 0 ? "a material that changes without motion"
+                            : "no material that changes without motion",
+            "", ""};
+  default:
+    return {t.value(Id::overlayAlpha) > 0
+                ? t.percent(static_cast<double>(t.value(Id::overlayAlpha))) + " of the output is hidden by it"
+                : "nothing is laid over the output here",
+            "", ""};
+  }
+}
+
+} // namespace story
+
+RowStory storyOf(IntermediateId id, const ProbedPixel& probed, int digits) {
+  const story::Teller teller{probed, digits};
+  switch (intermediate(id).stage) {
+  case Stage::Inputs:
+    return story::inputStory(id, teller);
+  case Stage::DilateMotion:
+  case Stage::Reproject:
+  case Stage::SampleHistory:
+  case Stage::FilterCurrent:
+    return story::sampleStory(id, teller);
+  case Stage::Neighborhood:
+    return story::boxStory(id, teller);
+  case Stage::RectifyHistory:
+    return story::rectifyStory(id, teller);
+  case Stage::ValidateHistory:
+    return story::validateStory(id, teller);
+  case Stage::BlendWeight:
+    return story::weightStory(id, teller);
+  case Stage::Blend:
+  case Stage::Output:
+    return story::blendStory(id, teller);
+  default:
+    return {};
+  }
+}
+
+} // namespace taa

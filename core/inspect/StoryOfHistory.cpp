@@ -1,0 +1,308 @@
+// Stories of stages 6 and 7: history brought into the box, and whether it belongs to the surface at all.
+#include "core/inspect/StoryText.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/reference/Color.h"
+
+#include <glm/common.hpp>
+
+#include <cmath>
+
+namespace taa::story {
+
+namespace {
+
+/// What rectification moves, in box space.
+struct Clip {
+  glm::vec3 h{0.0f}, current{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
+  reference::Clipped result; ///< before strength and locks
+};
+
+Clip clipOf(const Teller& t) {
+  Clip clip;
+  clip.h = t.box(t.color(Id::historyRaw));
+  clip.current = t.box(t.color(Id::currentFiltered));
+  clip.low = t.details().neighborhood.boxMin;
+  clip.high = t.details().neighborhood.boxMax;
+  clip.center = 0.5f * (clip.low + clip.high);
+  Settings plain = t.settings();
+  plain.rectify.relaxAtRest = plain.rectify.locks = plain.rectify.instability = Switch::Off;
+  reference::Inputs inputs;
+  inputs.historyColor = Image(1, 1, 4); // there is a history
+  clip.result = reference::rectifyHistory(inputs, plain, t.color(Id::historyRaw),
+                                          t.color(Id::currentFiltered), t.details().neighborhood);
+  return clip;
+}
+
+/// The channel whose wall ends the way from h to `target` last, and that wall; −1: h is inside.
+struct Wall {
+  int channel = -1;
+  float at = 0.0f;
+};
+
+Wall enteredWall(const Clip& clip, const glm::vec3& target) {
+  Wall wall;
+  float most = 0.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float at = clip.h[i] < clip.low[i] ? clip.low[i] : clip.high[i];
+    if (clip.h[i] >= clip.low[i] && clip.h[i] <= clip.high[i]) continue;
+    const float share = (at - clip.h[i]) / (target[i] - clip.h[i]);
+    if (share > most) most = share, wall = {i, at};
+  }
+  return wall;
+}
+
+std::string fraction(const Teller& t, float above, float from, float to) {
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  return "(" + n(above) + " − " + n(from) + ") / (" + n(to) + " − " + n(from) + ")";
+}
+
+bool isMoved(const Teller& t) {
+  return t.settings().rectify.method != RectifyMethod::None && !t.details().isFirst;
+}
+
+/// The way into the box as an expression of box space; empty where it has no short one.
+std::string wayText(const Teller& t, const Clip& clip) {
+  const std::string h = t.tuple(clip.h);
+  const std::string amount = t.number(static_cast<double>(clip.result.amount));
+  switch (t.settings().rectify.method) {
+  case RectifyMethod::Clamp:
+  case RectifyMethod::ClampForget:
+    return call("clamp", {h, t.tuple(clip.low), t.tuple(clip.high)});
+  case RectifyMethod::ClipToCenter:
+    return h + " + " + amount + " × (" + t.tuple(clip.center) + " − " + h + ")";
+  case RectifyMethod::ClipToFiltered:
+    return h + " + " + amount + " × (" + t.tuple(glm::clamp(clip.current, clip.low, clip.high)) + " − " + h +
+           ")";
+  case RectifyMethod::ClipToHull:
+    return h + " + " + amount + " × (" + t.tuple(clip.current) + " − " + h + ")";
+  default:
+    return "";
+  }
+}
+
+/// What of the correction is applied, in words; empty: all of it.
+std::string partWords(const Teller& t) {
+  std::string words;
+  if (isOn(t.settings().rectify.relaxAtRest))
+    words += ", of which " + t.percent(static_cast<double>(t.value(Id::rectifyStrength))) + " are applied";
+  if (t.details().held > 0.0f)
+    words += ", and " + t.percent(static_cast<double>(t.details().held)) + " of that are taken back";
+  return words;
+}
+
+RowStory rectifiedStory(const Teller& t) {
+  const RectifySettings& rectify = t.settings().rectify;
+  if (t.details().isFirst) return {"there is no history yet", "", ""};
+  if (rectify.method == RectifyMethod::None) return {"history is taken as it is", "", ""};
+  const Clip clip = clipOf(t);
+  if (!clip.result.moved) return {"history lies inside the box: kept as it is", "", ""};
+  const float amount = t.value(Id::clipAmount);
+  const std::string words =
+      "pulled " + t.percent(static_cast<double>(amount)) + " of the way into the box" + partWords(t);
+  if (isOn(rectify.relaxAtRest) || t.details().held > 0.0f) {
+    const std::string raw = t.tuple(Id::historyRaw);
+    const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
+                              t.number(static_cast<double>(t.details().held)) + ")";
+    return {words,
+            t.equals(raw + " + " + share + " × (" + t.tuple(clip.result.value) + " − " + raw + ")",
+                     Id::historyRectified),
+            ""};
+  }
+  const std::string way = wayText(t, clip);
+  if (way.empty()) return {words, "", ""};
+  return {words, way + " = " + t.tuple(t.box(clip.result.value)), "in box space"};
+}
+
+/// How far h goes, before what is taken back.
+std::string amountText(const Teller& t, const Clip& clip) {
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  switch (t.settings().rectify.method) {
+  case RectifyMethod::Clamp:
+  case RectifyMethod::ClampForget:
+    return call("length", {t.tuple(glm::clamp(clip.h, clip.low, clip.high)) + " − " + t.tuple(clip.h)}) +
+           " / " + call("length", {t.tuple(clip.center) + " − " + t.tuple(clip.h)});
+  case RectifyMethod::ClipToFiltered: {
+    const glm::vec3 target = glm::clamp(clip.current, clip.low, clip.high);
+    const Wall wall = enteredWall(clip, target);
+    return wall.channel < 0
+               ? ""
+               : call("min", {fraction(t, wall.at, clip.h[wall.channel], target[wall.channel]), "1"});
+  }
+  case RectifyMethod::ClipToCenter: {
+    int channel = 0;
+    float most = 0.0f;
+    for (int i = 0; i < 3; ++i) {
+      const float u = std::fabs(clip.h[i] - clip.center[i]) / (0.5f * (clip.high[i] - clip.low[i]) + 1e-8f);
+      if (u > most) most = u, channel = i;
+    }
+    return "1 − " + n(0.5f * (clip.high[channel] - clip.low[channel]) + 1e-8f) + " / |" + n(clip.h[channel]) +
+           " − " + n(clip.center[channel]) + "|";
+  }
+  default:
+    return "";
+  }
+}
+
+RowStory clipStory(const Teller& t) {
+  if (!isMoved(t)) return {"nothing is rectified", "", ""};
+  const Clip clip = clipOf(t);
+  if (!clip.result.moved) return {"history lies inside the box", "", ""};
+  std::string text = amountText(t, clip);
+  const std::string words =
+      "history was pulled " + t.percent(static_cast<double>(t.value(Id::clipAmount))) + " of the way: " +
+      std::string(
+          parameter("rectify.method").choices[static_cast<std::size_t>(t.settings().rectify.method)].label);
+  if (text.empty()) return {words, "", ""};
+  if (isOn(t.settings().rectify.relaxAtRest)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
+  if (t.details().held > 0.0f)
+    text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().held)) + ")";
+  return {words, t.equals(text, Id::clipAmount), ""};
+}
+
+RowStory strengthStory(const Teller& t) {
+  const RectifySettings& rectify = t.settings().rectify;
+  if (rectify.method == RectifyMethod::None) return {"nothing is rectified", "", ""};
+  if (!isOn(rectify.relaxAtRest)) return {"all of the correction is applied", "", ""};
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  return {"less is applied where little moves",
+          t.equals(n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) + ") × clamp((" +
+                       t.number(Id::speed) + " / " + n(rectify.restSpeed) + ")^2, 0, 1)",
+                   Id::rectifyStrength),
+          ""};
+}
+
+RowStory keptLengthStory(const Teller& t) {
+  const float before = t.value(Id::historyRawLength), kept = t.value(Id::historyKeptLength);
+  if (before == kept)
+    return {"as long as before", t.equals(t.number(Id::historyRawLength), Id::historyKeptLength), ""};
+  const std::string forgotten = call("min", {t.number(Id::historyRawLength), t.number(1.6216216)});
+  const std::string held = t.number(static_cast<double>(t.details().held));
+  return {
+      "clamped history forgets",
+      t.equals(forgotten + " + " + held + " × (" + t.number(Id::historyRawLength) + " − " + forgotten + ")",
+               Id::historyKeptLength),
+      ""};
+}
+
+RowStory mismatchStory(const Teller& t) {
+  const float expected = t.value(Id::depthExpected), stored = t.value(Id::historyDepth);
+  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+  if (expected == 0.0f || stored == 0.0f)
+    return {expected == stored ? "the sky, as before" : "the sky against a surface", "", ""};
+  const bool isMore = t.value(Id::depthMismatch) > t.value(Id::depthAllowed);
+  return {isMore ? "more than is allowed: another surface" : "no more than is allowed",
+          t.equals("|" + t.number(Id::depthExpected) + " − " + t.number(Id::historyDepth) + "| / " +
+                       t.number(Id::depthExpected),
+                   Id::depthMismatch),
+          ""};
+}
+
+RowStory allowedStory(const Teller& t) {
+  const ValidateSettings& validate = t.settings().validate;
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  std::string text = n(validate.depthTolerance);
+  const bool hasSlope = t.value(Id::depthExpected) != 0.0f && t.value(Id::depthView) != 0.0f;
+  if (hasSlope)
+    text += " + " + n(validate.slopeAllowance) + " × " + n(t.details().slope) + " / " +
+            t.number(Id::depthExpected);
+  return {hasSlope ? "the tolerance, and more for the surface's slope" : "the tolerance",
+          t.equals(text, Id::depthAllowed), ""};
+}
+
+RowStory reasonStory(const Teller& t) {
+  const int reason = static_cast<int>(t.value(Id::rejectReason));
+  std::string words = reason == 0 ? "all tests passed" : "rejected: " + std::string(rejectReasonText(reason));
+  switch (static_cast<reference::RejectReason>(reason)) {
+  case reference::RejectReason::Depth:
+    words += ", " + t.number(Id::depthMismatch) + " off where " + t.number(Id::depthAllowed) + " is allowed";
+    break;
+  case reference::RejectReason::OffScreen:
+    words += ", at " + t.tuple(t.pair(Id::historyPosition));
+    break;
+  case reference::RejectReason::Speed:
+    words += ", " + t.number(Id::speed) + " px where " +
+             t.number(static_cast<double>(t.settings().validate.speedLimit)) + " are allowed";
+    break;
+  case reference::RejectReason::Object:
+    words += ", " + t.number(Id::historyObjectId) + " was here";
+    break;
+  case reference::RejectReason::Normal:
+    words += ", cosine " + t.number(Id::normalAgreement);
+    break;
+  case reference::RejectReason::Velocity:
+    words += ", it changed by " + t.number(Id::velocityChange) + " px";
+    break;
+  default:
+    break;
+  }
+  return {words, "", ""};
+}
+
+std::string offWords(Switch value, const std::string& words) {
+  return isOn(value) ? words : "not asked for";
+}
+
+} // namespace
+
+RowStory rectifyStory(Id id, const Teller& t) {
+  const RectifySettings& rectify = t.settings().rectify;
+  switch (id) {
+  case Id::historyRectified:
+    return rectifiedStory(t);
+  case Id::clipAmount:
+    return clipStory(t);
+  case Id::rectifyStrength:
+    return strengthStory(t);
+  case Id::lock:
+    return {offWords(rectify.locks,
+                     t.value(id) > 0 ? "a thin feature keeps its history" : "no lock holds history"),
+            "", ""};
+  case Id::lockLife:
+    return {offWords(rectify.locks, t.value(id) >= 2   ? "locked in this frame"
+                                    : t.value(id) >= 1 ? "locked in an earlier frame"
+                                                       : "no lock, or one that has run out"),
+            "", ""};
+  case Id::instability:
+    return {offWords(rectify.instability,
+                     t.value(id) > 0 ? "luma comes and goes: history is kept" : "luma does not come and go"),
+            "", ""};
+  default:
+    return keptLengthStory(t);
+  }
+}
+
+RowStory validateStory(Id id, const Teller& t) {
+  switch (id) {
+  case Id::depthExpected:
+    return {t.value(id) == 0.0f ? "the sky, or nothing before"
+                                : "where the surface was in the previous frame",
+            "", ""};
+  case Id::historyDepth:
+    return {t.details().isFirst ? "there is no history yet"
+                                : "of the four stored around, the one that fits best",
+            "", ""};
+  case Id::depthMismatch:
+    return mismatchStory(t);
+  case Id::depthAllowed:
+    return allowedStory(t);
+  case Id::historyObjectId:
+    return {t.value(id) == 0.0f                    ? "the sky, or not kept"
+            : t.value(id) == t.value(Id::objectId) ? "the same object"
+                                                   : "another object than now",
+            "", ""};
+  case Id::normalAgreement:
+    return {offWords(t.settings().validate.normal,
+                     "the surface turned by " +
+                         t.number(std::acos(std::fmin(1.0, static_cast<double>(t.value(id)))) * 57.29577951) +
+                         " degrees"),
+            "", ""};
+  case Id::velocityChange:
+    return {t.value(id) == 0.0f ? "no change, or not asked for" : "its motion is another than a frame ago",
+            "", ""};
+  default:
+    return reasonStory(t);
+  }
+}
+
+} // namespace taa::story

@@ -1,0 +1,296 @@
+// Stories of stage 8: how the weight of the current frame came about.
+#include "core/inspect/StoryText.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/reference/Color.h"
+
+#include <cmath>
+
+namespace taa::story {
+
+namespace {
+
+std::string likeness(const Teller& t) {
+  const reference::Seen& seen = t.details().seen;
+  const std::string now = t.number(static_cast<double>(seen.lumaCurrent));
+  const std::string then = t.number(static_cast<double>(seen.lumaHistory));
+  return "(1 − |" + now + " − " + then + "| / " + call("max", {now, then, "0.2"}) + ")^2";
+}
+
+std::string baseText(const Teller& t) {
+  const WeightSettings& weight = t.settings().weight;
+  const reference::Seen& seen = t.details().seen;
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  switch (weight.source) { // catalogue §13
+  case AlphaSource::Constant:
+    return n(weight.alpha);
+  case AlphaSource::HistoryLength:
+    return "1 / (" + t.number(Id::historyKeptLength) + " + 1)";
+  case AlphaSource::LumaDifference:
+    return n(weight.most) + " + " + likeness(t) + " × (" + n(weight.least) + " − " + n(weight.most) + ")";
+  case AlphaSource::LumaDifferenceAsPrinted:
+    return likeness(t);
+  case AlphaSource::Contrast:
+  case AlphaSource::ContrastPerChannel:
+    return "1 − (0.25 + 0.6 × clamp(|" + n(seen.boxHigh) + " − " + n(seen.boxLow) + "| / " +
+           call("max", {n(seen.boxCurrent), "0.00001"}) + ", 0, 1))";
+  case AlphaSource::Confidence: {
+    const float after = reference::confidenceAfter(t.value(Id::historyKeptLength), seen.motion);
+    return call("min", {call("max", {"1 / " + n(after), n(weight.least)}), n(weight.most)});
+  }
+  case AlphaSource::Depth:
+    return seen.depth == 0.0f ? "1" : "0.025 + (" + n(weight.alpha) + " − 0.025) × √(" + n(seen.depth) + ")";
+  }
+  return {};
+}
+
+std::string sourceLabel(const Teller& t) {
+  const Parameter& row = parameter("weight.source");
+  return std::string(row.choices[static_cast<std::size_t>(t.settings().weight.source)].label);
+}
+
+RowStory floorStory(const Teller& t) {
+  const std::string minimum = t.number(static_cast<double>(t.settings().weight.minimum));
+  if (t.settings().weight.source == AlphaSource::HistoryLength)
+    return {"as chosen", t.equals(minimum, Id::alphaFloor), ""};
+  return {"no more than the source's own",
+          t.equals(call("min", {t.number(Id::alphaBase), minimum}), Id::alphaFloor), ""};
+}
+
+RowStory flickerStory(const Teller& t) {
+  const WeightSettings& weight = t.settings().weight;
+  const reference::Seen& seen = t.details().seen;
+  if (!isOn(weight.lumaFlicker) || !seen.hasHistory) return {"not asked for, or no history", "", ""};
+  const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
+  const std::string now =
+      t.number(static_cast<double>(isCompressed ? seen.compressedCurrent : seen.lumaCurrent));
+  const std::string then =
+      t.number(static_cast<double>(isCompressed ? seen.compressedHistory : seen.lumaHistory));
+  const std::string most =
+      isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
+  return {"less where luma differs from history",
+          t.equals("(1 − |" + now + " − " + then + "| / " + most + ")^2", Id::alphaLumaFlicker), ""};
+}
+
+RowStory clampStory(const Teller& t) {
+  const reference::Seen& seen = t.details().seen;
+  if (!isOn(t.settings().weight.nearClamp) || !seen.hasHistory)
+    return {"not asked for, or no history", "", ""};
+  const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
+  const float past = seen.boxHistoryRaw;
+  const float wall = std::fmin(std::fabs(past - seen.boxLow), std::fabs(past - seen.boxHigh));
+  if (!(wall + width > 0.0f)) return {"the box has no width", "", ""};
+  const std::string far = t.number(static_cast<double>(wall));
+  return {
+      "less where history is near a wall of the box",
+      t.equals(far + " / (" + far + " + " + t.number(static_cast<double>(width)) + ")", Id::alphaNearClamp),
+      ""};
+}
+
+RowStory contrastStory(const Teller& t) {
+  const reference::Seen& seen = t.details().seen;
+  if (!isOn(t.settings().weight.historyContrast) || !seen.hasHistory)
+    return {"not asked for, or no history", "", ""};
+  if (!(seen.boxHistory > 0.0f)) return {"history is black", "", ""};
+  const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
+  return {"less where the box is large against history",
+          t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
+                       t.number(static_cast<double>(seen.boxHistory)) + ")",
+                   Id::alphaHistoryContrast),
+          ""};
+}
+
+RowStory sampleDistanceStory(const Teller& t) {
+  const glm::vec2 jitter = t.details().seen.jitterPx;
+  const std::string squared = "(" + t.number(static_cast<double>(jitter.x)) + ")^2 + (" +
+                              t.number(static_cast<double>(jitter.y)) + ")^2";
+  switch (t.settings().weight.sampleDistance) {
+  case SampleDistance::None:
+    return {"not asked for", "", ""};
+  case SampleDistance::Gaussian:
+    return {"less the farther the sample is from the center",
+            t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
+  case SampleDistance::Parabola:
+    return {"less the farther the sample is from the center, unless it moves",
+            t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",
+                                  call("max", {"1 − (" + squared + ")", "0"})}),
+                     Id::alphaSampleDistance),
+            ""};
+  }
+  return {};
+}
+
+/// α before motion is added.
+float calmed(const Teller& t) {
+  float alpha = t.value(Id::alphaBase);
+  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                        Id::alphaSampleDistance})
+    alpha *= t.value(calm);
+  return std::fmin(std::fmax(alpha, t.value(Id::alphaFloor)), 1.0f);
+}
+
+/// Base, calmed, no less than the floor.
+std::string calmText(const Teller& t, bool withBase) {
+  std::string text = withBase ? baseText(t) : t.number(Id::alphaBase);
+  bool isProduct = false;
+  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                        Id::alphaSampleDistance}) {
+    if (t.value(calm) == 1.0f) continue;
+    text = (isProduct ? text : "(" + text + ")") + " × " + t.number(calm);
+    isProduct = true;
+  }
+  const bool isFloored =
+      t.settings().weight.source == AlphaSource::HistoryLength || calmed(t) <= t.value(Id::alphaFloor);
+  return isFloored ? call("max", {text, t.number(Id::alphaFloor)}) : text;
+}
+
+RowStory motionStory(const Teller& t) {
+  const WeightSettings& weight = t.settings().weight;
+  const std::string x =
+      "clamp(" + t.number(Id::speed) + " / " + t.number(static_cast<double>(weight.motionSpeed)) + ", 0, 1)";
+  const std::string words = "motion of " + t.number(Id::speed) + " px";
+  switch (weight.motion) {
+  case MotionAlpha::None:
+    return {"not asked for", "", ""};
+  case MotionAlpha::Linear:
+  case MotionAlpha::Added:
+    return {words, t.equals(x, Id::alphaMotion), ""};
+  case MotionAlpha::Squared:
+    return {words, t.equals(x + "^2", Id::alphaMotion), ""};
+  case MotionAlpha::SquaredAsPrinted: {
+    const glm::vec2 uv = t.details().seen.motionUv;
+    return {words + ", as fractions of the picture",
+            t.equals("clamp((" + t.number(static_cast<double>(uv.x)) + ")^2 + (" +
+                         t.number(static_cast<double>(uv.y)) + ")^2, 0, 1)",
+                     Id::alphaMotion),
+            ""};
+  }
+  case MotionAlpha::Doubled: {
+    const std::string alpha = t.number(static_cast<double>(calmed(t)));
+    return {words + " doubles α at most",
+            t.equals(x + " × (" + call("min", {"2 × " + alpha, "1"}) + " − " + alpha + ")", Id::alphaMotion),
+            ""};
+  }
+  }
+  return {};
+}
+
+std::string joinedText(const Teller& t, bool withBase) {
+  const WeightSettings& weight = t.settings().weight;
+  std::string text = calmText(t, withBase);
+  const auto join = [&](Id term) {
+    if (t.value(term) > 0.0f) text = "1 − (1 − (" + text + ")) × (1 − " + t.number(term) + ")";
+  };
+  if (weight.motion == MotionAlpha::Doubled)
+    text += " + " + t.number(Id::alphaMotion);
+  else if (weight.motion == MotionAlpha::Added)
+    text = call("min", {text + " + " + t.number(Id::alphaMotion), "1"});
+  else
+    join(Id::alphaMotion);
+  if (isOn(weight.velocityChange)) join(Id::alphaVelocityChange);
+  if (isOn(weight.divergence)) join(Id::alphaDivergence);
+  return text;
+}
+
+double frames(const Teller& t) {
+  const double eighths =
+      std::round(t.details().seen.stepSeconds * static_cast<double>(t.settings().weight.referenceRate) * 8.0);
+  return std::fmin(std::fmax(eighths, 1.0), 64.0) / 8.0;
+}
+
+RowStory frameRateStory(const Teller& t) {
+  const std::string joined = joinedText(t, false);
+  if (!isOn(t.settings().weight.frameRate) || frames(t) == 1.0)
+    return {"as long as the frame it is meant for", t.equals(joined, Id::alphaFrameRate), ""};
+  return {"for a frame that takes as long as " + t.number(frames(t)),
+          t.equals("1 − (1 − (" + joined + "))^" + t.number(frames(t)), Id::alphaFrameRate), ""};
+}
+
+RowStory maskStory(const Teller& t) {
+  const WeightSettings& weight = t.settings().weight;
+  switch (weight.mask) {
+  case MaskAlpha::Off:
+    return {"not asked for", "", ""};
+  case MaskAlpha::Responsive:
+    return {"the mask asks for more",
+            t.equals(t.number(static_cast<double>(weight.maskAlpha)) + " × " +
+                         call("max", {t.number(Id::reactive), t.number(Id::responsive)}),
+                     Id::alphaMask),
+            ""};
+  case MaskAlpha::Reactive:
+    return {"as much as was blended in", t.equals(t.number(Id::reactive), Id::alphaMask), ""};
+  case MaskAlpha::Exclude:
+    return {t.value(Id::alphaMask) > 0 ? "the mask leaves history out" : "not masked", "", ""};
+  }
+  return {};
+}
+
+RowStory alphaStory(const Teller& t) {
+  const float invalid = t.value(Id::alphaInvalid);
+  if (invalid >= 1.0f) return {"history was rejected: the current frame alone", t.equals("1", Id::alpha), ""};
+  std::string words = t.percent(static_cast<double>(t.value(Id::alpha))) + " current, by " + sourceLabel(t);
+  if (t.value(Id::alphaMotion) > 0) words += "; raised by motion of " + t.number(Id::speed) + " px";
+  if (invalid > 0) words += "; raised where history was rejected";
+  const bool isScaled = isOn(t.settings().weight.frameRate) && frames(t) != 1.0;
+  std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, true);
+  if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
+  if (t.value(Id::alphaMask) > 0 || invalid > 0)
+    text = call("max", {text, t.number(Id::alphaMask), t.number(Id::alphaInvalid)});
+  return {words, t.equals(text, Id::alpha), ""};
+}
+
+RowStory changeStory(const Teller& t) {
+  if (!isOn(t.settings().weight.velocityChange)) return {"not asked for", "", ""};
+  return {"its motion changed by " + t.number(Id::velocityChange) + " px",
+          t.equals("clamp(" + t.number(Id::velocityChange) + " / " +
+                       t.number(static_cast<double>(t.settings().weight.velocityChangeSpeed)) + ", 0, 1)",
+                   Id::alphaVelocityChange),
+          ""};
+}
+
+} // namespace
+
+RowStory weightStory(Id id, const Teller& t) {
+  switch (id) {
+  case Id::alphaBase:
+    return {sourceLabel(t), t.equals(baseText(t), id), ""};
+  case Id::alphaFloor:
+    return floorStory(t);
+  case Id::alphaLumaFlicker:
+    return flickerStory(t);
+  case Id::alphaNearClamp:
+    return clampStory(t);
+  case Id::alphaHistoryContrast:
+    return contrastStory(t);
+  case Id::alphaRelax:
+    return {"less where the mask relaxes the box",
+            t.equals("1 / (1 + 0.5 × " + t.number(static_cast<double>(t.details().seen.relax)) + ")", id),
+            ""};
+  case Id::alphaSampleDistance:
+    return sampleDistanceStory(t);
+  case Id::alphaMotion:
+    return motionStory(t);
+  case Id::alphaVelocityChange:
+    return changeStory(t);
+  case Id::alphaDivergence:
+    return {isOn(t.settings().weight.divergence) ? "neighbors move apart by that much" : "not asked for", "",
+            ""};
+  case Id::alphaFrameRate:
+    return frameRateStory(t);
+  case Id::alphaMask:
+    return maskStory(t);
+  case Id::alphaInvalid:
+    return {t.value(id) == 0.0f  ? "history was kept"
+            : t.value(id) < 1.0f ? "history counts less"
+                                 : "history was dropped",
+            "", ""};
+  case Id::alpha:
+    return alphaStory(t);
+  default: {
+    const bool isOwn = t.settings().weight.source == AlphaSource::ContrastPerChannel;
+    return {isOwn ? "of each channel's own contrast" : "α in each", "", ""};
+  }
+  }
+}
+
+} // namespace taa::story

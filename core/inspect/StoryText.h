@@ -1,0 +1,57 @@
+// Numbers and expressions of the stories, as text; for the files of ProbeStory only.
+#pragma once
+
+#include "core/inspect/ProbeStory.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <initializer_list>
+#include <span>
+#include <string>
+
+namespace taa::story {
+
+using Id = IntermediateId;
+
+/// The pixel, and how its numbers are written.
+struct Teller {
+  const ProbedPixel& probed;
+  int digits = 4;
+
+  float value(Id id) const { return reference::at(probed.record, id).x; }
+  glm::vec2 pair(Id id) const { return glm::vec2(reference::at(probed.record, id)); }
+  glm::vec3 color(Id id) const { return glm::vec3(reference::at(probed.record, id)); }
+  const Settings& settings() const { return probed.settings; }
+  const reference::Details& details() const { return probed.details; }
+
+  std::string number(double x) const;
+  std::string number(Id id) const { return number(static_cast<double>(value(id))); }
+  std::string tuple(const glm::vec2& v) const;
+  std::string tuple(const glm::vec3& v) const;
+  std::string tuple(Id id) const { return tuple(color(id)); }
+  std::string percent(double share) const;
+  /// "expression = value"
+  std::string equals(const std::string& expression, Id id) const;
+
+  /// A color in box space.
+  glm::vec3 box(const glm::vec3& color) const;
+  /// Name of a channel of box space: "Y".
+  std::string channelName(int channel) const;
+};
+
+/// "max(a, b)"
+std::string call(const std::string& function, std::initializer_list<std::string> arguments);
+std::string call(const std::string& function, std::span<const std::string> arguments);
+bool isOn(Switch value);
+
+// By stages; each tells nothing of rows of others.
+RowStory inputStory(Id id, const Teller& teller);
+RowStory sampleStory(Id id, const Teller& teller); ///< dilate to filter current
+RowStory boxStory(Id id, const Teller& teller);    ///< neighborhood
+RowStory rectifyStory(Id id, const Teller& teller);
+RowStory validateStory(Id id, const Teller& teller);
+RowStory weightStory(Id id, const Teller& teller);
+RowStory blendStory(Id id, const Teller& teller); ///< blend and output
+
+} // namespace taa::story

@@ -1,0 +1,92 @@
+#include "core/inspect/WhatIf.h"
+
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "core/taa/History.h"
+
+#include <array>
+
+namespace taa {
+
+namespace {
+
+struct Group {
+  WhatIfGroup group;
+  std::string_view label, path; ///< path: of the parameter; empty for presets
+};
+
+constexpr std::array<Group, 4> kGroups{{{WhatIfGroup::Rectify, "Rectification", "rectify.method"},
+                                        {WhatIfGroup::Box, "Box", "neighborhood.box"},
+                                        {WhatIfGroup::Filter, "History filter", "history.filter"},
+                                        {WhatIfGroup::Preset, "Preset", ""}}};
+
+void addChoices(const Group& group, const Settings& settings, std::vector<Variant>& variants) {
+  const Parameter& row = parameter(group.path);
+  for (std::size_t choice = 0; choice < row.choices.size(); ++choice) {
+    const auto value = static_cast<double>(choice);
+    Variant variant{group.group,
+                    std::string(row.choices[choice].id),
+                    std::string(row.choices[choice].label),
+                    row.get(settings) == value,
+                    settings,
+                    {}};
+    row.set(variant.settings, value);
+    variants.push_back(std::move(variant));
+  }
+}
+
+/// What the present history does not hold although these settings test it.
+std::string missingOf(const Settings& wanted, const Settings& present) {
+  std::string missing;
+  for (const HistoryLayer& layer : historyLayers())
+    if (layer.isNeeded(wanted) && !layer.isNeeded(present))
+      missing += (missing.empty() ? "" : ", ") + std::string(layer.name);
+  return missing;
+}
+
+std::string noteOf(const Settings& preset, const Settings& used, const Settings& present) {
+  std::string note;
+  if (!sameInputs(preset, used)) note = "jitter and inputs as now";
+  const std::string missing = missingOf(used, present);
+  if (!missing.empty()) note += (note.empty() ? "" : "; ") + ("history keeps no " + missing);
+  return note;
+}
+
+} // namespace
+
+std::string_view whatIfGroupLabel(WhatIfGroup group) {
+  return kGroups[static_cast<std::size_t>(group)].label;
+}
+
+std::vector<Variant> variantsOf(const Settings& settings) {
+  std::vector<Variant> variants;
+  for (const Group& group : kGroups)
+    if (!group.path.empty()) addChoices(group, settings, variants);
+  for (const Preset& preset : builtinPresets()) {
+    Settings used = preset.settings;
+    used.jitter = settings.jitter;
+    used.inputs = settings.inputs;
+    variants.push_back({WhatIfGroup::Preset, preset.id, preset.label, preset.settings == settings, used,
+                        noteOf(preset.settings, used, settings)});
+  }
+  return variants;
+}
+
+std::vector<WhatIfRow> whatIf(const reference::Inputs& inputs, const Settings& settings,
+                              const glm::ivec2& pixel) {
+  const reference::PixelRecord own = reference::resolvePixel(inputs, settings, pixel.x, pixel.y);
+  const glm::vec3 resolved(reference::at(own, IntermediateId::resolved));
+  std::vector<WhatIfRow> rows;
+  for (const Variant& variant : variantsOf(settings)) {
+    const reference::PixelRecord record = reference::resolvePixel(inputs, variant.settings, pixel.x, pixel.y);
+    const auto color = [&](IntermediateId id) { return glm::vec3(reference::at(record, id)); };
+    const glm::vec3 made = color(IntermediateId::resolved);
+    rows.push_back({variant.group, variant.id, variant.label, variant.note, variant.isCurrent, made,
+                    made - resolved, color(IntermediateId::historyRaw),
+                    color(IntermediateId::historyRectified), reference::at(record, IntermediateId::alpha).x,
+                    static_cast<int>(reference::at(record, IntermediateId::rejectReason).x)});
+  }
+  return rows;
+}
+
+} // namespace taa

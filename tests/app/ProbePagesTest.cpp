@@ -1,0 +1,107 @@
+// The pages of the probe panel, what its rows tell, and what is copied.
+#include "app/panels/ProbePages.h"
+#include "app/models/ProbeModel.h"
+#include "app/models/ProbeWords.h"
+#include "app/panels/ProbePanel.h"
+#include "app/views/ColorSpaceView.h"
+#include "app/widgets/FigureTable.h"
+#include "core/Inspector.h"
+#include "core/ProbeReport.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QClipboard>
+#include <QTreeView>
+
+#include <future>
+
+using namespace taa;
+using namespace taa::app;
+using ProbePages = test::FakeWindow;
+
+TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
+  session.setPick(glm::ivec2(12, 7));
+  settle();
+  EXPECT_FALSE(renderer->pinWish.whatIf);
+  key(Qt::Key_F4);
+  EXPECT_EQ(window.probe()->tab(), ProbeTab::WhatIf);
+  EXPECT_TRUE(renderer->pinWish.whatIf);
+  settle();
+  const auto& rows = window.probe()->whatIf()->table()->rows();
+  EXPECT_EQ(rows.size(), variantsOf(session.settings()).size() + 4) << "with a heading for each group";
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const FigureTable::Row& row) {
+    return row.cells[0].startsWith(QStringLiteral("▸ ")) && row.cells[2] == QStringLiteral("same");
+  }));
+  key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith(QStringLiteral("Instead")));
+  key(Qt::Key_F3);
+  ASSERT_TRUE(window.probe()->colorSpace()->view()->scene());
+  EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->variants.size(),
+            variantsOf(session.settings()).size());
+  EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "Y");
+  key(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "R");
+  const Turn before = window.probe()->colorSpace()->view()->turn();
+  key(Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_NE(window.probe()->colorSpace()->view()->turn(), before);
+  key(Qt::Key_Home, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_EQ(window.probe()->colorSpace()->view()->turn(), Turn{});
+  key(Qt::Key_F2);
+  EXPECT_FALSE(renderer->pinWish.whatIf) << "nothing is worked out that nobody looks at";
+  EXPECT_TRUE(window.probe()->table()->isVisible());
+}
+
+TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
+  session.setPick(glm::ivec2(12, 7));
+  settle();
+  ProbePanel* probe = window.probe();
+  probe->table()->setCurrentIndex(probe->model()->indexOf(IntermediateId::historyPosition));
+  const QString value = QString::number(static_cast<int>(test::FakeRenderer::valueAt(12, 7, 0)));
+  EXPECT_TRUE(probe->story().contains(QStringLiteral("(12.5, 7.5) − (%1, %1) = (%1, %1)").arg(value)))
+      << probe->story().toStdString();
+  const QModelIndex index = probe->model()->indexOf(IntermediateId::historyPosition);
+  EXPECT_TRUE(
+      probe->model()->data(index, Qt::ToolTipRole).toString().contains(QStringLiteral("(12.5, 7.5)")));
+}
+
+TEST_F(ProbePages, CopyAsMarkdownAndJson) {
+  session.setPick(glm::ivec2(3, 2));
+  settle();
+  key(Qt::Key_M, Qt::ControlModifier | Qt::AltModifier);
+  const QString markdown = QApplication::clipboard()->text();
+  EXPECT_TRUE(markdown.contains(QStringLiteral("|  | α | 203 |  |"))) << markdown.toStdString();
+  key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
+  const auto json = nlohmann::json::parse(QApplication::clipboard()->text().toStdString());
+  EXPECT_EQ(json.at("pixel"), nlohmann::json({3, 2}));
+  EXPECT_EQ(json.at("lanes").at(0).at("values").at("alpha").begin()->get<double>(), 203.0);
+}
+
+// What the window copies of a real frame is what taa-batch probe prints.
+TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
+  Session session;
+  MainWindow window(session, nullptr);
+  window.show();
+  session.setSize(64, 36);
+  session.open(QStringLiteral("builtin:fan"), false);
+  ASSERT_TRUE(test::waitFor([&] { return session.isOpen() && session.status().width == 64; }));
+  session.seek(5);
+  session.setPick(glm::ivec2(40, 14));
+  ASSERT_TRUE(test::waitFor([&] {
+    return session.probe() && session.probe()->frame == 5 && session.probe()->exact &&
+           session.probe()->x == 40;
+  }));
+  window.copyProbe(ProbeFormat::Json);
+  const std::string copied = QApplication::clipboard()->text().toStdString();
+  const auto printed = [] {
+    Inspector inspector;
+    inspector.setSize(64, 36);
+    inspector.open("builtin:fan");
+    inspector.seek(5);
+    const ProbeReport report{
+        {inspector.source(), inspector.camera(),
+         inspector.driver().renderer + ", " + inspector.driver().version, 64, 36},
+        {40, 14},
+        {{{"", "balanced", inspector.settings(), inspector.info()}, inspector.probe(40, 14)}}};
+    return probeJson(report).dump(2) + "\n";
+  };
+  EXPECT_EQ(copied, std::async(std::launch::async, printed).get());
+}

@@ -1,0 +1,111 @@
+// Pins that follow surfaces: where they are is a function of the frame, and what they show is their surface.
+#include "tests/support/SmallInspector.h"
+
+#include <glm/geometric.hpp>
+
+using namespace taa;
+using PinTest = taa::test::small::InspectorTest;
+
+namespace {
+
+ProbePin onSurface(Inspector& inspector, glm::ivec2 pixel) {
+  return inspector.anchored({pixel, Follow::Surface, inspector.frame(), {}});
+}
+
+} // namespace
+
+TEST_F(PinTest, StartInTheMiddleOfTheirPixel) {
+  auto inspector = opened();
+  for (const int frame : {0, 7})
+    for (const glm::ivec2 pixel :
+         {glm::ivec2(5, 5), glm::ivec2(30, 11), glm::ivec2(24, 20), glm::ivec2(40, 2)}) {
+      inspector->seek(frame);
+      const ProbePin pin = onSurface(*inspector, pixel);
+      const PinSpot spot = inspector->spot(pin);
+      EXPECT_EQ(spot.state, PinState::Seen);
+      // At an edge the sample lies on a surface that does not cover the middle.
+      EXPECT_LT(glm::distance(spot.position, glm::vec2(pixel) + 0.5f), 0.75f) << pixel.x << ' ' << pixel.y;
+    }
+}
+
+// The steps a pin makes are the motion vectors of its surface, whether it turns, deforms or stands.
+TEST_F(PinTest, MoveAsTheMotionOfTheirSurface) {
+  int compared = 0;
+  for (const char* source : {"builtin:fan", "builtin:foliage", "builtin:crowd"}) {
+    Inspector inspector;
+    inspector.setSize(160, 90);
+    inspector.open(source);
+    inspector.seek(4);
+    std::vector<ProbePin> pins;
+    std::vector<glm::vec2> before;
+    for (int index = 0; index < 12; ++index) {
+      pins.push_back(onSurface(inspector, {20 + 40 * (index % 4), 20 + 25 * (index / 4)}));
+      before.push_back(inspector.spot(pins.back()).position);
+    }
+    for (int frame = 5; frame < 8; ++frame) {
+      inspector.seek(frame);
+      for (std::size_t index = 0; index < pins.size(); ++index) {
+        const PinSpot spot = inspector.spot(pins[index]);
+        const reference::PixelRecord record = inspector.probe(spot.pixel.x, spot.pixel.y);
+        const auto seen = static_cast<int>(reference::at(record, IntermediateId::objectId).x);
+        const bool isOwn = spot.state == PinState::Seen && seen == pins[index].anchor->object;
+        const glm::vec2 step = spot.position - before[index];
+        before[index] = spot.position;
+        if (!isOwn) continue;
+        const glm::vec2 motion(reference::at(record, IntermediateId::motion));
+        EXPECT_LT(glm::distance(step, motion), 0.05f + 0.15f * glm::length(motion))
+            << source << " pin " << index << " frame " << frame;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 80);
+}
+
+TEST_F(PinTest, AreWhereTheyAreHoweverTheFrameWasReached) {
+  auto inspector = opened();
+  inspector->seek(3);
+  const ProbePin pin = onSurface(*inspector, {30, 11});
+  std::vector<glm::vec2> forward;
+  for (int frame = 3; frame < 12; ++frame) {
+    inspector->seek(frame);
+    forward.push_back(inspector->spot(pin).position);
+  }
+  const ProbePin again = inspector->anchored({{30, 11}, Follow::Surface, 3, {}});
+  EXPECT_EQ(again, pin) << "looked up from another frame";
+  for (int frame = 11; frame >= 3; --frame) {
+    inspector->seek(frame);
+    EXPECT_EQ(inspector->spot(again).position, forward[static_cast<std::size_t>(frame - 3)]);
+  }
+}
+
+TEST_F(PinTest, SayWhenTheirSurfaceIsHiddenOrGone) {
+  auto inspector = opened();
+  int hidden = 0;
+  inspector->seek(0);
+  std::vector<ProbePin> pins;
+  for (int x = 8; x < 40; x += 2) pins.push_back(onSurface(*inspector, {x, 11}));
+  for (int frame = 1; frame < 30; ++frame) {
+    inspector->seek(frame);
+    for (const ProbePin& pin : pins) {
+      const PinSpot spot = inspector->spot(pin);
+      const auto record = inspector->probe(spot.pixel.x, spot.pixel.y);
+      if (spot.state != PinState::Hidden) continue;
+      ++hidden;
+      EXPECT_LT(reference::at(record, IntermediateId::depthView).x, spot.viewDepth);
+    }
+  }
+  EXPECT_GT(hidden, 0) << "the blades of the fan sweep over the wall";
+  ProbePin lost = pins.front();
+  lost.anchor->object = 10000;
+  EXPECT_EQ(inspector->spot(lost).state, PinState::Gone);
+}
+
+TEST_F(PinTest, OfTheScreenStay) {
+  auto inspector = opened();
+  inspector->seek(9);
+  const PinSpot spot = inspector->spot(inspector->anchored({.pixel = {3, 4}}));
+  EXPECT_EQ(spot.pixel, glm::ivec2(3, 4));
+  EXPECT_EQ(spot.state, PinState::Seen);
+  EXPECT_EQ(inspector->spot({.pixel = {300, 4}}).state, PinState::OffScreen);
+}
