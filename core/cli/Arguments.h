@@ -67,6 +67,11 @@ struct MetricsArguments {
   bool json = false, csv = false;
 };
 
+struct GlslArguments {
+  std::string preset = "balanced", file; ///< file empty: standard output
+  std::vector<std::string> assignments;
+};
+
 /// First and last frame, both included.
 struct FrameRange {
   int first = 0, last = 0;

@@ -132,13 +132,24 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
   command->callback([&metrics, &progress] { runMetrics(metrics, std::cout, progress); });
 }
 
+void addGlsl(CLI::App& app, GlslArguments& glsl) {
+  CLI::App* command = app.add_subcommand(
+      "glsl", "Write the resolve of some settings as one GLSL file that needs nothing else");
+  command->add_option("--preset", glsl.preset, "A preset (see list presets) or a .json file")
+      ->capture_default_str();
+  command->add_option("--set", glsl.assignments, "path=value (see list parameters); repeat it for more")
+      ->allow_extra_args(false);
+  command->add_option("--out", glsl.file, "The file; standard output when it is left out");
+  command->callback([&glsl] { runGlsl(glsl, std::cout); });
+}
+
 /// CLI11 only says that a command is missing when the word in its place is none.
 void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, profile and metrics");
+                   "\"; there are list, render, probe, profile, metrics and glsl");
 }
 
 int run(int argc, char** argv) {
@@ -153,6 +164,7 @@ int run(int argc, char** argv) {
   ProbeArguments probe;
   ProfileArguments profile;
   MetricsArguments metrics;
+  GlslArguments glsl;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
     return line.show(what, done, total);
@@ -162,6 +174,7 @@ int run(int argc, char** argv) {
   addProbe(app, probe, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
+  addGlsl(app, glsl);
   requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -19,7 +19,15 @@ namespace taa::gl {
 ShaderSource::ShaderSource(const std::string& path, std::string_view prelude) : files_{"prelude"} {
   text_ = "#version 450 core\n#line 1 0\n" + std::string(prelude) + "\n";
   append(path, "");
-  text_ = withoutUnused(text_);
+  fullText_ = std::exchange(text_, {});
+  text_ = withoutUnused(fullText_);
+}
+
+ShaderSource ShaderSource::complete(std::string text, const std::string& name) {
+  ShaderSource source;
+  source.files_ = {name, name};
+  source.text_ = source.fullText_ = std::move(text);
+  return source;
 }
 
 void ShaderSource::append(const std::string& path, const std::string& includedFrom) {

@@ -17,14 +17,21 @@ class ShaderSource {
   /// `path` is below shaders/ ("taa/resolve.frag"). Throws Error when a file is missing, naming who includes
   /// it.
   explicit ShaderSource(const std::string& path, std::string_view prelude = {});
+  /// `text` is all of it, a file of somebody's own, and `name` what errors call it.
+  static ShaderSource complete(std::string text, const std::string& name);
   const std::string& text() const { return text_; }
+  /// The same with comments and with what is left out, line for line.
+  const std::string& fullText() const { return fullText_; }
   const std::string& path() const { return files_.at(1); }
+  /// By their numbers in `#line`; the first is the prelude.
+  const std::vector<std::string>& files() const { return files_; }
   /// Driver logs name files by number: this turns "2:17(3): error …" into "taa/blend.glsl:17: error …".
   std::string readableLog(const std::string& log) const;
 
  private:
+  ShaderSource() = default;
   void append(const std::string& path, const std::string& includedFrom);
-  std::string text_;
+  std::string text_, fullText_;
   std::vector<std::string> files_; ///< index = GLSL source-string number; 0 is the prelude
 };
 

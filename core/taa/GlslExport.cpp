@@ -1,0 +1,232 @@
+// The text of the resolve without what the inspector adds to it.
+#include "core/taa/GlslExport.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/ExposureLayout.h"
+#include "core/taa/GlslHead.h"
+#include "core/taa/History.h"
+#include "core/taa/PassInputs.h"
+#include "core/taa/TaaPass.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <regex>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r");
+  return first == text.npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+std::string_view codeOf(std::string_view line) {
+  return line.substr(0, std::min(line.find("//"), line.size()));
+}
+
+bool isComment(std::string_view line) {
+  return trimmed(line).starts_with("//");
+}
+
+bool isWordChar(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// Whether `word` stands in the code of a line.
+bool uses(std::string_view line, std::string_view word) {
+  const std::string_view code = codeOf(line);
+  for (std::size_t at = code.find(word); at != code.npos; at = code.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !isWordChar(code[at - 1]);
+    if (begins && (end == code.size() || !isWordChar(code[end]))) return true;
+  }
+  return false;
+}
+
+// Nothing that is left of the macros and the blocks that only the inspector needs.
+bool isOfInspector(std::string_view line) {
+  const bool isEmptyMacro =
+      line.starts_with("#define") && line.ends_with(')') && std::ranges::count(line, '(') == 1;
+  return line.empty() || line == ";" || line.starts_with("#version") || isEmptyMacro;
+}
+
+/// What is left of a shader, with the layout and the comments it was written with.
+class Readable {
+ public:
+  explicit Readable(const gl::ShaderSource& source)
+      : written_(linesOf(source.fullText())), left_(linesOf(source.text())), files_(source.files()) {
+    left_.resize(written_.size()); // a text ends with its last token
+    bool isSettings = false;
+    for (at_ = 0; at_ < left_.size(); ++at_) {
+      const std::string_view line = trimmed(left_[at_]);
+      if (line.find("uniform SettingsBlock") != line.npos) isSettings = true;
+      if (line.starts_with("#line"))
+        file_ = static_cast<std::size_t>(std::stoul(std::string(line.substr(line.rfind(' ') + 1))));
+      else if (!isSettings && !isOfInspector(line))
+        add(std::string(line));
+      if (line == "} settings;") isSettings = false;
+    }
+  }
+  std::vector<std::string> lines;
+
+ private:
+  void add(std::string line) {
+    if (file_ != shownFile_ && file_ > 0) lines.insert(lines.end(), {"", "// ---- " + files_.at(file_)});
+    const bool isNewFile = file_ != shownFile_;
+    shownFile_ = file_;
+    std::size_t first = at_;
+    while (first > next_ && isComment(written_[first - 1])) --first;
+    const bool isOuter = !written_[at_].starts_with(' ') && !written_[at_].starts_with('}');
+    const bool isApart = first > 0 && trimmed(written_[first - 1]).empty();
+    if ((isNewFile || (isOuter && isApart)) && !lines.empty()) lines.push_back("");
+    lines.insert(lines.end(), written_.begin() + static_cast<std::ptrdiff_t>(first),
+                 written_.begin() + static_cast<std::ptrdiff_t>(at_));
+    const std::string& written = written_[at_];
+    const std::size_t indent = std::min(written.find_first_not_of(' '), written.size());
+    const std::size_t remark = written.find("//");
+    if (line.ends_with(" ;")) line = std::string(line.substr(0, line.size() - 2)) + ";";
+    lines.push_back(std::string(indent, ' ') + line +
+                    (remark == written.npos ? "" : " " + written.substr(remark)));
+    next_ = at_ + 1;
+  }
+
+  std::vector<std::string> written_, left_, files_;
+  std::size_t at_ = 0, next_ = 0, file_ = 0, shownFile_ = 0;
+};
+
+bool isUsedElsewhere(const std::vector<std::string>& lines, const std::string& declaration,
+                     std::string_view name) {
+  return std::ranges::any_of(
+      lines, [&](const std::string& line) { return line != declaration && uses(line, name); });
+}
+
+// Inputs and members of the frame's block that these settings do not need.
+std::vector<std::string> withoutUnusedInputs(const std::vector<std::string>& lines) {
+  static const std::regex kSampler(R"re(.*\buniform u?sampler2D (\w+);.*)re");
+  static const std::regex kMember(R"re(  \w+ (\w+);.*)re");
+  std::vector<std::string> kept;
+  bool isBlock = false;
+  for (const std::string& line : lines) {
+    std::smatch match;
+    if (line.find("uniform ResolveBlock {") != line.npos) isBlock = true;
+    if (line.starts_with("}")) isBlock = false;
+    const bool isSampler = std::regex_match(line, match, kSampler);
+    const bool isInput = isSampler || (isBlock && std::regex_match(line, match, kMember));
+    const std::string name = isInput ? (isSampler ? "" : "resolveBlock.") + match[1].str() : "";
+    if (!isInput || isUsedElsewhere(lines, line, name)) kept.push_back(line);
+  }
+  return kept;
+}
+
+/// A number as GLSL writes a float: the shortest decimal that reads back.
+std::string literal(float value) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof(text), value).ptr;
+  const std::string number(text, end);
+  return number.find_first_of(".e") == number.npos ? number + ".0" : number;
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// The weights of the current filter where they are the same in each frame.
+std::string constantWeights(const Settings& settings, std::string& text) {
+  if (!hasConstantWeights(settings.current) || text.find("resolveBlock.currentWeights0") == text.npos)
+    return {};
+  const std::array<float, 9> weights = currentFilterWeights(settings.current, {});
+  std::string constants = "// Of the current filter, 3×3 row-major, w unused.\n";
+  for (std::size_t row = 0; row < 3; ++row) {
+    const std::string number = std::to_string(row);
+    replaceAll(text, "resolveBlock.currentWeights" + number, "kCurrentWeights" + number);
+    constants += "const vec4 kCurrentWeights" + number + " = vec4(";
+    for (std::size_t column = 0; column < 3; ++column) constants += literal(weights[3 * row + column]) + ", ";
+    constants += "0.0);\n";
+  }
+  return constants;
+}
+
+/// Names of the members of SettingsBlock, in the order of the table's Uniform rows.
+std::vector<std::string> settingsMembers(const std::string& text) {
+  static const std::regex kMember(R"re(  (?:int|float) (\w+);)re");
+  std::vector<std::string> names;
+  bool isSettings = false;
+  for (const std::string& line : linesOf(text)) {
+    std::smatch match;
+    if (isSettings && std::regex_match(line, match, kMember)) names.push_back(match[1]);
+    if (line == "} settings;") break;
+    if (line.find("uniform SettingsBlock") != line.npos) isSettings = true;
+  }
+  return names;
+}
+
+// Turns `settings.weightMinimum` into kWeightMinimum; the constants that are needed for it.
+std::string constantNumbers(const Settings& settings, const gl::ShaderSource& source, std::string& text) {
+  const std::vector<std::string> members = settingsMembers(source.fullText());
+  std::size_t next = 0;
+  std::string constants;
+  for (const Parameter& row : parameters()) {
+    if (row.effect != Effect::Uniform) continue;
+    const std::string& member = members.at(next++);
+    std::string name = "k" + member;
+    name[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[1])));
+    const std::string changed = std::regex_replace(text, std::regex("\\bsettings\\." + member + "\\b"), name);
+    if (changed == text) continue;
+    text = changed;
+    const bool isInteger = row.kind == ParameterKind::Integer;
+    constants += std::string("const ") + (isInteger ? "int " : "float ") + name + " = " +
+                 (isInteger ? valueText(row, row.get(settings)) : literal(float(row.get(settings)))) +
+                 "; // " + std::string(row.unit) + (row.unit.empty() ? "" : "; ") + std::string(row.tooltip) +
+                 "\n";
+  }
+  return constants;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+} // namespace
+
+gl::ShaderSource resolveSource(const Settings& settings) {
+  Settings relevant = settings;
+  relevant.output = {}; // what is shown is another program's business
+  return gl::ShaderSource("taa/resolve.frag", glslPrelude(relevant) + historyPrelude(relevant) +
+                                                  sparsePrelude(false) +
+                                                  "#define stage_ends(stage, value)\n" +
+                                                  exposeAsTargets({}, historyTargets(relevant)));
+}
+
+std::string exportedGlsl(const Settings& settings, const std::string& title) {
+  const gl::ShaderSource source = resolveSource(settings);
+  std::string body = joined(Readable(source).lines);
+  std::string constants = constantNumbers(settings, source, body);
+  constants += constantWeights(settings, body);
+  body = joined(withoutUnusedInputs(linesOf(body)));
+  return "#version 450 core\n" + glslHead(settings, title, body) + "\n" +
+         (constants.empty() ? "" : "// ---- settings\n" + constants) + body;
+}
+
+std::string settingsTitle(const std::string& presetId, const Settings& settings, const Settings& preset) {
+  std::string title = presetId;
+  for (const std::string& assignment : differences(settings, preset)) title += ", " + assignment;
+  return title;
+}
+
+} // namespace taa
