@@ -294,17 +294,13 @@ const FrameInputs& Inspector::inputs(int lane) const {
 }
 
 void Inspector::reloadShaders() {
-  // New ones are made beside the old; the renderer, which keeps its own old ones on error, comes last.
-  TaaPass pass;
-  for (const Settings& settings : parts_->subject.lanes)
-    pass.prepare(settings, parts_->maker.exposedRows(settings));
-  Visualizer visualizer = parts_->visualizer.reloaded();
-  if (parts_->isOpen()) parts_->subject.renderer->reloadShaders();
-  parts_->maker.pass = std::move(pass);
-  parts_->visualizer = std::move(visualizer);
-  for (ShownLane& lane : parts_->shown.lanes) lane.inputs->areDrawn = false; // with the old ones
-  parts_->redraw(parts_->subject, std::vector<bool>(parts_->subject.lanes.size(), true), true);
-  parts_->forgetReferences(); // drawn with the old ones
+  const auto before = useShaders(readShaders());
+  try {
+    parts_->reloadShaders();
+  } catch (...) {
+    useShaders(before); // whatever is compiled later goes on with these
+    throw;
+  }
 }
 
 } // namespace taa

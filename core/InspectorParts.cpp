@@ -114,4 +114,17 @@ void Inspector::Parts::prepare(const Settings& settings, std::size_t lane) {
   }
 }
 
+// New ones are made beside the old; the renderer, which keeps its own old ones on error, comes last.
+void Inspector::Parts::reloadShaders() {
+  TaaPass pass;
+  for (const Settings& settings : subject.lanes) pass.prepare(settings, maker.exposedRows(settings));
+  Visualizer fresh = visualizer.reloaded();
+  if (isOpen()) subject.renderer->reloadShaders();
+  maker.pass = std::move(pass);
+  visualizer = std::move(fresh);
+  for (ShownLane& lane : shown.lanes) lane.inputs->areDrawn = false; // with the old ones
+  redraw(subject, std::vector<bool>(subject.lanes.size(), true), true);
+  forgetReferences(); // drawn with the old ones
+}
+
 } // namespace taa

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/base/EmbeddedFiles.h"
 #include "core/inspect/FrameMaker.h"
 #include "core/inspect/ReferenceRows.h"
 #include "core/inspect/References.h"
@@ -9,8 +10,19 @@
 
 namespace taa {
 
+/// The shaders as they were when they were read last: files that are being edited change nothing until they
+/// compile.
+class UsedShaders {
+ public:
+  UsedShaders() { useShaders(readShaders()); }
+  ~UsedShaders() { useShaders(nullptr); }
+  UsedShaders(const UsedShaders&) = delete;
+  UsedShaders& operator=(const UsedShaders&) = delete;
+};
+
 struct Inspector::Parts {
-  gl::Context context; // first: everything else needs it
+  UsedShaders shaders; // first: everything else is compiled from them
+  gl::Context context;
   Subject subject;
   FrameMaker maker;
   Visualizer visualizer;
@@ -47,6 +59,7 @@ struct Inspector::Parts {
   /// does not depend on what changed stays.
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
   void prepare(const Settings& settings, std::size_t lane);
+  void reloadShaders();
 
   /// What a view draws: rows of the frame, of another one, of the reference.
   DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);

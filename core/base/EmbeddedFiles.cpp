@@ -4,17 +4,47 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <utility>
 
 namespace taa {
 
+namespace {
+
+constexpr std::string_view kShaders = "shaders/";
+thread_local std::shared_ptr<const ShaderTexts> usedShaders;
+
+} // namespace
+
 std::string embeddedText(std::string_view path) {
-  constexpr std::string_view kShaders = "shaders/";
+  const bool isShader = path.starts_with(kShaders);
+  if (isShader && usedShaders)
+    if (const auto found = usedShaders->find(path); found != usedShaders->end()) return found->second;
   const char* folder = std::getenv("TAA_SHADER_DIR");
-  if (folder && path.starts_with(kShaders))
+  if (folder && isShader)
     return readFile(std::string(folder) + "/" + std::string(path.substr(kShaders.size())));
   for (const EmbeddedFile& file : detail::embeddedFiles())
     if (file.path == path) return std::string(file.bytes);
   throw Error("there is no built-in file \"" + std::string(path) + "\"");
+}
+
+std::shared_ptr<const ShaderTexts> readShaders() {
+  const char* folder = std::getenv("TAA_SHADER_DIR");
+  if (!folder) return nullptr;
+  auto texts = std::make_shared<ShaderTexts>();
+  std::error_code error;
+  for (std::filesystem::recursive_directory_iterator file(folder, error), end; !error && file != end;
+       file.increment(error)) {
+    if (!file->is_regular_file(error)) continue;
+    const std::filesystem::path below = file->path().lexically_relative(folder);
+    (*texts)[std::string(kShaders) + below.generic_string()] = readFile(file->path());
+  }
+  if (error) throw Error("cannot read the shaders in " + std::string(folder) + ": " + error.message());
+  return texts;
+}
+
+std::shared_ptr<const ShaderTexts> useShaders(std::shared_ptr<const ShaderTexts> texts) {
+  return std::exchange(usedShaders, std::move(texts));
 }
 
 std::vector<std::string> embeddedPaths(std::string_view prefix) {

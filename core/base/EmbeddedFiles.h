@@ -1,6 +1,8 @@
 // Shaders and resources that travel inside the binary, or are read from disk while one works on them.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,9 +16,19 @@ struct EmbeddedFile {
 };
 
 /// The text of `path` ("shaders/…", "resources/…"). When the environment has TAA_SHADER_DIR, files under
-/// "shaders/" are read from that folder at each call, so that edits show (hot reload).
+/// "shaders/" are read from that folder at each call, so that edits show (hot reload),
+/// but see useShaders().
 /// Throws Error when there is no such file.
 std::string embeddedText(std::string_view path);
+
+/// Texts by path, "shaders/…".
+using ShaderTexts = std::map<std::string, std::string, std::less<>>;
+/// All shaders as they are now: those of TAA_SHADER_DIR, or null where the environment has none. Throws
+/// Error.
+std::shared_ptr<const ShaderTexts> readShaders();
+/// What embeddedText() gives on this thread from now on, whatever becomes of the files; null: the files.
+/// Returns what it gave until now.
+std::shared_ptr<const ShaderTexts> useShaders(std::shared_ptr<const ShaderTexts> texts);
 
 /// Paths of all embedded files that start with `prefix`, sorted.
 std::vector<std::string> embeddedPaths(std::string_view prefix);

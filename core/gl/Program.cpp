@@ -16,6 +16,18 @@
 
 namespace taa::gl {
 
+namespace {
+
+// Mesa forgets the number of the file for all but single words, so lines are counted on from file to file.
+constexpr std::size_t kLinesOfFile = 100'000;
+
+std::string lineDirective(int line, std::size_t file) {
+  return "#line " + std::to_string(file * kLinesOfFile + static_cast<std::size_t>(line)) + " " +
+         std::to_string(file) + "\n";
+}
+
+} // namespace
+
 ShaderSource::ShaderSource(const std::string& path, std::string_view prelude) : files_{"prelude"} {
   text_ = "#version 450 core\n#line 1 0\n" + std::string(prelude) + "\n";
   append(path, "");
@@ -42,7 +54,7 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
     throw Error(includedFrom + ": cannot include \"" + path + "\": " + error.what());
   }
   static const std::regex kInclude(R"re(^\s*#\s*include\s+"([^"]+)"\s*$)re");
-  text_ += "#line 1 " + std::to_string(number) + "\n";
+  text_ += lineDirective(1, number);
   std::istringstream lines(source);
   std::string line;
   std::smatch match;
@@ -54,20 +66,23 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
       continue;
     }
     append(match[1], path + ":" + std::to_string(lineNumber));
-    text_ += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
+    text_ += lineDirective(lineNumber + 1, number);
   }
 }
 
 std::string ShaderSource::readableLog(const std::string& log) const {
   // Mesa: "2:17(3): error …"; NVIDIA: "2(17) : error …".
-  static const std::regex kPlace(R"re(^(\d+)(?::(\d+)\(\d+\)|\((\d+)\) ?):)re");
+  static const std::regex kPlace(R"re(^(\d{1,9})(?::(\d{1,9})\(\d+\)|\((\d{1,9})\) ?):)re");
   std::istringstream lines(log);
   std::string line, out;
   std::smatch match;
   while (std::getline(lines, line)) {
-    if (std::regex_search(line, match, kPlace) && std::stoul(match[1]) < files_.size())
-      line = files_[std::stoul(match[1])] + ":" + (match[2].matched ? match[2].str() : match[3].str()) + ":" +
-             match.suffix().str();
+    if (std::regex_search(line, match, kPlace)) {
+      const std::size_t number = std::stoul(match[2].matched ? match[2] : match[3]);
+      const std::size_t file = number < kLinesOfFile ? std::stoul(match[1]) : number / kLinesOfFile;
+      if (file < files_.size())
+        line = files_[file] + ":" + std::to_string(number % kLinesOfFile) + ":" + match.suffix().str();
+    }
     out += line + "\n";
   }
   while (out.ends_with('\n')) out.pop_back();

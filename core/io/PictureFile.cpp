@@ -2,9 +2,12 @@
 
 #include "core/base/Files.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cassert>
+#include <memory>
+#include <vector>
 
 namespace taa {
 
@@ -13,13 +16,15 @@ void writePng(const std::filesystem::path& path, int width, int height, std::spa
   OIIO::ImageSpec spec(width, height, 4, OIIO::TypeUInt8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("oiio:UnassociatedAlpha", 1);
-  writeAtomically(path, [&](const std::filesystem::path& temporary) {
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-    if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without PNG");
-    if (!output->open(temporary.string(), spec) || !output->write_image(OIIO::TypeUInt8, rgba.data()) ||
-        !output->close())
-      throw Error("cannot write " + path.string() + ": " + output->geterror());
-  });
+  // Packed in memory, because the packer does not notice a full disk.
+  OIIO::Filesystem::IOVecOutput packed;
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+  if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without PNG");
+  if (!output->set_ioproxy(&packed) || !output->open(path.string(), spec) ||
+      !output->write_image(OIIO::TypeUInt8, rgba.data()) || !output->close())
+    throw Error("cannot write " + path.string() + ": " + output->geterror());
+  const std::vector<unsigned char>& bytes = packed.buffer();
+  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 } // namespace taa

@@ -1,4 +1,5 @@
 // How shader files become one text, and how the driver's messages find the way back to the files.
+#include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
 #include "core/gl/Program.h"
 #include "tests/support/GlTest.h"
@@ -63,6 +64,23 @@ TEST(ShaderSource, TurnsFileNumbersIntoPaths) {
   EXPECT_EQ(source.readableLog("2:17(3): error: no"), "a.glsl:17: error: no");
   EXPECT_EQ(source.readableLog("1(4) : error C0000: no"), "test.frag:4: error C0000: no");
   EXPECT_EQ(source.readableLog("note"), "note");
+  // Mesa says file 0 of most errors; the line tells which it is.
+  EXPECT_EQ(source.readableLog("0:200017(3): error: no"), "a.glsl:17: error: no");
+  EXPECT_EQ(source.readableLog("1:100004(3): error: no"), "test.frag:4: error: no");
+}
+
+TEST(UsedShaders, AreNotThoseOfTheFilesAnyMore) {
+  const ShaderFolder folder;
+  folder.write("a.glsl", "float before;\n");
+  taa::useShaders(taa::readShaders());
+  folder.write("a.glsl", "float after;\n");
+  EXPECT_EQ(taa::embeddedText("shaders/a.glsl"), "float before;\n");
+  const auto before = taa::useShaders(taa::readShaders());
+  EXPECT_EQ(taa::embeddedText("shaders/a.glsl"), "float after;\n");
+  taa::useShaders(before);
+  EXPECT_EQ(taa::embeddedText("shaders/a.glsl"), "float before;\n");
+  taa::useShaders(nullptr);
+  EXPECT_EQ(taa::embeddedText("shaders/a.glsl"), "float after;\n");
 }
 
 using ProgramTest = taa::test::GlTest;
@@ -76,4 +94,8 @@ TEST_F(ProgramTest, NamesFileAndLineOfAnErrorInAnInclude) {
       [] { taa::gl::Program(ShaderSource("include/fullscreen.vert"), ShaderSource("test.frag"), "test"); });
   EXPECT_NE(text.find("a.glsl:3:"), std::string::npos) << text;
   EXPECT_NE(text.find("missing"), std::string::npos) << text;
+  folder.write("a.glsl", "struct S { float x; };\n\nfloat broken() { S s; return s.y; }\n");
+  const std::string field = errorOf(
+      [] { taa::gl::Program(ShaderSource("include/fullscreen.vert"), ShaderSource("test.frag"), "test"); });
+  EXPECT_NE(field.find("a.glsl:3:"), std::string::npos) << field;
 }
