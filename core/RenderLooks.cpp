@@ -25,6 +25,7 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
   if (wishes.thumbnails) thumbnails_.want(*wishes.thumbnails);
   if (wishes.prepared) prepared_ = wishes.prepared;
   if (playing_ || wishes.settings) prepared_.reset(); // it would hold up frames, or came too late
+  if (wishes.exported) exportSequence(*wishes.exported);
 }
 
 void RenderWorker::deliverProfile() {

@@ -194,6 +194,10 @@ void RenderThread::cancel() {
   parts_->post([&](Wishes& wishes) { wishes.cancel = true; });
 }
 
+void RenderThread::exportSequence(const SequenceRequest& request) {
+  parts_->post([&](Wishes& wishes) { wishes.exported = request; });
+}
+
 void RenderThread::waitUntilIdle() {
   std::unique_lock lock(parts_->mutex);
   const std::uint64_t upTo = parts_->posted;

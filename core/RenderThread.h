@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/SequenceExport.h"
 #include "core/ViewRequest.h"
 #include "core/inspect/ProbePin.h"
 #include "core/inspect/WhatIf.h"
@@ -85,6 +86,12 @@ struct Work {
   int done = 0, total = 0;
 };
 
+/// How an export ended. Errors are told by onError.
+struct ExportResult {
+  std::string target; ///< the file, or the first of the files
+  int frames = 0;     ///< written; 0: it failed or was stopped, and left nothing
+};
+
 /// Called on the render thread; must return soon (post to your own thread). Results are values.
 struct RenderListener {
   std::function<void(ViewResult)> onPicture;
@@ -96,6 +103,9 @@ struct RenderListener {
   std::function<void(StageCosts)> onStageCosts{};
   std::function<void(Thumbnail)> onThumbnail{};
   std::function<void(FrameFigures)> onFigures{};
+  /// After reloadShaders(): what does not compile, with file and line; empty: they are in use.
+  std::function<void(std::string)> onShaders{};
+  std::function<void(ExportResult)> onExported{};
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
@@ -143,6 +153,8 @@ class RenderThread {
   void setFigures(const std::vector<Figure>& figures);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
+  /// Other wishes wait until it is done; cancel() stops it.
+  void exportSequence(const SequenceRequest& request);
 
   /// Waits until all wishes so far are answered; for tests and screenshots only.
   void waitUntilIdle();

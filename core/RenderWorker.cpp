@@ -27,7 +27,8 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes;
+         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes &&
+         !exported;
 }
 
 bool Wishes::endReplay() const {
@@ -88,7 +89,7 @@ void RenderWorker::applySource(const Wishes& wishes) {
     statusChanged_ = true;
     refinementStopped_ = false;
   };
-  if (wishes.reload) change([&] { inspector_.reloadShaders(); });
+  if (wishes.reload) reloadShaders();
   if (wishes.source) {
     goal_.reset();
     change([&] {

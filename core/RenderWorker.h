@@ -33,6 +33,7 @@ struct Wishes {
   std::optional<int> referenceSamples;
   std::optional<std::vector<Figure>> figures;
   std::optional<std::vector<Settings>> otherLanes;
+  std::optional<SequenceRequest> exported;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -119,6 +120,8 @@ class RenderWorker {
   void deliverFigures();
   void addReference(ViewResult& result);
   void sendStatus();
+  void reloadShaders();
+  void exportSequence(const SequenceRequest& request);
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
   template <typename Action>
   bool attempt(Action action);

@@ -116,14 +116,18 @@ std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
     lanes.push_back({std::string(1, static_cast<char>('A' + lanes.size())), name, presetSettings(name)});
   if (lanes.empty()) lanes.push_back({"", arguments.preset, presetSettings(arguments.preset)});
   if (lanes.size() == 1) lanes[0].name.clear();
+  assign(lanes, arguments.assignments);
+  return lanes;
+}
+
+void assign(std::vector<LaneChoice>& lanes, const std::vector<std::string>& assignments) {
   for (LaneChoice& lane : lanes)
-    for (const std::string& assignment : arguments.assignments) try {
+    for (const std::string& assignment : assignments) try {
         if (assignment.starts_with(kMotionPrefix)) continue; // of an object, not of a lane: motionModesOf
         applyAssignment(lane.settings, assignment);
       } catch (const Error& error) {
         throw UsageError(std::string("--set: ") + error.what());
       }
-  return lanes;
 }
 
 } // namespace taa::cli

@@ -21,8 +21,9 @@ class UsageError : public std::runtime_error {
 
 /// What to look at and with which settings: shared by render and probe.
 struct ShotArguments {
-  std::string source; ///< a glTF file or "builtin:NAME"
-  std::string camera; ///< empty: the scene's own
+  std::string source;  ///< a glTF file or "builtin:NAME"
+  std::string session; ///< a file instead of source, camera, size, preset, lanes and motion modes
+  std::string camera;  ///< empty: the scene's own
   std::string size = "1280x720";
   std::string preset = "balanced";
   std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
@@ -38,10 +39,12 @@ struct ListArguments {
 
 struct RenderArguments {
   ShotArguments shot;
-  std::string frames, folder;
+  std::string frames, folder;                   ///< frames empty: that of the session
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
   int referenceSamples = 64; ///< of frames whose reference is looked at
+  std::vector<std::string> style; ///< "key=value" on top of the styles that rows open with
+  double framesPerSecond = 0.0;   ///< of a GIF; 0: the scene's
   bool json = false;
   bool verbose = false;
 };
@@ -49,7 +52,7 @@ struct RenderArguments {
 struct ProbeArguments {
   ShotArguments shot;
   std::string pixel;
-  int frame = 0;
+  int frame = -1; ///< −1: that of the session
   bool json = false;
   bool whatIf = false; ///< also the pixel under other choices
 };
@@ -92,5 +95,7 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
+void assign(std::vector<LaneChoice>& lanes,
+            const std::vector<std::string>& assignments); ///< but motion modes
 
 } // namespace taa::cli

@@ -58,11 +58,12 @@ void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
 void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress) {
   const ShotPlan plan = planShot(arguments.shot);
   const glm::ivec2 pixel = parsePixel(arguments.pixel);
-  if (arguments.frame < 0) throw UsageError("--frame must not be negative");
+  const int frame = arguments.frame >= 0 ? arguments.frame : plan.frame;
+  if (frame < 0) throw UsageError("--frame is required: the number of a frame, from 0");
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, arguments.frame);
-  inspector.seek(arguments.frame, progress);
+  requireFrame(inspector, frame);
+  inspector.seek(frame, progress);
 
   ProbeReport report{shotFacts(inspector), pixel, {}};
   for (int lane = 0; lane < inspector.laneCount(); ++lane) {

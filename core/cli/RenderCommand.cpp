@@ -5,13 +5,20 @@
 #include "core/base/Error.h"
 #include "core/cli/Shot.h"
 #include "core/inspect/MemoryNeed.h"
+#include "core/inspect/StyleText.h"
 #include "core/io/FrameJson.h"
+#include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -52,21 +59,78 @@ fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<
   return path;
 }
 
-/// What a view at 1:1 shows: one file for each intermediate.
-std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan,
-                                const std::vector<IntermediateId>& ids, const fs::path& folder) {
+/// What a view at 1:1 shows.
+Picture pictureOf(Inspector& inspector, const RenderArguments& arguments, IntermediateId id, int lane) {
+  ViewStyle style = defaultStyle(intermediate(id));
+  for (const std::string& assignment : arguments.style) applyStyle(style, assignment);
+  return inspector.picture(id, style, {}, inspector.width(), inspector.height(), lane);
+}
+
+/// One file for each intermediate.
+std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
+                                const std::vector<IntermediateId>& ids) {
   std::vector<fs::path> paths;
   const std::vector<FrameLane> lanes = laneHeaders(inspector, plan);
   for (int lane = 0; lane < inspector.laneCount(); ++lane)
     for (const IntermediateId id : ids) {
-      const Picture picture = inspector.picture(id, defaultStyle(intermediate(id)), {}, inspector.width(),
-                                                inspector.height(), lane);
+      const Picture picture = pictureOf(inspector, arguments, id, lane);
       const std::string part = partName(lanes.at(static_cast<std::size_t>(lane)), id);
-      paths.push_back(folder / (frameName(inspector.frame()) + "." + part + ".png"));
+      paths.push_back(fs::path(arguments.folder) / (frameName(inspector.frame()) + "." + part + ".png"));
       writePng(paths.back(), picture.width, picture.height, picture.rgba);
     }
   return paths;
 }
+
+/// "resolved.gif", or "A.resolved.gif": an animation for each intermediate of each lane.
+class Animations {
+ public:
+  Animations(const Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
+             const std::vector<IntermediateId>& ids) {
+    const double rate =
+        arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : inspector.scene().shot.framesPerSecond;
+    for (int lane = 0; lane < inspector.laneCount(); ++lane)
+      for (const IntermediateId id : ids) {
+        const std::string& name = plan.lanes.at(static_cast<std::size_t>(lane)).name;
+        const std::string file = (name.empty() ? "" : name + ".") + std::string(intermediate(id).name);
+        const fs::path path = fs::path(arguments.folder) / (file + ".gif");
+        fs::path temporary = path;
+        temporary.replace_filename("." + file + "." + std::to_string(::getpid()) + ".part.gif");
+        rows_.push_back(
+            {lane, id, path, temporary,
+             std::make_unique<GifWriter>(temporary, path, inspector.width(), inspector.height(), rate)});
+      }
+  }
+  ~Animations() {
+    std::error_code ignored;
+    for (const Row& row : rows_) fs::remove(row.temporary, ignored);
+  }
+  Animations(const Animations&) = delete;
+  Animations& operator=(const Animations&) = delete;
+
+  void add(Inspector& inspector, const RenderArguments& arguments) {
+    for (const Row& row : rows_) row.writer->add(pictureOf(inspector, arguments, row.id, row.lane).rgba);
+  }
+  std::vector<fs::path> finish() {
+    std::vector<fs::path> paths;
+    for (const Row& row : rows_) {
+      row.writer->finish();
+      std::error_code error;
+      fs::rename(row.temporary, row.path, error);
+      if (error) throw Error("cannot write " + row.path.string() + ": " + error.message());
+      paths.push_back(row.path);
+    }
+    return paths;
+  }
+
+ private:
+  struct Row {
+    int lane;
+    IntermediateId id;
+    fs::path path, temporary;
+    std::unique_ptr<GifWriter> writer;
+  };
+  std::vector<Row> rows_;
+};
 
 void sayMemory(const Inspector& inspector, const ShotPlan& plan) {
   std::vector<Settings> lanes;
@@ -81,39 +145,69 @@ void sayMemory(const Inspector& inspector, const ShotPlan& plan) {
   std::cerr << '\n';
 }
 
-} // namespace
-
-void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
-  const FrameRange range = parseFrames(arguments.frames);
+/// All frames; `written` is told of each file as soon as it is there.
+void renderFrames(Inspector& inspector, const RenderArguments& arguments, const ShotPlan& plan,
+                  const FrameRange& range, const Progress& progress,
+                  const std::function<void(const fs::path&)>& written) {
   const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
-  const fs::path folder = arguments.folder;
   const bool showsReference = std::ranges::any_of(ids, isOfReference);
-  if (showsReference) checkReferenceSamples(arguments.referenceSamples);
-  Inspector inspector;
-  if (arguments.verbose) sayMemory(inspector, plan);
-  openShot(inspector, arguments.shot, plan, progress);
-  requireFrame(inspector, range.last);
-  makeFolder(folder);
-
-  ordered_json files = ordered_json::array();
+  std::optional<Animations> animations;
+  if (arguments.format == "gif") animations.emplace(inspector, plan, arguments, ids);
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.seek(frame, frame == range.first ? progress : Progress());
     for (int lane = 0; showsReference && lane < inspector.laneCount(); ++lane)
       inspector.refineReference(arguments.referenceSamples, progress, lane);
-    if (arguments.format == "png") inspector.watch(ids);
-    std::vector<fs::path> paths;
-    if (arguments.format == "png")
-      paths = writePngs(inspector, plan, ids, folder);
-    else
-      paths.push_back(writeExr(inspector, plan, ids, folder));
-    for (const fs::path& path : paths) {
-      files.push_back(path.string());
-      if (!arguments.json) out << path.string() << '\n' << std::flush;
+    if (arguments.format == "exr") {
+      written(writeExr(inspector, plan, ids, arguments.folder));
+      continue;
     }
+    inspector.watch(ids);
+    if (animations)
+      animations->add(inspector, arguments);
+    else
+      for (const fs::path& path : writePngs(inspector, plan, arguments, ids)) written(path);
   }
+  if (animations)
+    for (const fs::path& path : animations->finish()) written(path);
+}
+
+FrameRange rangeOf(const RenderArguments& arguments, const ShotPlan& plan) {
+  if (!arguments.frames.empty()) return parseFrames(arguments.frames);
+  if (plan.frame < 0) throw UsageError("--frames is required: A..B, for example 0..31, or one frame");
+  return {plan.frame, plan.frame};
+}
+
+// What is wrong with it is the caller's mistake.
+void checkStyle(const RenderArguments& arguments) {
+  ViewStyle style;
+  for (const std::string& assignment : arguments.style) try {
+      applyStyle(style, assignment);
+    } catch (const Error& error) {
+      throw UsageError(std::string("--style: ") + error.what());
+    }
+}
+
+} // namespace
+
+void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
+  const ShotPlan plan = planShot(arguments.shot);
+  const FrameRange range = rangeOf(arguments, plan);
+  if (std::ranges::any_of(parseEmit(arguments.emit), isOfReference))
+    checkReferenceSamples(arguments.referenceSamples);
+  checkStyle(arguments);
+  Inspector inspector;
+  if (arguments.verbose) sayMemory(inspector, plan);
+  openShot(inspector, arguments.shot, plan, progress);
+  requireFrame(inspector, range.last);
+  makeFolder(arguments.folder);
+
+  ordered_json files = ordered_json::array();
+  renderFrames(inspector, arguments, plan, range, progress, [&](const fs::path& path) {
+    files.push_back(path.string());
+    if (!arguments.json) out << path.string() << '\n' << std::flush;
+  });
   if (!arguments.json) return;
   ordered_json json = shotJson(inspector);
   json["frames"] = {range.first, range.last};

@@ -1,6 +1,8 @@
 #include "core/cli/Shot.h"
 
 #include "core/base/Error.h"
+#include "core/io/FrameJson.h"
+#include "core/io/SessionFile.h"
 
 #include <iostream>
 
@@ -8,8 +10,30 @@ namespace taa::cli {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+// The session's, with --set on top.
+ShotPlan planSession(const ShotArguments& arguments) {
+  const SessionFile session = readSession(arguments.session);
+  ShotPlan plan{session.source, session.camera, session.size, {}, session.motionModes, session.frame};
+  std::vector<SessionLane> lanes{session.settings};
+  lanes.insert(lanes.end(), session.lanes.begin(), session.lanes.end());
+  for (const SessionLane& lane : lanes) {
+    const std::string name(1, static_cast<char>('A' + plan.lanes.size()));
+    plan.lanes.push_back({lanes.size() > 1 ? name : "", lane.preset, lane.settings});
+  }
+  assign(plan.lanes, arguments.assignments);
+  for (const MotionOverride& mode : motionModesOf(arguments)) plan.motionModes.push_back(mode);
+  return plan;
+}
+
+} // namespace
+
 ShotPlan planShot(const ShotArguments& arguments) {
-  return {parseSize(arguments.size), lanesOf(arguments), motionModesOf(arguments)};
+  if (!arguments.session.empty()) return planSession(arguments);
+  if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
+  return {arguments.source, arguments.camera, parseSize(arguments.size), lanesOf(arguments),
+          motionModesOf(arguments)};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -19,8 +43,8 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
   inspector.setLanes(settings);
   inspector.setSize(plan.size.x, plan.size.y);
-  inspector.open(arguments.source, progress);
-  if (!arguments.camera.empty()) inspector.setCamera(arguments.camera);
+  inspector.open(plan.source, progress);
+  if (!plan.camera.empty()) inspector.setCamera(plan.camera);
   inspector.setMotionModes(plan.motionModes);
   for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
 }

@@ -11,9 +11,11 @@ namespace taa::cli {
 
 /// Everything about `arguments` that can be wrong before a scene is opened, read once.
 struct ShotPlan {
+  std::string source, camera;
   glm::ivec2 size;
   std::vector<LaneChoice> lanes;
   std::vector<MotionOverride> motionModes;
+  int frame = -1; ///< of a session; −1: none is said
 };
 ShotPlan planShot(const ShotArguments& arguments);
 

@@ -38,16 +38,24 @@ class ProgressLine {
 };
 
 void addShotOptions(CLI::App& command, ShotArguments& shot) {
-  command.add_option("SOURCE", shot.source, "A glTF file (.gltf, .glb), or builtin:NAME (see list scenes)")
-      ->required();
-  command.add_option("--size", shot.size, "Size of the picture, WxH pixels")->capture_default_str();
-  command.add_option("--camera", shot.camera, "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
+  CLI::Option* source = command.add_option("SOURCE", shot.source,
+                                           "A glTF file (.gltf, .glb), or builtin:NAME (see list scenes)");
+  CLI::Option* size =
+      command.add_option("--size", shot.size, "Size of the picture, WxH pixels")->capture_default_str();
+  CLI::Option* camera = command.add_option("--camera", shot.camera,
+                                           "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
   CLI::Option* preset =
       command.add_option("--preset", shot.preset, "A preset (see list presets) or a .json file")
           ->capture_default_str();
-  command.add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
-      ->allow_extra_args(false)
-      ->excludes(preset);
+  CLI::Option* lane =
+      command
+          .add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
+          ->allow_extra_args(false)
+          ->excludes(preset);
+  CLI::Option* session = command.add_option(
+      "--session", shot.session,
+      "A session of taa-inspector (.taa.json): its scene, camera, frame, size and settings");
+  for (CLI::Option* instead : {source, size, camera, preset, lane}) session->excludes(instead);
   command.add_option("--checkpoints", shot.checkpointsMiB, "Memory for the histories that are kept, MiB")
       ->check(CLI::Range(0, taa::kMostCheckpointMiB))
       ->capture_default_str();
@@ -80,7 +88,7 @@ void addList(CLI::App& app, ListArguments& list) {
 void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("render", "Render frames and write their intermediates to files");
   addShotOptions(*command, render.shot);
-  command->add_option("--frames", render.frames, "A..B, both included, or one frame")->required();
+  command->add_option("--frames", render.frames, "A..B, both included, or one frame; else the session's");
   command->add_option("--out", render.folder, "Folder of the files; made where it is missing")->required();
   command
       ->add_option("--emit", render.emit,
@@ -89,12 +97,21 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
       ->allow_extra_args(false)
       ->capture_default_str();
   command
-      ->add_option(
-          "--format", render.format,
-          "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file for each")
-      ->check(CLI::IsMember({"exr", "png"}))
+      ->add_option("--format", render.format,
+                   "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file "
+                   "for each; gif: "
+                   "the same as one animation for each")
+      ->check(CLI::IsMember({"exr", "png", "gif"}))
       ->capture_default_str();
   addReferenceSamples(*command, render.referenceSamples, "of references that are emitted, 4 to 1024");
+  command
+      ->add_option(
+          "--style", render.style,
+          "How png and gif show values: low=, high=, exposure=, channels=, map= or marks=; repeat it "
+          "for more")
+      ->allow_extra_args(false);
+  command->add_option("--fps", render.framesPerSecond, "Frames a second of a gif; else the scene's")
+      ->check(CLI::Range(0.1, 1000.0));
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
                     "Say on standard error how much memory it takes, before it is taken");
@@ -104,7 +121,8 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
 void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("probe", "Print every intermediate at one pixel of one frame");
   addShotOptions(*command, probe.shot);
-  command->add_option("--frame", probe.frame, "Number of the frame, from 0")->required();
+  command->add_option("--frame", probe.frame, "Number of the frame, from 0; else the session's")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--pixel", probe.pixel, "X,Y; 0,0 is the top left")->required();
   command->add_flag("--json", probe.json, "Print JSON");
   command->add_flag("--what-if", probe.whatIf,

@@ -1,0 +1,40 @@
+// What the render thread does with files: shaders read anew, frames exported.
+#include "core/RenderWorker.h"
+
+#include <exception>
+
+namespace taa {
+
+void RenderWorker::reloadShaders() {
+  std::string error;
+  try {
+    inspector_.reloadShaders();
+    ++version_;
+    statusChanged_ = true;
+    refinementStopped_ = false;
+  } catch (const std::exception& failed) {
+    error = failed.what();
+  }
+  if (listener_.onShaders)
+    listener_.onShaders(error);
+  else if (!error.empty() && listener_.onError)
+    listener_.onError(error);
+}
+
+void RenderWorker::exportSequence(const SequenceRequest& request) {
+  if (!isOpen()) return;
+  ExportResult result{sequenceFile(request, request.first).string(), 0};
+  attempt([&] {
+    taa::exportSequence(inspector_, request, [this](std::string_view what, int done, int total) {
+      if (listener_.onWork) listener_.onWork({std::string(what), done, total});
+      return !ends_ && !pending_([](const Wishes& wishes) { return wishes.cancel; });
+    });
+    result.frames = request.last - request.first + 1;
+  });
+  ++version_; // a failed way back leaves another frame
+  statusChanged_ = true;
+  if (listener_.onWork) listener_.onWork({});
+  if (listener_.onExported) listener_.onExported(result);
+}
+
+} // namespace taa

@@ -1,0 +1,81 @@
+// Animated GIFs through OpenImageIO, which does not notice a full disk: the file is looked at when it is
+// done.
+#include "core/io/GifFile.h"
+
+#include "core/base/Error.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+
+int gifDelay(double framesPerSecond) {
+  return std::max(2, static_cast<int>(std::lround(100.0 / framesPerSecond)));
+}
+
+struct GifWriter::Parts {
+  fs::path path, shown;
+  OIIO::ImageSpec spec;
+  std::unique_ptr<OIIO::ImageOutput> output;
+  int pictures = 0;
+  std::vector<std::uint8_t> opaque;
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error("cannot write " + shown.string() + ": " + why);
+  }
+};
+
+GifWriter::GifWriter(const fs::path& path, const fs::path& shown, int width, int height,
+                     double framesPerSecond)
+    : parts_(std::make_unique<Parts>()) {
+  parts_->path = path;
+  parts_->shown = shown;
+  parts_->spec = OIIO::ImageSpec(width, height, 4, OIIO::TypeUInt8);
+  // A little faster than meant: the writer cuts 100 / rate to a whole number.
+  parts_->spec.attribute("FramesPerSecond", 100.0f / (static_cast<float>(gifDelay(framesPerSecond)) + 0.25f));
+  parts_->output = OIIO::ImageOutput::create("gif");
+  if (!parts_->output) parts_->fail("OpenImageIO was built without GIF");
+  // Its own words about a file that cannot be made leave the reason out.
+  const std::ofstream probe(path, std::ios::binary);
+  if (!probe) parts_->fail(std::strerror(errno));
+}
+
+GifWriter::~GifWriter() = default;
+
+void GifWriter::add(std::span<const std::uint8_t> rgba) {
+  assert(rgba.size() == static_cast<std::size_t>(parts_->spec.width) * parts_->spec.height * 4);
+  std::vector<std::uint8_t>& opaque = parts_->opaque;
+  opaque.assign(rgba.begin(), rgba.end());
+  for (std::size_t at = 0; at < opaque.size(); at += 4) {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      opaque[at + channel] = static_cast<std::uint8_t>(opaque[at + channel] * opaque[at + 3] / 255);
+    opaque[at + 3] = 255;
+  }
+  const auto mode = parts_->pictures++ == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
+  OIIO::ImageOutput& output = *parts_->output;
+  if (!output.open(parts_->path.string(), parts_->spec, mode) ||
+      !output.write_image(OIIO::TypeUInt8, opaque.data()))
+    parts_->fail(output.geterror());
+}
+
+void GifWriter::finish() {
+  if (!parts_->output->close()) parts_->fail(parts_->output->geterror());
+  std::ifstream file(parts_->path, std::ios::binary);
+  file.seekg(-1, std::ios::end);
+  constexpr char kTrailer = 0x3B;
+  const auto input = OIIO::ImageInput::open(parts_->path.string());
+  if (file.get() != kTrailer || !input || !input->seek_subimage(parts_->pictures - 1, 0))
+    parts_->fail("not all of it could be stored; is the disk full?");
+}
+
+} // namespace taa

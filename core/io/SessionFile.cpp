@@ -1,0 +1,195 @@
+// Sessions come from anywhere: nothing in them is believed before it is looked at.
+#include "core/io/SessionFile.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr int kFormat = 1;
+constexpr std::uintmax_t kMostBytes = 4u << 20;
+constexpr int kDeepest = 32; ///< levels of the JSON
+constexpr std::size_t kLongest = 4096, kMostModes = 4096, kMostLanes = 3;
+constexpr int kMostFrame = 1'000'000, kMostSide = 32768, kLeastSide = 4, kMostMiB = 1 << 20;
+
+void checkKeys(const json& object, const std::string& what, std::initializer_list<std::string_view> known) {
+  if (!object.is_object()) throw Error(what + " is not an object");
+  for (const auto& [key, value] : object.items())
+    if (std::ranges::find(known, key) == known.end())
+      throw Error("there is no field \"" + key.substr(0, 100) + "\" in " + what);
+}
+
+const json& field(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw Error(std::string("the field \"") + key + "\" is missing");
+  return *found;
+}
+
+std::string textOf(const json& value, const char* key) {
+  if (!value.is_string()) throw Error(std::string("\"") + key + "\" is not text");
+  std::string text = value.get<std::string>();
+  if (text.size() > kLongest) throw Error(std::string("\"") + key + "\" is too long");
+  return text;
+}
+
+int numberOf(const json& value, const char* key, int least, int most) {
+  const auto refuse = [&] {
+    throw Error(std::string("\"") + key + "\" wants a whole number from " + std::to_string(least) + " to " +
+                std::to_string(most));
+  };
+  if (!value.is_number_integer()) refuse();
+  const double number = value.get<double>(); // whatever its size
+  if (!(number >= least && number <= most)) refuse();
+  return static_cast<int>(number);
+}
+
+SessionLane laneFromJson(const json& preset, const json& settings, const json* presetSettings) {
+  SessionLane lane;
+  lane.preset = textOf(preset, "preset");
+  fromJson(settings, lane.settings);
+  const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
+  if (known != builtinPresets().end()) lane.presetSettings = known->settings;
+  if (presetSettings)
+    fromJson(*presetSettings, lane.presetSettings);
+  else if (known == builtinPresets().end())
+    lane.presetSettings = lane.settings;
+  return lane;
+}
+
+SessionLane laneFromJson(const json& object) {
+  const auto own = object.find("presetSettings");
+  return laneFromJson(field(object, "preset"), field(object, "settings"),
+                      own == object.end() ? nullptr : &*own);
+}
+
+// What a built-in preset says is not said again.
+void laneToJson(const SessionLane& lane, ordered_json& object) {
+  const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
+  object["preset"] = lane.preset;
+  if (known == builtinPresets().end() || !(known->settings == lane.presetSettings))
+    object["presetSettings"] = toJson(lane.presetSettings);
+  object["settings"] = toJson(lane.settings);
+}
+
+std::vector<MotionOverride> modesFromJson(const json& object) {
+  if (!object.is_object() || object.size() > kMostModes)
+    throw Error("\"motionModes\" is not an object of at most " + std::to_string(kMostModes) + " names");
+  std::vector<MotionOverride> modes;
+  for (const auto& [node, mode] : object.items())
+    modes.push_back(parseMotionOverride(node.substr(0, kLongest) + "=" + textOf(mode, "motionModes")));
+  return modes;
+}
+
+json parsed(const std::string& text) {
+  return json::parse(text, [](int depth, json::parse_event_t, json&) {
+    if (depth > kDeepest) throw Error("it is nested deeper than " + std::to_string(kDeepest) + " levels");
+    return true;
+  });
+}
+
+SessionFile sessionFromJson(const json& object) {
+  checkKeys(object, "the session",
+            {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
+             "motionModes", "checkpointsMiB", "window"});
+  if (const json& format = field(object, "format"); format != kFormat)
+    throw Error("its format is " + format.dump().substr(0, 20) + ", this program reads " +
+                std::to_string(kFormat));
+  SessionFile session;
+  session.source = textOf(field(object, "source"), "source");
+  session.camera = textOf(object.value("camera", json("")), "camera");
+  session.frame = numberOf(field(object, "frame"), "frame", 0, kMostFrame);
+  const json& size = field(object, "size");
+  if (!size.is_array() || size.size() != 2) throw Error("\"size\" wants [width, height]");
+  session.size = {numberOf(size[0], "size", kLeastSide, kMostSide),
+                  numberOf(size[1], "size", kLeastSide, kMostSide)};
+  session.settings = laneFromJson(object);
+  const json lanes = object.value("lanes", json::array());
+  if (!lanes.is_array() || lanes.size() > kMostLanes)
+    throw Error("\"lanes\" is not a list of at most " + std::to_string(kMostLanes));
+  for (const json& lane : lanes) {
+    checkKeys(lane, "a lane", {"preset", "presetSettings", "settings"});
+    session.lanes.push_back(laneFromJson(lane));
+  }
+  session.motionModes = modesFromJson(object.value("motionModes", json::object()));
+  session.checkpointsMiB =
+      numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMostMiB);
+  const json window = object.value("window", json::object());
+  if (!window.is_object()) throw Error("\"window\" is not an object");
+  session.window = window.dump();
+  return session;
+}
+
+bool isPath(const std::string& source) {
+  return !source.empty() && !source.starts_with("builtin:");
+}
+
+} // namespace
+
+bool isSessionName(std::string_view path) {
+  return path.ends_with(kSessionEnding);
+}
+
+SessionFile sessionFromText(const std::string& text, const std::string& place) {
+  try {
+    return sessionFromJson(parsed(text));
+  } catch (const json::exception& error) {
+    throw Error("cannot open the session " + place + ": " + error.what());
+  } catch (const Error& error) {
+    throw Error("cannot open the session " + place + ": " + error.what());
+  }
+}
+
+std::string sessionToText(const SessionFile& session) {
+  ordered_json object;
+  object["format"] = kFormat;
+  object["source"] = session.source;
+  object["camera"] = session.camera;
+  object["frame"] = session.frame;
+  object["size"] = {session.size.x, session.size.y};
+  laneToJson(session.settings, object);
+  for (const SessionLane& lane : session.lanes) {
+    ordered_json row;
+    laneToJson(lane, row);
+    object["lanes"].push_back(row);
+  }
+  json modes = json::object(); // by name
+  for (const MotionOverride& mode : session.motionModes)
+    modes[mode.node] = kMotionModes.at(static_cast<std::size_t>(mode.mode)).id;
+  object["motionModes"] = modes;
+  object["checkpointsMiB"] = session.checkpointsMiB;
+  object["window"] = ordered_json::parse(session.window);
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+SessionFile readSession(const fs::path& path) {
+  SessionFile session = sessionFromText(readFile(path, kMostBytes), path.string());
+  if (isPath(session.source) && fs::path(session.source).is_relative())
+    session.source = (fs::absolute(path).parent_path() / session.source).lexically_normal().string();
+  return session;
+}
+
+void writeSession(const fs::path& path, const SessionFile& session) {
+  SessionFile written = session;
+  if (isPath(session.source)) {
+    const fs::path source = fs::absolute(session.source).lexically_normal();
+    const fs::path relative = source.lexically_relative(fs::absolute(path).parent_path().lexically_normal());
+    const bool isBelow = !relative.empty() && *relative.begin() != "..";
+    written.source = (isBelow ? relative : source).string();
+  }
+  writeFile(path, sessionToText(written));
+}
+
+} // namespace taa

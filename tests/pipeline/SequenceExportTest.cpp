@@ -1,0 +1,195 @@
+// Ranges of frames in files: all of them, with the pictures of the views, or none.
+#include "core/SequenceExport.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/io/FrameFile.h"
+#include "core/io/GifFile.h"
+#include "tests/support/Paths.h"
+#include "tests/support/SmallInspector.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <csignal>
+
+namespace taa {
+namespace {
+
+namespace fs = std::filesystem;
+using test::small::kHeight;
+using test::small::kWidth;
+
+/// As of a full disk: files end after so many bytes.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_DFL);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+class SequenceExportTest : public test::small::InspectorTest {
+ protected:
+  void SetUp() override {
+    InspectorTest::SetUp();
+    folder_ = test::temporaryFolder() / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  SequenceRequest request(SequenceKind kind, const char* name) const {
+    SequenceRequest made;
+    made.kind = kind;
+    made.target = folder_ / name;
+    made.first = 2;
+    made.last = 4;
+    made.id = IntermediateId::resolved;
+    made.style = defaultStyle(intermediate(made.id));
+    made.width = kWidth;
+    made.height = kHeight;
+    made.ids = {IntermediateId::resolved, IntermediateId::alpha};
+    return made;
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+      found.push_back(entry.path().filename().string());
+    std::ranges::sort(found);
+    return found;
+  }
+  static std::string errorOf(Inspector& inspector, const SequenceRequest& request) {
+    try {
+      exportSequence(inspector, request, {});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder_;
+};
+
+std::vector<std::uint8_t> pngBytes(const fs::path& path) {
+  OIIO::ImageSpec keepAlpha;
+  keepAlpha.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(path.string(), &keepAlpha);
+  if (!input || input->spec().nchannels != 4) return {};
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(input->spec().width) * input->spec().height * 4);
+  input->read_image(0, 0, 0, 4, OIIO::TypeUInt8, bytes.data());
+  return bytes;
+}
+
+TEST_F(SequenceExportTest, WritesThePicturesOfTheFramesAndComesBack) {
+  const auto inspector = opened();
+  inspector->seek(7);
+  const Image before = inspector->image(IntermediateId::resolved);
+  SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
+  wanted.transform = {{10.0f, 5.0f}, 2.0f};
+  exportSequence(*inspector, wanted, {});
+  EXPECT_EQ(inspector->frame(), 7);
+  EXPECT_TRUE(inspector->isExact());
+  EXPECT_TRUE(test::small::isSame(inspector->image(IntermediateId::resolved), before));
+  EXPECT_EQ(names(), (std::vector<std::string>{"shot.0002.png", "shot.0003.png", "shot.0004.png"}));
+  inspector->seek(3);
+  const Picture picture =
+      inspector->picture(wanted.id, wanted.style, wanted.transform, wanted.width, wanted.height);
+  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"), picture.rgba);
+}
+
+TEST_F(SequenceExportTest, WritesValuesAsParts) {
+  const auto inspector = opened();
+  exportSequence(*inspector, request(SequenceKind::Exr, "shot.exr"), {});
+  EXPECT_EQ(names(), (std::vector<std::string>{"shot.0002.exr", "shot.0003.exr", "shot.0004.exr"}));
+  EXPECT_EQ(partNames(folder_ / "shot.0004.exr"), (std::vector<std::string>{"resolved", "alpha"}));
+  inspector->seek(4);
+  const Image read =
+      readPart(folder_ / "shot.0004.exr", "alpha", channelNames(intermediate(IntermediateId::alpha)));
+  EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::alpha)));
+}
+
+TEST_F(SequenceExportTest, WritesAnAnimation) {
+  const auto inspector = opened();
+  SequenceRequest wanted = request(SequenceKind::Gif, "shot.gif");
+  wanted.framesPerSecond = 25.0;
+  exportSequence(*inspector, wanted, {});
+  EXPECT_EQ(names(), std::vector<std::string>{"shot.gif"});
+  const auto input = OIIO::ImageInput::open((folder_ / "shot.gif").string());
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->spec().width, kWidth);
+  EXPECT_EQ(input->spec().height, kHeight);
+  EXPECT_TRUE(input->seek_subimage(2, 0));
+  EXPECT_FALSE(input->seek_subimage(3, 0));
+  // After each picture's control block (21 F9 04, flags) stands its delay in hundredths of a second.
+  const std::string bytes = readFile(folder_ / "shot.gif");
+  const std::size_t control = bytes.find(std::string("\x21\xF9\x04", 3));
+  ASSERT_NE(control, std::string::npos);
+  EXPECT_EQ(static_cast<int>(bytes[control + 4]), 4);
+}
+
+TEST(GifDelay, IsAWholeNumberOfHundredths) {
+  EXPECT_EQ(gifDelay(25.0), 4);
+  EXPECT_EQ(gifDelay(30.0), 3);
+  EXPECT_EQ(gifDelay(60.0), 2);
+  EXPECT_EQ(gifDelay(1000.0), 2);
+}
+
+TEST_F(SequenceExportTest, ACancelledOneLeavesWhatWasThere) {
+  const auto inspector = opened();
+  writeFile(folder_ / "shot.0002.png", "from before");
+  inspector->seek(6);
+  const auto stopsAtTheThird = [](std::string_view, int done, int) { return done < 2; };
+  for (const SequenceKind kind : {SequenceKind::Png, SequenceKind::Exr, SequenceKind::Gif}) {
+    const char* const files[] = {"shot.png", "shot.gif", "shot.exr"};
+    EXPECT_THROW(exportSequence(*inspector, request(kind, files[static_cast<int>(kind)]), stopsAtTheThird),
+                 Cancelled);
+    EXPECT_EQ(names(), std::vector<std::string>{"shot.0002.png"});
+    EXPECT_EQ(readFile(folder_ / "shot.0002.png"), "from before");
+    EXPECT_EQ(inspector->frame(), 6);
+  }
+}
+
+TEST_F(SequenceExportTest, AFullDiskIsSaidAndNothingIsHalfThere) {
+  const auto inspector = opened();
+  inspector->seek(6);
+  const std::pair<SequenceKind, const char*> kinds[] = {
+      {SequenceKind::Png, "shot.png"}, {SequenceKind::Exr, "shot.exr"}, {SequenceKind::Gif, "shot.gif"}};
+  for (const auto& [kind, name] : kinds) {
+    std::string said;
+    {
+      const SmallDisk disk(600);
+      said = errorOf(*inspector, request(kind, name));
+    }
+    EXPECT_NE(said.find("cannot write " + (folder_ / "shot.").string()), std::string::npos) << said;
+    EXPECT_TRUE(names().empty()) << names().front();
+    EXPECT_EQ(inspector->frame(), 6);
+  }
+}
+
+TEST_F(SequenceExportTest, SaysWhereNothingCanBeWritten) {
+  const auto inspector = opened();
+  writeFile(folder_ / "file", "");
+  for (const auto& [kind, name] :
+       {std::pair{SequenceKind::Png, "file/shot.png"}, std::pair{SequenceKind::Exr, "file/shot.exr"},
+        std::pair{SequenceKind::Gif, "file/shot.gif"}}) {
+    const std::string said = errorOf(*inspector, request(kind, name));
+    EXPECT_NE(said.find((folder_ / "file").string()), std::string::npos) << said;
+    EXPECT_EQ(said.find("cannot write"), 0u) << said;
+  }
+  EXPECT_EQ(names(), std::vector<std::string>{"file"});
+}
+
+} // namespace
+} // namespace taa

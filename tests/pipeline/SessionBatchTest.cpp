@@ -1,0 +1,91 @@
+// Sessions, styles and animations on the command line of taa-batch.
+#include "core/base/Files.h"
+#include "core/io/SessionFile.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+
+#include <OpenImageIO/imageio.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using taa::test::ProcessResult;
+
+class SessionBatchTest : public taa::test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    folder_ = taa::test::temporaryFolder() / "session";
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    taa::SessionFile session;
+    session.source = "builtin:fan";
+    session.camera = "orbit";
+    session.frame = 5;
+    session.size = {64, 36};
+    session.settings = {"fsr2", taa::preset("fsr2").settings, taa::preset("fsr2").settings};
+    taa::applyAssignment(session.settings.settings, "weight.minimum=0.25");
+    writeSession(file(), session);
+  }
+  fs::path file() const { return folder_ / "it.taa.json"; }
+  static ProcessResult batch(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), taa::test::binary("taa-batch").string());
+    return taa::test::runProcess(arguments);
+  }
+  std::vector<std::string> flags(const char* command) const {
+    return {command, "builtin:fan", "--size", "64x36", "--camera",
+            "orbit", "--preset",    "fsr2",   "--set", "weight.minimum=0.25"};
+  }
+  fs::path folder_;
+};
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+} // namespace
+
+TEST_F(SessionBatchTest, ASessionIsTheSameAsItsFlags) {
+  const std::vector<std::string> png = {"--format", "png", "--out"};
+  const std::string a = (folder_ / "a").string(), b = (folder_ / "b").string();
+  ASSERT_EQ(batch(joined(joined({"render", "--session", file().string()}, png), {a})).exitCode, 0);
+  ASSERT_EQ(batch(joined(joined(flags("render"), {"--frames", "5"}), joined(png, {b}))).exitCode, 0);
+  EXPECT_EQ(taa::readFile(a + "/frame.0005.resolved.png"), taa::readFile(b + "/frame.0005.resolved.png"));
+  const ProcessResult is = batch({"probe", "--session", file().string(), "--pixel", "30,20"});
+  const ProcessResult want = batch(joined(flags("probe"), {"--frame", "5", "--pixel", "30,20"}));
+  EXPECT_EQ(is.exitCode, 0) << is.err;
+  EXPECT_EQ(is.out, want.out);
+  const ProcessResult other =
+      batch({"probe", "--session", file().string(), "--set", "weight.minimum=0.5", "--pixel", "30,20"});
+  EXPECT_NE(other.out, want.out);
+}
+
+TEST_F(SessionBatchTest, MistakesAreNamed) {
+  EXPECT_EQ(batch({"probe", "--pixel", "1,1", "--frame", "0"}).exitCode, 2);
+  EXPECT_EQ(batch({"probe", "builtin:fan", "--session", file().string(), "--pixel", "1,1"}).exitCode, 2);
+  const ProcessResult missing = batch({"probe", "--session", "/nowhere.taa.json", "--pixel", "1,1"});
+  EXPECT_EQ(missing.exitCode, 1);
+  EXPECT_NE(missing.err.find("/nowhere.taa.json"), std::string::npos);
+  const ProcessResult style =
+      batch(joined(flags("render"), {"--frames", "0", "--out", folder_.string(), "--style", "map=pink"}));
+  EXPECT_EQ(style.exitCode, 2);
+  EXPECT_NE(style.err.find("viridis"), std::string::npos) << style.err;
+}
+
+TEST_F(SessionBatchTest, WritesAnAnimationForEachIntermediate) {
+  const ProcessResult result =
+      batch(joined(flags("render"), {"--frames", "0..2", "--emit", "resolved,alpha", "--style", "map=inferno",
+                                     "--format", "gif", "--fps", "10", "--out", folder_.string()}));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  for (const char* name : {"resolved.gif", "alpha.gif"}) {
+    const auto input = OIIO::ImageInput::open((folder_ / name).string());
+    ASSERT_TRUE(input) << name;
+    EXPECT_TRUE(input->seek_subimage(2, 0));
+    EXPECT_FALSE(input->seek_subimage(3, 0));
+    EXPECT_NE(result.out.find(name), std::string::npos);
+  }
+}
