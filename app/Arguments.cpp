@@ -42,7 +42,7 @@ struct Texts {
 
 void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("SOURCE", arguments.source,
-                 "A glTF file (.gltf, .glb) or builtin:NAME; builtin:fan without one");
+                 "A glTF file (.gltf, .glb), builtin:NAME or a session (.taa.json); builtin:fan without one");
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture of the whole window to FILE and end; needs no display")
       ->type_name("FILE");
@@ -90,6 +90,10 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--panel", arguments.panel, "Show this page above the timeline, or of the probe, too")
       ->type_name("NAME")
       ->check(CLI::IsMember(pages));
+  app.add_option("--shaders", arguments.shaders,
+                 "Read the shaders from this folder, a copy of shaders/, and again when one is saved")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--timing", arguments.timing,
                "Say on stderr how long after the start the first picture was there");
 }

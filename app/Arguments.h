@@ -24,6 +24,7 @@ struct Arguments {
   std::optional<glm::ivec2> pixel;  ///< probe
   std::optional<int> checkpoints;   ///< memory for kept histories, MiB
   std::optional<ThemeChoice> theme;
+  std::string shaders;                 ///< folder to read shaders from; empty: the ones built in
   std::string camera, preset;          ///< empty: the source's own, "balanced"
   std::vector<IntermediateId> views;   ///< up to four; three show as four
   std::vector<Comparison> comparisons; ///< of view A, B, …

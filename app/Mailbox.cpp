@@ -63,6 +63,12 @@ RenderListener listenerOf(Mailbox& mailbox) {
       if (delivery.figures.size() < kMostFigures) delivery.figures.push_back(figures);
     });
   };
+  listener.onShaders = [&mailbox](std::string error) {
+    mailbox.put([&](Delivery& delivery) { delivery.shaders = std::move(error); });
+  };
+  listener.onExported = [&mailbox](ExportResult result) {
+    mailbox.put([&](Delivery& delivery) { delivery.exported = std::move(result); });
+  };
   return listener;
 }
 

@@ -25,6 +25,8 @@ struct Delivery {
   std::optional<StageCosts> costs;
   std::vector<Thumbnail> thumbnails; ///< the newest of each row
   std::vector<FrameFigures> figures; ///< all of them: each is of a frame
+  std::optional<std::string> shaders;
+  std::optional<ExportResult> exported;
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

@@ -50,6 +50,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   setAcceptDrops(true);
   makeParts();
   layOut();
+  connectFiles();
   menus_ = new Menus(*this);
   connectPanels();
   connectProbe();
@@ -179,10 +180,6 @@ void MainWindow::connectSession() {
     work_->setWork(QString::fromStdString(work.what), work.done, work.total);
     profiler_->setMeasuring(work.what == "Measuring stages");
   });
-}
-
-void MainWindow::openSource(const QString& source) {
-  session_.open(source);
 }
 
 void MainWindow::showStatus() {

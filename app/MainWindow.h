@@ -4,6 +4,7 @@
 #include "app/Session.h"
 #include "app/Theme.h"
 
+#include <QJsonObject>
 #include <QMainWindow>
 
 #include <optional>
@@ -18,10 +19,13 @@ enum class LowerPage;
 class JitterPanel;
 class LowerArea;
 class Menus;
+class Exports;
 class MessagesBar;
 class PipelinePanel;
 class ProbePanel;
 class ProfilerPanel;
+class SessionKeeper;
+class ShaderWatch;
 class StatusLine;
 class TimelinePanel;
 class ViewArea;
@@ -51,8 +55,16 @@ class MainWindow : public QMainWindow {
   MessagesBar* messages() const { return messages_; }
   StatusLine* statusLine() const { return statusLine_; }
 
-  /// Opens a file or "builtin:NAME" and plays.
+  SessionKeeper* keeper() const { return keeper_; }
+  Exports* exports() const { return exports_; }
+
+  /// Opens a session and pauses at its frame, or a file or "builtin:NAME" and plays.
   void openSource(const QString& source);
+  /// Views, probes, panels and layout; what they may make of a session of another window.
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
+  /// The GLSL of the active view's stage.
+  void readGlsl();
   void setTheme(ThemeChoice choice);
   ThemeChoice theme() const { return theme_; }
   /// Shows an intermediate in the active view or the other one.
@@ -98,6 +110,7 @@ class MainWindow : public QMainWindow {
   void connectLower();
   void connectViews();
   void connectSession();
+  void connectFiles();
   void showStatus();
   void showSettings();
   void showPick();
@@ -129,6 +142,9 @@ class MainWindow : public QMainWindow {
   QSplitter *columns_ = nullptr, *rows_ = nullptr;
   QLabel* sourceLabel_ = nullptr;
   Menus* menus_ = nullptr;
+  SessionKeeper* keeper_ = nullptr;
+  Exports* exports_ = nullptr;
+  ShaderWatch* shaders_ = nullptr; ///< null: they come from the program itself
 };
 
 } // namespace taa::app

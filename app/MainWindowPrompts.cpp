@@ -10,6 +10,7 @@
 #include "app/widgets/Chooser.h"
 #include "app/widgets/KeysDialog.h"
 #include "app/widgets/Prompt.h"
+#include "core/settings/Parameters.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -29,16 +30,33 @@ QString keysOf(const QAction* action) {
   return keys.join(QStringLiteral(", "));
 }
 
-} // namespace
+/// A choice or a position of a switch.
+struct ParameterValue {
+  const Parameter* row;
+  int value;
+};
 
-void MainWindow::askForFile() {
-  auto* dialog =
-      new QFileDialog(this, tr("Open a scene"), {}, tr("glTF 2.0 scenes (*.gltf *.glb);;All files (*)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openSource);
-  dialog->open();
+std::vector<ParameterValue> parameterValues() {
+  std::vector<ParameterValue> values;
+  for (const Parameter& row : parameters()) {
+    const int count = row.kind == ParameterKind::Toggle ? 2 : static_cast<int>(row.choices.size());
+    for (int value = 0; value < count; ++value) values.push_back({&row, value});
+  }
+  return values;
 }
+
+ChooserEntry entryOf(const ParameterValue& of, const Settings& settings) {
+  const Parameter& row = *of.row;
+  QString name = of.value != 0 ? MainWindow::tr("on") : MainWindow::tr("off");
+  if (row.kind == ParameterKind::Choice) name = qtext(row.choices[static_cast<std::size_t>(of.value)].label);
+  const bool isNow = static_cast<int>(row.get(settings)) == of.value;
+  return {MainWindow::tr("%1: %2").arg(qtext(row.label), name), isNow ? MainWindow::tr("now") : QString(),
+          qtext(stageInfo(row.stage).label),
+          qtext(row.path) + QLatin1Char('=') + QString::fromStdString(valueText(row, of.value)),
+          isRelevant(row, settings)};
+}
+
+} // namespace
 
 void MainWindow::askForPixel() {
   const auto pick = session_.pick();
@@ -136,9 +154,17 @@ void MainWindow::showCommands() {
                        command.menu,
                        {},
                        command.action->isEnabled()});
+  const std::vector<ParameterValue> values = parameterValues(); // behind the commands
+  for (const ParameterValue& value : values) entries.push_back(entryOf(value, session_.settings()));
   auto* chooser = new Chooser(
       tr("Search commands"), std::move(entries),
-      [this](int index) { menus_->commands()[static_cast<std::size_t>(index)].action->trigger(); }, this);
+      [this, values](int index) {
+        const auto commands = menus_->commands().size(), at = static_cast<std::size_t>(index);
+        if (at < commands) return menus_->commands()[at].action->trigger();
+        const ParameterValue& chosen = values[at - commands];
+        session_.setParameter(qtext(chosen.row->path), chosen.value);
+      },
+      this);
   const int left = std::max(0, (width() - 480) / 2);
   chooser->open({left, 0, 480, 48});
 }

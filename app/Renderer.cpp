@@ -30,6 +30,7 @@ class ThreadRenderer final : public Renderer {
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }
+  void exportSequence(const SequenceRequest& request) override { thread_.exportSequence(request); }
 
  private:
   RenderThread thread_;

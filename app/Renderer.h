@@ -37,6 +37,7 @@ class Renderer {
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
   virtual void setPlayback(const Playback& playback) = 0;
+  virtual void exportSequence(const SequenceRequest& request) = 0;
 };
 
 /// The real one.

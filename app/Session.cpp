@@ -76,8 +76,8 @@ void Session::deliver() {
   for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
   if (delivery.status) {
     const bool isNew = delivery.status->source != status_.source;
-    if (isNew) motionModes_.clear();
     if (isNew && pins_.forgetSurfaces()) sendPins();
+    if (isNew && delivery.status->source != std::exchange(motionModesFor_, {})) motionModes_.clear();
     status_ = std::move(*delivery.status);
     // Only now: a file that cannot be opened leaves everything as it is, playing or not.
     if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
@@ -100,6 +100,8 @@ void Session::deliver() {
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
   for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
+  if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(*delivery.shaders));
+  if (delivery.exported) Q_EMIT exported(*delivery.exported);
 }
 
 void Session::open(const QString& source, bool plays) {

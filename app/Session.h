@@ -5,6 +5,7 @@
 #include "app/Pins.h"
 #include "app/Renderer.h"
 #include "app/SettingsHistory.h"
+#include "core/io/SessionFile.h"
 
 #include <QObject>
 #include <QString>
@@ -104,6 +105,11 @@ class Session : public QObject {
   void setOtherPresets(const QStringList& idsOrPaths);
   void reloadShaders();
   void cancel();
+  void exportSequence(const SequenceRequest& request);
+  /// What the picture depends on; `window` is left empty.
+  SessionFile file() const;
+  /// Opens what the file says, paused at its frame.
+  void restore(const SessionFile& file);
 
  Q_SIGNALS:
   void statusChanged();
@@ -117,6 +123,8 @@ class Session : public QObject {
   void stageCostsArrived(const StageCosts& costs);
   void thumbnailArrived(const Thumbnail& thumbnail);
   void figuresArrived(const FrameFigures& figures);
+  void shadersReloaded(const QString& error); ///< empty: they are in use
+  void exported(const ExportResult& result);
   void errorOccurred(const QString& sentence);
 
  private:
@@ -141,6 +149,7 @@ class Session : public QObject {
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
   SettingsHistory history_;
   std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
+  std::string motionModesFor_;              ///< the scene, where they were asked for before it was open
   std::vector<ViewRequest> views_;
   QStringList otherPresets_;
   std::vector<Settings> otherLanes_;

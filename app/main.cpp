@@ -3,12 +3,14 @@
 #include "app/Icons.h"
 #include "app/MainWindow.h"
 #include "app/Screenshot.h"
+#include "app/SessionKeeper.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
 #include "core/base/Files.h"
+#include "core/io/SessionFile.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -19,6 +21,7 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -34,6 +37,26 @@ void choosePlatform(bool screenshot) {
       !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && (screenshot || !hasDisplay))
     qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+/// In a build folder of the source tree the shaders are those of the tree, so that edits show.
+void chooseShaders(const Arguments& arguments) {
+  if (!arguments.shaders.empty()) {
+    qputenv("TAA_SHADER_DIR", QByteArray::fromStdString(arguments.shaders));
+  } else if (arguments.screenshot.empty() && qEnvironmentVariableIsEmpty("TAA_SHADER_DIR")) {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto root = program.parent_path() / "../../.."; // build/PRESET/bin
+    if (!std::filesystem::exists(root / "shaders/taa/resolve.frag", error)) return;
+    const auto shaders = std::filesystem::canonical(root / "shaders", error);
+    qputenv("TAA_SHADER_DIR", QByteArray::fromStdString(shaders.string()));
+  }
+}
+
+/// The frame of a picture of the window: that of a session, unless another one is asked for.
+int screenshotFrame(const Arguments& arguments) {
+  if (arguments.frame) return *arguments.frame;
+  return taa::isSessionName(arguments.source) ? taa::readSession(arguments.source).frame : kScreenshotFrame;
 }
 
 /// Qt's own remarks about platforms without windows are of no use to anybody here.
@@ -90,7 +113,10 @@ void begin(MainWindow& window, const Arguments& arguments) {
   showViews(*window.views(), arguments);
   if (arguments.pixel) session.setPick(*arguments.pixel);
   const bool plays = arguments.screenshot.empty() && !arguments.frame;
-  session.open(QString::fromStdString(arguments.source), plays);
+  if (taa::isSessionName(arguments.source))
+    window.openSource(QString::fromStdString(arguments.source));
+  else
+    session.open(QString::fromStdString(arguments.source), plays);
   if (arguments.zoom) {
     const glm::dvec2 center = arguments.pixel ? glm::dvec2(*arguments.pixel) + 0.5 : glm::dvec2(0.0);
     for (int view = 0; view < kViewCount; ++view)
@@ -122,13 +148,14 @@ int run(QApplication& application, const Arguments& arguments) {
   window.show();
   begin(window, arguments);
   if (isScreenshot) {
-    new Screenshot(window, QString::fromStdString(arguments.screenshot),
-                   arguments.frame.value_or(kScreenshotFrame), [](int code, const QString& text) {
+    new Screenshot(window, QString::fromStdString(arguments.screenshot), screenshotFrame(arguments),
+                   [](int code, const QString& text) {
                      if (!text.isEmpty()) std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
                      QApplication::exit(code);
                    });
-  } else if (arguments.frame) {
-    session.seek(*arguments.frame);
+  } else {
+    if (arguments.frame) session.seek(*arguments.frame);
+    window.keeper()->offerOrphan();
   }
   return QApplication::exec();
 }
@@ -144,6 +171,7 @@ int main(int argc, char** argv) {
     }
     qInstallMessageHandler(printMessage);
     choosePlatform(!arguments.screenshot.empty());
+    chooseShaders(arguments);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("TAA Inspector"));
     return run(application, arguments);

@@ -1,6 +1,7 @@
 // Undo, copies, search.
 #include "app/menus/Menus.h"
 
+#include "app/Exports.h"
 #include "app/Icons.h"
 #include "app/MainWindow.h"
 #include "app/panels/PipelinePanel.h"
@@ -26,6 +27,8 @@ void Menus::makeEdit() {
       [this] { window_.copyProbe(ProbeFormat::Markdown); });
   add(menu, tr("Copy the probe as &JSON"), keys({"Ctrl+Alt+J"}),
       [this] { window_.copyProbe(ProbeFormat::Json); });
+  add(menu, tr("Copy as &command line"), keys({"Ctrl+Alt+C"}),
+      [this] { window_.exports()->copyCommandLine(); });
   add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });
   add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });
   menu->addSeparator();

@@ -52,6 +52,8 @@ class Menus : public QObject {
   void makeProbePages(QMenu* menu);
   void makeHelp();
   // Submenus
+  void makeRecent(QMenu* menu);
+  void makeExport(QMenu* menu);
   void makeArrangement(QMenu* menu);
   void makeLowerPages(QMenu* menu);
   void makeViews(QMenu* menu);

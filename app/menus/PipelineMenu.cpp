@@ -1,6 +1,7 @@
 // Presets, stages, shaders.
 #include "app/menus/Menus.h"
 
+#include "app/Exports.h"
 #include "app/MainWindow.h"
 #include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
@@ -41,7 +42,7 @@ void Menus::makePipeline() {
       own->addAction(preset.label, this, [this, path = preset.path] { window_.session().setPreset(path); });
     if (own->isEmpty()) own->addAction(tr("None saved yet"))->setEnabled(false);
   });
-  add(menu, tr("&Save as preset…"), keys({"Ctrl+S"}), [this] { window_.askForPresetName(); });
+  add(menu, tr("&Save as preset…"), keys({"Ctrl+Alt+S"}), [this] { window_.askForPresetName(); });
   add(menu, tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [this] { window_.askForPresetFile(); });
   add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.backToPreset(); });
   menu->addSeparator();
@@ -52,6 +53,8 @@ void Menus::makePipeline() {
   makeReferences(menu->addMenu(tr("&Reference")));
   add(menu, tr("&Measure what each stage costs"), keys({"Shift+F11"}), [this] { window_.measureStages(); });
   add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
+  add(menu, tr("Read &GLSL of the stage"), keys({"Ctrl+U"}), [this] { window_.readGlsl(); });
+  add(menu, tr("&Export GLSL…"), {}, [this] { window_.exports()->askForGlsl(); });
 }
 
 void Menus::makeReferences(QMenu* menu) {

@@ -7,21 +7,28 @@
 namespace taa::app {
 
 namespace {
-constexpr int kShown = 3; ///< sentences of a kind that are shown at once
+constexpr int kShown = 3;      ///< sentences of a kind that are shown at once
+constexpr int kNoteMs = 6000;  ///< long enough to be read
+constexpr int kMostLines = 12; ///< of a compiler's messages
 } // namespace
 
 MessagesBar::MessagesBar(QWidget* parent)
-    : QWidget(parent), error_(new Strip(StripKind::Wrong)), warning_(new Strip(StripKind::Caution)),
+    : QWidget(parent), error_(new Strip(StripKind::Wrong)), shader_(new Strip(StripKind::Wrong)),
+      warning_(new Strip(StripKind::Caution)), note_(new Strip(StripKind::Hint)),
       hint_(new Strip(StripKind::Hint)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  for (Strip* strip : {error_, warning_, hint_}) {
+  for (Strip* strip : {error_, shader_, warning_, note_, hint_}) {
     strip->hide();
     layout->addWidget(strip);
   }
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   connect(error_, &Strip::closed, this, [this] { errors_.clear(); });
+  noteEnds_.setSingleShot(true);
+  noteEnds_.setInterval(kNoteMs);
+  connect(&noteEnds_, &QTimer::timeout, note_, &QWidget::hide);
+  connect(shader_, &Strip::closed, this, [this] { shaderError_.clear(); });
   connect(warning_, &Strip::closed, this, [this] { warnings_.clear(); });
   connect(hint_, &Strip::closed, this, &MessagesBar::hintClosed);
 }
@@ -45,6 +52,22 @@ void MessagesBar::showError(const QString& sentence) {
   refresh();
 }
 
+void MessagesBar::showShaders(const QString& error) {
+  const bool wasWrong = !shaderError_.isEmpty();
+  shaderError_ = QStringList(error.split(QLatin1Char('\n')).mid(0, kMostLines)).join(QLatin1Char('\n'));
+  if (!error.isEmpty()) shaderError_ += tr("\nThe shaders from before stay in use.");
+  shader_->setText(shaderError_);
+  shader_->setVisible(!error.isEmpty());
+  if (error.isEmpty())
+    showNote(wasWrong ? tr("The shaders compile again and are in use.") : tr("The shaders were read anew."));
+}
+
+void MessagesBar::showNote(const QString& sentence) {
+  note_->setText(sentence);
+  note_->show();
+  noteEnds_.start();
+}
+
 void MessagesBar::setWarnings(const QStringList& warnings) {
   warnings_ = warnings;
   refresh();
@@ -56,7 +79,11 @@ void MessagesBar::showHint(const QString& text) {
 }
 
 QString MessagesBar::text() const {
-  return (errors_ + warnings_).join(QLatin1Char('\n'));
+  QStringList all = errors_;
+  if (!shaderError_.isEmpty()) all << shaderError_;
+  all << warnings_;
+  if (!note_->isHidden()) all << note_->text();
+  return all.join(QLatin1Char('\n'));
 }
 
 void MessagesBar::clear() {

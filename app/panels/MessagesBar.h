@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
 
 namespace taa::app {
@@ -14,6 +15,10 @@ class MessagesBar : public QWidget {
   explicit MessagesBar(QWidget* parent = nullptr);
 
   void showError(const QString& sentence);
+  /// What became of the shaders that were read anew: what does not compile stays until it does.
+  void showShaders(const QString& error);
+  /// Something that was done; goes by itself.
+  void showNote(const QString& sentence);
   /// Warnings of the source that is open; replaces those of the one before.
   void setWarnings(const QStringList& warnings);
   /// The hint of the first start; hintClosed() follows when it is closed.
@@ -30,7 +35,9 @@ class MessagesBar : public QWidget {
   static QString joined(const QStringList& sentences);
 
   QStringList errors_, warnings_;
-  Strip *error_, *warning_, *hint_;
+  QString shaderError_;
+  Strip *error_, *shader_, *warning_, *note_, *hint_;
+  QTimer noteEnds_;
 };
 
 } // namespace taa::app

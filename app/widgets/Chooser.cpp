@@ -89,10 +89,12 @@ void Chooser::fill(const QString& wanted, int current) {
   list_->clear();
   QString group;
   QListWidgetItem* chosen = nullptr;
+  const QStringList words = wanted.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const ChooserEntry& entry = entries_[i];
-    const bool found = (entry.text + QLatin1Char(' ') + entry.group + QLatin1Char(' ') + entry.keywords)
-                           .contains(wanted, Qt::CaseInsensitive);
+    const QString known = entry.text + QLatin1Char(' ') + entry.group + QLatin1Char(' ') + entry.keywords;
+    const bool found = std::ranges::all_of(
+        words, [&](const QString& word) { return known.contains(word, Qt::CaseInsensitive); });
     if (!found) continue;
     if (entry.group != group) {
       group = entry.group;

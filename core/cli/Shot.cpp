@@ -1,7 +1,6 @@
 #include "core/cli/Shot.h"
 
 #include "core/base/Error.h"
-#include "core/io/FrameJson.h"
 #include "core/io/SessionFile.h"
 
 #include <iostream>

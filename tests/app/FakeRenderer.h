@@ -38,6 +38,7 @@ class FakeRenderer final : public Renderer {
   void reloadShaders() override { ++reloads; }
   void cancel() override { ++cancels; }
   void setPlayback(const Playback& playback) override;
+  void exportSequence(const SequenceRequest& request) override { exported = request; }
 
   Status status;
   std::vector<ViewRequest> views;
@@ -48,6 +49,7 @@ class FakeRenderer final : public Renderer {
   glm::ivec2 thumbnails{0};    ///< size wanted
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
+  std::optional<SequenceRequest> exported;
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
 

@@ -32,7 +32,7 @@ class UserPresetsTest : public test::FakeWindow {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&own));
   }
   void saveAs(const QString& name) {
-    QTest::keyClick(&own, Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(&own, Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
     auto* prompt = own.findChild<Prompt*>();
     ASSERT_TRUE(prompt);
     QTest::keyClicks(prompt->field(), name);

@@ -1,0 +1,41 @@
+// What leaves the window: pictures of views, ranges of frames, command lines, GLSL.
+#pragma once
+
+#include "core/SequenceExport.h"
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+namespace taa::app {
+
+class MainWindow;
+
+class Exports : public QObject {
+  Q_OBJECT
+ public:
+  explicit Exports(MainWindow& window);
+
+  /// Asks for a file, then writes the active view.
+  void askForView(bool withLegend);
+  /// What the active view shows, pixel for pixel of the screen; `withLegend`: and below it what it means.
+  void writeView(const QString& path, bool withLegend);
+  /// A dialog for a range of frames, which stays open beside the work.
+  void askForRange();
+  void writeRange(const SequenceRequest& request);
+  void askForGlsl();
+  void writeGlsl(const QString& path);
+  /// The taa-batch line that draws the active view's intermediate again.
+  QString commandLine() const;
+  void copyCommandLine();
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+  void failed(const QString& sentence);
+
+ private:
+  QImage viewImage(bool withLegend) const;
+  MainWindow& window_;
+};
+
+} // namespace taa::app

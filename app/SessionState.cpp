@@ -1,0 +1,41 @@
+// The session as a file says it, and back.
+#include "app/Session.h"
+
+namespace taa::app {
+
+SessionFile Session::file() const {
+  SessionFile file;
+  file.source = status_.source;
+  file.camera = status_.camera;
+  file.frame = status_.goal.value_or(status_.info.frame);
+  file.size = {status_.width, status_.height};
+  file.settings = {presetId_, presetSettings_, settings_};
+  file.motionModes = motionModes_;
+  file.checkpointsMiB = static_cast<int>(status_.checkpointBudget >> 20);
+  return file;
+}
+
+void Session::restore(const SessionFile& file) {
+  open(QString::fromStdString(file.source), false);
+  setPlaying(false);
+  history_.record(settings_, "");
+  presetId_ = file.settings.preset;
+  presetSettings_ = file.settings.presetSettings;
+  useSettings(file.settings.settings);
+  setSize(file.size.x, file.size.y);
+  setCheckpointBudget(static_cast<std::size_t>(file.checkpointsMiB) << 20);
+  motionModes_ = file.motionModes;
+  motionModesFor_ = file.source;
+  ask([&](Renderer& renderer) {
+    if (!file.camera.empty()) renderer.setCamera(file.camera);
+    renderer.setMotionModes(file.motionModes);
+    renderer.seek(file.frame);
+  });
+  Q_EMIT settingsChanged(); // the name changes even where no value does
+}
+
+void Session::exportSequence(const SequenceRequest& request) {
+  ask([&](Renderer& renderer) { renderer.exportSequence(request); });
+}
+
+} // namespace taa::app

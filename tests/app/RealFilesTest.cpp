@@ -1,0 +1,141 @@
+// Sessions, command lines and shaders on the real renderer: the same pictures, byte for byte.
+#include "app/Exports.h"
+#include "app/SessionKeeper.h"
+#include "app/ShaderWatch.h"
+#include "app/panels/MessagesBar.h"
+#include "app/views/ViewArea.h"
+#include "core/base/Files.h"
+#include "core/settings/Parameters.h"
+#include "tests/app/WindowFixture.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+#include "tests/support/ShaderFolder.h"
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+/// A window on the real renderer, with a small picture of the fan at frame 6.
+class RealFiles : public testing::Test {
+ protected:
+  void open() {
+    applyTheme(*qApp, ThemeChoice::Dark);
+    session = std::make_unique<Session>();
+    window = std::make_unique<MainWindow>(*session, nullptr);
+    window->resize(1280, 800);
+    window->show();
+    session->setSize(96, 54);
+    session->open("builtin:fan", false);
+    session->seek(6);
+    settled(6);
+  }
+  /// The picture of view A once all that was asked for is there.
+  std::vector<std::uint8_t> settled(int frame) {
+    EXPECT_TRUE(taa::app::test::waitFor([&] {
+      const ViewResult* result = session->picture(0);
+      const Status& status = session->status();
+      return session->isOpen() && result && result->frame == frame && result->exact && status.exact &&
+             status.settings == session->settings() && session->work().what.empty() &&
+             result->request == window->views()->requests()[0];
+    })) << window->messages()->text().toStdString();
+    QTest::qWait(100); // what was under way may still bring another one
+    const ViewResult* result = session->picture(0);
+    return result ? result->picture.rgba : std::vector<std::uint8_t>();
+  }
+  void TearDown() override {
+    window.reset();
+    session.reset();
+  }
+  QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+
+  QTemporaryDir folder;
+  std::unique_ptr<Session> session;
+  std::unique_ptr<MainWindow> window;
+};
+
+TEST_F(RealFiles, AReopenedSessionShowsTheSamePicture) {
+  open();
+  session->setPreset("sharp");
+  session->setParameter("weight.minimum", 0.3);
+  session->setCamera("orbit");
+  session->setMotionMode("rotor", MotionMode::None);
+  session->setSize(120, 68);
+  session->seek(9);
+  settled(9);
+  window->keeper()->saveTo(path("it.taa.json"));
+  const auto before = settled(9);
+  session->setPreset("minimal");
+  session->setSize(64, 36);
+  session->open("builtin:thin", false);
+  session->seek(2);
+  EXPECT_NE(settled(2), before);
+  window->openSource(path("it.taa.json"));
+  ASSERT_TRUE(taa::app::test::waitFor([&] {
+    return session->status().source == "builtin:fan" && session->status().width == 120 &&
+           session->status().camera == "orbit";
+  }));
+  EXPECT_EQ(settled(9), before);
+  EXPECT_EQ(window->messages()->text().toStdString(), "Saved it.taa.json.");
+}
+
+TEST_F(RealFiles, TheCommandLineDrawsWhatIsExported) {
+  open();
+  session->setPreset("fsr2");
+  session->setParameter("weight.minimum", 0.3);
+  window->views()->active()->setIntermediate(IntermediateId::alpha);
+  window->views()->active()->changeExposure(1.0f);
+  window->views()->active()->nextColorMap();
+  settled(6);
+  SequenceRequest request;
+  request.target = path("shot.png").toStdString();
+  request.first = request.last = 6;
+  request.id = window->views()->active()->id();
+  request.style = window->views()->active()->style();
+  request.width = 96;
+  request.height = 54;
+  window->exports()->writeRange(request);
+  ASSERT_TRUE(taa::app::test::waitFor([&] { return QFile::exists(path("shot.0006.png")); }));
+  std::string line = window->exports()->commandLine().toStdString();
+  const std::string program = "taa-batch ";
+  ASSERT_EQ(line.find(program), 0u);
+  line = "cd '" + folder.path().toStdString() + "' && " + taa::test::binary("taa-batch").string() + " " +
+         line.substr(program.size());
+  const taa::test::ProcessResult result = taa::test::runProcess({"/bin/sh", "-c", line});
+  ASSERT_EQ(result.exitCode, 0) << line << "\n" << result.err;
+  EXPECT_EQ(readFile(path("frame.0006.alpha.png").toStdString()),
+            readFile(path("shot.0006.png").toStdString()));
+}
+
+TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
+  const taa::test::ShaderFolder shaders;
+  open();
+  const auto before = settled(6);
+  const std::string line = "  o_color = vec4(blended.color, 1.0);";
+  shaders.replace("taa/resolve.frag", line, "  o_color = vec4(blended.color.bgr, 1.0);");
+  ASSERT_TRUE(taa::app::test::waitFor([&] { return window->messages()->text().contains("read anew"); }));
+  const auto edited = settled(6);
+  EXPECT_NE(edited, before);
+  shaders.replace("taa/resolve.frag", "blended.color.bgr", "blended.colour");
+  ASSERT_TRUE(
+      taa::app::test::waitFor([&] { return window->messages()->text().contains("taa/resolve.frag:"); }));
+  const std::string text = shaders.read("taa/resolve.frag");
+  const auto number =
+      1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("blended.colour")), '\n');
+  EXPECT_TRUE(window->messages()->text().contains(QStringLiteral("taa/resolve.frag:%1:").arg(number)))
+      << window->messages()->text().toStdString();
+  session->step(1); // the last good one goes on
+  settled(7);
+  session->step(-1);
+  EXPECT_EQ(settled(6), edited);
+  shaders.replace("taa/resolve.frag", "blended.colour", "blended.color");
+  ASSERT_TRUE(taa::app::test::waitFor([&] { return window->messages()->text().contains("compile again"); }));
+  EXPECT_FALSE(window->messages()->text().contains("taa/resolve.frag:"));
+  EXPECT_EQ(settled(6), before);
+}
+
+} // namespace
