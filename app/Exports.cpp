@@ -86,7 +86,7 @@ void Exports::askForView(bool withLegend) {
 void Exports::writeView(const QString& path, bool withLegend) {
   const QImage image = viewImage(withLegend);
   if (image.isNull()) return Q_EMIT failed(tr("There is no picture in this view yet."));
-  QThreadPool::globalInstance()->start([this, path, image] {
+  QThreadPool::globalInstance()->start([guard = QPointer<Exports>(this), path, image] {
     QString error;
     try {
       const auto bytes = static_cast<std::size_t>(4) * image.width() * image.height();
@@ -96,7 +96,7 @@ void Exports::writeView(const QString& path, bool withLegend) {
     }
     QMetaObject::invokeMethod(
         qApp,
-        [guard = QPointer<Exports>(this), path, error] {
+        [guard, path, error] {
           if (!guard) return;
           if (error.isEmpty())
             Q_EMIT guard->said(tr("Saved %1.").arg(path));

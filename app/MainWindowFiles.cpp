@@ -3,10 +3,10 @@
 #include "app/MainWindow.h"
 #include "app/SessionKeeper.h"
 #include "app/ShaderWatch.h"
+#include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
-#include "app/panels/ProfilerPanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/GlslWindow.h"
@@ -65,7 +65,8 @@ QJsonObject MainWindow::state() const {
   QJsonObject panels;
   panels[QStringLiteral("pipeline")] = !pipeline_->isHidden();
   panels[QStringLiteral("probe")] = !probe_->isHidden();
-  panels[QStringLiteral("profiler")] = !profiler_->isHidden();
+  panels[QStringLiteral("lower")] =
+      lower_->shows(lower_->current()) ? lowerPageId(lower_->current()) : QString();
   state[QStringLiteral("panels")] = panels;
   state[QStringLiteral("columns")] = bytesJson(columns_->saveState());
   state[QStringLiteral("rows")] = bytesJson(rows_->saveState());
@@ -75,10 +76,12 @@ QJsonObject MainWindow::state() const {
 void MainWindow::setState(const QJsonObject& state) {
   const QJsonObject panels = state[QStringLiteral("panels")].toObject();
   const std::pair<QString, QWidget*> known[] = {{QStringLiteral("pipeline"), pipeline_},
-                                                {QStringLiteral("probe"), probe_},
-                                                {QStringLiteral("profiler"), profiler_}};
+                                                {QStringLiteral("probe"), probe_}};
   for (const auto& [key, panel] : known)
     if (panels[key].isBool()) setPanelVisible(panel, panels[key].toBool());
+  if (const QJsonValue page = panels[QStringLiteral("lower")]; page.isString())
+    lower_->setShown(lowerPageWithId(page.toString()).value_or(lower_->current()),
+                     !page.toString().isEmpty());
   columns_->restoreState(jsonBytes(state[QStringLiteral("columns")]));
   rows_->restoreState(jsonBytes(state[QStringLiteral("rows")]));
   if (state[QStringLiteral("looping")].isBool()) {

@@ -86,12 +86,6 @@ struct Work {
   int done = 0, total = 0;
 };
 
-/// How an export ended. Errors are told by onError.
-struct ExportResult {
-  std::string target; ///< the file, or the first of the files
-  int frames = 0;     ///< written; 0: it failed or was stopped, and left nothing
-};
-
 /// Called on the render thread; must return soon (post to your own thread). Results are values.
 struct RenderListener {
   std::function<void(ViewResult)> onPicture;

@@ -5,6 +5,7 @@
 #include "core/inspect/Visualizer.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace taa {
@@ -31,6 +32,12 @@ struct SequenceRequest {
   double framesPerSecond = 30.0; ///< of a GIF
   // Values
   std::vector<IntermediateId> ids;
+};
+
+/// How an export ended.
+struct ExportResult {
+  std::string target; ///< the file, or the first of the files
+  int frames = 0;     ///< written; 0: it failed or was stopped, and left nothing
 };
 
 /// The file of a frame, or the GIF.

@@ -27,7 +27,7 @@ void Menus::makeEdit() {
       [this] { window_.copyProbe(ProbeFormat::Markdown); });
   add(menu, tr("Copy the probe as &JSON"), keys({"Ctrl+Alt+J"}),
       [this] { window_.copyProbe(ProbeFormat::Json); });
-  add(menu, tr("Copy as &command line"), keys({"Ctrl+Alt+C"}),
+  add(menu, tr("Copy as &command line"), keys({"Ctrl+Alt+L"}),
       [this] { window_.exports()->copyCommandLine(); });
   add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });
   add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });

@@ -53,7 +53,7 @@ void Menus::makePipeline() {
   makeReferences(menu->addMenu(tr("&Reference")));
   add(menu, tr("&Measure what each stage costs"), keys({"Shift+F11"}), [this] { window_.measureStages(); });
   add(menu, tr("Reload &shaders"), keys({"F5"}), [&session] { session.reloadShaders(); });
-  add(menu, tr("Read &GLSL of the stage"), keys({"Ctrl+U"}), [this] { window_.readGlsl(); });
+  add(menu, tr("Read &GLSL of the stage"), keys({"Shift+F5"}), [this] { window_.readGlsl(); });
   add(menu, tr("&Export GLSL…"), {}, [this] { window_.exports()->askForGlsl(); });
 }
 

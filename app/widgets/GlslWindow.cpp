@@ -8,11 +8,14 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/taa/GlslExport.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QShortcut>
+#include <QThreadPool>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -30,13 +33,10 @@ QString fileOf(const StageInfo& stage) {
   return QStringLiteral("shaders/taa/") + qtext(stage.id) + QStringLiteral(".glsl");
 }
 
-QString textOf(const QString& what, const Session& session) {
+QString textOf(const QString& what, const Settings& settings, const std::string& title) {
   try {
-    if (what == kProgram) return QString::fromStdString(resolveSource(session.settings()).text());
-    if (what == kExport)
-      return QString::fromStdString(
-          exportedGlsl(session.settings(),
-                       settingsTitle(session.presetId(), session.settings(), session.presetSettings())));
+    if (what == kProgram) return QString::fromStdString(resolveSource(settings).text());
+    if (what == kExport) return QString::fromStdString(exportedGlsl(settings, title));
     return QString::fromStdString(embeddedText(what.toStdString()));
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
@@ -92,9 +92,21 @@ void GlslWindow::showStage(Stage stage) {
   text_->setFocus();
 }
 
+// What is made of the settings takes longer than a key may.
 void GlslWindow::refresh() {
   const QString what = files_->currentData().toString();
-  text_->setText(textOf(what, session_));
+  const std::string title =
+      settingsTitle(session_.presetId(), session_.settings(), session_.presetSettings());
+  QThreadPool::globalInstance()->start(
+      [self = QPointer<GlslWindow>(this), what, title, settings = session_.settings(), asked = ++asked_] {
+        const QString text = textOf(what, settings, title);
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, text, asked] {
+              if (self && self->asked_ == asked) self->text_->setText(text);
+            },
+            Qt::QueuedConnection);
+      });
   const QString folder = ShaderWatch::folder();
   const bool isFile = what != kProgram && what != kExport;
   if (!isFile)

@@ -32,6 +32,7 @@ class GlslWindow : public QDialog {
   SourceText* text_;
   QLineEdit* search_;
   QLabel* note_;
+  int asked_ = 0; ///< texts so far; only the last one is shown
 };
 
 } // namespace taa::app

@@ -12,7 +12,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <regex>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -113,20 +113,26 @@ bool isUsedElsewhere(const std::vector<std::string>& lines, const std::string& d
       lines, [&](const std::string& line) { return line != declaration && uses(line, name); });
 }
 
+/// The name that a declaration like "layout(…) uniform sampler2D NAME; // …" or "  vec2 NAME; // …" gives.
+std::string declaredName(std::string_view line) {
+  const std::size_t end = line.find(';');
+  if (end == line.npos) return {};
+  std::size_t begin = end;
+  while (begin > 0 && isWordChar(line[begin - 1])) --begin;
+  return std::string(line.substr(begin, end - begin));
+}
+
 // Inputs and members of the frame's block that these settings do not need.
 std::vector<std::string> withoutUnusedInputs(const std::vector<std::string>& lines) {
-  static const std::regex kSampler(R"re(.*\buniform u?sampler2D (\w+);.*)re");
-  static const std::regex kMember(R"re(  \w+ (\w+);.*)re");
   std::vector<std::string> kept;
   bool isBlock = false;
   for (const std::string& line : lines) {
-    std::smatch match;
-    if (line.find("uniform ResolveBlock {") != line.npos) isBlock = true;
     if (line.starts_with("}")) isBlock = false;
-    const bool isSampler = std::regex_match(line, match, kSampler);
-    const bool isInput = isSampler || (isBlock && std::regex_match(line, match, kMember));
-    const std::string name = isInput ? (isSampler ? "" : "resolveBlock.") + match[1].str() : "";
-    if (!isInput || isUsedElsewhere(lines, line, name)) kept.push_back(line);
+    const bool isSampler = line.find(" uniform ") != line.npos && line.find("sampler2D ") != line.npos;
+    const std::string name = isSampler || isBlock ? declaredName(line) : "";
+    if (name.empty() || isUsedElsewhere(lines, line, isBlock ? "resolveBlock." + name : name))
+      kept.push_back(line);
+    if (line.find("uniform ResolveBlock {") != line.npos) isBlock = true;
   }
   return kept;
 }
@@ -162,36 +168,52 @@ std::string constantWeights(const Settings& settings, std::string& text) {
 
 /// Names of the members of SettingsBlock, in the order of the table's Uniform rows.
 std::vector<std::string> settingsMembers(const std::string& text) {
-  static const std::regex kMember(R"re(  (?:int|float) (\w+);)re");
   std::vector<std::string> names;
   bool isSettings = false;
   for (const std::string& line : linesOf(text)) {
-    std::smatch match;
-    if (isSettings && std::regex_match(line, match, kMember)) names.push_back(match[1]);
     if (line == "} settings;") break;
+    if (isSettings) names.push_back(declaredName(line));
     if (line.find("uniform SettingsBlock") != line.npos) isSettings = true;
   }
   return names;
 }
 
-// Turns `settings.weightMinimum` into kWeightMinimum; the constants that are needed for it.
+std::string constantName(const std::string& member) {
+  std::string name = "k" + member;
+  name[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[1])));
+  return name;
+}
+
+/// Turns each `settings.weightMinimum` into kWeightMinimum; gives the members that there were.
+std::set<std::string> replaceSettings(std::string& text) {
+  static constexpr std::string_view kInstance = "settings.";
+  std::set<std::string> members;
+  for (std::size_t at = text.find(kInstance); at != text.npos; at = text.find(kInstance, at + 1)) {
+    std::size_t end = at + kInstance.size();
+    while (end < text.size() && isWordChar(text[end])) ++end;
+    const std::string member = text.substr(at + kInstance.size(), end - at - kInstance.size());
+    if (member.empty() || (at > 0 && isWordChar(text[at - 1]))) continue; // the end of a sentence
+    text.replace(at, end - at, constantName(member));
+    members.insert(member);
+  }
+  return members;
+}
+
+// The numbers of the settings as constants, those that are used.
 std::string constantNumbers(const Settings& settings, const gl::ShaderSource& source, std::string& text) {
   const std::vector<std::string> members = settingsMembers(source.fullText());
+  const std::set<std::string> used = replaceSettings(text);
   std::size_t next = 0;
   std::string constants;
   for (const Parameter& row : parameters()) {
     if (row.effect != Effect::Uniform) continue;
     const std::string& member = members.at(next++);
-    std::string name = "k" + member;
-    name[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[1])));
-    const std::string changed = std::regex_replace(text, std::regex("\\bsettings\\." + member + "\\b"), name);
-    if (changed == text) continue;
-    text = changed;
+    if (!used.contains(member)) continue;
+    const double value = row.get(settings);
     const bool isInteger = row.kind == ParameterKind::Integer;
-    constants += std::string("const ") + (isInteger ? "int " : "float ") + name + " = " +
-                 (isInteger ? valueText(row, row.get(settings)) : literal(float(row.get(settings)))) +
-                 "; // " + std::string(row.unit) + (row.unit.empty() ? "" : "; ") + std::string(row.tooltip) +
-                 "\n";
+    constants += std::string("const ") + (isInteger ? "int " : "float ") + constantName(member) + " = " +
+                 (isInteger ? valueText(row, value) : literal(static_cast<float>(value))) + "; // " +
+                 std::string(row.unit) + (row.unit.empty() ? "" : "; ") + std::string(row.tooltip) + "\n";
   }
   return constants;
 }
