@@ -5,6 +5,7 @@
 
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/io/CameraTrackJson.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,7 +34,7 @@ const std::vector<std::string>& overlayNames() {
 }
 
 struct Texts {
-  std::string windowSize, size, pixel, theme;
+  std::string windowSize, size, pixel, theme, cameraPose, cameraPath;
   std::vector<std::string> views, comparisons, overlays;
   std::string showing;
   int frame = -1, checkpoints = -1;
@@ -86,8 +87,10 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   std::vector<std::string> pages;
   for (int page = 0; page < kLowerPageCount; ++page)
     pages.push_back(lowerPageId(static_cast<LowerPage>(page)).toStdString());
-  for (const char* page : {"colorspace", "whatif"}) pages.emplace_back(page);
-  app.add_option("--panel", arguments.panel, "Show this page above the timeline, or of the probe, too")
+  for (const char* page : {"colorspace", "whatif", "scene"}) pages.emplace_back(page);
+  app.add_option("--panel", arguments.panel,
+                 "Show this page above the timeline, or of the probe, too, or the scene's tree in place of the "
+                 "pipeline")
       ->type_name("NAME")
       ->check(CLI::IsMember(pages));
   app.add_option("--shaders", arguments.shaders,
@@ -98,6 +101,24 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
                "Say on stderr how long after the start the first picture was there");
 }
 
+void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
+  CLI::Option* pose =
+      app.add_option("--camera-pose", texts.cameraPose,
+                     "Look from x,y,z,yaw,pitch, or with the field of view after them; degrees")
+          ->type_name("POSE");
+  app.add_option("--camera-path", texts.cameraPath, "Look through a recorded path")
+      ->type_name("FILE")
+      ->excludes(pose);
+  app.add_option("--hide", arguments.filter.hidden,
+                 "Do not draw the objects of this name and what is below them; repeat it for more")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--isolate", arguments.filter.isolated,
+                 "Draw only the objects of this name and what is below them; repeat it for more")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
 void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.windowSize.empty())
     arguments.windowSize = parseNumbers("--window-size", texts.windowSize, 'x', 100);
@@ -105,6 +126,10 @@ void readTexts(const Texts& texts, Arguments& arguments) {
   if (!texts.pixel.empty()) arguments.pixel = parseNumbers("--pixel", texts.pixel, ',', 0);
   if (texts.frame >= 0) arguments.frame = texts.frame;
   if (texts.checkpoints >= 0) arguments.checkpoints = texts.checkpoints;
+  if (!texts.cameraPath.empty())
+    arguments.track = readCameraTrack(texts.cameraPath);
+  else if (!texts.cameraPose.empty())
+    arguments.track = CameraTrack{kFreeCamera, 0, {parseCameraPose(texts.cameraPose)}};
   if (texts.zoom > 0) arguments.zoom = texts.zoom;
   ThemeChoice theme{};
   if (!texts.theme.empty() && parseTheme(QString::fromStdString(texts.theme), theme)) arguments.theme = theme;
@@ -126,6 +151,7 @@ std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Argume
   app.set_version_flag("--version", TAA_VERSION);
   Texts texts;
   addOptions(app, arguments, texts);
+  addSceneOptions(app, arguments, texts);
   try {
     app.parse(argc, argv);
     readTexts(texts, arguments);

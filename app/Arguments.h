@@ -4,6 +4,8 @@
 #include "app/Theme.h"
 #include "app/views/Comparison.h"
 
+#include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
@@ -30,8 +32,10 @@ struct Arguments {
   std::vector<Comparison> comparisons; ///< of view A, B, …
   std::optional<Showing> showing;      ///< of all that compare
   std::vector<Overlay> overlays;       ///< over all views
-  std::string panel;                   ///< page of the lower area to show; empty: none
-  bool timing = false;                 ///< say on stderr when the first picture was there
+  std::string panel;                   ///< page of the lower area to show, or "scene"; empty: none
+  std::optional<CameraTrack> track;    ///< looked through
+  ObjectFilter filter;
+  bool timing = false; ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

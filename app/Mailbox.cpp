@@ -69,6 +69,12 @@ RenderListener listenerOf(Mailbox& mailbox) {
   listener.onExported = [&mailbox](ExportResult result) {
     mailbox.put([&](Delivery& delivery) { delivery.exported = std::move(result); });
   };
+  listener.onStageShares = [&mailbox](StageShares shares) {
+    mailbox.put([&](Delivery& delivery) { delivery.shares = std::move(shares); });
+  };
+  listener.onObjectArea = [&mailbox](ObjectArea area) {
+    mailbox.put([&](Delivery& delivery) { delivery.area = std::move(area); });
+  };
   return listener;
 }
 

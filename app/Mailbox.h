@@ -27,6 +27,8 @@ struct Delivery {
   std::vector<FrameFigures> figures; ///< all of them: each is of a frame
   std::optional<std::string> shaders;
   std::optional<ExportResult> exported;
+  std::optional<ObjectArea> area;
+  std::optional<StageShares> shares;
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

@@ -28,6 +28,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -49,6 +50,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   makeParts();
+  makeLeft();
   layOut();
   connectFiles();
   menus_ = new Menus(*this);
@@ -56,10 +58,12 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   connectProbe();
   connectProfiler();
   connectLower();
+  connectScene();
   connectViews();
   connectSession();
   showSettings();
   restore();
+  orderFocus();
   showStatus();
 }
 
@@ -98,7 +102,7 @@ void MainWindow::layOut() {
   columns_ = new QSplitter;
   columns_->setHandleWidth(1);
   columns_->setChildrenCollapsible(false);
-  columns_->addWidget(pipeline_);
+  columns_->addWidget(left_);
   columns_->addWidget(views_);
   columns_->addWidget(probe_);
   columns_->setStretchFactor(1, 1);
@@ -237,7 +241,7 @@ void MainWindow::setTheme(ThemeChoice choice) {
 }
 
 void MainWindow::setPanelVisible(QWidget* panel, bool visible) {
-  panel->setVisible(visible);
+  (panel == pipeline_ ? left_ : panel)->setVisible(visible);
   if (menus_) menus_->refresh();
 }
 

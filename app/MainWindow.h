@@ -12,12 +12,15 @@
 class QLabel;
 class QSettings;
 class QSplitter;
+class QTabWidget;
 
 namespace taa::app {
 
 enum class LowerPage;
 class JitterPanel;
 class LowerArea;
+class Flight;
+class FlightBar;
 class Menus;
 class Exports;
 class MessagesBar;
@@ -26,6 +29,7 @@ class ProbePanel;
 class ProfilerPanel;
 class SessionKeeper;
 class ShaderWatch;
+class ScenePanel;
 class StatusLine;
 class TimelinePanel;
 class ViewArea;
@@ -54,6 +58,10 @@ class MainWindow : public QMainWindow {
   TimelinePanel* timeline() const { return timeline_; }
   MessagesBar* messages() const { return messages_; }
   StatusLine* statusLine() const { return statusLine_; }
+  QTabWidget* left() const { return left_; } ///< pipeline and scene
+  ScenePanel* scene() const { return scene_; }
+  Flight* flight() const { return flight_; }
+  FlightBar* flightBar() const { return flightBar_; }
 
   SessionKeeper* keeper() const { return keeper_; }
   Exports* exports() const { return exports_; }
@@ -72,6 +80,9 @@ class MainWindow : public QMainWindow {
   void setPanelVisible(QWidget* panel, bool visible);
   /// Opens the area above the timeline at this page, or closes it.
   void setLowerPage(LowerPage page, bool shown);
+  /// The scene's tree on the left, or the pipeline.
+  void showScene(bool shown);
+  void searchPipeline();
 
   // What menus and keys ask for
   void askForFile();
@@ -81,7 +92,12 @@ class MainWindow : public QMainWindow {
   void askForSize();
   void askForPresetName();
   void askForPresetFile();
-  QString presetFolder() const; ///< of the user's own
+  void comparePresets();
+  void showUserPresets();
+  void askToSaveCamera();
+  void askForCamera();
+  CameraTrackHandle flownCamera() const; ///< that is looked through; null: one of the scene's
+  QString presetFolder() const;          ///< of the user's own
   void chooseIntermediate(int view);
   void chooseComparison(int view);
   void showCommands();
@@ -103,6 +119,9 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeParts();
+  void makeLeft();
+  void connectScene();
+  void orderFocus();
   void layOut();
   void connectPanels();
   void connectProbe();
@@ -141,6 +160,12 @@ class MainWindow : public QMainWindow {
   WorkBar* work_ = nullptr;
   QSplitter *columns_ = nullptr, *rows_ = nullptr;
   QLabel* sourceLabel_ = nullptr;
+  QTabWidget* left_ = nullptr;
+  ScenePanel* scene_ = nullptr;
+  Flight* flight_ = nullptr;
+  FlightBar* flightBar_ = nullptr;
+  bool selectsPicked_ = false; ///< the object at the probe, once it is known
+  bool reveals_ = false;       ///< the next pick is of the selected object
   Menus* menus_ = nullptr;
   SessionKeeper* keeper_ = nullptr;
   Exports* exports_ = nullptr;

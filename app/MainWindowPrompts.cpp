@@ -3,12 +3,14 @@
 #include "app/Text.h"
 #include "app/UserPresets.h"
 #include "app/menus/Menus.h"
+#include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/KeysDialog.h"
+#include "app/widgets/PresetsDialog.h"
 #include "app/widgets/Prompt.h"
 #include "core/settings/Parameters.h"
 
@@ -117,6 +119,7 @@ void MainWindow::askForPresetName() {
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
         session_.savePreset(presetFolder(), text);
+        showUserPresets();
         return true;
       },
       this);
@@ -129,6 +132,16 @@ void MainWindow::askForPresetFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, &session_, &Session::setPreset);
   dialog->open();
+}
+
+void MainWindow::comparePresets() {
+  auto* dialog = new PresetsDialog(session_, presetFolder(), this);
+  connect(dialog, &PresetsDialog::userPresetsChanged, this, &MainWindow::showUserPresets);
+  dialog->open();
+}
+
+void MainWindow::showUserPresets() {
+  pipeline_->setUserPresets(userPresets(presetFolder()));
 }
 
 void MainWindow::chooseIntermediate(int view) {

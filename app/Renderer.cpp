@@ -31,6 +31,11 @@ class ThreadRenderer final : public Renderer {
   void cancel() override { thread_.cancel(); }
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }
   void exportSequence(const SequenceRequest& request) override { thread_.exportSequence(request); }
+  void setObjectFilter(const ObjectFilter& filter) override { thread_.setObjectFilter(filter); }
+  void fly(const CameraPose& pose) override { thread_.fly(pose); }
+  void setRecording(bool recording) override { thread_.setRecording(recording); }
+  void addCameraTrack(const CameraTrack& track) override { thread_.addCameraTrack(track); }
+  void locate(const std::vector<int>& objects) override { thread_.locate(objects); }
 
  private:
   RenderThread thread_;

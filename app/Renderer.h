@@ -38,6 +38,11 @@ class Renderer {
   virtual void cancel() = 0;
   virtual void setPlayback(const Playback& playback) = 0;
   virtual void exportSequence(const SequenceRequest& request) = 0;
+  virtual void setObjectFilter(const ObjectFilter& filter) = 0;
+  virtual void fly(const CameraPose& pose) = 0;
+  virtual void setRecording(bool recording) = 0;
+  virtual void addCameraTrack(const CameraTrack& track) = 0;
+  virtual void locate(const std::vector<int>& objects) = 0;
 };
 
 /// The real one.

@@ -73,17 +73,12 @@ void Session::ask(const std::function<void(Renderer&)>& wish) {
 
 void Session::deliver() {
   Delivery delivery = mailbox_.take();
-  for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
-  if (delivery.status) {
-    const bool isNew = delivery.status->source != status_.source;
-    if (isNew && pins_.forgetSurfaces()) sendPins();
-    if (isNew && delivery.status->source != std::exchange(motionModesFor_, {})) motionModes_.clear();
-    status_ = std::move(*delivery.status);
-    // Only now: a file that cannot be opened leaves everything as it is, playing or not.
-    if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
-    Q_EMIT statusChanged();
-    keepPinsInPicture();
+  if (!delivery.errors.empty()) { // it may have been one of these that was refused
+    motionModes_.giveUp();
+    filter_.giveUp();
   }
+  for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
+  if (delivery.status) useStatus(std::move(*delivery.status));
   if (delivery.work) {
     work_ = std::move(*delivery.work);
     Q_EMIT workChanged();
@@ -102,11 +97,25 @@ void Session::deliver() {
   for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
   if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(*delivery.shaders));
   if (delivery.exported) Q_EMIT exported(*delivery.exported);
+  if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
+  if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
+}
+
+void Session::useStatus(Status&& status) {
+  const bool isNew = status.source != status_.source;
+  if (isNew && pins_.forgetSurfaces()) sendPins();
+  status_ = std::move(status);
+  takeSceneStatus();
+  // Only now: a file that cannot be opened leaves everything as it is, playing or not.
+  if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
+  Q_EMIT statusChanged();
+  keepPinsInPicture();
 }
 
 void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
-  if (source.toStdString() == status_.source) motionModes_.clear(); // else once it is open
+  motionModes_.giveUp();
+  filter_.giveUp();
   ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
@@ -116,12 +125,6 @@ void Session::setSize(int width, int height) {
 
 void Session::setCamera(const QString& name) {
   ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
-}
-
-void Session::setMotionMode(const std::string& object, MotionMode mode) {
-  std::erase_if(motionModes_, [&](const MotionOverride& known) { return known.node == object; });
-  motionModes_.push_back({object, mode});
-  ask([&](Renderer& renderer) { renderer.setMotionModes(motionModes_); });
 }
 
 void Session::setPlaying(bool playing) {

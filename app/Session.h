@@ -1,12 +1,14 @@
 // What the window works on: wishes go to the render thread, its results arrive here as signals.
 #pragma once
 
+#include "app/Asked.h"
 #include "app/Mailbox.h"
 #include "app/Pins.h"
 #include "app/Renderer.h"
 #include "app/SettingsHistory.h"
 #include "core/io/SessionFile.h"
 
+#include <QJsonObject>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -63,6 +65,8 @@ class Session : public QObject {
   void setCamera(const QString& name);
   /// Which motion the objects of this name are given, while this scene is open.
   void setMotionMode(const std::string& object, MotionMode mode);
+  void setMotionModes(const std::vector<MotionOverride>& modes);
+  const std::vector<MotionOverride>& motionModes() const { return motionModes_.value(); }
   void setPlaying(bool playing);
   void togglePlaying();
   void setLooping(bool looping);
@@ -111,6 +115,24 @@ class Session : public QObject {
   /// Opens what the file says, paused at its frame.
   void restore(const SessionFile& file);
 
+  // The scene and the camera that is flown
+  /// As nodeKey() names them; also what is below them.
+  void setHidden(const std::string& object, bool hidden);
+  void setIsolated(const std::vector<std::string>& objects); ///< none: all are drawn
+  void setObjectFilter(const ObjectFilter& filter);
+  /// Which of these are hidden or isolated, by the wishes so far.
+  const ObjectFilter& objectFilter() const { return filter_.value(); }
+  void fly(const CameraPose& pose);
+  void setRecording(bool recording);
+  void addCameraTrack(const CameraTrack& track);
+  /// The scene's camera that was left for a flown one, or the one it opens with.
+  void backToSceneCamera();
+  /// Where these objects are seen is told from now on.
+  void locate(const std::vector<int>& objects);
+  /// Cameras, tracks, motion modes, hidden objects; to be set after open().
+  QJsonObject sceneState() const;
+  void setSceneState(const QJsonObject& state);
+
  Q_SIGNALS:
   void statusChanged();
   void settingsChanged();
@@ -125,10 +147,14 @@ class Session : public QObject {
   void figuresArrived(const FrameFigures& figures);
   void shadersReloaded(const QString& error); ///< empty: they are in use
   void exported(const ExportResult& result);
+  void objectAreaArrived(const ObjectArea& area);
+  void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
 
  private:
   void deliver();
+  void useStatus(Status&& status);
+  void takeSceneStatus();
   void useSettings(const Settings& settings);
   void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
@@ -148,8 +174,9 @@ class Session : public QObject {
   Settings considered_;
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
   SettingsHistory history_;
-  std::vector<MotionOverride> motionModes_; ///< asked for since this scene was opened
-  std::string motionModesFor_;              ///< the scene, where they were asked for before it was open
+  Asked<std::vector<MotionOverride>> motionModes_;
+  Asked<ObjectFilter> filter_;
+  std::string sceneCamera_; ///< the last one that was not flown
   std::vector<ViewRequest> views_;
   QStringList otherPresets_;
   std::vector<Settings> otherLanes_;

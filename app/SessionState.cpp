@@ -6,11 +6,11 @@ namespace taa::app {
 SessionFile Session::file() const {
   SessionFile file;
   file.source = status_.source;
-  file.camera = status_.camera;
+  file.camera = sceneCamera_; // a flown one is in sceneState()
   file.frame = status_.goal.value_or(status_.info.frame);
   file.size = {status_.width, status_.height};
   file.settings = {presetId_, presetSettings_, settings_};
-  file.motionModes = motionModes_;
+  file.motionModes = motionModes_.value();
   file.checkpointsMiB = static_cast<int>(status_.checkpointBudget >> 20);
   return file;
 }
@@ -24,13 +24,9 @@ void Session::restore(const SessionFile& file) {
   useSettings(file.settings.settings);
   setSize(file.size.x, file.size.y);
   setCheckpointBudget(static_cast<std::size_t>(file.checkpointsMiB) << 20);
-  motionModes_ = file.motionModes;
-  motionModesFor_ = file.source;
-  ask([&](Renderer& renderer) {
-    if (!file.camera.empty()) renderer.setCamera(file.camera);
-    renderer.setMotionModes(file.motionModes);
-    renderer.seek(file.frame);
-  });
+  if (!file.camera.empty()) setCamera(QString::fromStdString(file.camera));
+  setMotionModes(file.motionModes);
+  seek(file.frame);
   Q_EMIT settingsChanged(); // the name changes even where no value does
 }
 

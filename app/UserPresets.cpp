@@ -5,6 +5,7 @@
 #include "core/settings/Presets.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
@@ -60,6 +61,24 @@ QString saveUserPreset(const QString& folder, const QString& label, const Settin
                    settings};
   writeFile(path.toStdString(), presetToText(row));
   return path;
+}
+
+QString renameUserPreset(const QString& path, const QString& label) {
+  const QFileInfo old(path);
+  const QString wanted = old.dir().filePath(idOf(label) + QStringLiteral(".json"));
+  const bool isSameFile = QFileInfo(wanted) == old;
+  if (!isSameFile && QFileInfo::exists(wanted))
+    throw Error("cannot rename the preset: there is one called " + label.trimmed().toStdString() +
+                " already");
+  const QString made = saveUserPreset(old.path(), label, preset(path.toStdString()).settings);
+  if (!isSameFile) deleteUserPreset(path);
+  return made;
+}
+
+void deleteUserPreset(const QString& path) {
+  QFile file(path);
+  if (!file.remove())
+    throw Error("cannot delete " + path.toStdString() + ": " + file.errorString().toStdString());
 }
 
 } // namespace taa::app

@@ -26,4 +26,10 @@ std::vector<UserPreset> userPresets(const QString& folder);
 /// written.
 QString saveUserPreset(const QString& folder, const QString& label, const Settings& settings);
 
+/// Gives the preset in `path` another name, and its file, too; returns the new path. Throws Error as
+/// saveUserPreset(), and when there is another one of that name.
+QString renameUserPreset(const QString& path, const QString& label);
+/// Removes its file. Throws Error when that cannot be done.
+void deleteUserPreset(const QString& path);
+
 } // namespace taa::app

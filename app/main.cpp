@@ -126,7 +126,10 @@ void begin(MainWindow& window, const Arguments& arguments) {
     window.setLowerPage(*page, true);
   if (arguments.panel == "colorspace") window.setProbeTab(ProbeTab::ColorSpace);
   if (arguments.panel == "whatif") window.setProbeTab(ProbeTab::WhatIf);
+  if (arguments.panel == "scene") window.showScene(true);
   if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
+  if (arguments.track) session.addCameraTrack(*arguments.track);
+  session.setObjectFilter(arguments.filter);
 }
 
 int run(QApplication& application, const Arguments& arguments) {

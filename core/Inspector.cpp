@@ -56,6 +56,8 @@ void Inspector::open(const std::string& source, const Progress& progress) {
   next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
   next.camera = next.scene->shot.camera;
   next.motionModes.clear();
+  next.filter = {};
+  next.tracks.clear();
   parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
   parts_->forgetReferences();
 }
@@ -67,37 +69,6 @@ const std::string& Inspector::source() const {
 const Scene& Inspector::scene() const {
   assert(parts_->isOpen());
   return *parts_->subject.scene;
-}
-
-std::vector<std::string> Inspector::cameras() const {
-  return cameraNames(scene());
-}
-
-const std::string& Inspector::camera() const {
-  return parts_->subject.camera;
-}
-
-void Inspector::setCamera(const std::string& name) {
-  assert(parts_->isOpen());
-  if (name == camera()) return;
-  Subject next = parts_->subject;
-  next.camera = name;
-  const std::vector<bool> changed(next.lanes.size(), true);
-  parts_->redraw(std::move(next), changed, false);
-}
-
-const std::vector<MotionOverride>& Inspector::motionModes() const {
-  return parts_->subject.motionModes;
-}
-
-void Inspector::setMotionModes(const std::vector<MotionOverride>& modes) {
-  assert(parts_->isOpen());
-  if (modes == motionModes()) return;
-  checkMotionOverrides(scene(), modes);
-  Subject next = parts_->subject;
-  next.motionModes = modes;
-  const std::vector<bool> changed(next.lanes.size(), true);
-  parts_->redraw(std::move(next), changed, true);
 }
 
 void Inspector::setSize(int width, int height) {

@@ -12,6 +12,8 @@
 #include "core/inspect/Visualizer.h"
 #include "core/inspect/WhatIf.h"
 #include "core/render/FrameInputs.h"
+#include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
@@ -66,6 +68,13 @@ class Inspector {
   /// Motion modes of objects by the names of their nodes, instead of all earlier ones; open() forgets them.
   /// As setSettings. Throws Error naming the objects there are.
   void setMotionModes(const std::vector<MotionOverride>& modes);
+  const ObjectFilter& objectFilter() const;
+  void setObjectFilter(const ObjectFilter& filter); ///< as setMotionModes
+  const std::vector<CameraTrackHandle>& cameraTracks() const;
+  /// Adds a camera, or changes the one of its name, and looks through it; open() forgets it. As setCamera,
+  /// but frames before the first that changes stay as they are.
+  void setCameraTrack(CameraTrack track);
+  CameraPose cameraPose() const; ///< at the frame on show
   /// At first 1280 × 720, or 960 × 540 where the driver rasterizes in software.
   /// As setCamera. Throws Error when the size is out of the driver's limits (4 to maxTextureSize a side) or
   /// memory.

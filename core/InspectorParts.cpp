@@ -57,7 +57,8 @@ void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, in
 FrameStep Inspector::Parts::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
                                          bool keepsHistory) const {
   const bool isSameView = next.camera == subject.camera && next.width == subject.width &&
-                          next.height == subject.height && next.motionModes == subject.motionModes;
+                          next.height == subject.height && next.motionModes == subject.motionModes &&
+                          next.filter == subject.filter && next.track() == subject.track();
   FrameStep step{.frame = shown.frame, .previous = {}, .active = changed, .inputs = {}};
   for (std::size_t index = 0; index < changed.size(); ++index) {
     const ShownLane& lane = shown.lanes[index];
@@ -91,6 +92,26 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
   }
   subject = std::move(next);
   aside.clear();
+  show(std::move(made));
+  keepShown();
+}
+
+void Inspector::Parts::follow(Subject next, int from) {
+  const auto drop = [&] {
+    for (Checkpoints& kept : checkpoints) kept.dropFrom(from);
+  };
+  if (from > shown.frame) { // nothing of it is on show
+    subject = std::move(next);
+    return drop();
+  }
+  const bool keepsHistory = from == shown.frame;
+  ShownFrame made = maker.take();
+  const std::vector<bool> all(next.lanes.size(), true);
+  maker.make(next, stepOfRedraw(next, all, keepsHistory), made);
+  for (std::size_t lane = 0; lane < all.size(); ++lane)
+    made.lanes[lane].exact = startsHistory(next, made.frame) || (keepsHistory && shown.lanes[lane].exact);
+  drop();
+  subject = std::move(next);
   show(std::move(made));
   keepShown();
 }

@@ -60,6 +60,8 @@ struct Inspector::Parts {
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
   void prepare(const Settings& settings, std::size_t lane);
   void reloadShaders();
+  /// Another camera track: what lies before frame `from`, the first that changes, stays.
+  void follow(Subject next, int from);
 
   /// What a view draws: rows of the frame, of another one, of the reference.
   DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);

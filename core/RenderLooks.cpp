@@ -72,6 +72,16 @@ bool RenderWorker::compileAhead() {
   return true;
 }
 
+void RenderWorker::deliverShares() {
+  sharesDelivered_ = version_;
+  attempt([&] {
+    StageShares shares{
+        .frame = inspector_.frame(), .startsHistory = inspector_.info().startsHistory, .stages = {}};
+    shares.stages = sharesOf(inspector_.images(shareRows()));
+    if (listener_.onStageShares) listener_.onStageShares(std::move(shares));
+  });
+}
+
 void RenderWorker::useIdleTime() {
   if (ends_ || hasFrameGoal() || pending_(isAny) || compileAhead()) return;
   const auto due = thumbnailDueAt();
@@ -80,6 +90,7 @@ void RenderWorker::useIdleTime() {
     if (const std::optional<int> lane = laneOfReference()) refineReference(*lane);
     return;
   }
+  if (!playing_ && sharesDelivered_ != version_) return deliverShares(); // then the thumbnails, which wait
   const bool isDrawn = attempt([&] {
     const IntermediateId id = thumbnails_.next();
     Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels())};

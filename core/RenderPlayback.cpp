@@ -35,6 +35,7 @@ void RenderWorker::playOn() {
   const auto [first, last] = playedFrames();
   const int now = inspector_.frame();
   const bool wraps = now >= last || now < first;
+  if (wraps) endFlight();
   if (wraps && ((first == last && now == first) || (now >= last && !looping_))) return setPlaying(false);
   const double rate =
       playback_.framesPerSecond > 0.0 ? playback_.framesPerSecond : inspector_.scene().shot.framesPerSecond;
@@ -46,7 +47,12 @@ void RenderWorker::playOn() {
     isNear_ = true; // what is on show stays until then
     return;
   }
-  const bool done = attempt([&] { wraps ? inspector_.seek(first) : inspector_.advance(); });
+  const bool done = attempt([&] {
+    if (wraps) return inspector_.seek(first);
+    if (flight_.pose) layTrack(now + 1, *flight_.pose);
+    flight_.pose.reset();
+    inspector_.advance();
+  });
   if (!done) setPlaying(false);
   nextFrameAt_ = std::max(nextFrameAt_, Clock::now());
   ++version_;

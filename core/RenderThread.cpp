@@ -99,6 +99,7 @@ void RenderThread::open(const std::string& source) {
     wishes.source = source;
     wishes.camera.reset(); // meant the old one
     wishes.motionModes.reset();
+    wishes.scene = {};
     wishes.frame.reset();
     wishes.steps = 0;
   });
@@ -109,7 +110,10 @@ void RenderThread::setSize(int width, int height) {
 }
 
 void RenderThread::setCamera(const std::string& name) {
-  parts_->post([&](Wishes& wishes) { wishes.camera = name; });
+  parts_->post([&](Wishes& wishes) {
+    wishes.camera = name;
+    wishes.scene.pose.reset();
+  });
 }
 
 void RenderThread::setMotionModes(const std::vector<MotionOverride>& modes) {
@@ -184,6 +188,30 @@ void RenderThread::setFigures(const std::vector<Figure>& figures) {
 
 void RenderThread::setOtherLanes(const std::vector<Settings>& lanes) {
   parts_->post([&](Wishes& wishes) { wishes.otherLanes = lanes; });
+}
+
+void RenderThread::setObjectFilter(const ObjectFilter& filter) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.filter = filter; });
+}
+
+void RenderThread::fly(const CameraPose& pose) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.pose = pose; });
+}
+
+void RenderThread::setRecording(bool recording) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.recording = recording; });
+}
+
+void RenderThread::addCameraTrack(const CameraTrack& track) {
+  parts_->post([&](Wishes& wishes) {
+    wishes.scene.tracks.push_back(track);
+    wishes.scene.pose.reset();
+    wishes.camera.reset();
+  });
+}
+
+void RenderThread::locate(const std::vector<int>& objects) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.located = objects; });
 }
 
 void RenderThread::reloadShaders() {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/RenderScene.h"
 #include "core/SequenceExport.h"
 #include "core/ViewRequest.h"
 #include "core/inspect/ProbePin.h"
+#include "core/inspect/StageShares.h"
 #include "core/inspect/WhatIf.h"
+#include "core/scene/SceneOutline.h"
 #include "core/taa/reference/Details.h"
 
 #include <functional>
@@ -78,6 +81,11 @@ struct Status {
   std::vector<int> cuts;       ///< frames at which history starts anew, besides frame 0
   std::vector<int> keptFrames; ///< those whose history is kept, rising
   Playback playback;
+  std::shared_ptr<const SceneOutline> outline; ///< made once, when it was opened
+  ObjectFilter filter;
+  std::vector<CameraTrackHandle> tracks; ///< flown cameras, which are among `cameras`
+  CameraPose pose;                       ///< of the camera at this frame
+  bool recording = false;
 };
 
 /// Long work under way; `what` empty: none.
@@ -100,6 +108,9 @@ struct RenderListener {
   /// After reloadShaders(): what does not compile, with file and line; empty: they are in use.
   std::function<void(std::string)> onShaders{};
   std::function<void(ExportResult)> onExported{};
+  std::function<void(ObjectArea)> onObjectArea{};
+  /// Of frames that it rests at, while thumbnails are wanted.
+  std::function<void(StageShares)> onStageShares{};
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
@@ -145,6 +156,14 @@ class RenderThread {
   /// Figures of each new frame on show, of each lane, played or not, by onFigures; again when its reference
   /// has come on. They cost a run of the resolve a frame. None: an empty list.
   void setFigures(const std::vector<Figure>& figures);
+  void setObjectFilter(const ObjectFilter& filter);
+  /// Looks from there, from now on; while it plays or records, from the next frame on.
+  void fly(const CameraPose& pose);
+  /// Keeps the pose of each frame from now on, as a camera "Recorded N"; ended by a jump or the last frame.
+  void setRecording(bool recording);
+  void addCameraTrack(const CameraTrack& track); ///< several add up; looks through the last one
+  /// Says where these are seen, again for each frame that it rests at; none: no longer.
+  void locate(const std::vector<int>& objects);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
   /// Other wishes wait until it is done; cancel() stops it.

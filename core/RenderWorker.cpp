@@ -28,12 +28,12 @@ bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
          !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes &&
-         !exported;
+         !exported && scene.isEmpty();
 }
 
 bool Wishes::endReplay() const {
   return reload || cancel || source || camera || size || motionModes || settings || frame || steps != 0 ||
-         otherLanes;
+         otherLanes || scene.endReplay();
 }
 
 bool endsReplay(const Wishes& wishes) {
@@ -75,6 +75,7 @@ void RenderWorker::apply(const Wishes& wishes) {
     if (isOpen() && asideFrames().empty()) inspector_.keepAside({});
   }
   applySource(wishes);
+  applyScene(wishes);
   applyTime(wishes);
   if (wishes.pins) applyPins(*wishes.pins);
   applyLooks(wishes);
@@ -96,11 +97,15 @@ void RenderWorker::applySource(const Wishes& wishes) {
       inspector_.open(*wishes.source, progress("", stopsOpening));
       objects_ = objectNames(inspector_.scene());
       objects_.resize(std::min(objects_.size(), kMostObjects));
+      outline_ = std::make_shared<const SceneOutline>(outlineOf(inspector_.scene(), inspector_.source()));
     });
     if (listener_.onWork) listener_.onWork({});
   }
   if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
     change([&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
+  if (wishes.source || wishes.camera || wishes.frame || !wishes.scene.tracks.empty()) endFlight();
+  if (isOpen())
+    for (const CameraTrack& track : wishes.scene.tracks) change([&] { inspector_.setCameraTrack(track); });
   if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
     change([&] { inspector_.setCamera(*wishes.camera); });
   if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.motionModes())
@@ -115,6 +120,7 @@ void RenderWorker::applyTime(const Wishes& wishes) {
   if (wishes.playing) {
     const auto [first, last] = playedFrames();
     const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
+    if (!*wishes.playing) pauseFlight();
     setPlaying(*wishes.playing);
     if (restarts) goal_ = first;
     isNear_ = false;
@@ -123,6 +129,7 @@ void RenderWorker::applyTime(const Wishes& wishes) {
   const int last = inspector_.frameCount() - 1;
   const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
   goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
+  if (*goal_ < from) endFlight();
   isNear_ = false;
   refinementStopped_ = false;
 }
@@ -185,6 +192,7 @@ void RenderWorker::deliver() {
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
     deliverPins();
     deliverFigures();
+    deliverArea();
     deliverProfile();
   }
   if (statusChanged_) sendStatus();
@@ -218,6 +226,11 @@ void RenderWorker::sendStatus() {
     status.times = inspector_.times();
     status.cuts = inspector_.scene().shot.cuts;
     status.keptFrames = inspector_.keptFrames();
+    status.outline = outline_;
+    status.filter = inspector_.objectFilter();
+    status.tracks = inspector_.cameraTracks();
+    status.pose = inspector_.cameraPose();
+    status.recording = !flight_.recorded.empty();
   }
   listener_.onStatus(std::move(status));
 }

@@ -34,6 +34,7 @@ struct Wishes {
   std::optional<std::vector<Figure>> figures;
   std::optional<std::vector<Settings>> otherLanes;
   std::optional<SequenceRequest> exported;
+  SceneWishes scene;
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -119,6 +120,15 @@ class RenderWorker {
   void endReference();
   void deliverFigures();
   void addReference(ViewResult& result);
+  void applyScene(const Wishes& wishes);
+  void fly(const CameraPose& pose);
+  void setRecording(bool recording);
+  void layTrack(int frame, const CameraPose& pose);
+  void endFlight();
+  void pauseFlight();
+  CameraTrackHandle currentTrack() const;
+  void deliverArea();
+  void deliverShares();
   void sendStatus();
   void reloadShaders();
   void exportSequence(const SequenceRequest& request);
@@ -151,6 +161,10 @@ class RenderWorker {
   Playback playback_;
   Reference reference_;
   Figures figures_;
+  Flight flight_;
+  std::shared_ptr<const SceneOutline> outline_; // of the scene
+  std::vector<int> located_;                    // objects
+  std::uint64_t areaDelivered_ = 0, sharesDelivered_ = 0;
 };
 
 // Errors are told and change nothing; returns whether the action was done.

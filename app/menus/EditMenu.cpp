@@ -33,7 +33,7 @@ void Menus::makeEdit() {
   add(menu, tr("Copy profile as CSV"), {}, [this] { window_.copyProfile(true); });
   menu->addSeparator();
   add(menu, tr("&Search settings and intermediates"), keys({"Ctrl+F"}), [this] {
-    window_.pipeline()->focusSearch();
+    window_.searchPipeline();
   })->setIcon(themedIcon(QStringLiteral("search")));
   add(menu, tr("&Find a command…"), keys({"Ctrl+Shift+P"}), [this] { window_.showCommands(); });
   onRefresh([&session, undo, redo] {

@@ -21,6 +21,7 @@ Menus::Menus(MainWindow& window) : QObject(&window), window_(window) {
   makeEdit();
   makeView();
   makeFrame();
+  makeScene();
   makePipeline();
   makeProbe();
   makeHelp();

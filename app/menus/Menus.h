@@ -51,6 +51,7 @@ class Menus : public QObject {
   void makeProbe();
   void makeProbePages(QMenu* menu);
   void makeHelp();
+  void makeScene();
   // Submenus
   void makeRecent(QMenu* menu);
   void makeExport(QMenu* menu);

@@ -43,6 +43,7 @@ void Menus::makePipeline() {
     if (own->isEmpty()) own->addAction(tr("None saved yet"))->setEnabled(false);
   });
   add(menu, tr("&Save as preset…"), keys({"Ctrl+Alt+S"}), [this] { window_.askForPresetName(); });
+  add(menu, tr("&Compare, rename, delete presets…"), keys({"Ctrl+D"}), [this] { window_.comparePresets(); });
   add(menu, tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [this] { window_.askForPresetFile(); });
   add(menu, tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.backToPreset(); });
   menu->addSeparator();

@@ -4,12 +4,14 @@
 #include "app/Text.h"
 #include "app/Theme.h"
 #include "app/widgets/ChoiceButton.h"
+#include "app/widgets/IconButton.h"
 #include "app/widgets/IntermediateRow.h"
 #include "app/widgets/ParameterRow.h"
 #include "app/widgets/SectionHeader.h"
 
 #include "core/settings/Presets.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -37,6 +39,36 @@ QString summary(Stage stage, const Settings& settings) {
       return index < row.choices.size() ? qtext(row.choices[index].label) : QString();
     }
   return {};
+}
+
+QString percent(double share) {
+  const double value = 100.0 * share;
+  return value < 0.1 ? QStringLiteral("< 0.1 %")
+                     : QStringLiteral("%1 %").arg(value, 0, 'f', value < 10.0 ? 1 : 0);
+}
+
+/// What a stage did to the frame, in a few words.
+QString shareText(const StageShare& stage, bool startsHistory) {
+  const bool isNone = stage.share == 0.0;
+  const QString share = percent(stage.share);
+  switch (stage.stage) {
+  case Stage::DilateMotion:
+    return isNone ? PipelinePanel::tr("changed nothing")
+                  : PipelinePanel::tr("%1 follow a neighbor").arg(share);
+  case Stage::Reproject:
+    return isNone ? PipelinePanel::tr("all on the screen")
+                  : PipelinePanel::tr("%1 off the screen").arg(share);
+  case Stage::RectifyHistory:
+    if (startsHistory) return PipelinePanel::tr("no history yet");
+    return isNone ? PipelinePanel::tr("changed nothing") : PipelinePanel::tr("%1 pulled").arg(share);
+  case Stage::ValidateHistory:
+    if (startsHistory) return PipelinePanel::tr("no history yet");
+    return isNone ? PipelinePanel::tr("rejected nothing") : PipelinePanel::tr("%1 rejected").arg(share);
+  case Stage::Output:
+    return isNone ? PipelinePanel::tr("changed nothing") : PipelinePanel::tr("%1 changed").arg(share);
+  default:
+    return {};
+  }
 }
 
 } // namespace
@@ -76,25 +108,17 @@ QWidget* PipelinePanel::makeTop() {
   layout->setSpacing(kUnit);
 
   auto* line = new QHBoxLayout;
-  auto* title = new QLabel(tr("Pipeline"));
-  title->setFont(titleFont());
+  auto* title = new QLabel(tr("Preset"));
   presets_ = new ChoiceButton;
   presets_->setObjectName(QStringLiteral("presets"));
   presets_->setToolTip(tr("The preset these settings started from; * when some were changed since."));
-  QStringList labels, descriptions;
-  std::vector<int> separators;
-  std::string_view group = builtinPresets().front().group;
-  for (const Preset& preset : builtinPresets()) {
-    if (preset.group != group) separators.push_back(static_cast<int>(labels.size()));
-    group = preset.group;
-    labels << QString::fromStdString(preset.label);
-    descriptions << QString::fromStdString(preset.description);
-  }
-  presets_->setChoices(labels, descriptions);
-  presets_->setSeparators(separators);
   line->addWidget(title);
   line->addStretch(1);
   line->addWidget(presets_);
+  auto* compare =
+      new IconButton(QStringLiteral("differences"), tr("Compare presets, rename and delete your own (Ctrl+D)"));
+  connect(compare, &IconButton::clicked, this, &PipelinePanel::comparisonRequested);
+  line->addWidget(compare);
   layout->addLayout(line);
 
   search_ = new QLineEdit;
@@ -104,14 +128,39 @@ QWidget* PipelinePanel::makeTop() {
   search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   layout->addWidget(search_);
 
-  connect(presets_, &ChoiceButton::chosen, this, [this](int index) {
-    Q_EMIT presetChosen(QString::fromStdString(builtinPresets()[static_cast<std::size_t>(index)].id));
-  });
-  connect(presets_, &ChoiceButton::considered, this, [this](int index) {
-    Q_EMIT presetConsidered(QString::fromStdString(builtinPresets()[static_cast<std::size_t>(index)].id));
-  });
+  setUserPresets({});
+  connect(presets_, &ChoiceButton::chosen, this, [this](int index) { Q_EMIT presetChosen(presetAt(index)); });
+  connect(presets_, &ChoiceButton::considered, this,
+          [this](int index) { Q_EMIT presetConsidered(presetAt(index)); });
   connect(search_, &QLineEdit::textChanged, this, &PipelinePanel::applySearch);
   return top;
+}
+
+void PipelinePanel::setUserPresets(const std::vector<UserPreset>& presets) {
+  userPresets_ = presets;
+  QStringList labels, descriptions;
+  std::vector<int> separators;
+  std::string_view group = builtinPresets().front().group;
+  for (const Preset& preset : builtinPresets()) {
+    if (preset.group != group) separators.push_back(static_cast<int>(labels.size()));
+    group = preset.group;
+    labels << QString::fromStdString(preset.label);
+    descriptions << QString::fromStdString(preset.description);
+  }
+  if (!presets.empty()) separators.push_back(static_cast<int>(labels.size()));
+  for (const UserPreset& preset : presets) {
+    labels << preset.label;
+    descriptions << tr("Saved from the window.");
+  }
+  presets_->setChoices(labels, descriptions);
+  presets_->setSeparators(separators);
+}
+
+QString PipelinePanel::presetAt(int index) const {
+  const auto& builtin = builtinPresets();
+  const auto place = static_cast<std::size_t>(index);
+  if (place < builtin.size()) return QString::fromStdString(builtin[place].id);
+  return userPresets_.at(place - builtin.size()).path;
 }
 
 PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
@@ -172,8 +221,16 @@ void PipelinePanel::setPreset(const QString& id, bool changed) {
   const auto& presets = builtinPresets();
   const auto found = std::ranges::find(presets, id.toStdString(), &Preset::id);
   const bool isBuiltin = found != presets.end();
-  presets_->setCurrent(isBuiltin ? static_cast<int>(found - presets.begin()) : -1);
-  presets_->setCaption((isBuiltin ? QString::fromStdString(found->label) : id) +
+  const auto own = std::ranges::find(
+      userPresets_, id, [](const UserPreset& preset) { return QFileInfo(preset.path).baseName(); });
+  const bool isOwn = own != userPresets_.end();
+  presets_->setCurrent(isBuiltin ? static_cast<int>(found - presets.begin())
+                       : isOwn
+                           ? static_cast<int>(presets.size()) + static_cast<int>(own - userPresets_.begin())
+                           : -1);
+  presets_->setCaption((isBuiltin ? QString::fromStdString(found->label)
+                        : isOwn   ? own->label
+                                  : id) +
                        (changed ? QStringLiteral(" *") : QString()));
 }
 
@@ -184,6 +241,19 @@ void PipelinePanel::setShown(const std::vector<IntermediateId>& views, int activ
       if (views[view] == row->id()) letters += QChar(static_cast<char16_t>('A' + view));
     row->setShownIn(letters, QChar(static_cast<char16_t>('A' + active)));
   }
+}
+
+void PipelinePanel::setShares(const StageShares& shares) {
+  sharesFrame_ = shares.frame;
+  for (const StageShare& stage : shares.stages)
+    sections_[static_cast<std::size_t>(stage.stage)].header->setNote(shareText(stage, shares.startsHistory));
+}
+
+// What was said of another frame is not true of this one.
+void PipelinePanel::setFrame(int frame, bool playing) {
+  if (sharesFrame_ < 0 || (frame == sharesFrame_ && !playing)) return;
+  sharesFrame_ = -1;
+  for (const Section& section : sections_) section.header->setNote({});
 }
 
 void PipelinePanel::setShowsThumbnails(bool shows) {

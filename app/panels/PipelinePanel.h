@@ -1,6 +1,8 @@
 // The pipeline as a column of stages: each with its settings and the intermediates it produces.
 #pragma once
 
+#include "app/UserPresets.h"
+
 #include "core/RenderThread.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
@@ -28,12 +30,17 @@ class PipelinePanel : public QWidget {
 
   void setSettings(const Settings& settings, const Settings& preset);
   void setPreset(const QString& id, bool changed);
+  /// The user's own, which can be chosen after the built-in ones.
+  void setUserPresets(const std::vector<UserPreset>& presets);
   /// What views A and B show (B may be absent), and which of them keys act on.
   void setShown(const std::vector<IntermediateId>& views, int active);
   /// A small picture of each stage in its heading, or none.
   void setShowsThumbnails(bool shows);
   bool showsThumbnails() const { return showsThumbnails_; }
   void setThumbnail(const Thumbnail& thumbnail);
+  /// What the stages did to a frame; it is said in their headings until another frame is on show.
+  void setShares(const StageShares& shares);
+  void setFrame(int frame, bool playing);
   /// Of the pictures that thumbnails are of.
   void setPictureSize(const QSize& size);
   /// Whether every stage that can has one of this frame.
@@ -49,7 +56,9 @@ class PipelinePanel : public QWidget {
 
  Q_SIGNALS:
   void parameterEdited(const QString& path, double value);
-  void presetChosen(const QString& id);
+  void presetChosen(const QString& idOrPath);
+  /// To compare presets, and rename and delete those of the user's.
+  void comparisonRequested();
   /// Mouse or keys are on it: it may be chosen next.
   void parameterConsidered(const QString& path, double value);
   void presetConsidered(const QString& id);
@@ -75,11 +84,14 @@ class PipelinePanel : public QWidget {
   Section makeSection(const StageInfo& stage);
   void layOut(const Section& section);
   void applySearch();
+  QString presetAt(int index) const;
   void wantThumbnails(bool visible);
 
   ChoiceButton* presets_ = nullptr;
+  std::vector<UserPreset> userPresets_;
   QLineEdit* search_ = nullptr;
   std::vector<Section> sections_;
+  int sharesFrame_ = -1; ///< that the headings speak of; −1: none
   std::vector<ParameterRow*> parameterRows_;
   std::vector<IntermediateRow*> intermediateRows_;
   bool showsThumbnails_ = true;

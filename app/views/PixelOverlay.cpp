@@ -97,4 +97,25 @@ void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
+void PixelOverlay::paintFrame(QPainter& painter, const gl::Rect& box) const {
+  constexpr double kLongestArm = 14, kGap = 2;
+  const ScreenRect first = pixelRect({box.x, box.y});
+  const QRectF rect(first.x - kGap, first.y - kGap, box.width * texel_ + 2 * kGap,
+                    box.height * texel_ + 2 * kGap);
+  const double across = std::min(kLongestArm, rect.width() / 3),
+               down = std::min(kLongestArm, rect.height() / 3);
+  QPainterPath corners;
+  for (const auto& [x, inward] : {std::pair(rect.left(), across), std::pair(rect.right(), -across)})
+    for (const auto& [y, below] : {std::pair(rect.top(), down), std::pair(rect.bottom(), -down)}) {
+      corners.moveTo(x + inward, y);
+      corners.lineTo(x, y);
+      corners.lineTo(x, y + below);
+    }
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(darkColors().accent, 1.5)}) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(corners);
+  }
+}
+
 } // namespace taa::app

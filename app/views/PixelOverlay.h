@@ -29,6 +29,8 @@ class PixelOverlay {
                    const gl::Rect& region) const;
   /// A cross with its number; dotted where the surface it follows is hidden.
   void paintPin(QPainter& painter, const PinMark& mark) const;
+  /// The corners of a box of pixels.
+  void paintFrame(QPainter& painter, const gl::Rect& box) const;
   /// Logical rectangle of a pixel.
   ScreenRect pixelRect(glm::ivec2 pixel) const;
 

@@ -153,6 +153,10 @@ QStringList ViewArea::comparedPresets() const {
   return presets;
 }
 
+void ViewArea::setFramed(const std::optional<gl::Rect>& box) {
+  for (ViewPanel* view : views_) view->viewport()->setFramed(box);
+}
+
 std::vector<ViewRequest> ViewArea::requests() const {
   const QStringList presets = comparedPresets();
   std::vector<ViewRequest> requests;

@@ -47,6 +47,8 @@ class ViewArea : public QWidget {
   void setPictureSize(glm::ivec2 size);
   void setMarks(const std::vector<PinMark>& marks);
   void setSettingsName(const QString& name);
+  /// Draws a frame around these pixels in all views.
+  void setFramed(const std::optional<gl::Rect>& box);
   /// What the render thread shall deliver; hidden views have no size.
   std::vector<ViewRequest> requests() const;
   /// The presets that views are compared with, the lanes after the first.

@@ -62,6 +62,12 @@ void Viewport::setMarks(const std::vector<PinMark>& marks) {
   update();
 }
 
+void Viewport::setFramed(const std::optional<gl::Rect>& box) {
+  if (box == framed_) return;
+  framed_ = box;
+  update();
+}
+
 void Viewport::setCamera(const ViewCamera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
@@ -106,6 +112,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   paintSides(painter);
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
+  if (framed_) overlay.paintFrame(painter, *framed_);
   paintLegends(painter);
 }
 

@@ -42,6 +42,8 @@ class Viewport : public QWidget {
   void setDivider(double share);
   void setResult(const ViewResult& result);
   void setMarks(const std::vector<PinMark>& marks);
+  /// Draws a frame around these pixels.
+  void setFramed(const std::optional<gl::Rect>& box);
   void setCamera(const ViewCamera& camera);
 
   const ViewCamera& camera() const { return camera_; }
@@ -109,6 +111,7 @@ class Viewport : public QWidget {
   QImage image_, otherImage_;
   std::vector<PinMark> marks_; ///< the active one last
   std::optional<glm::ivec2> hovered_;
+  std::optional<gl::Rect> framed_;
   QPointF cursor_;
   Qt::MouseButton drag_ = Qt::NoButton;
 };

@@ -25,6 +25,13 @@ void SectionHeader::setSummary(const QString& summary) {
   update();
 }
 
+void SectionHeader::setNote(const QString& note) {
+  if (note == note_) return;
+  note_ = note;
+  setAccessibleDescription(note);
+  update();
+}
+
 void SectionHeader::setHasThumbnail(bool has) {
   if (has == hasThumbnail_) return;
   hasThumbnail_ = has;
@@ -76,23 +83,39 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   bold.setBold(true);
   const bool hasSummary = !isChecked() && !summary_.isEmpty(); // else the settings themselves are in sight
   QRect inside = rect().adjusted(5 * kUnit, 0, -2 * kUnit, 0);
+  painter.setFont(bold);
+  painter.setPen(colors.text);
   if (hasThumbnail_) {
     paintThumbnail(painter);
     inside.setRight(width() - 2 * kUnit - kThumbnailSize.width() - 2 * kUnit);
+    QStringList lines;
+    if (hasSummary) lines << summary_;
+    if (!note_.isEmpty()) lines << note_;
+    return paintLines(painter, inside, lines);
   }
-  const bool twoLines = hasThumbnail_ && hasSummary;
-  if (twoLines) inside.adjust(0, kUnit + 1, 0, -kUnit);
-  painter.setFont(bold);
-  painter.setPen(colors.text);
-  painter.drawText(inside, (twoLines ? Qt::AlignTop : Qt::AlignVCenter) | Qt::AlignLeft, text());
-
+  painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, text());
   if (!hasSummary) return;
-  const int used = twoLines ? 0 : QFontMetrics(bold).horizontalAdvance(text()) + 3 * kUnit;
-  const QFontMetrics small(secondaryFont());
+  const int used = QFontMetrics(bold).horizontalAdvance(text()) + 3 * kUnit;
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);
-  painter.drawText(inside, twoLines ? Qt::AlignBottom | Qt::AlignLeft : Qt::AlignVCenter | Qt::AlignRight,
-                   small.elidedText(summary_, Qt::ElideRight, inside.width() - used));
+  painter.drawText(inside, Qt::AlignVCenter | Qt::AlignRight,
+                   QFontMetrics(secondaryFont()).elidedText(summary_, Qt::ElideRight, inside.width() - used));
+}
+
+// The name and what stands below it, together in the middle.
+void SectionHeader::paintLines(QPainter& painter, QRect inside, const QStringList& lines) const {
+  const QFontMetrics small(secondaryFont()), large(painter.font());
+  int top =
+      inside.top() + (inside.height() - large.height() - static_cast<int>(lines.size()) * small.height()) / 2;
+  painter.drawText(QRect(inside.left(), top, inside.width(), large.height()), Qt::AlignLeft, text());
+  top += large.height();
+  painter.setFont(secondaryFont());
+  painter.setPen(themeColors(this).secondary);
+  for (const QString& line : lines) {
+    painter.drawText(QRect(inside.left(), top, inside.width(), small.height()), Qt::AlignLeft,
+                     small.elidedText(line, Qt::ElideRight, inside.width()));
+    top += small.height();
+  }
 }
 
 void SectionHeader::setOverThumbnail(bool over) {

@@ -14,6 +14,9 @@ class SectionHeader : public QAbstractButton {
   /// Checked: unfolded.
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
   void setSummary(const QString& summary);
+  /// What the stage did to the frame on show; empty: not known.
+  void setNote(const QString& note);
+  const QString& note() const { return note_; }
   /// Room for a picture at the right, which is higher than a line of text.
   void setHasThumbnail(bool has);
   void setThumbnail(const QImage& thumbnail);
@@ -36,9 +39,10 @@ class SectionHeader : public QAbstractButton {
 
  private:
   void paintThumbnail(QPainter& painter) const;
+  void paintLines(QPainter& painter, QRect inside, const QStringList& lines) const;
   void setOverThumbnail(bool over);
 
-  QString summary_;
+  QString summary_, note_;
   QImage thumbnail_;
   bool hasThumbnail_ = false, overThumbnail_ = false, pressedThumbnail_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/inspect/Metrics.h"
+#include "core/io/CameraTrackJson.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -105,6 +106,16 @@ std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {
   for (const std::string& text : arguments.assignments)
     if (text.starts_with(kMotionPrefix)) add(text.substr(kMotionPrefix.size()), "--set");
   return modes;
+}
+
+std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments) {
+  if (!arguments.cameraPath.empty()) return readCameraTrack(arguments.cameraPath);
+  if (arguments.cameraPose.empty()) return {};
+  try {
+    return CameraTrack{kFreeCamera, 0, {parseCameraPose(arguments.cameraPose)}};
+  } catch (const Error& error) {
+    throw UsageError(std::string("--camera-pose: ") + error.what());
+  }
 }
 
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {

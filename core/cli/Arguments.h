@@ -1,12 +1,15 @@
 // What the commands of taa-batch are asked for, and reading it from text.
 #pragma once
 
+#include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 
 #include <glm/vec2.hpp>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +33,8 @@ struct ShotArguments {
   std::vector<std::string> assignments; ///< "path=value", applied to every lane
   std::vector<std::string> motionModes; ///< "NODE=MODE"
   int checkpointsMiB = 1024;
+  std::string cameraPose, cameraPath; ///< "x,y,z,yaw,pitch[,fov]"; a file
+  ObjectFilter filter;
 };
 
 struct ListArguments {
@@ -94,6 +99,7 @@ glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
+std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments);  ///< also Error: its file
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
 void assign(std::vector<LaneChoice>& lanes,
             const std::vector<std::string>& assignments); ///< but motion modes

@@ -14,7 +14,7 @@ namespace {
 // The session's, with --set on top.
 ShotPlan planSession(const ShotArguments& arguments) {
   const SessionFile session = readSession(arguments.session);
-  ShotPlan plan{session.source, session.camera, session.size, {}, session.motionModes, session.frame};
+  ShotPlan plan{session.source, session.camera, session.size, {}, session.motionModes, {}, session.frame};
   std::vector<SessionLane> lanes{session.settings};
   lanes.insert(lanes.end(), session.lanes.begin(), session.lanes.end());
   for (const SessionLane& lane : lanes) {
@@ -32,7 +32,7 @@ ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
   return {arguments.source, arguments.camera, parseSize(arguments.size), lanesOf(arguments),
-          motionModesOf(arguments)};
+          motionModesOf(arguments), cameraTrackOf(arguments)};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -44,7 +44,9 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   inspector.setSize(plan.size.x, plan.size.y);
   inspector.open(plan.source, progress);
   if (!plan.camera.empty()) inspector.setCamera(plan.camera);
+  if (plan.track) inspector.setCameraTrack(*plan.track);
   inspector.setMotionModes(plan.motionModes);
+  inspector.setObjectFilter(arguments.filter);
   for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
 }
 

@@ -15,6 +15,7 @@ struct ShotPlan {
   glm::ivec2 size;
   std::vector<LaneChoice> lanes;
   std::vector<MotionOverride> motionModes;
+  std::optional<CameraTrack> track;
   int frame = -1; ///< of a session; −1: none is said
 };
 ShotPlan planShot(const ShotArguments& arguments);

@@ -37,13 +37,43 @@ class ProgressLine {
   bool isTerminal_;
 };
 
+/// Returns that of the camera.
+CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
+  CLI::Option* camera = command.add_option("--camera", shot.camera,
+                                           "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
+  CLI::Option* pose =
+      command
+          .add_option("--camera-pose", shot.cameraPose,
+                      "x,y,z,yaw,pitch or with the field of view after them: a camera that rests there; "
+                      "degrees, yaw 0 looks along -z")
+          ->excludes(camera);
+  command.add_option("--camera-path", shot.cameraPath, "A .json file with a pose for each frame")
+      ->type_name("FILE")
+      ->excludes(camera)
+      ->excludes(pose);
+  command
+      .add_option("--hide", shot.filter.hidden,
+                  "Do not draw the objects of this name and what is below them; repeat it for more")
+      ->allow_extra_args(false);
+  command
+      .add_option("--isolate", shot.filter.isolated,
+                  "Draw only the objects of this name and what is below them; repeat it for more")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--motion-mode", shot.motionModes,
+          "NODE=MODE: motion of the objects of this name; perObject, cameraOnly or none; repeat it for "
+          "more")
+      ->allow_extra_args(false);
+  return camera;
+}
+
 void addShotOptions(CLI::App& command, ShotArguments& shot) {
   CLI::Option* source = command.add_option("SOURCE", shot.source,
                                            "A glTF file (.gltf, .glb), or builtin:NAME (see list scenes)");
   CLI::Option* size =
       command.add_option("--size", shot.size, "Size of the picture, WxH pixels")->capture_default_str();
-  CLI::Option* camera = command.add_option("--camera", shot.camera,
-                                           "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
+  CLI::Option* camera = addSceneOptions(command, shot);
   CLI::Option* preset =
       command.add_option("--preset", shot.preset, "A preset (see list presets) or a .json file")
           ->capture_default_str();
@@ -63,12 +93,6 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
       .add_option(
           "--set", shot.assignments,
           "path=value (see list parameters), or motion.NODE=MODE (see --motion-mode); repeat it for more")
-      ->allow_extra_args(false);
-  command
-      .add_option(
-          "--motion-mode", shot.motionModes,
-          "NODE=MODE: motion of the objects of this name; perObject, cameraOnly or none; repeat it for "
-          "more")
       ->allow_extra_args(false);
 }
 

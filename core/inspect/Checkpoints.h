@@ -65,6 +65,8 @@ class Checkpoints {
   HistoryHandle at(int frame) const;
   void clear() { kept_.clear(); }
   std::vector<int> frames() const; ///< rising
+  /// Gives up frame `frame` and all after it.
+  void dropFrom(int frame) { kept_.erase(kept_.lower_bound(frame), kept_.end()); }
   std::size_t size() const { return kept_.size(); }
   std::size_t bytes() const;
 

@@ -70,13 +70,21 @@ bool isAtHand(const Subject& subject, const Checkpoints& checkpoints, int frame)
 
 } // namespace
 
+CameraTrackHandle Subject::track() const {
+  const auto found =
+      std::ranges::find(tracks, camera, [](const CameraTrackHandle& handle) { return handle->name; });
+  return found == tracks.end() ? nullptr : *found;
+}
+
 FrameRequest Subject::request(std::size_t lane) const {
   return {.camera = camera,
           .width = width,
           .height = height,
           .jitter = lanes[lane].jitter,
           .inputs = lanes[lane].inputs,
-          .motionModes = motionModes};
+          .motionModes = motionModes,
+          .filter = filter,
+          .track = track()};
 }
 
 bool startsHistory(const Subject& subject, int frame) {

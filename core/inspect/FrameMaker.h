@@ -25,6 +25,11 @@ struct Subject {
   std::vector<Settings> lanes{Settings{}};
   std::vector<MotionOverride> motionModes;
 
+  ObjectFilter filter;
+  std::vector<CameraTrackHandle> tracks; ///< cameras besides the scene's, by their names
+
+  /// The track that `camera` names; null: a path of the scene's.
+  CameraTrackHandle track() const;
   /// What of it a lane draws.
   FrameRequest request(std::size_t lane) const;
 };

@@ -5,6 +5,8 @@
 #include "core/base/Progress.h"
 #include "core/render/DrawCounts.h"
 #include "core/render/FrameInputs.h"
+#include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
 
@@ -24,7 +26,9 @@ struct FrameRequest {
   JitterSettings jitter;
   InputSettings inputs;
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
-  std::optional<glm::vec2> jitterPx = {};       ///< instead of what `jitter` says
+  ObjectFilter filter = {};
+  CameraTrackHandle track = nullptr;      ///< looked through instead of `camera`
+  std::optional<glm::vec2> jitterPx = {}; ///< instead of what `jitter` says
   bool operator==(const FrameRequest&) const = default;
 };
 

@@ -68,15 +68,22 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const double time = frameTime(scene, frame);
-  const double previousTime = frameTime(scene, previousFrame(scene, frame));
+  const int previous = previousFrame(scene, frame);
+  const double previousTime = frameTime(scene, previous);
   view.pose = poseAt(scene, time);
   view.previousPose = poseAt(scene, previousTime);
-  fillCameras(cameraAt(scene, request.camera, time, aspect),
-              cameraAt(scene, request.camera, previousTime, aspect), sizePx, view.info.jitterPx, view.block);
-  view.block.previousJitter = glm::vec4(jitterPx(request.jitter, previousFrame(scene, frame)), 0.0f, 0.0f);
+  const bool flies = request.track != nullptr;
+  fillCameras(flies ? cameraAt(scene, request.track->at(frame), aspect)
+                    : cameraAt(scene, request.camera, time, aspect),
+              flies ? cameraAt(scene, request.track->at(previous), aspect)
+                    : cameraAt(scene, request.camera, previousTime, aspect),
+              sizePx, view.info.jitterPx, view.block);
+  view.block.previousJitter = glm::vec4(jitterPx(request.jitter, previous), 0.0f, 0.0f);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
+  const std::vector<bool> isDrawn = drawnNodes(scene, request.filter);
+  for (std::size_t i = 0; i < view.nodes.size(); ++i) view.nodes[i].isVisible &= isDrawn[i];
   const float bias = request.inputs.mipBias;
   view.block.textures = {bias, std::exp2(bias), static_cast<float>(frame % 16), 0.0f};
   view.block.storage.x = request.inputs.precision == Precision::Half ? 1.0f : 0.0f;

@@ -4,6 +4,32 @@
 
 namespace taa::app::test {
 
+namespace {
+
+// A group with two objects, whose numbers are 1 and 2, beside a light.
+std::shared_ptr<const SceneOutline> fakeOutline(const std::string& source) {
+  SceneOutline outline;
+  outline.source = source;
+  outline.radius = 2.0f;
+  const auto add = [&](const char* name, int parent, NodeKind kind, int object) {
+    OutlineNode node;
+    node.key = name;
+    node.parent = parent;
+    node.kind = kind;
+    node.firstObject = object;
+    node.objectCount = object > 0 ? 1 : 0;
+    outline.nodes.push_back(node);
+  };
+  add("fan", -1, NodeKind::Group, 0);
+  add("floor", 0, NodeKind::Mesh, 1);
+  add("rotor & hub", 0, NodeKind::Mesh, 2);
+  add("lamp", -1, NodeKind::Light, 0);
+  outline.nodeOfObject = {-1, 1, 2};
+  return std::make_shared<const SceneOutline>(std::move(outline));
+}
+
+} // namespace
+
 void FakeRenderer::open(const std::string& source) {
   if (!source.starts_with("builtin:")) {
     listener_.onError("cannot open " + source + ": there is no such file");
@@ -14,6 +40,9 @@ void FakeRenderer::open(const std::string& source) {
   status.camera = "still";
   status.objects = {"floor", "rotor & hub"};
   status.motionModes.clear();
+  status.filter = {};
+  status.tracks.clear();
+  status.outline = fakeOutline(source);
   status.frameCount = 240;
   status.width = 64;
   status.height = 36;
@@ -41,6 +70,43 @@ void FakeRenderer::setCamera(const std::string& name) {
 void FakeRenderer::setMotionModes(const std::vector<MotionOverride>& modes) {
   status.motionModes = modes;
   deliver();
+}
+
+void FakeRenderer::setObjectFilter(const ObjectFilter& filter) {
+  status.filter = filter;
+  deliver();
+}
+
+void FakeRenderer::fly(const CameraPose& pose) {
+  addCameraTrack({kFreeCamera, 0, {pose}});
+}
+
+void FakeRenderer::setRecording(bool recording) {
+  status.recording = recording;
+  deliver();
+}
+
+void FakeRenderer::addCameraTrack(const CameraTrack& track) {
+  std::erase_if(status.tracks, [&](const CameraTrackHandle& known) { return known->name == track.name; });
+  std::erase(status.cameras, track.name);
+  status.tracks.push_back(std::make_shared<const CameraTrack>(track));
+  status.cameras.push_back(track.name);
+  status.camera = track.name;
+  status.pose = track.at(status.info.frame);
+  deliver();
+}
+
+/// Object n is seen in the box from (10·n, 5) that is 4 pixels wide and 3 high.
+void FakeRenderer::locate(const std::vector<int>& objects) {
+  located = objects;
+  if (objects.empty()) return;
+  ObjectArea area;
+  area.objects = objects;
+  area.frame = status.info.frame;
+  area.pixels = 12;
+  area.box = {10 * objects.front(), 5, 4, 3};
+  area.pixel = {10 * objects.front() + 1, 6};
+  listener_.onObjectArea(std::move(area));
 }
 
 void FakeRenderer::setSettings(const Settings& settings) {
@@ -101,6 +167,12 @@ void FakeRenderer::setThumbnails(int width, int height) {
 
 void FakeRenderer::deliverThumbnails() {
   if (thumbnails.x == 0) return;
+  if (!status.playing) {
+    const double share = 0.01 * (status.info.frame % 100);
+    listener_.onStageShares({status.info.frame,
+                             status.info.frame == 0,
+                             {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
+  }
   for (const IntermediateId id : mainRows()) {
     Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}};
     const auto gray = static_cast<std::uint8_t>(static_cast<int>(id) * 3 + status.info.frame);

@@ -6,7 +6,7 @@
 namespace taa::app::test {
 
 /// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,
-/// and 10,000 more for each lane.
+/// and 10,000 more for each lane; stages have rejected n % of its pixels.
 class FakeRenderer final : public Renderer {
  public:
   explicit FakeRenderer(RenderListener listener) : listener_(std::move(listener)) {}
@@ -39,6 +39,11 @@ class FakeRenderer final : public Renderer {
   void cancel() override { ++cancels; }
   void setPlayback(const Playback& playback) override;
   void exportSequence(const SequenceRequest& request) override { exported = request; }
+  void setObjectFilter(const ObjectFilter& filter) override;
+  void fly(const CameraPose& pose) override;
+  void setRecording(bool recording) override;
+  void addCameraTrack(const CameraTrack& track) override;
+  void locate(const std::vector<int>& objects) override;
 
   Status status;
   std::vector<ViewRequest> views;
@@ -50,6 +55,7 @@ class FakeRenderer final : public Renderer {
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
+  std::vector<int> located; ///< objects
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
 

@@ -193,3 +193,20 @@ TEST_F(ParameterPanel, PreparesAChoiceOfAMenuAndAPreset) {
   EXPECT_EQ(*renderer->prepared, builtinPresets()[static_cast<std::size_t>(other)].settings);
   menu->close();
 }
+
+TEST_F(ParameterPanel, HeadingsSayWhatStagesDidToTheFrame) {
+  const auto note = [&](const char* stage) {
+    return window.pipeline()->findChild<SectionHeader*>(QStringLiteral("stage.") + stage)->note();
+  };
+  session.seek(7);
+  settle();
+  EXPECT_EQ(note("dilate_motion"), "changed nothing");
+  EXPECT_EQ(note("validate_history"), "7.0 % rejected");
+  EXPECT_EQ(note("blend"), "") << "nothing can be said of it";
+  session.seek(0);
+  settle();
+  EXPECT_EQ(note("validate_history"), "no history yet");
+  session.setPlaying(true);
+  settle();
+  EXPECT_EQ(note("validate_history"), "") << "it was true of another frame";
+}

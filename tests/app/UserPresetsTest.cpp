@@ -2,16 +2,21 @@
 #include "app/UserPresets.h"
 
 #include "app/panels/MessagesBar.h"
+#include "app/widgets/PresetsDialog.h"
 #include "app/widgets/Prompt.h"
 #include "core/base/Error.h"
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 
 using namespace taa;
 using namespace taa::app;
@@ -79,6 +84,58 @@ TEST_F(UserPresetsTest, ANameOfABuiltInOneIsRefusedAndNothingIsLost) {
   EXPECT_TRUE(userPresets(own.presetFolder()).empty());
   EXPECT_EQ(session.settings().weight.minimum, 0.25f);
   EXPECT_THROW(saveUserPreset(own.presetFolder(), "…", {}), Error);
+}
+
+TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
+  saveAs("Mine");
+  session.setParameter("weight.minimum", 0.25);
+  session.setParameter("rectify.method", 0);
+  QTest::keyClick(&own, Qt::Key_D, Qt::ControlModifier);
+  auto* dialog = own.findChild<PresetsDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_EQ(dialog->list()->currentItem()->text(), "Mine (mine)");
+  ASSERT_EQ(dialog->table()->topLevelItemCount(), 2);
+  const QTreeWidgetItem* row = dialog->table()->topLevelItem(1);
+  EXPECT_EQ(row->text(2).left(4), "0.25") << row->text(1).toStdString();
+  EXPECT_EQ(row->text(3).left(3), "0.1");
+  const auto press = [&](const QString& text) {
+    for (auto* button : dialog->findChildren<QPushButton*>())
+      if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << text.toStdString();
+  };
+  dialog->table()->setCurrentItem(dialog->table()->topLevelItem(1));
+  press("Apply this value");
+  EXPECT_EQ(session.settings().weight.minimum, 0.1f);
+  EXPECT_EQ(dialog->table()->topLevelItemCount(), 1) << "the other one still differs";
+  press("Apply preset");
+  EXPECT_EQ(dialog->table()->topLevelItemCount(), 0);
+  press("Rename…");
+  auto* prompt = dialog->findChild<Prompt*>();
+  ASSERT_TRUE(prompt);
+  prompt->field()->setText("Yours");
+  QTest::keyClick(prompt->field(), Qt::Key_Return);
+  settle();
+  ASSERT_EQ(userPresets(own.presetFolder()).size(), 1u);
+  EXPECT_EQ(userPresets(own.presetFolder())[0].label, "Yours");
+  press("Delete…");
+  auto* box = dialog->findChild<QMessageBox*>();
+  ASSERT_TRUE(box);
+  EXPECT_TRUE(box->text().contains("Yours"));
+  for (QAbstractButton* button : box->buttons())
+    if (button->text() == "Delete") button->click();
+  settle();
+  EXPECT_TRUE(userPresets(own.presetFolder()).empty());
+}
+
+TEST_F(UserPresetsTest, AnotherOnesNameIsNotTaken) {
+  saveUserPreset(folder.path(), "One", {});
+  const QString two = saveUserPreset(folder.path(), "Two", {});
+  EXPECT_THROW(renameUserPreset(two, "one"), Error);
+  EXPECT_THROW(renameUserPreset(two, "Balanced"), Error);
+  EXPECT_EQ(userPresets(folder.path()).size(), 2u);
+  EXPECT_EQ(preset(renameUserPreset(two, "TWO").toStdString()).label, "TWO") << "the same file";
+  EXPECT_EQ(userPresets(folder.path()).size(), 2u);
+  EXPECT_THROW(deleteUserPreset(folder.filePath("three.json")), Error);
 }
 
 } // namespace

@@ -25,6 +25,8 @@ constexpr Row kRows[] = {
     {"firstPicture",
      "From the start of the program to its first picture, no shader cached (at the size it opens with)", "s",
      3.0, 2},
+    {"uiLatency", "What 999 of 1,000 events of the window wait at most while a frame takes 500 ms", "ms",
+     16.0, 1},
     {"scene", "Drawing the scene of a frame", "ms", 0.0, 1},
     {"resolve", "Resolving a frame, nothing watched", "ms", 0.0, 1},
     {"watchOne", "The same while one intermediate is watched", "×", 1.15, 2},

@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 namespace {
 
@@ -172,8 +173,29 @@ void firstPicture(benchmark::State& state) {
   state.counters["firstPicture"] = median(times);
 }
 
+/// What taa_ui_latency says: the 99.9th percentile, ms.
+void uiLatency(benchmark::State& state) {
+  if (!std::filesystem::exists(taa::test::binary("taa_ui_latency"))) {
+    state.SkipWithError("there is no taa_ui_latency in this build");
+    return;
+  }
+  std::vector<double> times;
+  for (auto _ : state) {
+    const taa::test::ProcessResult result =
+        taa::test::runProcess({taa::test::binary("taa_ui_latency").string()});
+    double time = 0.0;
+    const char* said = std::strstr(result.out.c_str(), "99.9% ");
+    if (said == nullptr || std::sscanf(said, "99.9%% %lf", &time) != 1)
+      throw taa::Error("taa_ui_latency did not say how long events waited: " + result.err);
+    times.push_back(time);
+    state.SetIterationTime(time * 1e-3);
+  }
+  state.counters["uiLatency"] = median(times);
+}
+
 } // namespace
 
+BENCHMARK(uiLatency)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(3);
 BENCHMARK(firstPicture)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
 BENCHMARK(switchChoice)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(switchPrepared)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -1,6 +1,8 @@
 // Reading the command line of taa-batch.
 #include "core/cli/Arguments.h"
 
+#include "core/base/Error.h"
+
 #include <gtest/gtest.h>
 
 using namespace taa::cli;
@@ -57,6 +59,18 @@ TEST(Arguments, GiveObjectsMotionModes) {
   EXPECT_EQ(lanesOf(arguments)[0].settings.weight.alpha, 0.25f);
   arguments.motionModes = {"rotor"};
   EXPECT_THROW(motionModesOf(arguments), UsageError);
+}
+
+TEST(Arguments, GiveACameraAPlace) {
+  ShotArguments arguments;
+  EXPECT_FALSE(cameraTrackOf(arguments));
+  arguments.cameraPose = "1,2,3,90,-10";
+  ASSERT_TRUE(cameraTrackOf(arguments));
+  EXPECT_EQ(cameraTrackOf(arguments)->at(7).pitch, -10.0f);
+  arguments.cameraPose = "1,2,3";
+  EXPECT_THROW(cameraTrackOf(arguments), UsageError);
+  arguments.cameraPath = "no/such/path.json";
+  EXPECT_THROW(cameraTrackOf(arguments), taa::Error);
 }
 
 TEST(Arguments, AssignToEveryLane) {

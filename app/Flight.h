@@ -1,0 +1,68 @@
+// Flying the camera: mouse and keys in the views become poses for the session.
+#pragma once
+
+#include "app/views/FlightMath.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPointF>
+#include <QSet>
+#include <QTimer>
+
+#include <string>
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace taa::app {
+
+class Session;
+class ViewArea;
+
+/// While it is on, W A S D Q E move (Shift faster, Ctrl slower), left or middle drag looks around, the wheel
+/// changes the speed, Esc ends it; all else is as ever.
+class Flight : public QObject {
+  Q_OBJECT
+ public:
+  Flight(Session& session, ViewArea* views, QObject* parent = nullptr);
+
+  bool isOn() const { return isOn_; }
+  void setOn(bool on);
+  bool isRecording() const;
+  void toggleRecording();
+  /// Back to the camera that was left.
+  void reset();
+  float speed() const { return speed_; } ///< world units a second
+
+ Q_SIGNALS:
+  void changed(); ///< on, recording or speed
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool pressKey(const QKeyEvent& event);
+  bool drag(QMouseEvent& event, double height);
+  void takeStatus();
+  void move(float seconds);
+  void send(const CameraPose& pose);
+  void rest();
+  float sinceLast();
+  FlightKeys keys() const;
+
+  Session& session_;
+  ViewArea* views_;
+  bool isOn_ = false, wasRecording_ = false;
+  CameraPose pose_;
+  bool waits_ = false; ///< for a picture of pose_
+  float speed_ = 1.0f, radius_ = 0.0f;
+  std::string camera_; ///< that is looked through
+  QSet<int> held_;
+  Qt::KeyboardModifiers modifiers_;
+  Qt::MouseButton button_ = Qt::NoButton;
+  QPointF cursor_;
+  QTimer tick_;
+  QElapsedTimer since_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,122 @@
+// What the session asks of the scene: hidden objects, motion modes, the camera that is flown.
+#include "app/Session.h"
+
+#include "core/io/CameraTrackJson.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+QJsonArray arrayOf(const std::vector<std::string>& names) {
+  QJsonArray array;
+  for (const std::string& name : names) array << QString::fromStdString(name);
+  return array;
+}
+
+std::vector<std::string> namesIn(const QJsonValue& array) {
+  std::vector<std::string> names;
+  for (const QJsonValue& name : array.toArray())
+    if (name.isString()) names.push_back(name.toString().toStdString());
+  return names;
+}
+
+} // namespace
+
+void Session::takeSceneStatus() {
+  motionModes_.arrived(status_.motionModes);
+  filter_.arrived(status_.filter);
+  const bool isFlown = std::ranges::any_of(
+      status_.tracks, [&](const CameraTrackHandle& track) { return track->name == status_.camera; });
+  if (!isFlown) sceneCamera_ = status_.camera;
+}
+
+void Session::setMotionMode(const std::string& object, MotionMode mode) {
+  std::vector<MotionOverride> modes = motionModes_.value();
+  std::erase_if(modes, [&](const MotionOverride& known) { return known.node == object; });
+  modes.push_back({object, mode});
+  setMotionModes(modes);
+}
+
+void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
+  motionModes_.ask(modes);
+  ask([&](Renderer& renderer) { renderer.setMotionModes(modes); });
+}
+
+void Session::setObjectFilter(const ObjectFilter& filter) {
+  if (filter == filter_.value()) return;
+  filter_.ask(filter);
+  ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); });
+}
+
+void Session::setHidden(const std::string& object, bool hidden) {
+  ObjectFilter filter = filter_.value();
+  std::erase(filter.hidden, object);
+  if (hidden) filter.hidden.push_back(object);
+  setObjectFilter(filter);
+}
+
+void Session::setIsolated(const std::vector<std::string>& objects) {
+  ObjectFilter filter = filter_.value();
+  filter.isolated = objects;
+  setObjectFilter(filter);
+}
+
+void Session::fly(const CameraPose& pose) {
+  ask([&](Renderer& renderer) { renderer.fly(pose); });
+}
+
+void Session::setRecording(bool recording) {
+  ask([&](Renderer& renderer) { renderer.setRecording(recording); });
+}
+
+void Session::addCameraTrack(const CameraTrack& track) {
+  ask([&](Renderer& renderer) { renderer.addCameraTrack(track); });
+}
+
+void Session::backToSceneCamera() {
+  if (!sceneCamera_.empty()) setCamera(QString::fromStdString(sceneCamera_));
+}
+
+void Session::locate(const std::vector<int>& objects) {
+  ask([&](Renderer& renderer) { renderer.locate(objects); });
+}
+
+QJsonObject Session::sceneState() const {
+  QJsonArray tracks, modes;
+  for (const CameraTrackHandle& track : status_.tracks)
+    tracks << QJsonDocument::fromJson(QByteArray::fromStdString(cameraTrackJson(*track).dump())).object();
+  for (const MotionOverride& mode : motionModes_.value())
+    modes << QString::fromStdString(mode.node + '=' +
+                                    std::string(kMotionModes[static_cast<std::size_t>(mode.mode)].id));
+  return {{QStringLiteral("camera"), QString::fromStdString(status_.camera)},
+          {QStringLiteral("sceneCamera"), QString::fromStdString(sceneCamera_)},
+          {QStringLiteral("tracks"), tracks},
+          {QStringLiteral("motionModes"), modes},
+          {QStringLiteral("hidden"), arrayOf(filter_.value().hidden)},
+          {QStringLiteral("isolated"), arrayOf(filter_.value().isolated)}};
+}
+
+void Session::setSceneState(const QJsonObject& state) {
+  guarded([&] {
+    for (const QJsonValue& track : state[QStringLiteral("tracks")].toArray()) {
+      const QByteArray text = QJsonDocument(track.toObject()).toJson();
+      addCameraTrack(cameraTrackFrom(nlohmann::ordered_json::parse(text.toStdString())));
+    }
+  });
+  const QString camera = state[QStringLiteral("camera")].toString();
+  if (!camera.isEmpty()) setCamera(camera);
+  guarded([&] {
+    std::vector<MotionOverride> modes;
+    for (const std::string& text : namesIn(state[QStringLiteral("motionModes")]))
+      modes.push_back(parseMotionOverride(text));
+    setMotionModes(modes);
+  });
+  setObjectFilter({namesIn(state[QStringLiteral("hidden")]), namesIn(state[QStringLiteral("isolated")])});
+}
+
+} // namespace taa::app

@@ -1,0 +1,57 @@
+// Objects of the scene, and the camera that is flown.
+#include "app/menus/Menus.h"
+
+#include "app/Flight.h"
+#include "app/MainWindow.h"
+#include "app/panels/ScenePanel.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabWidget>
+
+namespace taa::app {
+
+void Menus::makeScene() {
+  QMenu* menu = window_.menuBar()->addMenu(tr("&Scene"));
+  ScenePanel* scene = window_.scene();
+  Flight* flight = window_.flight();
+  QAction* fly = addCheck(menu, tr("&Fly the camera"), QKeySequence(QStringLiteral("Shift+F")),
+                          [flight](bool on) { flight->setOn(on); });
+  QAction* record =
+      add(menu, tr("&Record a flight"), keys({"Ctrl+Shift+R"}), [flight] { flight->toggleRecording(); });
+  add(menu, tr("&Back to the scene's camera"), keys({"Backspace"}), [flight] { flight->reset(); });
+  QAction* save = add(menu, tr("Sa&ve the flown camera…"), {}, [this] { window_.askToSaveCamera(); });
+  add(menu, tr("Open a recorded &camera…"), {}, [this] { window_.askForCamera(); });
+  menu->addSeparator();
+  QAction* tree = addCheck(menu, tr("&Objects in place of the pipeline"), QKeySequence(QStringLiteral("F8")),
+                           [this](bool on) { window_.showScene(on); });
+  add(menu, tr("&Search objects"), keys({"Ctrl+Shift+F"}), [this, scene] {
+    window_.showScene(true);
+    scene->focusFilter();
+  });
+  QAction* needSelection[] = {
+      add(menu, tr("&Hide or show the selected object"), keys({"Ctrl+H"}),
+          [scene] { scene->hideSelected(); }),
+      add(menu, tr("&Isolate the selected object, or show all again"), keys({"Ctrl+I"}),
+          [scene] { scene->isolateSelected(); }),
+      add(menu, tr("&Probe the selected object"), keys({"Ctrl+J"}), [scene] { scene->revealSelected(); })};
+  QMenu* motion = menu->addMenu(tr("&Motion of the selected object"));
+  for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
+    add(motion, QString::fromUtf8(kMotionModes[mode].label.data()),
+        {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
+        [scene, mode] { scene->setMotionOfSelected(static_cast<MotionMode>(mode)); });
+  QAction* all = add(menu, tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [scene] { scene->showAll(); });
+  onRefresh([this, fly, record, save, tree, motion, all, flight, scene,
+             selection = std::vector<QAction*>(std::begin(needSelection), std::end(needSelection))] {
+    fly->setChecked(flight->isOn());
+    record->setText(flight->isRecording() ? tr("End the &recording") : tr("&Record a flight"));
+    save->setEnabled(window_.flownCamera() != nullptr);
+    tree->setChecked(window_.left()->currentWidget() == scene && !window_.left()->isHidden());
+    for (QAction* action : selection) action->setEnabled(scene->selected() >= 0);
+    motion->setEnabled(scene->selected() >= 0);
+    all->setEnabled(!(window_.session().objectFilter() == ObjectFilter{}));
+  });
+}
+
+} // namespace taa::app

@@ -1,0 +1,98 @@
+#include "core/io/CameraTrackJson.h"
+
+#include "core/base/Files.h"
+#include "core/io/FrameJson.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+
+namespace taa {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t(64) << 20;
+constexpr std::size_t kNumbers = 6, kLeastNumbers = 5;
+
+std::array<float, kNumbers> numbersOf(const CameraPose& pose) {
+  return {pose.position.x, pose.position.y, pose.position.z, pose.yaw, pose.pitch, pose.fovY};
+}
+
+/// As many as there are; the rest is as in a pose that nobody set.
+CameraPose poseFrom(const std::vector<float>& numbers) {
+  CameraPose pose;
+  pose.position = {numbers[0], numbers[1], numbers[2]};
+  pose.yaw = numbers[3];
+  pose.pitch = numbers[4];
+  if (numbers.size() == kNumbers) pose.fovY = numbers[5];
+  return pose;
+}
+
+} // namespace
+
+std::string poseText(const CameraPose& pose) {
+  std::string text;
+  for (const float number : numbersOf(pose)) text += (text.empty() ? "" : ",") + floatText(number);
+  return text;
+}
+
+CameraPose parseCameraPose(const std::string& text) {
+  std::vector<float> numbers;
+  std::string_view rest = text;
+  bool isRight = !rest.empty();
+  while (isRight && !rest.empty()) {
+    float number = 0.0f;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    isRight = error == std::errc() && (rest.empty() || (rest.front() == ',' && rest.size() > 1));
+    if (!rest.empty()) rest.remove_prefix(1);
+    numbers.push_back(number);
+  }
+  if (!isRight || numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
+    throw Error("\"" + text + "\" is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10");
+  CameraPose pose = poseFrom(numbers);
+  checkCameraTrack({kFreeCamera, 0, {pose}});
+  return pose;
+}
+
+ordered_json cameraTrackJson(const CameraTrack& track) {
+  ordered_json poses = ordered_json::array();
+  for (const CameraPose& pose : track.poses) {
+    ordered_json row = ordered_json::array();
+    for (const float number : numbersOf(pose)) row.push_back(floatJson(number));
+    poses.push_back(std::move(row));
+  }
+  return {{"name", track.name}, {"firstFrame", track.firstFrame}, {"poses", std::move(poses)}};
+}
+
+CameraTrack cameraTrackFrom(const ordered_json& json) {
+  try {
+    CameraTrack track;
+    track.name = json.at("name").get<std::string>();
+    track.firstFrame = json.at("firstFrame").get<int>();
+    for (const ordered_json& row : json.at("poses")) {
+      const auto numbers = row.get<std::vector<float>>();
+      if (numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
+        throw Error("a pose is [x, y, z, yaw, pitch, fov]");
+      track.poses.push_back(poseFrom(numbers));
+    }
+    checkCameraTrack(track);
+    return track;
+  } catch (const nlohmann::json::exception&) {
+    throw Error("a camera path is {\"name\", \"firstFrame\", \"poses\": [[x, y, z, yaw, pitch, fov], ...]}");
+  }
+}
+
+CameraTrack readCameraTrack(const std::filesystem::path& path) {
+  const std::string text = readFile(path, kMostBytes);
+  const ordered_json json = ordered_json::parse(text, nullptr, false);
+  try {
+    return cameraTrackFrom(json);
+  } catch (const Error& error) {
+    throw Error("cannot read the camera path " + path.string() + ": " + error.what());
+  }
+}
+
+} // namespace taa

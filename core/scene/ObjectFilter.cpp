@@ -1,0 +1,81 @@
+#include "core/scene/ObjectFilter.h"
+
+#include "core/base/Error.h"
+#include "core/scene/Scene.h"
+#include "core/scene/SceneOutline.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace taa {
+
+namespace {
+
+constexpr std::size_t kMostNamesInMessage = 24;
+
+using Names = std::unordered_set<std::string>;
+
+Names asSet(const std::vector<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+std::string knownNames(const Scene& scene) {
+  std::string known;
+  Names told;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    const std::string key = nodeKey(scene, node);
+    if (!told.insert(key).second) continue;
+    if (told.size() > kMostNamesInMessage) return known + " and more";
+    known += (known.empty() ? "" : ", ") + key;
+  }
+  return known.empty() ? "none" : known;
+}
+
+/// Of a tree that is given by its keys and parents, parents first.
+template <class Key, class Parent>
+std::vector<bool> drawnNodes(std::size_t count, Key keyOf, Parent parentOf, const ObjectFilter& filter) {
+  const Names hidden = asSet(filter.hidden), isolated = asSet(filter.isolated);
+  std::vector<bool> isHidden(count), isInside(count), isDrawn(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int parent = parentOf(i);
+    const std::string key = keyOf(i);
+    const auto inherits = [&](const std::vector<bool>& flags) {
+      return parent >= 0 && flags[static_cast<std::size_t>(parent)];
+    };
+    isHidden[i] = hidden.contains(key) || inherits(isHidden);
+    isInside[i] = isolated.empty() || isolated.contains(key) || inherits(isInside);
+    isDrawn[i] = isInside[i] && !isHidden[i];
+  }
+  return isDrawn;
+}
+
+} // namespace
+
+std::string nodeKey(const Scene& scene, std::size_t node) {
+  const std::string& name = scene.nodes[node].name;
+  return name.empty() ? "#" + std::to_string(node) : name;
+}
+
+std::vector<bool> drawnNodes(const Scene& scene, const ObjectFilter& filter) {
+  if (filter == ObjectFilter{}) return std::vector<bool>(scene.nodes.size(), true);
+  return drawnNodes(
+      scene.nodes.size(), [&](std::size_t node) { return nodeKey(scene, node); },
+      [&](std::size_t node) { return scene.nodes[node].parent; }, filter);
+}
+
+std::vector<bool> drawnNodes(const SceneOutline& outline, const ObjectFilter& filter) {
+  return drawnNodes(
+      outline.nodes.size(), [&](std::size_t node) { return outline.nodes[node].key; },
+      [&](std::size_t node) { return outline.nodes[node].parent; }, filter);
+}
+
+void checkObjectFilter(const Scene& scene, const ObjectFilter& filter) {
+  Names keys;
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) keys.insert(nodeKey(scene, node));
+  for (const std::vector<std::string>* names : {&filter.hidden, &filter.isolated})
+    for (const std::string& name : *names)
+      if (!keys.contains(name))
+        throw Error("no object is called \"" + name + "\"; there are " + knownNames(scene));
+}
+
+} // namespace taa

@@ -1,0 +1,66 @@
+#include "core/scene/SceneOutline.h"
+
+#include "core/scene/ObjectFilter.h"
+#include "core/scene/Scene.h"
+
+#include <cmath>
+
+namespace taa {
+
+namespace {
+
+NodeKind kindOf(const Node& node) {
+  if (node.mesh >= 0) return NodeKind::Mesh;
+  if (node.light >= 0) return NodeKind::Light;
+  return node.camera >= 0 ? NodeKind::Camera : NodeKind::Group;
+}
+
+} // namespace
+
+int SceneOutline::nodeOf(int object) const {
+  return object > 0 && object < static_cast<int>(nodeOfObject.size())
+             ? nodeOfObject[static_cast<std::size_t>(object)]
+             : -1;
+}
+
+std::vector<int> SceneOutline::objectsBelow(int node) const {
+  std::vector<bool> isBelow(nodes.size());
+  std::vector<int> objects;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const OutlineNode& item = nodes[i];
+    isBelow[i] =
+        static_cast<int>(i) == node || (item.parent >= 0 && isBelow[static_cast<std::size_t>(item.parent)]);
+    if (!isBelow[i]) continue;
+    for (int object = 0; object < item.objectCount; ++object) objects.push_back(item.firstObject + object);
+  }
+  return objects;
+}
+
+// Objects are numbered in the order in which GBufferPass makes its items: by node, then by primitive.
+SceneOutline outlineOf(const Scene& scene, const std::string& source) {
+  SceneOutline outline;
+  outline.source = source;
+  if (const float radius = scene.bounds.radius(); std::isfinite(radius) && radius > 0.0f)
+    outline.radius = radius;
+  outline.nodes.reserve(scene.nodes.size());
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    OutlineNode item;
+    item.key = nodeKey(scene, i);
+    item.parent = node.parent;
+    item.kind = kindOf(node);
+    item.motion = node.motionMode;
+    if (node.mesh >= 0) {
+      item.firstObject = static_cast<int>(outline.nodeOfObject.size());
+      for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+        outline.nodeOfObject.push_back(static_cast<int>(i));
+        item.triangles += primitive.indices.size() / 3;
+        ++item.objectCount;
+      }
+    }
+    outline.nodes.push_back(std::move(item));
+  }
+  return outline;
+}
+
+} // namespace taa

@@ -1,0 +1,243 @@
+// The tree of the scene by real events, and flying by mouse and keys.
+#include "tests/app/WindowFixture.h"
+
+#include "app/Flight.h"
+#include "app/models/SceneTreeModel.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/ScenePanel.h"
+#include "app/views/FlightMath.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/FlightBar.h"
+
+#include <QJsonArray>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
+#include <QStyle>
+#include <QStyleOptionViewItem>
+#include <QTabWidget>
+#include <QTreeView>
+#include <QWheelEvent>
+
+namespace taa::app::test {
+namespace {
+
+class SceneTreeTest : public FakeWindow {
+ protected:
+  void SetUp() override {
+    FakeWindow::SetUp();
+    key(Qt::Key_F8);
+  }
+  QTreeView* tree() const { return window.scene()->tree(); }
+  const QAbstractItemModel* model() const { return tree()->model(); }
+  /// The tree's row of this name.
+  QModelIndex row(const QString& name, int column = 0) const {
+    const auto found =
+        model()->match(model()->index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly | Qt::MatchRecursive);
+    return found.isEmpty() ? QModelIndex() : found.first().siblingAtColumn(column);
+  }
+  void click(const QModelIndex& index) {
+    QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
+    settle();
+  }
+};
+
+TEST_F(SceneTreeTest, ShowsTheWholeTree) {
+  EXPECT_TRUE(window.scene()->isVisible());
+  EXPECT_FALSE(window.pipeline()->isVisible());
+  EXPECT_EQ(model()->rowCount(), 2);
+  ASSERT_TRUE(row("rotor & hub").isValid());
+  EXPECT_EQ(row("rotor & hub").parent(), row("fan"));
+  EXPECT_TRUE(row("lamp (light)").isValid());
+  EXPECT_EQ(row("floor", 1).data().toString(), "Per object");
+  EXPECT_FALSE(row("fan", 1).data().isValid()) << "it draws nothing";
+  key(Qt::Key_F, Qt::ControlModifier); // the search of the pipeline
+  EXPECT_TRUE(window.pipeline()->isVisible());
+}
+
+TEST_F(SceneTreeTest, HidesByTheCheckMarkAndByKey) {
+  click(row("floor"));
+  QStyleOptionViewItem option;
+  option.rect = tree()->visualRect(row("floor"));
+  option.features = QStyleOptionViewItem::HasCheckIndicator;
+  const QRect mark = tree()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, tree());
+  QTest::mouseClick(tree()->viewport(), Qt::LeftButton, {}, mark.center());
+  settle();
+  EXPECT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
+  EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Unchecked);
+  key(Qt::Key_H, Qt::ControlModifier);
+  EXPECT_TRUE(renderer->status.filter.hidden.empty());
+  EXPECT_EQ(row("floor").data(Qt::CheckStateRole).toInt(), Qt::Checked);
+}
+
+TEST_F(SceneTreeTest, IsolatesTheSelectedObjectAndShowsAllAgain) {
+  click(row("rotor & hub"));
+  key(Qt::Key_I, Qt::ControlModifier);
+  EXPECT_EQ(renderer->status.filter.isolated, std::vector<std::string>{"rotor & hub"});
+  EXPECT_TRUE(row("rotor & hub").data(Qt::FontRole).value<QFont>().bold());
+  EXPECT_TRUE(row("floor").data(Qt::FontRole).value<QFont>().italic()) << "not drawn";
+  EXPECT_TRUE(row("floor").data(Qt::ToolTipRole).toString().contains("others are isolated"));
+  key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(renderer->status.filter, ObjectFilter{});
+}
+
+TEST_F(SceneTreeTest, GivesAnObjectAnotherMotion) {
+  click(row("rotor & hub", SceneTreeModel::Motion));
+  auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions().at(0)->isChecked());
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().at(1)).center());
+  settle();
+  ASSERT_EQ(renderer->status.motionModes.size(), 1u);
+  EXPECT_EQ(renderer->status.motionModes[0], (MotionOverride{"rotor & hub", MotionMode::CameraOnly}));
+  EXPECT_EQ(row("rotor & hub", 1).data().toString(), "Camera only");
+}
+
+TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
+  session.setPick(glm::ivec2(2, 0)); // the fake's object 2
+  settle();
+  EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
+  EXPECT_EQ(renderer->located, std::vector<int>{2});
+  EXPECT_TRUE(window.scene()->infoText().contains("12 pixels around (21, 6)"))
+      << qPrintable(window.scene()->infoText());
+  // It stays while time runs on under the probe.
+  session.step(-1);
+  session.step(1);
+  settle();
+  EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
+  click(row("floor"));
+  EXPECT_EQ(renderer->located, std::vector<int>{1});
+  key(Qt::Key_J, Qt::ControlModifier);
+  EXPECT_EQ(session.pick(), glm::ivec2(11, 6));
+  EXPECT_EQ(tree()->currentIndex(), row("floor")) << "it was asked for";
+  key(Qt::Key_F8);
+  EXPECT_TRUE(renderer->located.empty()) << "nobody sees it";
+}
+
+TEST_F(SceneTreeTest, FindsObjectsByTheirNames) {
+  key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(QApplication::focusWidget(), window.scene()->filterField());
+  QTest::keyClicks(window.scene()->filterField(), "HUB");
+  settle();
+  EXPECT_TRUE(row("rotor & hub").isValid());
+  EXPECT_TRUE(row("fan").isValid()) << "what it belongs to stays";
+  EXPECT_FALSE(row("floor").isValid());
+  session.setPick(glm::ivec2(1, 0)); // the floor, which is filtered out
+  settle();
+  EXPECT_EQ(tree()->currentIndex(), row("floor"));
+}
+
+class FlightWindow : public FakeWindow {
+ protected:
+  void SetUp() override {
+    FakeWindow::SetUp();
+    window.views()->active()->viewport()->setFocus();
+    key(Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(window.flight()->isOn());
+  }
+  Viewport* viewport() const { return window.views()->active()->viewport(); }
+  CameraPose pose() const { return renderer->status.pose; }
+};
+
+TEST_F(FlightWindow, MovesByKeysWhileTheyAreHeld) {
+  EXPECT_TRUE(window.flightBar()->isVisible());
+  const Settings before = session.settings();
+  QTest::keyPress(viewport(), Qt::Key_W);
+  ASSERT_TRUE(waitFor([&] { return pose().position.z < -0.1f; }, 5000));
+  EXPECT_EQ(renderer->status.camera, kFreeCamera);
+  QTest::keyRelease(viewport(), Qt::Key_W);
+  settle();
+  const CameraPose rest = pose();
+  EXPECT_EQ(rest.position.x, 0.0f);
+  QTest::keyClick(viewport(), Qt::Key_E); // brightens a view when nobody flies
+  settle();
+  EXPECT_GT(pose().position.y, 0.0f);
+  EXPECT_EQ(window.views()->active()->style().exposure, ViewStyle{}.exposure);
+  EXPECT_EQ(session.settings(), before);
+}
+
+TEST_F(FlightWindow, LooksAroundByDraggingAndPicksAsEver) {
+  const QPoint middle = viewport()->rect().center();
+  const ViewCamera camera = viewport()->camera();
+  QTest::mousePress(viewport(), Qt::LeftButton, {}, middle);
+  QTest::mouseMove(viewport(), middle + QPoint(30, -20));
+  QTest::mouseRelease(viewport(), Qt::LeftButton, {}, middle + QPoint(30, -20));
+  settle();
+  EXPECT_GT(pose().yaw, 0.5f);
+  EXPECT_GT(pose().pitch, 0.3f);
+  EXPECT_EQ(viewport()->camera(), camera) << "the picture is not panned";
+  QTest::mouseClick(viewport(), Qt::RightButton, {}, middle);
+  EXPECT_TRUE(session.pick().has_value());
+}
+
+TEST_F(FlightWindow, ChangesItsSpeedByTheWheelAndEndsByEscape) {
+  const float speed = window.flight()->speed();
+  EXPECT_FLOAT_EQ(speed, firstSpeed(2.0f));
+  const QPointF middle = viewport()->rect().center();
+  QWheelEvent wheel(middle, viewport()->mapToGlobal(middle), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(viewport(), &wheel);
+  EXPECT_GT(window.flight()->speed(), 1.4f * speed);
+  EXPECT_TRUE(viewport()->camera().fit) << "it is not zoomed";
+  session.setPick(glm::ivec2(3, 3));
+  QTest::keyClick(viewport(), Qt::Key_Escape);
+  settle();
+  EXPECT_FALSE(window.flight()->isOn());
+  EXPECT_FALSE(window.flightBar()->isVisible());
+  EXPECT_TRUE(session.pick().has_value()) << "escape ended the flight only";
+}
+
+TEST_F(FlightWindow, RecordsAndGoesBackToTheCameraItLeft) {
+  session.fly({{1, 2, 3}, 0, 0, 45});
+  settle();
+  EXPECT_EQ(session.status().camera, kFreeCamera);
+  key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(renderer->status.recording);
+  EXPECT_TRUE(window.flightBar()->text().contains("Recording"));
+  key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(renderer->status.recording);
+  key(Qt::Key_Backspace);
+  EXPECT_EQ(renderer->status.camera, "still");
+}
+
+TEST(FlightMath, MovesAlongWhereItLooks) {
+  CameraPose pose;
+  pose.yaw = 90.0f; // +x
+  const CameraPose ahead = moved(pose, {0, 0, 1}, 2.0f);
+  EXPECT_NEAR(ahead.position.x, 2.0f, 1e-5f);
+  EXPECT_NEAR(ahead.position.z, 0.0f, 1e-5f);
+  const CameraPose right = moved(pose, {1, 0, 0}, 2.0f);
+  EXPECT_NEAR(right.position.z, 2.0f, 1e-5f);
+  const CameraPose both = moved(pose, {1, 1, 1}, 1.0f);
+  EXPECT_NEAR(glm::length(both.position), 1.0f, 1e-5f) << "no faster askew";
+  EXPECT_EQ(moved(pose, {}, 1.0f), pose);
+  pose.pitch = 80.0f;
+  EXPECT_EQ(turned(pose, 0.0, -1e5, 100.0).pitch, kMostPitch);
+  EXPECT_NEAR(turned(CameraPose{}, 1.0, 0.0, 1000.0).yaw, 0.04747f, 1e-4f);
+  EXPECT_LE(std::abs(turned(pose, 1e6, 0.0, 100.0).yaw), 180.0f);
+}
+
+TEST_F(FakeWindow, SceneStateComesBack) {
+  session.fly({{1, 2, 3}, 40.0f, -5.5f, 30.0f});
+  session.setHidden("floor", true);
+  session.setIsolated({"fan"});
+  session.setMotionMode("floor", MotionMode::None);
+  settle();
+  const QJsonObject state = session.sceneState();
+  session.open("builtin:text");
+  settle();
+  EXPECT_EQ(renderer->status.filter, ObjectFilter{});
+  session.setSceneState(state);
+  settle();
+  EXPECT_EQ(renderer->status.camera, kFreeCamera);
+  EXPECT_EQ(renderer->status.pose, (CameraPose{{1, 2, 3}, 40.0f, -5.5f, 30.0f}));
+  EXPECT_EQ(renderer->status.filter, (ObjectFilter{{"floor"}, {"fan"}}));
+  EXPECT_EQ(session.motionModes(), (std::vector<MotionOverride>{{"floor", MotionMode::None}}));
+  session.setSceneState({{"tracks", 3}, {"camera", QJsonArray{}}, {"hidden", "x"}});
+  settle();
+  EXPECT_EQ(renderer->status.filter, ObjectFilter{}) << "what cannot be read is left out";
+}
+
+} // namespace
+} // namespace taa::app::test

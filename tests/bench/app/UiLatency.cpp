@@ -1,0 +1,223 @@
+// How long the window's events wait while a frame takes half a second: posts a thousand and says how long
+// each one took from its post until it was handled.
+#include "tests/app/FakeRenderer.h"
+
+#include "app/MainWindow.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <thread>
+
+namespace {
+
+using namespace taa;
+using namespace taa::app;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kEvents = 1000;
+constexpr std::chrono::milliseconds kBetween{8}; ///< of two events: a mouse tells 125 times a second
+constexpr std::chrono::milliseconds kFrame{500};
+
+/// Does on a thread of its own what it is asked for, half a second of work before each answer.
+class SlowRenderer final : public Renderer {
+ public:
+  explicit SlowRenderer(RenderListener listener) : fake_(std::move(listener)), thread_([this] { run(); }) {}
+  ~SlowRenderer() override {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    wished_.notify_one();
+    thread_.join();
+  }
+
+  void open(const std::string& source) override {
+    post([this, source] {
+      fake_.open(source);
+      fake_.setSize(1280, 720);
+    });
+  }
+  void setSize(int width, int height) override {
+    post([this, width, height] { fake_.setSize(width, height); });
+  }
+  void setCamera(const std::string&) override {}
+  void setMotionModes(const std::vector<MotionOverride>&) override {}
+  void setSettings(const Settings& settings) override {
+    post([this, settings] { fake_.setSettings(settings); });
+  }
+  void prepare(const Settings&) override {}
+  void setPlaying(bool playing) override {
+    post([this, playing] { fake_.setPlaying(playing); });
+  }
+  void setLooping(bool) override {}
+  void seek(int frame) override {
+    post([this, frame] { fake_.seek(frame); });
+  }
+  void step(int frames) override {
+    post([this, frames] { fake_.step(frames); });
+  }
+  void setViews(const std::vector<ViewRequest>& views) override {
+    post([this, views] { fake_.setViews(views); });
+  }
+  void probe(std::optional<glm::ivec2> pixel) override {
+    post([this, pixel] { fake_.probe(pixel); });
+  }
+  void setCheckpointBudget(std::size_t) override {}
+  void setProfiling(bool) override {}
+  void measureStages() override {}
+  void setThumbnails(int width, int height) override {
+    post([this, width, height] { fake_.setThumbnails(width, height); });
+  }
+  void reloadShaders() override {}
+  void cancel() override {}
+  void setObjectFilter(const ObjectFilter&) override {}
+  void fly(const CameraPose& pose) override {
+    post([this, pose] { fake_.fly(pose); });
+  }
+  void setPlayback(const Playback&) override {}
+  void setReferenceSamples(int) override {}
+  void setFigures(const std::vector<Figure>&) override {}
+  void setOtherLanes(const std::vector<Settings>&) override {}
+  void setRecording(bool) override {}
+  void addCameraTrack(const CameraTrack&) override {}
+  void locate(const std::vector<int>&) override {}
+
+ private:
+  void post(std::function<void()> wish) {
+    {
+      const std::lock_guard lock(mutex_);
+      wishes_.push_back(std::move(wish));
+    }
+    wished_.notify_one();
+  }
+  // The last wishes are enough: the real thread takes one of each kind.
+  void run() {
+    for (;;) {
+      std::vector<std::function<void()>> taken;
+      {
+        std::unique_lock lock(mutex_);
+        wished_.wait_for(lock, kFrame, [this] { return ends_ || !wishes_.empty(); });
+        if (ends_) return;
+        taken = std::exchange(wishes_, {});
+      }
+      const auto until = Clock::now() + kFrame;
+      while (Clock::now() < until) continue; // a software renderer keeps a core busy
+      const std::size_t first = taken.size() > 8 ? taken.size() - 8 : 0;
+      for (std::size_t i = first; i < taken.size(); ++i) taken[i]();
+      fake_.seek((fake_.status.info.frame + 1) % 240);
+    }
+  }
+
+  app::test::FakeRenderer fake_;
+  std::mutex mutex_;
+  std::condition_variable wished_;
+  std::vector<std::function<void()>> wishes_;
+  bool ends_ = false;
+  std::thread thread_; // last
+};
+
+/// What a hand does, one after another: each is a real event to a real widget.
+class Hand {
+ public:
+  explicit Hand(MainWindow& window) : window_(window) {}
+  void act(int number) {
+    Viewport* viewport = window_.views()->active()->viewport();
+    const QPoint place(100 + number % 200, 100 + number % 90);
+    switch (number % 8) {
+    case 0:
+    case 1:
+      return move(viewport, place, Qt::NoButton);
+    case 2:
+      return wheel(viewport, place, number % 16 < 8 ? 120 : -120);
+    case 3:
+      return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Right : Qt::Key_Left);
+    case 4:
+      return move(viewport, place, Qt::RightButton);
+    case 5:
+      return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Period : Qt::Key_Comma);
+    case 6:
+      return window_.session().setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
+    default:
+      return wheel(window_.pipeline()->findChild<QScrollArea*>()->viewport(), {50, 50},
+                   number % 400 < 200 ? -120 : 120);
+    }
+  }
+
+ private:
+  static void move(QWidget* widget, const QPoint& place, Qt::MouseButton button) {
+    if (button != Qt::NoButton) QTest::mousePress(widget, button, {}, place);
+    QMouseEvent event(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, button, {});
+    QApplication::sendEvent(widget, &event);
+    if (button != Qt::NoButton) QTest::mouseRelease(widget, button, {}, place);
+  }
+  static void wheel(QWidget* widget, const QPoint& place, int delta) {
+    QWheelEvent event(place, widget->mapToGlobal(place), {}, {0, delta}, {}, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+  }
+  MainWindow& window_;
+};
+
+/// Milliseconds from post to handled of each event, rising.
+std::vector<double> measure(MainWindow& window) {
+  Hand hand(window);
+  std::vector<double> waits;
+  std::thread poster([&] {
+    for (int number = 0; number < kEvents; ++number) {
+      const auto posted = Clock::now();
+      QMetaObject::invokeMethod(
+          &window,
+          [&, number, posted] {
+            hand.act(number);
+            waits.push_back(std::chrono::duration<double, std::milli>(Clock::now() - posted).count());
+            if (number + 1 == kEvents) QApplication::quit();
+          },
+          Qt::QueuedConnection);
+      std::this_thread::sleep_until(posted + kBetween);
+    }
+  });
+  QApplication::exec();
+  poster.join();
+  std::ranges::sort(waits);
+  return waits;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("TAA_PROGRAM_CACHE", "");
+  QApplication application(argc, argv);
+  applyTheme(application, ThemeChoice::Dark);
+  Session session(
+      [](RenderListener listener) { return std::make_unique<SlowRenderer>(std::move(listener)); });
+  MainWindow window(session, nullptr);
+  window.resize(1600, 900);
+  window.show();
+  window.openSource(QStringLiteral("builtin:fan"));
+  if (!QTest::qWaitFor([&] { return session.picture(0) != nullptr; }, 20000)) {
+    std::fputs("taa_ui_latency: no picture arrived\n", stderr);
+    return 1;
+  }
+  session.setPick(glm::ivec2(200, 200));
+  QTest::qWait(1500); // layouts and first paints are over
+  const std::vector<double> waits = measure(window);
+  const auto at = [&](double share) { return waits[static_cast<std::size_t>(share * (waits.size() - 1))]; };
+  std::printf("%zu events, ms until handled: median %.2f, 99%% %.2f, 99.9%% %.2f, longest %.2f\n",
+              waits.size(), at(0.5), at(0.99), at(0.999), waits.back());
+  return 0;
+}
