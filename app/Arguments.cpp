@@ -88,9 +88,10 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   for (int page = 0; page < kLowerPageCount; ++page)
     pages.push_back(lowerPageId(static_cast<LowerPage>(page)).toStdString());
   for (const char* page : {"colorspace", "whatif", "scene"}) pages.emplace_back(page);
-  app.add_option("--panel", arguments.panel,
-                 "Show this page above the timeline, or of the probe, too, or the scene's tree in place of the "
-                 "pipeline")
+  app.add_option(
+         "--panel", arguments.panel,
+         "Show this page above the timeline, or of the probe, too, or the scene's tree in place of the "
+         "pipeline")
       ->type_name("NAME")
       ->check(CLI::IsMember(pages));
   app.add_option("--shaders", arguments.shaders,

@@ -27,8 +27,8 @@ bool stopsReplay(const Wishes& wishes) {
 bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures && !otherLanes &&
-         !exported && scene.isEmpty();
+         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
+         !otherLanes && !exported && scene.isEmpty();
 }
 
 bool Wishes::endReplay() const {

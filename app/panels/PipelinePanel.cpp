@@ -115,8 +115,8 @@ QWidget* PipelinePanel::makeTop() {
   line->addWidget(title);
   line->addStretch(1);
   line->addWidget(presets_);
-  auto* compare =
-      new IconButton(QStringLiteral("differences"), tr("Compare presets, rename and delete your own (Ctrl+D)"));
+  auto* compare = new IconButton(QStringLiteral("differences"),
+                                 tr("Compare presets, rename and delete your own (Ctrl+D)"));
   connect(compare, &IconButton::clicked, this, &PipelinePanel::comparisonRequested);
   line->addWidget(compare);
   layout->addLayout(line);

@@ -47,7 +47,7 @@ struct RenderArguments {
   std::string frames, folder;                   ///< frames empty: that of the session
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
-  int referenceSamples = 64; ///< of frames whose reference is looked at
+  int referenceSamples = 64;      ///< of frames whose reference is looked at
   std::vector<std::string> style; ///< "key=value" on top of the styles that rows open with
   double framesPerSecond = 0.0;   ///< of a GIF; 0: the scene's
   bool json = false;

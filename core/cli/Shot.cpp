@@ -31,8 +31,8 @@ ShotPlan planSession(const ShotArguments& arguments) {
 ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
-  return {arguments.source, arguments.camera, parseSize(arguments.size), lanesOf(arguments),
-          motionModesOf(arguments), cameraTrackOf(arguments)};
+  return {arguments.source,   arguments.camera,         parseSize(arguments.size),
+          lanesOf(arguments), motionModesOf(arguments), cameraTrackOf(arguments)};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
