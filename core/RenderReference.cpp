@@ -70,7 +70,7 @@ void RenderWorker::refineReference(int lane) {
   if (!isDone) reference_.stoppedAt = version_;
   if (isDone && !goesOn) {
     ++reference_.version;
-    probeDelivered_ = 0;
+    pinsDelivered_ = 0;
     deliver(); // the last one, too: there may be nothing to do after it
   }
   endReference();

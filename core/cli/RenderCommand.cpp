@@ -194,8 +194,8 @@ void checkStyle(const RenderArguments& arguments) {
 void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
   const ShotPlan plan = planShot(arguments.shot);
   const FrameRange range = rangeOf(arguments, plan);
-  if (std::ranges::any_of(parseEmit(arguments.emit), isOfReference))
-    checkReferenceSamples(arguments.referenceSamples);
+  const bool showsReference = std::ranges::any_of(parseEmit(arguments.emit), isOfReference);
+  if (showsReference) checkReferenceSamples(arguments.referenceSamples);
   checkStyle(arguments);
   Inspector inspector;
   if (arguments.verbose) sayMemory(inspector, plan);
