@@ -30,7 +30,9 @@ namespace taa::app {
 
 namespace {
 
+// 0 where nothing is: a pin that follows a surface may be off the screen.
 int objectAt(const ProbeResult& probe) {
+  if (probe.around.size() < 5) return 0;
   return static_cast<int>(reference::at(probe.around[4], IntermediateId::objectId).x);
 }
 
@@ -67,6 +69,7 @@ void MainWindow::connectScene() {
   connect(scene_, &ScenePanel::revealAsked, this, [this](glm::ivec2 pixel) {
     reveals_ = true; // the object is selected already
     session_.setPick(pixel);
+    reveals_ = false;
     views_->active()->viewport()->reveal(pixel);
   });
   connect(&session_, &Session::objectAreaArrived, scene_, &ScenePanel::setArea);
@@ -82,8 +85,7 @@ void MainWindow::connectScene() {
     showArea();
   });
   // A new pick selects its object; while time runs on under the probe the selection stays.
-  connect(&session_, &Session::pickChanged, this,
-          [this] { selectsPicked_ = !std::exchange(reveals_, false); });
+  connect(&session_, &Session::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
   connect(&session_, &Session::probeArrived, this, [this] {
     const ProbeResult* probe = session_.probe();
     if (!probe || !selectsPicked_ || session_.pick() != glm::ivec2(probe->x, probe->y)) return;

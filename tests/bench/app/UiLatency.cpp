@@ -74,8 +74,8 @@ class SlowRenderer final : public Renderer {
   void setViews(const std::vector<ViewRequest>& views) override {
     post([this, views] { fake_.setViews(views); });
   }
-  void probe(std::optional<glm::ivec2> pixel) override {
-    post([this, pixel] { fake_.probe(pixel); });
+  void setPins(const PinWish& pins) override {
+    post([this, pins] { fake_.setPins(pins); });
   }
   void setCheckpointBudget(std::size_t) override {}
   void setProfiling(bool) override {}
@@ -93,6 +93,7 @@ class SlowRenderer final : public Renderer {
   void setReferenceSamples(int) override {}
   void setFigures(const std::vector<Figure>&) override {}
   void setOtherLanes(const std::vector<Settings>&) override {}
+  void exportSequence(const SequenceRequest&) override {}
   void setRecording(bool) override {}
   void addCameraTrack(const CameraTrack&) override {}
   void locate(const std::vector<int>&) override {}
