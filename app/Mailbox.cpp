@@ -75,6 +75,9 @@ RenderListener listenerOf(Mailbox& mailbox) {
   listener.onObjectArea = [&mailbox](ObjectArea area) {
     mailbox.put([&](Delivery& delivery) { delivery.area = std::move(area); });
   };
+  listener.onTrace = [&mailbox](TraceDelivery trace) {
+    mailbox.put([&](Delivery& delivery) { delivery.traces.push_back(std::move(trace)); });
+  };
   return listener;
 }
 

@@ -29,6 +29,7 @@ struct Delivery {
   std::optional<ExportResult> exported;
   std::optional<ObjectArea> area;
   std::optional<StageShares> shares;
+  std::vector<TraceDelivery> traces; ///< all of them: each is a frame
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

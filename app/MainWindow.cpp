@@ -7,6 +7,7 @@
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/ProfilerPanel.h"
 #include "app/panels/StatusLine.h"
@@ -78,6 +79,7 @@ void MainWindow::makeParts() {
   pipeline_ = new PipelinePanel;
   probe_ = new ProbePanel;
   profiler_ = new ProfilerPanel;
+  plots_ = new PlotsPanel;
   jitter_ = new JitterPanel;
   weights_ = new WeightsPanel;
   timeline_ = new TimelinePanel;
@@ -90,6 +92,7 @@ void MainWindow::makeParts() {
   sourceLabel_->setContentsMargins(0, 0, 2 * kUnit, 0);
   lower_ = new LowerArea;
   lower_->add(profiler_, tr("Profiler"));
+  lower_->add(plots_, tr("Plots"));
   lower_->add(jitter_, tr("Jitter"));
   lower_->add(weights_, tr("Weights"));
   for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {

@@ -3,6 +3,7 @@
 
 #include "app/Session.h"
 #include "app/Theme.h"
+#include "app/models/FigureHistory.h"
 
 #include <QJsonObject>
 #include <QMainWindow>
@@ -25,6 +26,7 @@ class Menus;
 class Exports;
 class MessagesBar;
 class PipelinePanel;
+class PlotsPanel;
 class ProbePanel;
 class ProfilerPanel;
 class SessionKeeper;
@@ -53,6 +55,7 @@ class MainWindow : public QMainWindow {
   ProbePanel* probe() const { return probe_; }
   LowerArea* lower() const { return lower_; }
   ProfilerPanel* profiler() const { return profiler_; }
+  PlotsPanel* plots() const { return plots_; }
   JitterPanel* jitter() const { return jitter_; }
   WeightsPanel* weights() const { return weights_; }
   TimelinePanel* timeline() const { return timeline_; }
@@ -134,6 +137,8 @@ class MainWindow : public QMainWindow {
   void showSettings();
   void showPick();
   void showHistory();
+  void showTraces();
+  void showFigure();
   void showProbe();
   void showHover(int view);
   void connectComparing();
@@ -152,6 +157,7 @@ class MainWindow : public QMainWindow {
   ProbePanel* probe_ = nullptr;
   LowerArea* lower_ = nullptr;
   ProfilerPanel* profiler_ = nullptr;
+  PlotsPanel* plots_ = nullptr;
   JitterPanel* jitter_ = nullptr;
   WeightsPanel* weights_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
@@ -166,6 +172,7 @@ class MainWindow : public QMainWindow {
   FlightBar* flightBar_ = nullptr;
   bool selectsPicked_ = false; ///< the object at the probe, once it is known
   bool reveals_ = false;       ///< the next pick is of the selected object
+  FigureHistory figures_;      ///< for the timeline
   Menus* menus_ = nullptr;
   SessionKeeper* keeper_ = nullptr;
   Exports* exports_ = nullptr;

@@ -6,6 +6,7 @@
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
@@ -59,6 +60,7 @@ QJsonObject MainWindow::state() const {
   keepPart(state, QStringLiteral("pipeline"), *pipeline_);
   keepPart(state, QStringLiteral("probe"), *probe_);
   keepPart(state, QStringLiteral("timeline"), *timeline_);
+  keepPart(state, QStringLiteral("plots"), *plots_);
   keepScene(state, session_);
   if (const auto pick = session_.pick()) state[QStringLiteral("pick")] = QJsonArray{pick->x, pick->y};
   state[QStringLiteral("looping")] = session_.isLooping();
@@ -98,6 +100,7 @@ void MainWindow::setState(const QJsonObject& state) {
   restorePart(state, QStringLiteral("pipeline"), *pipeline_);
   restorePart(state, QStringLiteral("probe"), *probe_);
   restorePart(state, QStringLiteral("timeline"), *timeline_);
+  restorePart(state, QStringLiteral("plots"), *plots_);
 }
 
 void MainWindow::connectFiles() {

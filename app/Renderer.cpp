@@ -29,6 +29,8 @@ class ThreadRenderer final : public Renderer {
   void setOtherLanes(const std::vector<Settings>& lanes) override { thread_.setOtherLanes(lanes); }
   void reloadShaders() override { thread_.reloadShaders(); }
   void cancel() override { thread_.cancel(); }
+  void setTracing(bool tracing) override { thread_.setTracing(tracing); }
+  void fillTraces(int first, int last) override { thread_.fillTraces(first, last); }
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }
   void exportSequence(const SequenceRequest& request) override { thread_.exportSequence(request); }
   void setObjectFilter(const ObjectFilter& filter) override { thread_.setObjectFilter(filter); }

@@ -36,6 +36,8 @@ class Renderer {
   virtual void setOtherLanes(const std::vector<Settings>& lanes) = 0;
   virtual void reloadShaders() = 0;
   virtual void cancel() = 0;
+  virtual void setTracing(bool tracing) = 0;
+  virtual void fillTraces(int first, int last) = 0;
   virtual void setPlayback(const Playback& playback) = 0;
   virtual void exportSequence(const SequenceRequest& request) = 0;
   virtual void setObjectFilter(const ObjectFilter& filter) = 0;

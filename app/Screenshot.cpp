@@ -1,8 +1,11 @@
 #include "app/Screenshot.h"
 
 #include "app/MainWindow.h"
+#include "app/panels/JitterPanel.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
 #include "app/panels/ProfilerPanel.h"
+#include "app/panels/WeightsPanel.h"
 #include "app/views/ViewArea.h"
 
 #include <QPixmap>
@@ -13,8 +16,9 @@
 namespace taa::app {
 
 namespace {
-constexpr int kPoll = 20;             ///< ms
-constexpr int kQuiet = 10;            ///< polls
+constexpr int kPoll = 20;  ///< ms
+constexpr int kQuiet = 10; ///< polls
+constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
 } // namespace
 
@@ -64,6 +68,22 @@ bool Screenshot::areProfilesComplete() {
   return profiler->hasProfile() && profiler->hasStageCosts();
 }
 
+// Plots show what was seen before, which a picture of one frame lacks: the frames up to it are made.
+bool Screenshot::areTracesComplete() {
+  const PlotsPanel* plots = window_.plots();
+  const Session& session = window_.session();
+  const bool isShown = plots->isVisible() || window_.jitter()->isVisible() || window_.weights()->isVisible();
+  if (!isShown || session.pins().empty()) return true;
+  const int first = std::max(0, frame_ - kTracedFrames);
+  if (!std::exchange(asksForTraces_, true)) window_.session().fillTraces(first, frame_);
+  if (session.work().what == "Tracing the probes") sawTracing_ = true;
+  if (sawTracing_) return session.work().what.empty();
+  return std::ranges::all_of(session.pins(), [&](const ProbePin& pin) {
+    const PixelTrace* trace = plots->store().traceOf(pin);
+    return trace && missingFrames(*trace, first, frame_).empty();
+  });
+}
+
 void Screenshot::look() {
   Session& session = window_.session();
   if (!session.isOpen()) return;
@@ -72,7 +92,7 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!isComplete() || !areProfilesComplete()) {
+  if (!areTracesComplete() || !isComplete() || !areProfilesComplete()) {
     quiet_ = 0;
     return;
   }

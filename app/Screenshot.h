@@ -24,6 +24,7 @@ class Screenshot : public QObject {
   void look();
   bool isComplete() const;
   bool areProfilesComplete();
+  bool areTracesComplete();
   void finish(int code, const QString& text);
 
   MainWindow& window_;
@@ -31,6 +32,7 @@ class Screenshot : public QObject {
   int frame_;
   Done done_;
   bool asked_ = false, measures_ = false;
+  bool asksForTraces_ = false, sawTracing_ = false;
   int quiet_ = 0; ///< polls since all was there
   QTimer poll_, limit_;
   QString lastError_;

@@ -93,6 +93,7 @@ void Session::deliver() {
   if (hasProbes) Q_EMIT probeArrived();
   for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
+  for (const TraceDelivery& trace : delivery.traces) Q_EMIT traceArrived(trace);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
   for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
   if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(*delivery.shaders));
@@ -138,6 +139,15 @@ void Session::togglePlaying() {
 void Session::setLooping(bool looping) {
   looping_ = looping;
   ask([&](Renderer& renderer) { renderer.setLooping(looping); });
+}
+
+void Session::setTracing(bool tracing) {
+  if (std::exchange(tracing_, tracing) == tracing) return;
+  ask([&](Renderer& renderer) { renderer.setTracing(tracing); });
+}
+
+void Session::fillTraces(int first, int last) {
+  ask([&](Renderer& renderer) { renderer.fillTraces(first, last); });
 }
 
 void Session::setPlayback(const Playback& playback) {

@@ -71,6 +71,8 @@ class Session : public QObject {
   void togglePlaying();
   void setLooping(bool looping);
   void setPlayback(const Playback& playback);
+  void setTracing(bool tracing);
+  void fillTraces(int first, int last);
   void seek(int frame);
   void step(int frames); ///< pauses
   void setParameter(const QString& path, double value);
@@ -137,6 +139,7 @@ class Session : public QObject {
   void statusChanged();
   void settingsChanged();
   void playbackChanged();
+  void traceArrived(const TraceDelivery& trace);
   void pictureArrived(int view);
   void probeArrived(); ///< of at least one pin
   void pickChanged();  ///< a pin was set, removed, or made active
@@ -182,6 +185,7 @@ class Session : public QObject {
   std::vector<Settings> otherLanes_;
   bool looping_ = true, playsWhenOpen_ = false;
   Playback playback_;
+  bool tracing_ = false;
   std::unique_ptr<Renderer> renderer_; ///< last: ends before what its results are put into
 };
 

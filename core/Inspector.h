@@ -6,6 +6,7 @@
 #include "core/gl/Context.h"
 #include "core/inspect/Look.h"
 #include "core/inspect/Metrics.h"
+#include "core/inspect/PixelTrace.h"
 #include "core/inspect/ProbePin.h"
 #include "core/inspect/Profiler.h"
 #include "core/inspect/StageMeter.h"
@@ -144,6 +145,10 @@ class Inspector {
   ProbePin anchored(const ProbePin& pin);
   /// Where a pin is in the frame on show. Expects an anchored one.
   PinSpot spot(const ProbePin& pin);
+  /// What is at pins in any frame, exactly; nothing at those that are not seen there. What is on show stays.
+  /// Frame after frame costs one frame each. Of the first lane. Expects anchored pins.
+  std::vector<std::optional<TraceSample>> traceFrame(int frame, const std::vector<ProbePin>& pins,
+                                                     TraceCursor& cursor, const Progress& progress = {});
   /// The finished picture of a view.
   Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
                   int height, int lane = 0);

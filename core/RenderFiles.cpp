@@ -10,6 +10,7 @@ void RenderWorker::reloadShaders() {
   try {
     inspector_.reloadShaders();
     ++version_;
+    ++subject_;
     statusChanged_ = true;
     refinementStopped_ = false;
   } catch (const std::exception& failed) {

@@ -47,6 +47,7 @@ void RenderWorker::deliverPin(int index) {
     result.exact = inspector_.isExact();
     result.settings = inspector_.settings();
     result.info = inspector_.info();
+    traceShown(result);
     if (listener_.onProbe) listener_.onProbe(std::move(result));
   });
 }

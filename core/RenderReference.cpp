@@ -90,6 +90,7 @@ void RenderWorker::deliverFigures() {
   attempt([&] {
     for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
       FrameFigures figures = inspector_.figures(figures_.wanted, lane);
+      figures.subject = subject_;
       if (listener_.onFigures) listener_.onFigures(std::move(figures));
     }
   });

@@ -49,6 +49,7 @@ void RenderWorker::applyScene(const Wishes& wishes) {
   const auto change = [&](auto action) {
     if (!attempt(action)) return;
     ++version_;
+    ++subject_;
     statusChanged_ = true;
     refinementStopped_ = false;
   };
@@ -102,6 +103,7 @@ void RenderWorker::layTrack(int frame, const CameraPose& pose) {
   if (const CameraTrackHandle flown = currentTrack(); flown && flown->name == name) track = *flown;
   track.put(frame, pose);
   inspector_.setCameraTrack(std::move(track));
+  ++subject_;
 }
 
 // Somebody jumps, stops or starts again: a recording is done, and a camera that was only flown rests where it
@@ -116,6 +118,7 @@ void RenderWorker::endFlight() {
   if (*currentTrack() == rests) return;
   if (!attempt([&] { inspector_.setCameraTrack(std::move(rests)); })) return;
   ++version_;
+  ++subject_;
   statusChanged_ = true;
 }
 

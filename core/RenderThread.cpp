@@ -214,6 +214,14 @@ void RenderThread::locate(const std::vector<int>& objects) {
   parts_->post([&](Wishes& wishes) { wishes.scene.located = objects; });
 }
 
+void RenderThread::setTracing(bool tracing) {
+  parts_->post([&](Wishes& wishes) { wishes.tracing = tracing; });
+}
+
+void RenderThread::fillTraces(int first, int last) {
+  parts_->post([&](Wishes& wishes) { wishes.fillTraces = std::pair(first, last); });
+}
+
 void RenderThread::reloadShaders() {
   parts_->post([&](Wishes& wishes) { wishes.reload = true; });
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/Inspector.h"
+#include "core/Playback.h"
 #include "core/RenderScene.h"
 #include "core/SequenceExport.h"
 #include "core/ViewRequest.h"
+#include "core/inspect/PixelTrace.h"
 #include "core/inspect/ProbePin.h"
 #include "core/inspect/StageShares.h"
 #include "core/inspect/WhatIf.h"
@@ -50,15 +52,6 @@ struct Thumbnail {
 /// Names of objects that the status holds at most: more than a menu has room for.
 inline constexpr std::size_t kMostObjects = 40;
 
-/// How time goes on while it plays.
-struct Playback {
-  double framesPerSecond = 0.0;             ///< 0: the shot's own
-  double speed = 1.0;                       ///< of it, kSlowest to kFastest
-  std::optional<std::pair<int, int>> range; ///< first and last frame of what is repeated; nothing: the shot
-  bool operator==(const Playback&) const = default;
-};
-inline constexpr double kSlowestPlayback = 0.05, kFastestPlayback = 8.0;
-
 /// What the window shows about the state; sent whenever any of it changes. Before the pictures of a frame
 /// that is not exact or not the wished one, after those of one that is: who shows badges by it never lacks
 /// one.
@@ -86,6 +79,8 @@ struct Status {
   std::vector<CameraTrackHandle> tracks; ///< flown cameras, which are among `cameras`
   CameraPose pose;                       ///< of the camera at this frame
   bool recording = false;
+  /// Counts the changes of what frames are a function of: what was known of frames is no longer true then.
+  std::uint64_t subject = 0;
 };
 
 /// Long work under way; `what` empty: none.
@@ -111,6 +106,7 @@ struct RenderListener {
   std::function<void(ObjectArea)> onObjectArea{};
   /// Of frames that it rests at, while thumbnails are wanted.
   std::function<void(StageShares)> onStageShares{};
+  std::function<void(TraceDelivery)> onTrace{};
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
@@ -164,6 +160,10 @@ class RenderThread {
   void addCameraTrack(const CameraTrack& track); ///< several add up; looks through the last one
   /// Says where these are seen, again for each frame that it rests at; none: no longer.
   void locate(const std::vector<int>& objects);
+  /// From now on what is at the pins in each exact frame on show is delivered as a trace, too.
+  void setTracing(bool tracing);
+  /// Also in the frames from `first` to `last` that were not shown, while nothing plays: what is shown stays.
+  void fillTraces(int first, int last);
   void reloadShaders();
   void cancel(); ///< stops the long work under way
   /// Other wishes wait until it is done; cancel() stops it.

@@ -28,7 +28,7 @@ bool Wishes::isEmpty() const {
   return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
          !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
          !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
-         !otherLanes && !exported && scene.isEmpty();
+         !otherLanes && !exported && scene.isEmpty() && !tracing && !fillTraces;
 }
 
 bool Wishes::endReplay() const {
@@ -78,6 +78,7 @@ void RenderWorker::apply(const Wishes& wishes) {
   applyScene(wishes);
   applyTime(wishes);
   if (wishes.pins) applyPins(*wishes.pins);
+  applyTraces(wishes);
   applyLooks(wishes);
   applyReference(wishes);
   endReference();
@@ -87,6 +88,7 @@ void RenderWorker::applySource(const Wishes& wishes) {
   const auto change = [&](auto action) {
     if (!attempt(action)) return;
     ++version_;
+    ++subject_;
     statusChanged_ = true;
     refinementStopped_ = false;
   };
@@ -151,6 +153,8 @@ void RenderWorker::work() {
     replay(inspector_.frame(), "Replaying with the new settings");
   else if (needsAside())
     makeAside();
+  else if (wantsToFillTraces())
+    fillTraces();
 }
 
 // Before a long way: shows the nearest frame at hand when it is much nearer than what is on show, and tells
@@ -211,6 +215,7 @@ void RenderWorker::sendStatus() {
   status.referenceGoal = reference_.goal;
   status.checkpointBudget = inspector_.checkpointBudget();
   status.playback = playback_;
+  status.subject = subject_;
   if (isOpen()) {
     status.source = inspector_.source();
     status.camera = inspector_.camera();

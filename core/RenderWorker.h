@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,8 @@ struct Wishes {
   std::optional<std::vector<Settings>> otherLanes;
   std::optional<SequenceRequest> exported;
   SceneWishes scene;
+  std::optional<bool> tracing;
+  std::optional<std::pair<int, int>> fillTraces; ///< first and last frame
 
   bool isEmpty() const;
   /// Whether going to a frame is of no use any more once these are taken up.
@@ -66,11 +69,19 @@ class RenderWorker {
   void useIdleTime();
 
   /// Whether work() would do something now, besides playing.
-  bool hasGoal() const { return hasFrameGoal() || laneOfReference(); }
+  bool hasGoal() const { return hasFrameGoal() || wantsToFillTraces() || laneOfReference(); }
   /// When there is something to do again without a wish; nothing: never.
   std::optional<Clock::time_point> wakeAt();
 
  private:
+  /// What was delivered of the pins, and what is to be filled in.
+  struct Traces {
+    bool wanted = false;
+    std::uint64_t subject = 0;                             // what follows is of this one
+    std::vector<std::pair<ProbePin, std::set<int>>> known; // frames
+    std::optional<std::pair<int, int>> filling;
+    TraceCursor cursor;
+  };
   struct Delivered {
     ViewRequest request;
     std::uint64_t version = 0, asides = 0, reference = 0;
@@ -110,6 +121,12 @@ class RenderWorker {
   void applyPins(const PinWish& wish);
   void deliverPins();
   void deliverPin(int index);
+  void applyTraces(const Wishes& wishes);
+  std::set<int>& tracedFrames(const ProbePin& pin);
+  void traceShown(const ProbeResult& result);
+  void deliverTrace(const ProbePin& pin, int frame, const std::optional<TraceSample>& sample);
+  bool wantsToFillTraces() const;
+  void fillTraces();
   void deliverProfile();
   void measureStages();
   std::optional<Clock::time_point> thumbnailDueAt();
@@ -165,6 +182,8 @@ class RenderWorker {
   std::shared_ptr<const SceneOutline> outline_; // of the scene
   std::vector<int> located_;                    // objects
   std::uint64_t areaDelivered_ = 0, sharesDelivered_ = 0;
+  Traces traces_;
+  std::uint64_t subject_ = 0; // see Status
 };
 
 // Errors are told and change nothing; returns whether the action was done.

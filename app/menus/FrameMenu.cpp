@@ -47,6 +47,7 @@ void Menus::makeFrame() {
       });
   makePlayback(menu->addMenu(tr("Speed and &range")));
   makeFrameMarks(menu->addMenu(tr("&Marks")));
+  makeFigures(menu->addMenu(tr("F&igure under the timeline")));
   add(menu, tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
     session.cancel();
   })->setIcon(themedIcon(QStringLiteral("stop")));

@@ -60,10 +60,12 @@ class Menus : public QObject {
   void makeViews(QMenu* menu);
   void makeComparing(QMenu* menu);
   void makeOverlays(QMenu* menu);
+  void makePlots(QMenu* menu);
   void makePictures(QMenu* menu);
   void makeThemes(QMenu* menu);
   void makePlayback(QMenu* menu);
   void makeFrameMarks(QMenu* menu);
+  void makeFigures(QMenu* menu);
   void makeSizes(QMenu* menu);
   void makeBudgets(QMenu* menu);
   void makeCameras(QMenu* menu);

@@ -1,5 +1,6 @@
 // Frame menu: speed, the part that is repeated, and the marks.
 #include "app/MainWindow.h"
+#include "app/Text.h"
 #include "app/menus/Menus.h"
 #include "app/panels/TimelinePanel.h"
 
@@ -36,6 +37,22 @@ void Menus::makePlayback(QMenu* menu) {
   QAction* clear =
       add(menu, tr("Repeat the &whole shot"), keys({"\\"}), [timeline] { timeline->clearRange(); });
   onRefresh([timeline, clear] { clear->setEnabled(timeline->playback().range.has_value()); });
+}
+
+void Menus::makeFigures(QMenu* menu) {
+  TimelinePanel* timeline = window_.timeline();
+  auto* group = new QActionGroup(this);
+  const auto offer = [&](const QString& text, std::optional<Figure> figure) {
+    QAction* action = add(menu, text, {}, [timeline, figure] { timeline->setFigure(figure); });
+    action->setCheckable(true);
+    group->addAction(action);
+    onRefresh([timeline, action, figure] { action->setChecked(timeline->figure() == figure); });
+    return action;
+  };
+  offer(tr("None"), {});
+  for (const FigureInfo& info : kFigures)
+    offer(qtext(info.label), info.figure)->setToolTip(qtext(info.description));
+  menu->setToolTipsVisible(true);
 }
 
 void Menus::makeFrameMarks(QMenu* menu) {

@@ -14,7 +14,7 @@
 namespace taa::app {
 
 namespace {
-constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "jitter", "weights"};
+constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "plots", "jitter", "weights"};
 } // namespace
 
 QString lowerPageId(LowerPage page) {

@@ -12,8 +12,8 @@ class QTabBar;
 namespace taa::app {
 
 /// In the order of the tabs.
-enum class LowerPage { Profiler, Jitter, Weights };
-inline constexpr int kLowerPageCount = 3;
+enum class LowerPage { Profiler, Plots, Jitter, Weights };
+inline constexpr int kLowerPageCount = 4;
 
 /// "profiler", "plots" …: for command lines and files; anything else: nothing.
 QString lowerPageId(LowerPage page);

@@ -1,5 +1,6 @@
 #include "app/panels/TimelinePanel.h"
 
+#include "app/Text.h"
 #include "app/Theme.h"
 #include "app/views/Timeline.h"
 #include "app/widgets/ChoiceButton.h"
@@ -8,6 +9,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 
 #include <algorithm>
 
@@ -29,6 +31,9 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   timeline_ = new Timeline;
   connect(timeline_, &Timeline::seekRequested, this, &TimelinePanel::seekRequested);
   connect(timeline_, &Timeline::stepRequested, this, &TimelinePanel::stepRequested);
+  timeline_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(timeline_, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& place) { offerFigures(timeline_->mapToGlobal(place)); });
   layout->addSpacing(2 * kUnit);
   layout->addWidget(timeline_, 1);
   layout->addSpacing(2 * kUnit);
@@ -173,6 +178,26 @@ void TimelinePanel::setLooping(bool looping) {
   loop_->setChecked(looping);
 }
 
+void TimelinePanel::setFigure(std::optional<Figure> figure) {
+  if (figure == figure_) return;
+  figure_ = figure;
+  if (!figure_) timeline_->setStrip({});
+  Q_EMIT figureChosen(figure_);
+}
+
+void TimelinePanel::offerFigures(const QPoint& place) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto offer = [&](const QString& text, std::optional<Figure> figure) {
+    QAction* action = menu->addAction(text, this, [this, figure] { setFigure(figure); });
+    action->setCheckable(true);
+    action->setChecked(figure == figure_);
+  };
+  offer(tr("No figure under the ruler"), {});
+  for (const FigureInfo& info : kFigures) offer(qtext(info.label), info.figure);
+  menu->popup(place);
+}
+
 void TimelinePanel::setStrip(const TimelineStrip& strip) {
   timeline_->setStrip(strip);
 }
@@ -265,6 +290,7 @@ QJsonObject TimelinePanel::state() const {
   return {{QStringLiteral("speed"), playback_.speed},
           {QStringLiteral("framesPerSecond"), playback_.framesPerSecond},
           {QStringLiteral("loops"), loop_->isChecked()},
+          {QStringLiteral("figure"), figure_ ? qtext(figureInfo(*figure_).id) : QString()},
           {QStringLiteral("shots"), shots}};
 }
 
@@ -273,6 +299,7 @@ void TimelinePanel::setState(const QJsonObject& state) {
   setFramesPerSecond(state.value(QLatin1String("framesPerSecond")).toDouble(0.0));
   setLooping(state.value(QLatin1String("loops")).toBool(true));
   Q_EMIT loopToggled(loop_->isChecked());
+  setFigure(findFigure(state.value(QLatin1String("figure")).toString().toStdString()));
   notes_.clear();
   const QJsonObject shots = state.value(QLatin1String("shots")).toObject();
   for (auto shot = shots.begin(); shot != shots.end(); ++shot)

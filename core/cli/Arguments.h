@@ -62,6 +62,15 @@ struct ProbeArguments {
   bool whatIf = false; ///< also the pixel under other choices
 };
 
+struct TraceArguments {
+  ShotArguments shot;
+  std::string frames;
+  std::vector<std::string> pixels;
+  std::vector<std::string> emit = {"alpha", "historyLength"}; ///< ids, or "all"
+  bool surface = false;           ///< follow what is seen at the pixels in the first frame
+  bool json = false, csv = false; ///< CSV is also what neither asks for
+};
+
 struct ProfileArguments {
   ShotArguments shot;
   std::string frames = "1..30";

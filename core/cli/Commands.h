@@ -17,6 +17,9 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
 /// Prints every intermediate at one pixel of one frame. Throws UsageError, Error, Cancelled.
 void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
+void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Prints what the passes of frames, the stages of the resolve and the memory come to. Throws UsageError,
 /// Error, Cancelled.
 void runProfile(const ProfileArguments& arguments, std::ostream& out, const Progress& progress);

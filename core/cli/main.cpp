@@ -154,6 +154,25 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
   command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
 }
 
+void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand("trace", "Print intermediates at pixels over frames, as CSV");
+  addShotOptions(*command, trace.shot);
+  command->add_option("--pixel", trace.pixels, "X,Y; 0,0 is the top left; repeat it for more")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--frames", trace.frames, "A..B, both included, or one frame")->required();
+  command
+      ->add_option("--emit", trace.emit,
+                   "Intermediates, with commas between (see list intermediates), or all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command->add_flag("--surface", trace.surface, "Follow the surfaces seen at the pixels in the first frame");
+  auto* json = command->add_flag("--json", trace.json, "Print JSON");
+  command->add_flag("--csv", trace.csv, "Print CSV, as without it")->excludes(json);
+  command->callback([&trace, &progress] { runTrace(trace, std::cout, progress); });
+}
+
 void addProfile(CLI::App& app, ProfileArguments& profile, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand(
       "profile", "Print the time of each pass and of each stage of the resolve, and the memory in use");
@@ -191,7 +210,7 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, profile, metrics and glsl");
+                   "\"; there are list, render, probe, trace, profile, metrics and glsl");
 }
 
 int run(int argc, char** argv) {
@@ -204,6 +223,7 @@ int run(int argc, char** argv) {
   ListArguments list;
   RenderArguments render;
   ProbeArguments probe;
+  TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
   GlslArguments glsl;
@@ -214,6 +234,7 @@ int run(int argc, char** argv) {
   addList(app, list);
   addRender(app, render, progress);
   addProbe(app, probe, progress);
+  addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
   addGlsl(app, glsl);

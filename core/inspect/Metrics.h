@@ -81,6 +81,7 @@ struct FrameFigures {
   bool exact = true;        ///< of the frame
   int referenceSamples = 0; ///< of the reference that RMSE and PSNR were taken against; 0: there was none
   std::array<std::optional<double>, kFigures.size()> values;
+  std::uint64_t subject = 0; ///< counts what frames were a function of (Status::subject)
 
   const std::optional<double>& at(Figure figure) const { return values[static_cast<std::size_t>(figure)]; }
   std::optional<double>& at(Figure figure) { return values[static_cast<std::size_t>(figure)]; }

@@ -111,6 +111,7 @@ void FakeRenderer::locate(const std::vector<int>& objects) {
 
 void FakeRenderer::setSettings(const Settings& settings) {
   ++settingsSent;
+  ++status.subject;
   status.settings = settings;
   deliver();
 }
@@ -118,6 +119,25 @@ void FakeRenderer::setSettings(const Settings& settings) {
 void FakeRenderer::setPlaying(bool playing) {
   status.playing = playing;
   deliver();
+}
+
+void FakeRenderer::setTracing(bool wanted) {
+  tracing = wanted;
+  deliver();
+}
+
+void FakeRenderer::fillTraces(int first, int last) {
+  for (int frame = first; frame <= last; ++frame)
+    for (const ProbePin& pin : pins) deliverTrace(pin, frame);
+}
+
+/// Every channel is valueAt(); history is rejected in frames that are multiples of ten, for their depth.
+void FakeRenderer::deliverTrace(const ProbePin& pin, int frame) {
+  TraceDelivery trace{.pin = pin, .frame = frame, .sample = {pin.pixel, {}}, .subject = status.subject};
+  trace.sample.record.fill(glm::vec4(valueAt(pin.pixel.x, pin.pixel.y, frame)));
+  const float reason = frame % 10 == 0 ? 4.0f : 0.0f;
+  reference::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
+  listener_.onTrace(trace);
 }
 
 void FakeRenderer::setPlayback(const Playback& playback) {
@@ -195,7 +215,7 @@ void FakeRenderer::setFigures(const std::vector<Figure>& wanted) {
 
 void FakeRenderer::deliverFigures() {
   if (figures.empty()) return;
-  FrameFigures result{.frame = status.info.frame, .values = {}};
+  FrameFigures result{.frame = status.info.frame, .values = {}, .subject = status.subject};
   for (const Figure figure : figures) result.at(figure) = 0.01 * status.info.frame;
   listener_.onFigures(result);
 }
@@ -262,6 +282,8 @@ void FakeRenderer::deliver() {
     if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
   deliverThumbnails();
   for (const ProbePin& pin : pins) deliverPin(pin);
+  if (tracing)
+    for (const ProbePin& pin : pins) deliverTrace(pin, status.info.frame);
   deliverFigures();
 }
 

@@ -44,13 +44,15 @@ class FakeRenderer final : public Renderer {
   void setRecording(bool recording) override;
   void addCameraTrack(const CameraTrack& track) override;
   void locate(const std::vector<int>& objects) override;
+  void setTracing(bool wanted) override;
+  void fillTraces(int first, int last) override;
 
   Status status;
   std::vector<ViewRequest> views;
   std::vector<ProbePin> pins;
   PinWish pinWish;
   std::optional<Settings> prepared; ///< the last ones
-  bool isLooping = true, profiling = false;
+  bool isLooping = true, profiling = false, tracing = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
@@ -62,6 +64,7 @@ class FakeRenderer final : public Renderer {
  private:
   void deliver();
   void deliverThumbnails();
+  void deliverTrace(const ProbePin& pin, int frame);
   void deliverProfile();
   void deliverFigures();
   void deliverPin(const ProbePin& pin);

@@ -27,10 +27,10 @@ class Lower : public test::FakeWindow {
     settle();
   }
   /// Goes to a frame and opens a page, which shows it after a moment.
-  void openAt(int frame, Qt::Key page) {
+  void openAt(int frame, Qt::Key page, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     session.seek(frame);
     settle();
-    key(page);
+    key(page, modifiers);
     QTest::qWait(200);
   }
   /// Halton of 4 places and a constant α.
@@ -57,9 +57,9 @@ TEST_F(Lower, ShowsOnePageAtATimeAndClosesByTheSameKey) {
   EXPECT_TRUE(window.weights()->isVisible());
   EXPECT_FALSE(renderer->profiling);
   EXPECT_TRUE(window.lower()->shows(LowerPage::Weights));
-  key(Qt::Key_F8);
+  key(Qt::Key_F7, Qt::ShiftModifier);
   EXPECT_FALSE(window.lower()->isVisible());
-  key(Qt::Key_F8);
+  key(Qt::Key_F7, Qt::ShiftModifier);
   EXPECT_TRUE(window.weights()->isVisible());
   QTest::mouseClick(window.findChild<QToolButton*>("closeLower"), Qt::LeftButton);
   EXPECT_FALSE(window.lower()->isVisible());
@@ -101,7 +101,7 @@ TEST_F(Lower, AClickOnASampleGoesToTheFrameThatTookItLast) {
 
 TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
   useSimpleSettings();
-  openAt(9, Qt::Key_F8);
+  openAt(9, Qt::Key_F7, Qt::ShiftModifier);
   const CurveChart* chart = window.weights()->weights();
   ASSERT_EQ(chart->curves().size(), 1u) << "no probe has measured anything";
   const std::vector<QPointF>& points = chart->curves()[0].points;
@@ -117,7 +117,7 @@ TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
 }
 
 TEST_F(Lower, AClickOnEffectiveSamplesGoesToThatFrame) {
-  openAt(9, Qt::Key_F8);
+  openAt(9, Qt::Key_F7, Qt::ShiftModifier);
   CurveChart* chart = window.weights()->samples();
   QTest::mouseClick(chart->viewport(), Qt::LeftButton, {},
                     {static_cast<int>(std::lround(chart->viewXOf(4.0))), chart->height() / 2});

@@ -201,3 +201,26 @@ TEST_F(TimelineTest, ReadoutStaysInPlaceWhileTimeGoesOnAt1280) {
   for (const QLabel* label : window.timeline()->findChildren<QLabel*>())
     EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
 }
+
+TEST_F(TimelineTest, AChosenFigureIsAskedForAndDrawnUnderTheRuler) {
+  window.timeline()->setFigure(Figure::MeanAlpha);
+  settle();
+  EXPECT_EQ(renderer->figures, std::vector{Figure::MeanAlpha});
+  session.seek(40);
+  settle();
+  session.seek(50);
+  settle();
+  const TimelineStrip& strip = timeline()->strip();
+  ASSERT_EQ(strip.values.size(), 240u);
+  EXPECT_EQ(strip.values[40], 0.4);
+  EXPECT_EQ(strip.values[50], 0.5);
+  EXPECT_FALSE(strip.values[45]);
+  session.setParameter("jitter.period", 4);
+  settle();
+  EXPECT_FALSE(timeline()->strip().values[40]) << "no longer true";
+  EXPECT_EQ(window.timeline()->state()["figure"].toString(), "meanAlpha");
+  window.timeline()->setFigure({});
+  settle();
+  EXPECT_TRUE(renderer->figures.empty());
+  EXPECT_TRUE(timeline()->strip().name.isEmpty());
+}

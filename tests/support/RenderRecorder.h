@@ -31,6 +31,7 @@ struct Recorder {
   std::vector<StageCosts> costs;
   std::vector<Thumbnail> thumbnails;
   std::vector<FrameFigures> figures;
+  std::vector<TraceDelivery> traces;
   std::function<void(const Work&)> onWork; ///< also called, without the lock
 
   template <typename T>
@@ -54,7 +55,8 @@ struct Recorder {
             .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
             .onStageCosts = [this](StageCosts cost) { add(costs, std::move(cost)); },
             .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); },
-            .onFigures = [this](FrameFigures result) { add(figures, result); }};
+            .onFigures = [this](FrameFigures result) { add(figures, result); },
+            .onTrace = [this](TraceDelivery trace) { add(traces, std::move(trace)); }};
   }
   /// Until `holds` is true of what was said; false after a minute.
   template <typename Condition>
@@ -76,6 +78,7 @@ struct Recorder {
     probes.clear();
     statuses.clear();
     works.clear();
+    traces.clear();
     errors.clear();
     figures.clear();
   }

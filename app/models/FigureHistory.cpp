@@ -1,0 +1,39 @@
+#include "app/models/FigureHistory.h"
+
+#include "app/Text.h"
+
+#include <cmath>
+
+namespace taa::app {
+
+bool FigureHistory::setSubject(std::uint64_t subject) {
+  if (subject == subject_) return false;
+  subject_ = subject;
+  known_.clear();
+  return true;
+}
+
+bool FigureHistory::add(const FrameFigures& figures) {
+  if (figures.lane != 0 || !figures.exact || figures.subject < subject_) return false;
+  setSubject(figures.subject);
+  // What a delivery leaves out, because nobody asked for it or a reference is missing, stays known.
+  FrameFigures& known = known_[figures.frame];
+  for (std::size_t index = 0; index < figures.values.size(); ++index)
+    if (figures.values[index]) known.values[index] = figures.values[index];
+  return true;
+}
+
+TimelineStrip FigureHistory::strip(Figure figure, int frameCount) const {
+  const FigureInfo& info = figureInfo(figure);
+  TimelineStrip strip{
+      qtext(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + qtext(info.unit), {}};
+  strip.values.resize(static_cast<std::size_t>(frameCount));
+  for (const auto& [frame, figures] : known_) {
+    const std::optional<double> value = figures.at(figure);
+    if (frame < frameCount && value && std::isfinite(*value))
+      strip.values[static_cast<std::size_t>(frame)] = value;
+  }
+  return strip;
+}
+
+} // namespace taa::app

@@ -1,0 +1,26 @@
+// A figure of each frame of the shot, as far as frames were shown, as long as it is true.
+#pragma once
+
+#include "app/views/Timeline.h"
+#include "core/inspect/Metrics.h"
+
+#include <cstdint>
+#include <map>
+
+namespace taa::app {
+
+class FigureHistory {
+ public:
+  /// Drops all that is known when frames are a function of something else now (Status::subject); true: so it
+  /// was.
+  bool setSubject(std::uint64_t subject);
+  /// Takes what is exact, of the first lane; false: nothing of it.
+  bool add(const FrameFigures& figures);
+  TimelineStrip strip(Figure figure, int frameCount) const;
+
+ private:
+  std::uint64_t subject_ = 0;
+  std::map<int, FrameFigures> known_;
+};
+
+} // namespace taa::app

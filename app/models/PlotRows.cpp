@@ -1,0 +1,113 @@
+#include "app/models/PlotRows.h"
+
+#include "app/Text.h"
+
+#include "core/render/FrameInputs.h"
+
+#include <QCoreApplication>
+#include <QJsonObject>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace taa::app {
+
+namespace {
+
+constexpr std::array kDashes{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine, Qt::DashDotDotLine};
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int channel) {
+  std::vector<QPointF> points;
+  int expected = 0;
+  for (const auto& [frame, sample] : trace.samples()) {
+    if (!points.empty() && frame != expected) points.emplace_back(expected, kGap);
+    const float value = reference::at(sample.record, id)[channel];
+    const bool isValue = std::isfinite(value) && std::abs(value) < kNoPreviousPosition;
+    points.emplace_back(frame, isValue ? static_cast<double>(value) : kGap);
+    expected = frame + 1;
+  }
+  return points;
+}
+
+QString curveName(std::size_t pin, const ProbePin& place, const QString& channel) {
+  QString name = place.follow == Follow::Screen
+                     ? QStringLiteral("%1 (%2, %3)").arg(pin + 1).arg(place.pixel.x).arg(place.pixel.y)
+                     : QCoreApplication::translate("PlotRows", "%1 surface").arg(pin + 1);
+  if (!channel.isEmpty()) name += QLatin1Char(' ') + channel;
+  return name;
+}
+
+} // namespace
+
+std::vector<PlotRow> firstPlotRows() {
+  return {{IntermediateId::alpha}, {IntermediateId::clipAmount}, {IntermediateId::historyLength}};
+}
+
+QJsonArray toJson(const std::vector<PlotRow>& rows) {
+  QJsonArray json;
+  for (const PlotRow& row : rows) {
+    QJsonArray channels;
+    for (int channel = 0; channel < intermediate(row.id).channels; ++channel)
+      if (row.has(channel)) channels.append(channel);
+    json.append(QJsonObject{{QStringLiteral("row"), qtext(intermediate(row.id).name)},
+                            {QStringLiteral("channels"), channels}});
+  }
+  return json;
+}
+
+std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json) {
+  std::vector<PlotRow> rows;
+  for (const QJsonValue& value : json) {
+    const auto id = findIntermediate(value.toObject().value(QLatin1String("row")).toString().toStdString());
+    if (!id) continue;
+    PlotRow row{*id};
+    const QJsonArray channels = value.toObject().value(QLatin1String("channels")).toArray();
+    unsigned mask = 0;
+    for (const QJsonValue& channel : channels)
+      if (channel.toInt(-1) >= 0 && channel.toInt() < intermediate(*id).channels)
+        mask |= 1u << channel.toInt();
+    if (mask != 0) row.channels = mask;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+QString plotTitle(IntermediateId id) {
+  const Intermediate& row = intermediate(id);
+  const QString label = qtext(row.label);
+  return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, qtext(row.unit));
+}
+
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces) {
+  const Intermediate& info = intermediate(row.id);
+  const std::vector<std::string> channels = channelNames(info);
+  std::vector<Curve> curves;
+  for (std::size_t pin = 0; pin < traces.size(); ++pin)
+    for (int channel = 0; channel < info.channels; ++channel) {
+      if (!row.has(channel)) continue;
+      const QString name =
+          info.channels > 1 ? QString::fromStdString(channels[static_cast<std::size_t>(channel)]) : QString();
+      const std::size_t number = curves.size();
+      curves.push_back({curveName(pin, traces[pin].pin, name), CurveChart::colorOf(static_cast<int>(number)),
+                        kDashes[number % kDashes.size()], pointsOf(traces[pin].trace, row.id, channel)});
+    }
+  return curves;
+}
+
+std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts) {
+  std::vector<ChartMark> marks;
+  for (const int cut : cuts)
+    marks.push_back(
+        {static_cast<double>(cut), MarkKind::Cut, QCoreApplication::translate("PlotRows", "cut")});
+  if (!active) return marks;
+  for (const auto& [frame, sample] : active->samples()) {
+    const int reason = static_cast<int>(reference::at(sample.record, IntermediateId::rejectReason).x);
+    if (reason != 0)
+      marks.push_back({static_cast<double>(frame), MarkKind::Reject, qtext(rejectReasonText(reason))});
+  }
+  return marks;
+}
+
+} // namespace taa::app

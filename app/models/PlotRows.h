@@ -1,0 +1,36 @@
+// Which intermediates are plotted, and the curves that come of it.
+#pragma once
+
+#include "app/views/CurveChart.h"
+#include "core/inspect/PixelTrace.h"
+
+#include <QJsonArray>
+
+#include <vector>
+
+namespace taa::app {
+
+struct PlotRow {
+  IntermediateId id{};
+  unsigned channels = 0xF; ///< a bit for each
+  bool has(int channel) const { return (channels & (1u << channel)) != 0; }
+  bool operator==(const PlotRow&) const = default;
+};
+
+/// α, what was clipped, and how much history there is.
+std::vector<PlotRow> firstPlotRows();
+
+/// [{"row": "alpha", "channels": [0]}, …]; what is no row is left out.
+QJsonArray toJson(const std::vector<PlotRow>& rows);
+std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json);
+
+/// "α", "Motion, px".
+QString plotTitle(IntermediateId id);
+
+/// A curve for each pin and channel; frames that are not known are gaps.
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces);
+
+/// Where history was rejected at a pin, and the cuts of the shot.
+std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts);
+
+} // namespace taa::app

@@ -1,0 +1,39 @@
+#include "app/models/TraceStore.h"
+
+#include <algorithm>
+
+namespace taa::app {
+
+bool TraceStore::setSubject(std::uint64_t subject) {
+  if (subject == subject_) return false;
+  subject_ = subject;
+  traces_.clear();
+  return true;
+}
+
+bool TraceStore::add(const TraceDelivery& delivery) {
+  if (delivery.subject < subject_) return false;
+  setSubject(delivery.subject);
+  auto found = std::ranges::find_if(
+      traces_, [&](const PinTrace& known) { return isSamePlace(known.pin, delivery.pin); });
+  if (found == traces_.end()) found = traces_.insert(traces_.end(), PinTrace{delivery.pin, {}});
+  found->trace.add(delivery.frame, delivery.sample);
+  return true;
+}
+
+const PixelTrace* TraceStore::traceOf(const ProbePin& pin) const {
+  for (const PinTrace& known : traces_)
+    if (isSamePlace(known.pin, pin)) return &known.trace;
+  return nullptr;
+}
+
+std::vector<PinTrace> TraceStore::tracesOf(const std::vector<ProbePin>& pins) const {
+  std::vector<PinTrace> traces;
+  for (const ProbePin& pin : pins) {
+    const PixelTrace* trace = traceOf(pin);
+    traces.push_back({pin, trace ? *trace : PixelTrace()});
+  }
+  return traces;
+}
+
+} // namespace taa::app

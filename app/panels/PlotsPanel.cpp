@@ -1,0 +1,309 @@
+#include "app/panels/PlotsPanel.h"
+
+#include "app/Text.h"
+#include "app/Theme.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/IconButton.h"
+
+#include "core/TraceText.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHideEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QScrollArea>
+#include <QShowEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kRefresh = 100; ///< ms
+constexpr int kChartHeight = 92;
+
+} // namespace
+
+PlotsPanel::PlotsPanel(QWidget* parent) : QWidget(parent) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  rows->setSpacing(kUnit);
+  makeTop();
+  invitation_ = new QLabel(tr("Right-click a pixel: its values over frames are drawn here."));
+  invitation_->setAlignment(Qt::AlignCenter);
+  invitation_->setForegroundRole(QPalette::PlaceholderText);
+  rows->addWidget(invitation_, 1);
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  auto* content = new QWidget;
+  column_ = new QVBoxLayout(content);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(0);
+  area->setWidget(content);
+  rows->addWidget(area, 100);
+  refresh_.setSingleShot(true);
+  refresh_.setInterval(kRefresh);
+  connect(&refresh_, &QTimer::timeout, this, &PlotsPanel::refresh);
+  setRows(firstPlotRows());
+}
+
+void PlotsPanel::makeTop() {
+  auto* line = new QHBoxLayout;
+  line->setSpacing(kUnit);
+  static_cast<QVBoxLayout*>(layout())->addLayout(line);
+  auto* add = new QPushButton(tr("Add a plot…"));
+  add->setObjectName(QStringLiteral("addPlot"));
+  add->setToolTip(tr("Plot another intermediate (Shift+F6)"));
+  connect(add, &QPushButton::clicked, this, &PlotsPanel::chooseRow);
+  line->addWidget(add);
+  chips_ = new QHBoxLayout;
+  chips_->setSpacing(0);
+  line->addLayout(chips_);
+  summary_ = new QLabel;
+  summary_->setFont(secondaryFont());
+  summary_->setForegroundRole(QPalette::PlaceholderText);
+  summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  line->addWidget(summary_, 1);
+  fill_ = new QPushButton(tr("Fill in"));
+  fill_->setObjectName(QStringLiteral("fillTraces"));
+  fill_->setToolTip(tr("Makes the frames that were not shown yet, in the background while nothing plays "
+                       "(Ctrl+F6). The stop button ends it."));
+  connect(fill_, &QPushButton::clicked, this, &PlotsPanel::requestFill);
+  line->addWidget(fill_);
+  auto* reset = new IconButton(QStringLiteral("fit"), tr("Show all frames (Ctrl+0)"));
+  connect(reset, &IconButton::clicked, this, &PlotsPanel::resetZoom);
+  line->addWidget(reset);
+  auto* copy = new IconButton(QStringLiteral("copy"), tr("Copy or save the values as CSV"));
+  copy->setObjectName(QStringLiteral("copyTraces"));
+  auto* menu = new QMenu(copy);
+  menu->addAction(tr("Copy as CSV"), this, &PlotsPanel::copyCsv);
+  menu->addAction(tr("Save as CSV…"), this, &PlotsPanel::saveCsv);
+  connect(copy, &IconButton::clicked, this,
+          [copy, menu] { menu->popup(copy->mapToGlobal(QPoint(0, copy->height()))); });
+  line->addWidget(copy);
+}
+
+void PlotsPanel::setStatus(const Status& status) {
+  if (store_.setSubject(status.subject)) refreshSoon();
+  frame_ = status.info.frame;
+  for (CurveChart* chart : charts_) chart->setPlayhead(frame_);
+  if (status.frameCount == frameCount_ && status.cuts == cuts_) return;
+  frameCount_ = std::max(1, status.frameCount);
+  cuts_ = status.cuts;
+  shown_ = {0.0, frameCount_ - 1.0};
+  refreshSoon();
+}
+
+void PlotsPanel::setPins(const std::vector<ProbePin>& pins, int active) {
+  pins_ = pins;
+  active_ = active;
+  refreshSoon();
+}
+
+void PlotsPanel::addSample(const TraceDelivery& delivery) {
+  if (store_.add(delivery)) refreshSoon();
+}
+
+void PlotsPanel::setFilling(bool filling) {
+  fill_->setEnabled(!filling);
+}
+
+void PlotsPanel::setRows(const std::vector<PlotRow>& rows) {
+  if (rows == rows_) return;
+  rows_ = rows;
+  makeCharts();
+  makeChips();
+  refreshSoon();
+}
+
+void PlotsPanel::addRow(IntermediateId id) {
+  if (std::ranges::find(rows_, id, &PlotRow::id) != rows_.end()) return;
+  std::vector<PlotRow> rows = rows_;
+  rows.push_back({id});
+  setRows(rows);
+}
+
+void PlotsPanel::removeRow(IntermediateId id) {
+  std::vector<PlotRow> rows = rows_;
+  std::erase_if(rows, [id](const PlotRow& row) { return row.id == id; });
+  setRows(rows);
+}
+
+void PlotsPanel::setChannel(IntermediateId id, int channel, bool shown) {
+  const auto row = std::ranges::find(rows_, id, &PlotRow::id);
+  if (row == rows_.end()) return;
+  const unsigned bit = 1u << channel;
+  row->channels = shown ? row->channels | bit : row->channels & ~bit;
+  refreshSoon();
+}
+
+void PlotsPanel::makeCharts() {
+  for (CurveChart* chart : charts_) {
+    column_->removeWidget(chart);
+    chart->deleteLater();
+  }
+  charts_.clear();
+  for (const PlotRow& row : rows_) {
+    auto* chart = new CurveChart(plotTitle(row.id), tr("frame"));
+    chart->setMinimumHeight(kChartHeight);
+    charts_.push_back(chart);
+    column_->addWidget(chart, 1);
+    connectChart(chart);
+  }
+}
+
+void PlotsPanel::connectChart(CurveChart* chart) {
+  chart->setBounds({0.0, frameCount_ - 1.0});
+  chart->setShown(shown_);
+  chart->setPlayhead(frame_);
+  connect(chart, &CurveChart::xClicked, this,
+          [this](double frame) { Q_EMIT seekRequested(static_cast<int>(frame)); });
+  connect(chart, &CurveChart::hovered, this, [this](std::optional<double> frame) {
+    for (CurveChart* other : charts_) other->setHovered(frame);
+  });
+  connect(chart, &CurveChart::shownChanged, this, [this](const Span& shown) {
+    shown_ = shown;
+    for (CurveChart* other : charts_) other->setShown(shown);
+  });
+}
+
+// One for each row, with its channels and a way out.
+void PlotsPanel::makeChips() {
+  while (QLayoutItem* item = chips_->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const PlotRow& row : rows_) {
+    const Intermediate& info = intermediate(row.id);
+    auto* chip = new QToolButton;
+    chip->setText(qtext(info.label));
+    chip->setAccessibleName(tr("Plot of %1").arg(qtext(info.label)));
+    chip->setToolTip(qtext(info.description));
+    chip->setPopupMode(QToolButton::InstantPopup);
+    chip->setFocusPolicy(Qt::TabFocus);
+    auto* menu = new QMenu(chip);
+    const std::vector<std::string> channels = channelNames(info);
+    for (int channel = 0; info.channels > 1 && channel < info.channels; ++channel) {
+      QAction* action = menu->addAction(QString::fromStdString(channels[static_cast<std::size_t>(channel)]));
+      action->setCheckable(true);
+      action->setChecked(row.has(channel));
+      connect(action, &QAction::toggled, this,
+              [this, id = row.id, channel](bool on) { setChannel(id, channel, on); });
+    }
+    menu->addAction(tr("Remove this plot"), this, [this, id = row.id] { removeRow(id); });
+    chip->setMenu(menu);
+    chips_->addWidget(chip);
+  }
+}
+
+void PlotsPanel::chooseRow() {
+  std::vector<ChooserEntry> entries;
+  std::vector<IntermediateId> ids;
+  for (const IntermediateId id : allRows()) {
+    const Intermediate& row = intermediate(id);
+    ids.push_back(id);
+    entries.push_back(
+        {qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), qtext(row.name)});
+  }
+  auto* chooser = new Chooser(
+      tr("Plot an intermediate"), std::move(entries),
+      [this, ids](int index) { addRow(ids[static_cast<std::size_t>(index)]); }, window());
+  chooser->open(QRect(mapTo(window(), QPoint(0, 0)), QSize(320, 0)));
+}
+
+void PlotsPanel::requestFill() {
+  Q_EMIT fillRequested(static_cast<int>(std::floor(shown_.low)), static_cast<int>(std::ceil(shown_.high)));
+}
+
+void PlotsPanel::resetZoom() {
+  for (CurveChart* chart : charts_) chart->resetZoom();
+}
+
+void PlotsPanel::refreshSoon() {
+  if (isVisible() && !refresh_.isActive()) refresh_.start();
+}
+
+void PlotsPanel::refresh() {
+  if (!isVisible()) return;
+  invitation_->setVisible(pins_.empty());
+  const std::vector<PinTrace> traces = store_.tracesOf(pins_);
+  const bool hasActive = active_ >= 0 && active_ < static_cast<int>(traces.size());
+  const PixelTrace* active = hasActive ? &traces[static_cast<std::size_t>(active_)].trace : nullptr;
+  const std::vector<ChartMark> marks = plotMarks(active, cuts_);
+  for (std::size_t row = 0; row < charts_.size(); ++row) {
+    charts_[row]->setBounds({0.0, frameCount_ - 1.0});
+    charts_[row]->setMarks(marks);
+    charts_[row]->setCurves(plotCurves(rows_[row], traces));
+  }
+  fill_->setVisible(!pins_.empty());
+  summary_->setText(active ? tr("%1 of %2 frames known at probe %3 · × history rejected there")
+                                 .arg(active->samples().size())
+                                 .arg(frameCount_)
+                                 .arg(active_ + 1)
+                           : QString());
+}
+
+QString PlotsPanel::csv() const {
+  std::vector<IntermediateId> ids;
+  for (const PlotRow& row : rows_) ids.push_back(row.id);
+  return QString::fromStdString(traceCsv(store_.tracesOf(pins_), ids));
+}
+
+void PlotsPanel::copyCsv() {
+  QApplication::clipboard()->setText(csv());
+}
+
+void PlotsPanel::saveCsv() {
+  auto* dialog = new QFileDialog(this, tr("Save values as CSV"), QString(), tr("CSV files (*.csv)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("csv"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    if (const QString error = saveCsvTo(path); !error.isEmpty()) Q_EMIT failed(error);
+  });
+  dialog->open();
+}
+
+QString PlotsPanel::saveCsvTo(const QString& path) const {
+  QSaveFile file(path); // nothing half-written
+  if (file.open(QIODevice::WriteOnly) && file.write(csv().toUtf8()) >= 0 && file.commit()) return {};
+  return tr("cannot write %1: %2").arg(path, file.errorString());
+}
+
+QString PlotsPanel::summary() const {
+  return summary_->text();
+}
+
+QJsonObject PlotsPanel::state() const {
+  return {{QStringLiteral("rows"), toJson(rows_)}};
+}
+
+void PlotsPanel::setState(const QJsonObject& state) {
+  const QJsonValue rows = state.value(QLatin1String("rows"));
+  setRows(rows.isArray() ? plotRowsFromJson(rows.toArray()) : firstPlotRows());
+}
+
+void PlotsPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (event->spontaneous()) return;
+  refresh();
+  Q_EMIT shownChanged(true);
+}
+
+void PlotsPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (!event->spontaneous()) Q_EMIT shownChanged(false);
+}
+
+} // namespace taa::app

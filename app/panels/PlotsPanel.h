@@ -1,0 +1,89 @@
+// Intermediates at the pinned probes over frames: one chart for each, all over the same frames.
+#pragma once
+
+#include "app/models/PlotRows.h"
+#include "app/models/TraceStore.h"
+
+#include <QJsonObject>
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace taa::app {
+
+class PlotsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PlotsPanel(QWidget* parent = nullptr);
+
+  void setStatus(const Status& status);
+  void setPins(const std::vector<ProbePin>& pins, int active);
+  void addSample(const TraceDelivery& delivery);
+  void setFilling(bool filling);
+  const TraceStore& store() const { return store_; }
+
+  void setRows(const std::vector<PlotRow>& rows);
+  const std::vector<PlotRow>& rows() const { return rows_; }
+  void addRow(IntermediateId id);
+  void removeRow(IntermediateId id);
+  void setChannel(IntermediateId id, int channel, bool shown);
+  const std::vector<CurveChart*>& charts() const { return charts_; }
+  void resetZoom();
+  /// Opens the list of intermediates.
+  void chooseRow();
+  /// What is missing of the frames on show.
+  void requestFill();
+
+  /// What taa-batch trace prints for the same pins and rows.
+  QString csv() const;
+  void copyCsv();
+  void saveCsv();
+  /// Empty: it was written; else what went wrong.
+  QString saveCsvTo(const QString& path) const;
+  QString summary() const;
+
+  /// Which rows are plotted.
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
+  QSize sizeHint() const override { return {1000, 300}; }
+
+ Q_SIGNALS:
+  /// Only while it is shown is anything traced.
+  void shownChanged(bool shown);
+  void seekRequested(int frame);
+  void fillRequested(int first, int last);
+  void failed(const QString& sentence);
+
+ protected:
+  void showEvent(QShowEvent*) override;
+  void hideEvent(QHideEvent*) override;
+
+ private:
+  void makeTop();
+  void makeCharts();
+  void makeChips();
+  void connectChart(CurveChart* chart);
+  void refresh();
+  void refreshSoon();
+
+  TraceStore store_;
+  std::vector<ProbePin> pins_;
+  int active_ = -1, frame_ = 0, frameCount_ = 1;
+  std::vector<int> cuts_;
+  std::vector<PlotRow> rows_;
+  std::vector<CurveChart*> charts_;
+  Span shown_;
+  QTimer refresh_; ///< while it plays, a few times a second are enough
+  QHBoxLayout* chips_ = nullptr;
+  QVBoxLayout* column_ = nullptr;
+  QLabel *summary_ = nullptr, *invitation_ = nullptr;
+  QPushButton* fill_ = nullptr;
+};
+
+} // namespace taa::app

@@ -1,0 +1,59 @@
+// Pins in frames that are not on show.
+#include "core/InspectorParts.h"
+#include "core/inspect/Probe.h"
+#include "core/taa/reference/SampleStages.h"
+
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+// Whether something else is drawn in front of the surface that a pin follows.
+bool isCovered(const ProbePin& pin, const PinSpot& spot, const PixelRecord& record, const View& view) {
+  if (!pin.anchor) return false;
+  const SeenSurface drawn{static_cast<int>(reference::at(record, IntermediateId::objectId).x),
+                          reference::at(record, IntermediateId::depth).x};
+  return isHidden(spot, *pin.anchor, drawn, reference::viewDepth(drawn.depth, view.block.depthTerms));
+}
+
+} // namespace
+
+std::vector<std::optional<TraceSample>> Inspector::traceFrame(int frame, const std::vector<ProbePin>& pins,
+                                                              TraceCursor& cursor, const Progress& progress) {
+  Parts& parts = *parts_;
+  const gl::PassGroup group(pass_group::kProbe);
+  Subject subject = parts.subject;
+  subject.lanes.resize(1);
+  // Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
+  // last, which the next frame goes on from.
+  std::vector<Checkpoints> kept(1);
+  kept[0] = parts.checkpoints[0];
+  if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
+  const auto watched = std::exchange(parts.maker.watched, {});
+  std::optional<ShownFrame> made;
+  try {
+    made = parts.maker.replay(subject, kept, frame, 0, progress);
+  } catch (...) {
+    parts.maker.watched = watched;
+    throw;
+  }
+  parts.maker.watched = watched;
+  cursor = {frame, made->lanes[0].current};
+  const View view = viewAt(scene(), subject.request(0), frame);
+  const FrameInputs& inputs = parts.maker.inputs(subject, *made, 0);
+  const ShownLane& lane = made->lanes[0];
+  std::vector<std::optional<TraceSample>> samples(pins.size());
+  for (std::size_t index = 0; index < pins.size(); ++index) {
+    const PinSpot spot = spotOf(scene(), view, {width(), height()}, pins[index]);
+    if (spot.state != PinState::Seen) continue;
+    const gl::Rect pixel{spot.pixel.x, spot.pixel.y, 1, 1};
+    const PixelRecord record =
+        probeRegion(parts.maker.pass, inputs, lane.previous.get(), *lane.current, subject.lanes[0], pixel)[0];
+    if (!isCovered(pins[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
+  }
+  parts.maker.recycle(std::move(*made));
+  return samples;
+}
+
+} // namespace taa

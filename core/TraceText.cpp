@@ -1,0 +1,62 @@
+#include "core/TraceText.h"
+
+#include "core/io/FrameJson.h"
+
+#include <sstream>
+
+namespace taa {
+
+using nlohmann::ordered_json;
+
+std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows) {
+  std::ostringstream text;
+  text << "pin,frame,x,y";
+  for (const IntermediateId id : rows) {
+    const Intermediate& row = intermediate(id);
+    if (row.channels == 1) {
+      text << ',' << row.name;
+      continue;
+    }
+    for (const std::string& channel : channelNames(row)) text << ',' << row.name << '.' << channel;
+  }
+  text << '\n';
+  for (std::size_t pin = 0; pin < traces.size(); ++pin)
+    for (const auto& [frame, sample] : traces[pin].trace.samples()) {
+      text << pin + 1 << ',' << frame << ',' << sample.pixel.x << ',' << sample.pixel.y;
+      for (const IntermediateId id : rows)
+        for (int channel = 0; channel < intermediate(id).channels; ++channel)
+          text << ',' << floatText(reference::at(sample.record, id)[channel]);
+      text << '\n';
+    }
+  return text.str();
+}
+
+ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows) {
+  ordered_json json = ordered_json::array();
+  for (std::size_t pin = 0; pin < traces.size(); ++pin) {
+    const ProbePin& place = traces[pin].pin;
+    ordered_json frames = ordered_json::array();
+    for (const auto& [frame, sample] : traces[pin].trace.samples()) {
+      ordered_json values;
+      for (const IntermediateId id : rows) {
+        const Intermediate& row = intermediate(id);
+        const std::vector<std::string> channels = channelNames(row);
+        for (int channel = 0; channel < row.channels; ++channel) {
+          const ordered_json value = floatJson(reference::at(sample.record, id)[channel]);
+          if (row.channels == 1)
+            values[std::string(row.name)] = value;
+          else
+            values[std::string(row.name)][channels[static_cast<std::size_t>(channel)]] = value;
+        }
+      }
+      frames.push_back({{"frame", frame}, {"pixel", {sample.pixel.x, sample.pixel.y}}, {"values", values}});
+    }
+    json.push_back({{"pin", pin + 1},
+                    {"pixel", {place.pixel.x, place.pixel.y}},
+                    {"follow", place.follow == Follow::Screen ? "screen" : "surface"},
+                    {"frames", std::move(frames)}});
+  }
+  return json;
+}
+
+} // namespace taa

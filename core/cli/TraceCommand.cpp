@@ -1,0 +1,48 @@
+// taa-batch trace: intermediates at pixels over frames.
+#include "core/TraceText.h"
+#include "core/base/Error.h"
+#include "core/cli/Commands.h"
+#include "core/cli/Shot.h"
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+
+namespace taa::cli {
+
+void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress) {
+  const ShotPlan plan = planShot(arguments.shot);
+  if (plan.lanes.size() > 1) throw UsageError("trace follows one lane; give one preset");
+  const FrameRange range = parseFrames(arguments.frames);
+  const std::vector<IntermediateId> rows = parseEmit(arguments.emit);
+  std::vector<PinTrace> traces;
+  for (const std::string& pixel : arguments.pixels)
+    traces.push_back(
+        {{parsePixel(pixel), arguments.surface ? Follow::Surface : Follow::Screen, range.first, {}}, {}});
+  Inspector inspector;
+  openShot(inspector, arguments.shot, plan, progress);
+  requireFrame(inspector, range.last);
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    report(progress, "Tracing", frame - range.first, range.count());
+    inspector.seek(frame, progress);
+    for (PinTrace& traced : traces) {
+      traced.pin = inspector.anchored(traced.pin);
+      const PinSpot spot = inspector.spot(traced.pin);
+      if (spot.state != PinState::Seen) {
+        if (traced.pin.follow == Follow::Screen) inspector.probe(traced.pin.pixel.x, traced.pin.pixel.y);
+        continue; // probe() says why: it lies outside
+      }
+      traced.trace.add(frame, {spot.pixel, inspector.probe(spot.pixel.x, spot.pixel.y)});
+    }
+  }
+  if (!arguments.json) {
+    out << traceCsv(traces, rows);
+    return;
+  }
+  nlohmann::ordered_json json = shotJson(inspector);
+  json["lane"] = laneJson(inspector, plan.lanes[0], 0);
+  json["pins"] = traceJson(traces, rows);
+  out << json.dump(2) << '\n';
+}
+
+} // namespace taa::cli
