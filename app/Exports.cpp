@@ -70,7 +70,8 @@ QImage Exports::viewImage(bool withLegend) const {
   paintLegend(painter,
               QRect(0, static_cast<int>(picture.height / ratio), static_cast<int>(picture.width / ratio),
                     kLegendHeight),
-              intermediate(result->request.id), result->request.style, themeColors(view));
+              intermediate(result->request.id), result->request.style, result->request.asDifference,
+              themeColors(view));
   return image;
 }
 

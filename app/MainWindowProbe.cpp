@@ -2,8 +2,8 @@
 #include "app/MainWindow.h"
 
 #include "app/menus/Menus.h"
-#include "app/panels/ProbePages.h"
 #include "app/panels/ProbePanel.h"
+#include "app/views/ProbePages.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "core/ProbeReport.h"

@@ -79,8 +79,10 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
   exportFrame(inspector, std::move(frame), request.ids, path);
 }
 
-void writeFrame(Inspector& inspector, const SequenceRequest& request, const fs::path& path, GifWriter* gif) {
+void writeFrame(Inspector& inspector, const SequenceRequest& request, const fs::path& path, GifWriter* gif,
+                const Progress& stop) {
   if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path);
+  if (isOfReference(request.id)) inspector.refineReference(request.referenceSamples, stop, request.lane);
   const Picture picture = pictureOf(inspector, request);
   if (gif)
     gif->add(picture.rgba);
@@ -98,9 +100,9 @@ void makeFiles(Inspector& inspector, const SequenceRequest& request, const Works
   for (int frame = request.first; frame <= request.last; ++frame) {
     const auto tell = [&] { return !progress || progress("Exporting", frame - request.first, count); };
     if (!tell()) throw Cancelled();
-    inspector.seek(frame,
-                   [&](std::string_view, int, int) { return tell(); }); // to the first one it may be long
-    writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get());
+    const Progress stop = [&](std::string_view, int, int) { return tell(); };
+    inspector.seek(frame, stop); // to the first one it may be long
+    writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get(), stop);
   }
   report(progress, "Exporting", count, count);
   if (gif) gif->finish();

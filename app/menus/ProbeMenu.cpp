@@ -3,9 +3,9 @@
 
 #include "app/Icons.h"
 #include "app/MainWindow.h"
-#include "app/panels/ProbePages.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ColorSpaceView.h"
+#include "app/views/ProbePages.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 

@@ -4,7 +4,7 @@
 #include "app/Theme.h"
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
-#include "app/panels/ProbePages.h"
+#include "app/views/ProbePages.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/PinBar.h"

@@ -141,7 +141,7 @@ SequenceRequest RangeDialog::request() const {
   request.height = status.height;
   request.framesPerSecond = rate_->value();
   if (extent_->currentIndex() == 1) {
-    const ViewRequest shown = view->request();
+    const ViewRequest shown = view->request({});
     request.transform = shown.transform;
     request.width = shown.width;
     request.height = shown.height;

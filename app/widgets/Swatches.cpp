@@ -88,7 +88,7 @@ void Swatches::paintEvent(QPaintEvent*) {
     painter.setFont(numberFont());
     painter.setPen(color.lightness() > 128 ? Qt::black : Qt::white);
     painter.drawText(cellRect(cell), Qt::AlignCenter,
-                     shortText(static_cast<double>(reference::luma({red, green, blue}))));
+                     shortText(static_cast<double>(reference::luma({red, green, blue})), 2));
   }
   painter.setFont(font());
   painter.setPen(colors.line);

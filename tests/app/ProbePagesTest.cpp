@@ -1,5 +1,5 @@
 // The pages of the probe panel, what its rows tell, and what is copied.
-#include "app/panels/ProbePages.h"
+#include "app/views/ProbePages.h"
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
 #include "app/panels/ProbePanel.h"

@@ -50,7 +50,7 @@ TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 20 || asked) return;
     asked = true;
-    thread->probe(glm::ivec2(3, 4));
+    thread->setPins({.pins = {{.pixel = {3, 4}}}, .active = 0});
     thread->cancel();
   };
   thread->setReferenceSamples(1024);

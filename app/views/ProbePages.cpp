@@ -1,4 +1,4 @@
-#include "app/panels/ProbePages.h"
+#include "app/views/ProbePages.h"
 
 #include "app/Numbers.h"
 #include "app/Text.h"
