@@ -43,6 +43,7 @@ void MainWindow::makeLeft() {
   left_ = new QTabWidget;
   left_->setDocumentMode(true);
   left_->setObjectName(QStringLiteral("left"));
+  left_->setAccessibleName(tr("Pipeline or scene"));
   left_->tabBar()->setAccessibleName(tr("Pipeline or scene"));
   left_->tabBar()->setDrawBase(false);
   for (QWidget* panel : {static_cast<QWidget*>(left_), static_cast<QWidget*>(scene_)}) {

@@ -111,6 +111,7 @@ QWidget* PipelinePanel::makeTop() {
   auto* title = new QLabel(tr("Preset"));
   presets_ = new ChoiceButton;
   presets_->setObjectName(QStringLiteral("presets"));
+  presets_->setAccessibleName(tr("Preset"));
   presets_->setToolTip(tr("The preset these settings started from; * when some were changed since."));
   line->addWidget(title);
   line->addStretch(1);
@@ -124,6 +125,7 @@ QWidget* PipelinePanel::makeTop() {
   search_ = new QLineEdit;
   search_->setObjectName(QStringLiteral("search"));
   search_->setPlaceholderText(tr("Search settings and intermediates"));
+  search_->setAccessibleName(tr("Search settings and intermediates"));
   search_->setClearButtonEnabled(false);
   search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   layout->addWidget(search_);

@@ -43,6 +43,7 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QWidget(parent) {
   invitation_->setForegroundRole(QPalette::PlaceholderText);
   rows->addWidget(invitation_, 1);
   auto* area = new QScrollArea;
+  area->setAccessibleName(tr("Plots of the probes"));
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   auto* content = new QWidget;

@@ -151,6 +151,7 @@ QWidget* ProbePanel::makeNeighbors() {
 
 void ProbePanel::makeTable() {
   table_ = new QTreeView;
+  table_->setAccessibleName(tr("Every intermediate at the pixel"));
   table_->setModel(model_);
   table_->setRootIsDecorated(false);
   table_->setItemsExpandable(true);

@@ -130,6 +130,7 @@ void TimelinePanel::makeReadouts() {
   name->setFont(secondaryFont());
   layout()->addWidget(name);
   frame_ = new NumberField({0, 1, true});
+  frame_->setAccessibleName(tr("Frame"));
   frame_->setObjectName(QStringLiteral("frame"));
   frame_->setToolTip(tr("Go to a frame (G)"));
   frame_->setMaximumWidth(56);

@@ -33,6 +33,7 @@ ViewHeader::ViewHeader(QChar letter, QWidget* parent)
     : QWidget(parent), letter_(letter), row_(intermediate(IntermediateId::resolved)) {
   setFixedHeight(kHeight);
   makeControls();
+  nameControls();
   connectControls();
 }
 
@@ -73,6 +74,16 @@ void ViewHeader::makeControls() {
   zoom_->setFlat(true);
   zoom_->setPlain(true);
   zoom_->setToolTip(tr("Screen pixels for each pixel; a click changes between fit (F) and one to one (1)"));
+}
+
+// What a screen reader says of controls that show only values.
+void ViewHeader::nameControls() {
+  name_->setAccessibleName(tr("Intermediate on show"));
+  low_->setAccessibleName(tr("Low end of the range"));
+  high_->setAccessibleName(tr("High end of the range"));
+  exposure_->setAccessibleName(tr("Exposure in stops"));
+  map_->setAccessibleName(tr("Color map"));
+  zoom_->setAccessibleName(tr("Zoom"));
 }
 
 void ViewHeader::connectControls() {

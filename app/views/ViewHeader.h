@@ -55,6 +55,7 @@ class ViewHeader : public QWidget {
 
  private:
   void makeControls();
+  void nameControls();
   void connectControls();
   /// Shows what there is room for, the most important first.
   void arrange();

@@ -57,6 +57,7 @@ Chooser::Chooser(const QString& placeholder, std::vector<ChooserEntry> entries,
   layout->setContentsMargins(kUnit, kUnit, kUnit, kUnit);
   layout->setSpacing(kUnit);
   field_->setPlaceholderText(placeholder);
+  field_->setAccessibleName(placeholder);
   field_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   field_->installEventFilter(this);
   list_->setItemDelegate(new EntryDelegate(list_));

@@ -21,6 +21,7 @@ QString quoted(QString field) {
 FigureTable::FigureTable(const QStringList& header, QWidget* parent) : QTreeWidget(parent), header_(header) {
   setColumnCount(static_cast<int>(header.size()));
   setHeaderLabels(header);
+  setAccessibleName(tr("Table: %1").arg(header.join(QStringLiteral(", "))));
   setRootIsDecorated(false);
   setIndentation(0);
   setUniformRowHeights(true);

@@ -178,6 +178,7 @@ void NumberField::beginTyping(const QString& text) {
   if (!editor_) {
     editor_ = new QLineEdit(this);
     editor_->setObjectName(QStringLiteral("valueEditor"));
+    editor_->setAccessibleName(accessibleName());
     editor_->setFont(numberFont());
     editor_->setAlignment(Qt::AlignRight);
     editor_->installEventFilter(this);

@@ -20,6 +20,7 @@ Prompt::Prompt(const QString& question, const QString& text, std::function<bool(
   layout->setSpacing(kUnit);
   layout->addWidget(new QLabel(question));
   layout->addWidget(field_);
+  field_->setAccessibleName(question);
   field_->setFont(numberFont(10));
   field_->setMinimumWidth(240);
   field_->installEventFilter(this);

@@ -19,9 +19,11 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent) {
   layout->setSpacing(2 * kUnit);
   auto* search = new QLineEdit;
   search->setPlaceholderText(tr("Find in this page; Enter goes on"));
+  search->setAccessibleName(tr("Find in this page"));
   search->setClearButtonEnabled(true);
   search->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   auto* page = new QTextBrowser;
+  page->setAccessibleName(tr("Parameters and intermediates"));
   page->setHtml(QString::fromStdString(referencePageHtml()));
   // From the start when there is no further one below.
   const auto find = [search, page](bool fromHere) {

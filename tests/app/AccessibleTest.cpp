@@ -22,7 +22,7 @@ namespace {
 using AccessibleTest = FakeWindow;
 
 bool takesFocus(const QWidget* widget) {
-  return widget->focusPolicy() != Qt::NoFocus;
+  return widget->focusPolicy() != Qt::NoFocus && !widget->focusProxy();
 }
 
 std::string described(const QWidget* widget) {
