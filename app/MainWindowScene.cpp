@@ -30,9 +30,7 @@ namespace taa::app {
 
 namespace {
 
-// 0 where nothing is: a pin that follows a surface may be off the screen.
 int objectAt(const ProbeResult& probe) {
-  if (probe.around.size() < 5) return 0;
   return static_cast<int>(reference::at(probe.around[4], IntermediateId::objectId).x);
 }
 
@@ -89,7 +87,10 @@ void MainWindow::connectScene() {
   connect(&session_, &Session::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
   connect(&session_, &Session::probeArrived, this, [this] {
     const ProbeResult* probe = session_.probe();
-    if (!probe || !selectsPicked_ || session_.pick() != glm::ivec2(probe->x, probe->y)) return;
+    // There is nothing around a pin that is off the screen or not there yet.
+    if (!probe || probe->around.size() < 5 || !selectsPicked_ ||
+        session_.pick() != glm::ivec2(probe->x, probe->y))
+      return;
     selectsPicked_ = false;
     scene_->selectObject(objectAt(*probe));
   });
