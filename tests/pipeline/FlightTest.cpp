@@ -168,6 +168,7 @@ TEST_F(FlightThread, RecordsWhileItPlays) {
   thread->waitUntilIdle();
   const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
   thread->setPlaying(true);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; })); // else it is still at rest
   for (int step = 1; step < 6; ++step) {
     thread->fly(shifted(start, step));
     ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
