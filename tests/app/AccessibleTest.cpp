@@ -7,6 +7,7 @@
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 
+#include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QDialog>
 #include <QLineEdit>
@@ -22,7 +23,9 @@ namespace {
 using AccessibleTest = FakeWindow;
 
 bool takesFocus(const QWidget* widget) {
-  return widget->focusPolicy() != Qt::NoFocus && !widget->focusProxy();
+  const auto* area = qobject_cast<const QAbstractScrollArea*>(widget->parentWidget());
+  if (area && area->viewport() == widget) return false; // the area speaks for it
+  return (widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy();
 }
 
 std::string described(const QWidget* widget) {

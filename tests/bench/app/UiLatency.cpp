@@ -94,6 +94,8 @@ class SlowRenderer final : public Renderer {
   void setFigures(const std::vector<Figure>&) override {}
   void setOtherLanes(const std::vector<Settings>&) override {}
   void exportSequence(const SequenceRequest&) override {}
+  void setTracing(bool) override {}
+  void fillTraces(int, int) override {}
   void setRecording(bool) override {}
   void addCameraTrack(const CameraTrack&) override {}
   void locate(const std::vector<int>&) override {}
@@ -217,7 +219,9 @@ int main(int argc, char** argv) {
   session.setPick(glm::ivec2(200, 200));
   QTest::qWait(1500); // layouts and first paints are over
   const std::vector<double> waits = measure(window);
-  const auto at = [&](double share) { return waits[static_cast<std::size_t>(share * (waits.size() - 1))]; };
+  const auto at = [&](double share) {
+    return waits[static_cast<std::size_t>(share * static_cast<double>(waits.size() - 1))];
+  };
   std::printf("%zu events, ms until handled: median %.2f, 99%% %.2f, 99.9%% %.2f, longest %.2f\n",
               waits.size(), at(0.5), at(0.99), at(0.999), waits.back());
   return 0;
