@@ -99,7 +99,7 @@ TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
   EXPECT_EQ(renderer->located, std::vector<int>{2});
-  EXPECT_TRUE(window.scene()->infoText().contains("12 pixels around (21, 6)"))
+  EXPECT_TRUE(waitFor([&] { return window.scene()->infoText().contains("12 pixels around (21, 6)"); }, 5000))
       << qPrintable(window.scene()->infoText());
   // It stays while time runs on under the probe.
   session.step(-1);
