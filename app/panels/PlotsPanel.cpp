@@ -28,8 +28,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kRefresh = 100; ///< ms
-constexpr int kChartHeight = 92;
+constexpr int kRefresh = 100;    ///< ms
+constexpr int kChartHeight = 72; ///< three of them fit in the area as it opens
 
 } // namespace
 
@@ -103,6 +103,10 @@ void PlotsPanel::setStatus(const Status& status) {
   frameCount_ = std::max(1, status.frameCount);
   cuts_ = status.cuts;
   shown_ = {0.0, frameCount_ - 1.0};
+  for (CurveChart* chart : charts_) {
+    chart->setBounds({0.0, frameCount_ - 1.0});
+    chart->resetZoom();
+  }
   refreshSoon();
 }
 

@@ -78,7 +78,7 @@ class PlotsPanel : public QWidget {
   std::vector<int> cuts_;
   std::vector<PlotRow> rows_;
   std::vector<CurveChart*> charts_;
-  Span shown_;
+  Span shown_{0.0, 0.0};
   QTimer refresh_; ///< while it plays, a few times a second are enough
   QHBoxLayout* chips_ = nullptr;
   QVBoxLayout* column_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include <QChart>
 #include <QEvent>
+#include <QGraphicsLayout>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QPainter>
@@ -30,13 +31,14 @@ CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* par
     : QChartView(parent), title_(title), xTitle_(xTitle), frames_(new QValueAxis), values_(new QValueAxis) {
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
-  setMinimumSize(180, 84);
+  setMinimumSize(180, 72);
   setMouseTracking(true);
   setAccessibleName(title);
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
   QChart* chart = this->chart();
   chart->legend()->hide(); // drawn by hand, with dashes and values
   chart->setMargins({0, kLegendHeight, 2 * kUnit, 0});
+  chart->layout()->setContentsMargins(0, 0, 0, 0);
   chart->setBackgroundRoundness(0);
   chart->addAxis(frames_, Qt::AlignBottom);
   chart->addAxis(values_, Qt::AlignLeft);
