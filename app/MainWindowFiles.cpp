@@ -71,7 +71,8 @@ QJsonObject MainWindow::state() const {
       lower_->shows(lower_->current()) ? lowerPageId(lower_->current()) : QString();
   state[QStringLiteral("panels")] = panels;
   state[QStringLiteral("columns")] = bytesJson(columns_->saveState());
-  state[QStringLiteral("rows")] = bytesJson(rows_->saveState());
+  if (lower_->shows(lower_->current())) // else nothing is divided
+    state[QStringLiteral("rows")] = bytesJson(rows_->saveState());
   return state;
 }
 

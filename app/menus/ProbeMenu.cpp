@@ -33,8 +33,8 @@ void Menus::makeProbe() {
     const int count = static_cast<int>(session.pins().size());
     if (count > 0) session.setActivePin((session.activePin() + step + count) % count);
   };
-  add(menu, tr("Ne&xt probe"), keys({"J"}), [choose] { choose(1); });
-  add(menu, tr("Previo&us probe"), keys({"Shift+J"}), [choose] { choose(-1); });
+  add(menu, tr("Ne&xt probe"), keys({"Ctrl+N"}), [choose] { choose(1); });
+  add(menu, tr("Previo&us probe"), keys({"Ctrl+Shift+N"}), [choose] { choose(-1); });
   QAction* follows = addCheck(
       menu, tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")),
       [&session](bool on) { session.setFollow(session.activePin(), on ? Follow::Surface : Follow::Screen); });

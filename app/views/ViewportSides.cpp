@@ -33,9 +33,7 @@ std::optional<std::vector<float>> valueOf(const Image& values, const gl::Rect& r
 void Viewport::setResult(const ViewResult& result) {
   result_ = result;
   image_ = imageOf(result.picture);
-  result_->picture = {}; // kept as image_
   otherImage_ = result.other ? imageOf(result.other->picture) : QImage();
-  if (result_->other) result_->other->picture = {};
   update();
   if (hovered_) Q_EMIT hoverChanged();
 }

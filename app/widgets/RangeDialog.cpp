@@ -7,6 +7,7 @@
 #include "app/views/Viewport.h"
 #include "core/io/GifFile.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -63,6 +64,7 @@ void RangeDialog::makeFields() {
   extent_->addItems(
       {tr("The whole picture, pixel for pixel"), tr("What the active view shows, as large as it is")});
   extent_->setAccessibleName(tr("Part of the picture"));
+  for (QComboBox* field : {kind_, extent_}) field->view()->setAccessibleName(field->accessibleName());
   for (QSpinBox* field : {first_, last_}) field->setRange(0, std::max(0, status.frameCount - 1));
   first_->setAccessibleName(tr("First frame"));
   last_->setAccessibleName(tr("Last frame"));

@@ -28,6 +28,7 @@ class Lower : public test::FakeWindow {
   }
   /// Goes to a frame and opens a page, which shows it after a moment.
   void openAt(int frame, Qt::Key page, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    session.setPick({}); // the settings alone, nothing measured
     session.seek(frame);
     settle();
     key(page, modifiers);

@@ -61,7 +61,7 @@ TEST_F(PinWindow, AreSetWithShiftAndChosenByNumber) {
   rightClick({30, 7}, Qt::ShiftModifier);
   ASSERT_EQ(renderer->pins.size(), 3u);
   EXPECT_EQ(session.activePin(), 2);
-  key(Qt::Key_J);
+  key(Qt::Key_N, Qt::ControlModifier);
   EXPECT_EQ(session.pick(), glm::ivec2(10, 5));
   ASSERT_TRUE(session.probe());
   EXPECT_EQ(session.probe()->x, 10);

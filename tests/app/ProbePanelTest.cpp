@@ -194,8 +194,10 @@ TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
   EXPECT_EQ(QApplication::clipboard()->text(), "203 203 203");
   key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
   const QString all = QApplication::clipboard()->text();
-  for (const Intermediate& row : kIntermediates)
+  for (const IntermediateId id : allRows()) {
+    const Intermediate& row = intermediate(id);
     EXPECT_TRUE(all.contains(QString::fromStdString("\n" + std::string(row.name) + " "))) << row.name;
+  }
 }
 
 TEST_F(ProbeTable, GoesAwayWithEscape) {

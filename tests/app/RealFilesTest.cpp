@@ -118,6 +118,7 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
   const std::string line = "  o_color = vec4(blended.color, 1.0);";
   shaders.replace("taa/resolve.frag", line, "  o_color = vec4(blended.color.bgr, 1.0);");
   ASSERT_TRUE(taa::app::test::waitFor([&] { return window->messages()->text().contains("read anew"); }));
+  window->messages()->clear(); // its height is the views'
   const auto edited = settled(6);
   EXPECT_NE(edited, before);
   shaders.replace("taa/resolve.frag", "blended.color.bgr", "blended.colour");
@@ -128,6 +129,7 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
       1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("blended.colour")), '\n');
   EXPECT_TRUE(window->messages()->text().contains(QStringLiteral("taa/resolve.frag:%1:").arg(number)))
       << window->messages()->text().toStdString();
+  window->messages()->clear();
   session->step(1); // the last good one goes on
   settled(7);
   session->step(-1);
@@ -135,6 +137,7 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
   shaders.replace("taa/resolve.frag", "blended.colour", "blended.color");
   ASSERT_TRUE(taa::app::test::waitFor([&] { return window->messages()->text().contains("compile again"); }));
   EXPECT_FALSE(window->messages()->text().contains("taa/resolve.frag:"));
+  window->messages()->clear();
   EXPECT_EQ(settled(6), before);
 }
 

@@ -4,6 +4,7 @@
 #include "app/SessionKeeper.h"
 #include "app/ShaderWatch.h"
 #include "app/panels/MessagesBar.h"
+#include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/GlslWindow.h"
@@ -51,6 +52,9 @@ class SessionFiles : public taa::app::test::FakeWindow {
   void drop(const QString& file) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(own.get(), &enter); // says where the drop goes
+    EXPECT_TRUE(enter.isAccepted());
     QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(own.get(), &event);
     settle();
@@ -83,7 +87,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.seek(33);
   settle();
   session.setPick(glm::ivec2(70, 40));
-  own->setPanelVisible(reinterpret_cast<QWidget*>(own->probe()), false);
+  own->setPanelVisible(own->probe(), false);
   settle();
   own->keeper()->saveTo(path("it.taa.json"));
   const std::string saved = readFile(path("it.taa.json").toStdString());
@@ -94,7 +98,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
   session.setPick({});
-  own->setPanelVisible(reinterpret_cast<QWidget*>(own->probe()), true);
+  own->setPanelVisible(own->probe(), true);
   settle();
   drop(path("it.taa.json"));
   EXPECT_EQ(session.presetId(), "fsr2");
