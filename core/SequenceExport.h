@@ -29,7 +29,7 @@ struct SequenceRequest {
   ViewTransform transform;
   int width = 0, height = 0; ///< of the pictures, px
   int lane = 0;
-  int referenceSamples = 64; ///< where the row is one of the reference
+  int referenceSamples = 64;     ///< where the row is one of the reference
   double framesPerSecond = 30.0; ///< of a GIF
   // Values
   std::vector<IntermediateId> ids;

@@ -8,6 +8,7 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -107,9 +108,11 @@ QWidget* PresetsDialog::makeButtons() {
   return row;
 }
 
-// Keeps the choice where it can.
-void PresetsDialog::readPresets() {
-  const QString before = chosen() ? chosen()->idOrPath : QString::fromStdString(session_.presetId());
+// Keeps the choice where it can and nothing else is wanted.
+void PresetsDialog::readPresets(const QString& wanted) {
+  const QString before = !wanted.isEmpty() ? wanted
+                         : chosen()        ? chosen()->idOrPath
+                                           : QString::fromStdString(session_.presetId());
   entries_.clear();
   for (const Preset& preset : builtinPresets())
     entries_.push_back(
@@ -123,7 +126,9 @@ void PresetsDialog::readPresets() {
   list_->clear();
   int current = 0;
   for (const Entry& entry : entries_) {
-    if (entry.idOrPath == before) current = list_->count();
+    // The session knows a preset of the user's by the name of its file.
+    if (before == entry.idOrPath || (entry.isOwn && before == QFileInfo(entry.idOrPath).completeBaseName()))
+      current = list_->count();
     list_->addItem(entry.isOwn ? tr("%1 (mine)").arg(entry.label) : entry.label);
   }
   list_->setCurrentRow(current);
@@ -174,16 +179,17 @@ void PresetsDialog::applyValue() {
                           item->data(InPreset, Qt::UserRole).toDouble());
 }
 
-// What fails is said below, and everything stays as it was.
-void PresetsDialog::change(const std::function<void()>& act) {
+// `act` says which preset is chosen then. What fails is said below, and everything stays as it was.
+void PresetsDialog::change(const std::function<QString()>& act) {
+  QString next;
   error_->setVisible(false);
   try {
-    act();
+    next = act();
   } catch (const std::exception& error) {
     error_->setText(QString::fromUtf8(error.what()));
     error_->setVisible(true);
   }
-  readPresets();
+  readPresets(next);
   Q_EMIT userPresetsChanged();
 }
 
@@ -192,7 +198,11 @@ void PresetsDialog::save() {
       tr("Save the present settings as"), {},
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
-        change([&] { session_.setPreset(saveUserPreset(folder_, text, session_.settings())); });
+        change([&] {
+          const QString path = saveUserPreset(folder_, text, session_.settings());
+          session_.setPreset(path);
+          return path;
+        });
         return true;
       },
       this);
@@ -206,7 +216,7 @@ void PresetsDialog::rename() {
       tr("New name of %1").arg(entry->label), entry->label,
       [this, path = entry->idOrPath](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
-        change([&] { renameUserPreset(path, text); });
+        change([&] { return renameUserPreset(path, text); });
         return true;
       },
       this);
@@ -222,8 +232,12 @@ void PresetsDialog::askToDelete() {
                       QMessageBox::Cancel, this);
   QPushButton* yes = box->addButton(tr("Delete"), QMessageBox::DestructiveRole);
   box->setAttribute(Qt::WA_DeleteOnClose);
-  connect(yes, &QPushButton::clicked, this,
-          [this, path = entry->idOrPath] { change([&] { deleteUserPreset(path); }); });
+  connect(yes, &QPushButton::clicked, this, [this, path = entry->idOrPath] {
+    change([&] {
+      deleteUserPreset(path);
+      return QString();
+    });
+  });
   box->open();
 }
 

@@ -38,7 +38,7 @@ class PresetsDialog : public QDialog {
     bool isOwn = false;
   };
   QWidget* makeButtons();
-  void readPresets();
+  void readPresets(const QString& wanted = {});
   void compare();
   const Entry* chosen() const;
   void apply();
@@ -46,7 +46,7 @@ class PresetsDialog : public QDialog {
   void save();
   void rename();
   void askToDelete();
-  void change(const std::function<void()>& act);
+  void change(const std::function<QString()>& act);
 
   Session& session_;
   QString folder_;

@@ -147,6 +147,7 @@ TEST_F(SessionFiles, WhatACrashLeftIsOfferedOnce) {
   session.seek(2);
   settle();
   own->keeper()->offerOrphan();
+  settle();
   OfferBar* offer = own->keeper()->offer();
   ASSERT_TRUE(offer && offer->isVisible());
   MainWindow second(session, &settings);
