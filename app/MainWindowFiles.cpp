@@ -8,6 +8,7 @@
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/ScenePanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/GlslWindow.h"
@@ -16,33 +17,12 @@
 #include <QJsonArray>
 #include <QSplitter>
 
+#include <algorithm>
+#include <vector>
+
 namespace taa::app {
 
 namespace {
-
-/// The state of a part of the window that has one.
-template <class Part>
-void keepPart(QJsonObject& state, const QString& key, const Part& part) {
-  if constexpr (requires { part.state(); }) state[key] = part.state();
-}
-
-template <class Part>
-void restorePart(const QJsonObject& state, const QString& key, Part& part) {
-  if constexpr (requires { part.setState(QJsonObject()); })
-    if (state[key].isObject()) part.setState(state[key].toObject());
-}
-
-template <class Shot>
-void keepScene(QJsonObject& state, const Shot& shot) {
-  if constexpr (requires { shot.sceneState(); }) state[QStringLiteral("scene")] = shot.sceneState();
-}
-
-template <class Shot>
-void restoreScene(const QJsonObject& state, Shot& shot) {
-  if constexpr (requires { shot.setSceneState(QJsonObject()); })
-    if (state[QStringLiteral("scene")].isObject())
-      shot.setSceneState(state[QStringLiteral("scene")].toObject());
-}
 
 QJsonValue bytesJson(const QByteArray& bytes) {
   return QString::fromLatin1(bytes.toBase64());
@@ -52,17 +32,41 @@ QByteArray jsonBytes(const QJsonValue& value) {
   return QByteArray::fromBase64(value.toString().toLatin1());
 }
 
+QJsonArray pinsJson(const std::vector<ProbePin>& pins) {
+  QJsonArray array;
+  for (const ProbePin& pin : pins)
+    array << QJsonObject{{QStringLiteral("x"), pin.pixel.x},
+                         {QStringLiteral("y"), pin.pixel.y},
+                         {QStringLiteral("frame"), pin.frame},
+                         {QStringLiteral("followsSurface"), pin.follow == Follow::Surface}};
+  return array;
+}
+
+std::vector<ProbePin> pinsFrom(const QJsonArray& array) {
+  std::vector<ProbePin> pins;
+  for (const QJsonValue& value : array) {
+    const QJsonObject pin = value.toObject();
+    if (static_cast<int>(pins.size()) < kMostPins)
+      pins.push_back(
+          {{std::max(0, pin[QStringLiteral("x")].toInt()), std::max(0, pin[QStringLiteral("y")].toInt())},
+           pin[QStringLiteral("followsSurface")].toBool() ? Follow::Surface : Follow::Screen,
+           std::max(0, pin[QStringLiteral("frame")].toInt()),
+           {}});
+  }
+  return pins;
+}
+
 } // namespace
 
 QJsonObject MainWindow::state() const {
   QJsonObject state;
-  keepPart(state, QStringLiteral("views"), *views_);
-  keepPart(state, QStringLiteral("pipeline"), *pipeline_);
-  keepPart(state, QStringLiteral("probe"), *probe_);
-  keepPart(state, QStringLiteral("timeline"), *timeline_);
-  keepPart(state, QStringLiteral("plots"), *plots_);
-  keepScene(state, session_);
-  if (const auto pick = session_.pick()) state[QStringLiteral("pick")] = QJsonArray{pick->x, pick->y};
+  state[QStringLiteral("views")] = views_->state();
+  state[QStringLiteral("timeline")] = timeline_->state();
+  state[QStringLiteral("plots")] = plots_->state();
+  state[QStringLiteral("scene")] = session_.sceneState();
+  state[QStringLiteral("sceneTree")] = scene_->state();
+  state[QStringLiteral("pins")] = pinsJson(session_.pins());
+  state[QStringLiteral("activePin")] = session_.activePin();
   state[QStringLiteral("looping")] = session_.isLooping();
   QJsonObject panels;
   panels[QStringLiteral("pipeline")] = !pipeline_->isHidden();
@@ -91,17 +95,15 @@ void MainWindow::setState(const QJsonObject& state) {
     session_.setLooping(state[QStringLiteral("looping")].toBool());
     timeline_->setLooping(session_.isLooping());
   }
-  restoreScene(state, session_);
-  const QJsonArray pick = state[QStringLiteral("pick")].toArray();
-  if (pick.size() == 2)
-    session_.setPick(glm::ivec2(pick[0].toInt(), pick[1].toInt()));
-  else
-    session_.setPick({});
-  restorePart(state, QStringLiteral("views"), *views_);
-  restorePart(state, QStringLiteral("pipeline"), *pipeline_);
-  restorePart(state, QStringLiteral("probe"), *probe_);
-  restorePart(state, QStringLiteral("timeline"), *timeline_);
-  restorePart(state, QStringLiteral("plots"), *plots_);
+  if (state[QStringLiteral("scene")].isObject())
+    session_.setSceneState(state[QStringLiteral("scene")].toObject());
+  const std::vector<ProbePin> pins = pinsFrom(state[QStringLiteral("pins")].toArray());
+  session_.setPins(
+      pins, std::clamp(state[QStringLiteral("activePin")].toInt(-1), -1, static_cast<int>(pins.size()) - 1));
+  views_->setState(state[QStringLiteral("views")].toObject());
+  timeline_->setState(state[QStringLiteral("timeline")].toObject());
+  plots_->setState(state[QStringLiteral("plots")].toObject());
+  scene_->setState(state[QStringLiteral("sceneTree")].toObject());
 }
 
 void MainWindow::connectFiles() {

@@ -87,6 +87,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.seek(33);
   settle();
   session.setPick(glm::ivec2(70, 40));
+  session.addPin(glm::ivec2(12, 9), Follow::Surface);
   own->setPanelVisible(own->probe(), false);
   settle();
   own->keeper()->saveTo(path("it.taa.json"));
@@ -97,7 +98,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.setSize(64, 36);
   session.setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
-  session.setPick({});
+  session.removeAllPins();
   own->setPanelVisible(own->probe(), true);
   settle();
   drop(path("it.taa.json"));
@@ -110,7 +111,10 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   EXPECT_FALSE(renderer->status.playing);
   ASSERT_EQ(renderer->status.motionModes.size(), 1u);
   EXPECT_EQ(renderer->status.motionModes[0].mode, MotionMode::None);
-  EXPECT_EQ(session.pick(), glm::ivec2(70, 40));
+  ASSERT_EQ(session.pins().size(), 2u);
+  EXPECT_EQ(session.pins()[0].pixel, glm::ivec2(70, 40));
+  EXPECT_EQ(session.pins()[1].follow, Follow::Surface);
+  EXPECT_EQ(session.activePin(), 1);
   own->keeper()->saveTo(path("again.taa.json"));
   EXPECT_EQ(readFile(path("again.taa.json").toStdString()), saved);
 }
