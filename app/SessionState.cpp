@@ -6,7 +6,10 @@ namespace taa::app {
 SessionFile Session::file() const {
   SessionFile file;
   file.source = status_.source;
-  file.camera = sceneCamera_; // a flown one is in sceneState()
+  file.camera = sceneCamera_;
+  for (const CameraTrackHandle& track : status_.tracks)
+    if (track->name == status_.camera) file.track = *track;
+  file.filter = filter_.value();
   file.frame = status_.goal.value_or(status_.info.frame);
   file.size = {status_.width, status_.height};
   file.settings = {presetId_, presetSettings_, settings_};
@@ -24,7 +27,11 @@ void Session::restore(const SessionFile& file) {
   useSettings(file.settings.settings);
   setSize(file.size.x, file.size.y);
   setCheckpointBudget(static_cast<std::size_t>(file.checkpointsMiB) << 20);
-  if (!file.camera.empty()) setCamera(QString::fromStdString(file.camera));
+  if (file.track)
+    addCameraTrack(*file.track);
+  else if (!file.camera.empty())
+    setCamera(QString::fromStdString(file.camera));
+  setObjectFilter(file.filter);
   setMotionModes(file.motionModes);
   seek(file.frame);
   Q_EMIT settingsChanged(); // the name changes even where no value does

@@ -2,6 +2,7 @@
 #include "core/CommandLine.h"
 
 #include "core/inspect/StyleText.h"
+#include "core/io/CameraTrackJson.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -24,7 +25,15 @@ std::string renderCommand(const SessionFile& session, IntermediateId id, const V
     line += std::string(" ") + flag + " " + shellQuoted(value);
   };
   add("--size", std::to_string(session.size.x) + "x" + std::to_string(session.size.y));
-  if (!session.camera.empty()) add("--camera", session.camera);
+  // A path would need a file; a camera that rests does not.
+  if (session.track && session.track->poses.size() == 1)
+    add("--camera-pose", poseText(session.track->poses.front()));
+  else if (session.track)
+    add("--camera-path", session.track->name + ".json");
+  else if (!session.camera.empty())
+    add("--camera", session.camera);
+  for (const std::string& name : session.filter.hidden) add("--hide", name);
+  for (const std::string& name : session.filter.isolated) add("--isolate", name);
   // A user's own preset is not known elsewhere: then all that differs from the first one is said.
   const auto known = std::ranges::find(builtinPresets(), session.settings.preset, &Preset::id);
   const Preset& base = known == builtinPresets().end() ? builtinPresets().front() : *known;

@@ -14,7 +14,11 @@ namespace {
 // The session's, with --set on top.
 ShotPlan planSession(const ShotArguments& arguments) {
   const SessionFile session = readSession(arguments.session);
-  ShotPlan plan{session.source, session.camera, session.size, {}, session.motionModes, {}, session.frame};
+  ObjectFilter filter = session.filter; // and what is said besides
+  filter.hidden.insert(filter.hidden.end(), arguments.filter.hidden.begin(), arguments.filter.hidden.end());
+  if (!arguments.filter.isolated.empty()) filter.isolated = arguments.filter.isolated;
+  ShotPlan plan{session.source,      session.camera, session.size, {},
+                session.motionModes, session.track,  filter,       session.frame};
   std::vector<SessionLane> lanes{session.settings};
   lanes.insert(lanes.end(), session.lanes.begin(), session.lanes.end());
   for (const SessionLane& lane : lanes) {
@@ -31,8 +35,8 @@ ShotPlan planSession(const ShotArguments& arguments) {
 ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
-  return {arguments.source,   arguments.camera,         parseSize(arguments.size),
-          lanesOf(arguments), motionModesOf(arguments), cameraTrackOf(arguments)};
+  return {arguments.source,         arguments.camera,         parseSize(arguments.size), lanesOf(arguments),
+          motionModesOf(arguments), cameraTrackOf(arguments), arguments.filter};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -46,7 +50,7 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   if (!plan.camera.empty()) inspector.setCamera(plan.camera);
   if (plan.track) inspector.setCameraTrack(*plan.track);
   inspector.setMotionModes(plan.motionModes);
-  inspector.setObjectFilter(arguments.filter);
+  inspector.setObjectFilter(plan.filter);
   for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
 }
 

@@ -16,6 +16,7 @@ struct ShotPlan {
   std::vector<LaneChoice> lanes;
   std::vector<MotionOverride> motionModes;
   std::optional<CameraTrack> track;
+  ObjectFilter filter;
   int frame = -1; ///< of a session; −1: none is said
 };
 ShotPlan planShot(const ShotArguments& arguments);

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/io/CameraTrackJson.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -84,6 +85,16 @@ void laneToJson(const SessionLane& lane, ordered_json& object) {
   object["settings"] = toJson(lane.settings);
 }
 
+std::vector<std::string> namesFromJson(const json& object, const char* key) {
+  const json list = object.value(key, json::array());
+  if (!list.is_array() || list.size() > kMostModes)
+    throw Error(std::string("\"") + key + "\" is not a list of at most " + std::to_string(kMostModes) +
+                " names");
+  std::vector<std::string> names;
+  for (const json& name : list) names.push_back(textOf(name, key));
+  return names;
+}
+
 std::vector<MotionOverride> modesFromJson(const json& object) {
   if (!object.is_object() || object.size() > kMostModes)
     throw Error("\"motionModes\" is not an object of at most " + std::to_string(kMostModes) + " names");
@@ -103,7 +114,7 @@ json parsed(const std::string& text) {
 SessionFile sessionFromJson(const json& object) {
   checkKeys(object, "the session",
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
-             "motionModes", "checkpointsMiB", "window"});
+             "track", "hidden", "isolated", "motionModes", "checkpointsMiB", "window"});
   if (const json& format = field(object, "format"); format != kFormat)
     throw Error("its format is " + format.dump().substr(0, 20) + ", this program reads " +
                 std::to_string(kFormat));
@@ -123,6 +134,9 @@ SessionFile sessionFromJson(const json& object) {
     checkKeys(lane, "a lane", {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane));
   }
+  if (const auto track = object.find("track"); track != object.end())
+    session.track = cameraTrackFrom(ordered_json::parse(track->dump()));
+  session.filter = {namesFromJson(object, "hidden"), namesFromJson(object, "isolated")};
   session.motionModes = modesFromJson(object.value("motionModes", json::object()));
   session.checkpointsMiB =
       numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMostMiB);
@@ -165,6 +179,9 @@ std::string sessionToText(const SessionFile& session) {
     laneToJson(lane, row);
     object["lanes"].push_back(row);
   }
+  if (session.track) object["track"] = cameraTrackJson(*session.track);
+  if (!session.filter.hidden.empty()) object["hidden"] = session.filter.hidden;
+  if (!session.filter.isolated.empty()) object["isolated"] = session.filter.isolated;
   json modes = json::object(); // by name
   for (const MotionOverride& mode : session.motionModes)
     modes[mode.node] = kMotionModes.at(static_cast<std::size_t>(mode.mode)).id;

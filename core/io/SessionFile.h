@@ -1,12 +1,15 @@
 // Everything a picture depends on, and what the window looked at, as one JSON file.
 #pragma once
 
+#include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +28,9 @@ struct SessionFile {
   int frame = 0;
   glm::ivec2 size{1280, 720}; ///< of the picture
   SessionLane settings;
-  std::vector<SessionLane> lanes; ///< further ones beside it
+  std::vector<SessionLane> lanes;   ///< further ones beside it
+  std::optional<CameraTrack> track; ///< looked through instead of `camera`
+  ObjectFilter filter;
   std::vector<MotionOverride> motionModes;
   int checkpointsMiB = 1024;
   std::string window = "{}"; ///< a JSON object: the window's business

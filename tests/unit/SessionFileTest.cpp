@@ -76,6 +76,16 @@ TEST(SessionFile, ReadsWhatItWrote) {
   EXPECT_EQ(sessionToText(is), sessionToText(want));
 }
 
+TEST(SessionFile, KeepsAFlownCameraAndWhatIsHidden) {
+  SessionFile want = sample();
+  want.track = CameraTrack{"Recorded 1", 2, {{{1.0, 2.0, 3.0}}, {{0.1, 0.25, 1e-9}}}};
+  want.filter = {{"floor", "#3"}, {"rotor & hub"}};
+  const SessionFile is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.track, want.track);
+  EXPECT_EQ(is.filter, want.filter);
+  EXPECT_FALSE(sessionFromText(sessionToText(sample()), "it").track);
+}
+
 TEST(SessionFile, RefusesByName) {
   const std::pair<std::string, std::string> cases[] = {
       {changed("colour", 1), "\"colour\""},
@@ -93,6 +103,9 @@ TEST(SessionFile, RefusesByName) {
       {changed("lanes", {{{"preset", "x"}, {"settings", nlohmann::json::object()}, {"more", 1}}}),
        "\"more\""},
       {changed("motionModes", {{"floor", "sideways"}}), "sideways"},
+      {changed("hidden", "floor"), "\"hidden\""},
+      {changed("isolated", {7}), "\"isolated\""},
+      {changed("track", {{"name", "x"}}), "poses"},
       {changed("checkpointsMiB", -5), "\"checkpointsMiB\""},
       {changed("window", 3), "\"window\""},
       {changed("source", std::string(5000, 'x')), "too long"},
@@ -141,6 +154,16 @@ TEST(CommandLine, SaysWhatDiffersFromAPreset) {
             "taa-batch render builtin:fan --size 640x360 --camera orbit --preset fsr2 --set "
             "weight.minimum=0.0625 --motion-mode 'rotor & hub=none' --motion-mode a=b=cameraOnly --frames 31 "
             "--emit alpha --style high=0.5 --format png --out .");
+}
+
+TEST(CommandLine, SaysWhereAFlownCameraRestsAndWhatIsHidden) {
+  SessionFile session = sample();
+  session.track = CameraTrack{"free", 0, {{{1.0f, 2.5f, -3.0f}, 90.0f, -10.0f, 60.0f}}};
+  session.filter = {{"the floor"}, {"rotor"}};
+  const std::string line = renderCommand(session, IntermediateId::resolved, {});
+  EXPECT_NE(line.find(" --camera-pose 1,2.5,-3,90,-10,60 --hide 'the floor' --isolate rotor "), line.npos)
+      << line;
+  EXPECT_EQ(line.find("--camera orbit"), line.npos);
 }
 
 TEST(StyleText, ReadsWhatItWrote) {
