@@ -131,7 +131,7 @@ class Session : public QObject {
   void backToSceneCamera();
   /// Where these objects are seen is told from now on.
   void locate(const std::vector<int>& objects);
-  /// Cameras, tracks, motion modes, hidden objects; to be set after open().
+  /// All flown cameras, which a SessionFile has one of at most; to be set after open().
   QJsonObject sceneState() const;
   void setSceneState(const QJsonObject& state);
 

@@ -10,23 +10,6 @@
 
 namespace taa::app {
 
-namespace {
-
-QJsonArray arrayOf(const std::vector<std::string>& names) {
-  QJsonArray array;
-  for (const std::string& name : names) array << QString::fromStdString(name);
-  return array;
-}
-
-std::vector<std::string> namesIn(const QJsonValue& array) {
-  std::vector<std::string> names;
-  for (const QJsonValue& name : array.toArray())
-    if (name.isString()) names.push_back(name.toString().toStdString());
-  return names;
-}
-
-} // namespace
-
 void Session::takeSceneStatus() {
   motionModes_.arrived(status_.motionModes);
   filter_.arrived(status_.filter);
@@ -87,18 +70,11 @@ void Session::locate(const std::vector<int>& objects) {
 }
 
 QJsonObject Session::sceneState() const {
-  QJsonArray tracks, modes;
+  QJsonArray tracks;
   for (const CameraTrackHandle& track : status_.tracks)
     tracks << QJsonDocument::fromJson(QByteArray::fromStdString(cameraTrackJson(*track).dump())).object();
-  for (const MotionOverride& mode : motionModes_.value())
-    modes << QString::fromStdString(mode.node + '=' +
-                                    std::string(kMotionModes[static_cast<std::size_t>(mode.mode)].id));
   return {{QStringLiteral("camera"), QString::fromStdString(status_.camera)},
-          {QStringLiteral("sceneCamera"), QString::fromStdString(sceneCamera_)},
-          {QStringLiteral("tracks"), tracks},
-          {QStringLiteral("motionModes"), modes},
-          {QStringLiteral("hidden"), arrayOf(filter_.value().hidden)},
-          {QStringLiteral("isolated"), arrayOf(filter_.value().isolated)}};
+          {QStringLiteral("tracks"), tracks}};
 }
 
 void Session::setSceneState(const QJsonObject& state) {
@@ -110,13 +86,6 @@ void Session::setSceneState(const QJsonObject& state) {
   });
   const QString camera = state[QStringLiteral("camera")].toString();
   if (!camera.isEmpty()) setCamera(camera);
-  guarded([&] {
-    std::vector<MotionOverride> modes;
-    for (const std::string& text : namesIn(state[QStringLiteral("motionModes")]))
-      modes.push_back(parseMotionOverride(text));
-    setMotionModes(modes);
-  });
-  setObjectFilter({namesIn(state[QStringLiteral("hidden")]), namesIn(state[QStringLiteral("isolated")])});
 }
 
 } // namespace taa::app

@@ -46,13 +46,6 @@ ObjectArea areaOf(const Image& ids, const std::vector<int>& objects) {
 } // namespace
 
 void RenderWorker::applyScene(const Wishes& wishes) {
-  const auto change = [&](auto action) {
-    if (!attempt(action)) return;
-    ++version_;
-    ++subject_;
-    statusChanged_ = true;
-    refinementStopped_ = false;
-  };
   const SceneWishes& scene = wishes.scene;
   if (scene.located) {
     located_ = *scene.located;

@@ -85,13 +85,6 @@ void RenderWorker::apply(const Wishes& wishes) {
 }
 
 void RenderWorker::applySource(const Wishes& wishes) {
-  const auto change = [&](auto action) {
-    if (!attempt(action)) return;
-    ++version_;
-    ++subject_;
-    statusChanged_ = true;
-    refinementStopped_ = false;
-  };
   if (wishes.reload) reloadShaders();
   if (wishes.source) {
     goal_.reset();

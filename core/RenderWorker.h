@@ -152,6 +152,8 @@ class RenderWorker {
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
   template <typename Action>
   bool attempt(Action action);
+  template <typename Action>
+  void change(Action action);
 
   const RenderListener& listener_;
   Pending pending_;
@@ -198,6 +200,16 @@ bool RenderWorker::attempt(Action action) {
     if (listener_.onError) listener_.onError(error.what());
     return false;
   }
+}
+
+// Something that all frames depend on: what was delivered is of another subject now.
+template <typename Action>
+void RenderWorker::change(Action action) {
+  if (!attempt(action)) return;
+  ++version_;
+  ++subject_;
+  statusChanged_ = true;
+  refinementStopped_ = false;
 }
 
 } // namespace taa
