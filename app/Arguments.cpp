@@ -1,5 +1,6 @@
 #include "app/Arguments.h"
 
+#include "app/Dialogs.h"
 #include "app/panels/LowerArea.h"
 #include "app/views/ViewportMath.h"
 
@@ -60,10 +61,9 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
                  "Show this intermediate; given again, in the next of up to four views")
       ->type_name("ID")
       ->allow_extra_args(false); // else it would take the source, too
-  app.add_option(
-         "--compare", texts.comparisons,
-         "Compare view A with an intermediate, preset:NAME, frame:N or frame:-N (N frames before); given "
-         "again, the next view; \"nothing\" leaves one out")
+  app.add_option("--compare", texts.comparisons,
+                 "Compare view A with " + std::string(kComparisonHelp) +
+                     "; given again, the next view; \"nothing\" leaves one out")
       ->type_name("WHAT")
       ->allow_extra_args(false);
   app.add_option("--compare-as", texts.showing, "How both are shown: wipe, first, other or difference")
@@ -94,12 +94,17 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
          "pipeline")
       ->type_name("NAME")
       ->check(CLI::IsMember(pages));
+  app.add_option("--dialog", arguments.dialog, "Open this in the picture of --screenshot, too")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(dialogNames()));
   app.add_option("--shaders", arguments.shaders,
                  "Read the shaders from this folder, a copy of shaders/, and again when one is saved")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timing", arguments.timing,
                "Say on stderr how long after the start the first picture was there");
+  app.add_flag("--table-texts", arguments.tableTexts,
+               "Print the texts of the tables for lupdate and end; see app/translations");
 }
 
 void addSceneOptions(CLI::App& app, Arguments& arguments, Texts& texts) {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/Theme.h"
-#include "app/views/Comparison.h"
+#include "app/views/Overlays.h"
 
+#include "core/Comparison.h"
 #include "core/scene/CameraTrack.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/taa/Intermediates.h"
@@ -33,9 +34,11 @@ struct Arguments {
   std::optional<Showing> showing;      ///< of all that compare
   std::vector<Overlay> overlays;       ///< over all views
   std::string panel;                   ///< page of the lower area to show, or "scene"; empty: none
+  std::string dialog;                  ///< of dialogNames(), in a picture of the window; empty: none
   std::optional<CameraTrack> track;    ///< looked through
   ObjectFilter filter;
-  bool timing = false; ///< say on stderr when the first picture was there
+  bool tableTexts = false; ///< print the texts of the tables for lupdate, and end
+  bool timing = false;     ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

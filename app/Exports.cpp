@@ -1,26 +1,26 @@
 #include "app/Exports.h"
 
 #include "app/MainWindow.h"
+#include "app/SessionKeeper.h"
 #include "app/Text.h"
-#include "app/Theme.h"
-#include "app/views/Legend.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/RangeDialog.h"
 #include "core/CommandLine.h"
 #include "core/base/Files.h"
+#include "core/io/CameraTrackJson.h"
 #include "core/io/PictureFile.h"
 #include "core/taa/GlslExport.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QCryptographicHash>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QPainter>
 #include <QPointer>
 #include <QThreadPool>
 
-#include <algorithm>
 #include <functional>
 
 namespace taa::app {
@@ -50,29 +50,12 @@ Exports::Exports(MainWindow& window) : QObject(&window), window_(window) {
   });
 }
 
-QImage Exports::viewImage(bool withLegend) const {
-  const ViewPanel* view = window_.views()->active();
-  const auto& result = view->viewport()->result();
-  if (!result || result->picture.width == 0) return {};
-  const Picture& picture = result->picture;
-  const QImage shown(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
-                     QImage::Format_RGBA8888);
-  if (!withLegend) return shown.copy();
-  const double ratio = view->devicePixelRatioF();
-  const int strip = static_cast<int>(kLegendHeight * ratio);
-  QImage image(picture.width, picture.height + strip, QImage::Format_RGBA8888);
-  image.fill(themeColors(view).panel);
-  for (int y = 0; y < picture.height; ++y) // as it is, see-through where there is no picture
-    std::copy_n(shown.constScanLine(y), 4 * picture.width, image.scanLine(y));
-  image.setDevicePixelRatio(ratio);
-  QPainter painter(&image);
-  painter.setRenderHint(QPainter::TextAntialiasing);
-  paintLegend(painter,
-              QRect(0, static_cast<int>(picture.height / ratio), static_cast<int>(picture.width / ratio),
-                    kLegendHeight),
-              intermediate(result->request.id), result->request.style, result->request.asDifference,
-              themeColors(view));
-  return image;
+// A part of it may be on its way.
+std::optional<QImage> Exports::viewImage(bool withLegend) {
+  QImage image = window_.views()->active()->viewport()->picture(withLegend);
+  if (!image.isNull()) return image;
+  Q_EMIT failed(tr("A part of this view is on its way: pause, or try again when it is there."));
+  return {};
 }
 
 void Exports::askForView(bool withLegend) {
@@ -85,9 +68,9 @@ void Exports::askForView(bool withLegend) {
 
 // A large picture takes a while to be packed.
 void Exports::writeView(const QString& path, bool withLegend) {
-  const QImage image = viewImage(withLegend);
-  if (image.isNull()) return Q_EMIT failed(tr("There is no picture in this view yet."));
-  QThreadPool::globalInstance()->start([guard = QPointer<Exports>(this), path, image] {
+  const std::optional<QImage> shown = viewImage(withLegend);
+  if (!shown) return;
+  QThreadPool::globalInstance()->start([guard = QPointer<Exports>(this), path, image = *shown] {
     QString error;
     try {
       const auto bytes = static_cast<std::size_t>(4) * image.width() * image.height();
@@ -121,7 +104,7 @@ void Exports::writeRange(const SequenceRequest& request) {
 void Exports::askForGlsl() {
   const QString name =
       QStringLiteral("taa_resolve_%1.frag").arg(QString::fromStdString(window_.session().presetId()));
-  askForPlace(&window_, tr("Export the resolve as GLSL"), name, tr("GLSL (*.frag *.glsl)"),
+  askForPlace(&window_, tr("Export resolve and output as GLSL"), name, tr("GLSL (*.frag *.glsl)"),
               [this](const QString& path) { writeGlsl(path); });
 }
 
@@ -136,13 +119,44 @@ void Exports::writeGlsl(const QString& path) {
   }
 }
 
+// Named by what is in it: lines that were copied before stay true.
+QString Exports::cameraFile(const SessionFile& session) const {
+  if (!needsCameraFile(session)) return {};
+  const QByteArray text = QByteArray::fromStdString(cameraTrackJson(*session.track).dump(1));
+  const QByteArray hash = QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex().left(12);
+  return QDir(window_.keeper()->cameraFolder())
+      .filePath(QStringLiteral("path-%1.json").arg(QString::fromLatin1(hash)));
+}
+
+void Exports::copyView(bool withLegend) {
+  const std::optional<QImage> shown = viewImage(withLegend);
+  if (!shown) return;
+  QApplication::clipboard()->setImage(*shown);
+  Q_EMIT said(tr("Copied the picture of view %1, %2×%3 pixels.")
+                  .arg(QChar(static_cast<char16_t>('A' + window_.views()->activeIndex())))
+                  .arg(shown->width())
+                  .arg(shown->height()));
+}
+
 QString Exports::commandLine() const {
   const ViewPanel* view = window_.views()->active();
-  return QString::fromStdString(renderCommand(window_.session().file(), view->id(), view->style()));
+  CommandView shown = view->commandView();
+  shown.referenceSamples = window_.session().status().referenceGoal;
+  const SessionFile session = window_.session().file();
+  return QString::fromStdString(renderCommand(session, shown, cameraFile(session).toStdString()));
 }
 
 void Exports::copyCommandLine() {
   if (!window_.session().isOpen()) return;
+  const SessionFile session = window_.session().file();
+  try {
+    if (const QString camera = cameraFile(session); !camera.isEmpty()) {
+      QDir().mkpath(QFileInfo(camera).path());
+      writeFile(camera.toStdString(), cameraTrackJson(*session.track).dump(1));
+    }
+  } catch (const std::exception& error) {
+    return Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
   QApplication::clipboard()->setText(commandLine());
   Q_EMIT said(tr("Copied: %1").arg(commandLine()));
 }

@@ -7,6 +7,12 @@
 #include <QObject>
 #include <QString>
 
+#include <optional>
+
+namespace taa {
+struct SessionFile;
+}
+
 namespace taa::app {
 
 class MainWindow;
@@ -20,12 +26,15 @@ class Exports : public QObject {
   void askForView(bool withLegend);
   /// What the active view shows, pixel for pixel of the screen; `withLegend`: and below it what it means.
   void writeView(const QString& path, bool withLegend);
+  /// The same into the clipboard.
+  void copyView(bool withLegend);
   /// A dialog for a range of frames, which stays open beside the work.
   void askForRange();
   void writeRange(const SequenceRequest& request);
   void askForGlsl();
   void writeGlsl(const QString& path);
-  /// The taa-batch line that draws the active view's intermediate again.
+  /// The taa-batch line that draws what the active view shows again, all of its picture. A flown path is in a
+  /// file that it names, which copying writes.
   QString commandLine() const;
   void copyCommandLine();
 
@@ -34,7 +43,9 @@ class Exports : public QObject {
   void failed(const QString& sentence);
 
  private:
-  QImage viewImage(bool withLegend) const;
+  QString cameraFile(const SessionFile& session) const; ///< empty: no need for one
+  /// Says why when there is none.
+  std::optional<QImage> viewImage(bool withLegend);
   MainWindow& window_;
 };
 

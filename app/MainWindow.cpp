@@ -27,6 +27,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QTabWidget>
@@ -180,7 +181,7 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
   connect(&session_, &Session::pictureArrived, this, [this](int view) {
-    if (const ViewResult* result = session_.picture(view)) views_->view(view)->setResult(*result);
+    if (session_.picture(view)) views_->view(view)->setResult(session_.picture(view));
   });
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
@@ -197,6 +198,7 @@ void MainWindow::showStatus() {
   profiler_->setDriver(status.driver);
   if (session_.isOpen()) {
     views_->setPictureSize({status.width, status.height});
+    views_->setPlaying(status.playing);
     pipeline_->setPictureSize({status.width, status.height});
   }
   if (session_.isOpen() && status.source != shownSource_) {
@@ -263,7 +265,7 @@ void MainWindow::restore() {
   if (!closed)
     messages_->showHint(tr("Step back with the comma key.  Right-click a pixel to see every value at it.  "
                            "Press ? for all keys."));
-  resize(1600, 900);
+  resize(QSize(1600, 900).boundedTo(screen()->availableSize()));
   if (settings_) restoreGeometry(settings_->value(QStringLiteral("geometry")).toByteArray());
 }
 

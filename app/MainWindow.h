@@ -99,6 +99,7 @@ class MainWindow : public QMainWindow {
   void showUserPresets();
   void askToSaveCamera();
   void askForCamera();
+  void askForCameraName();
   CameraTrackHandle flownCamera() const; ///< that is looked through; null: one of the scene's
   QString presetFolder() const;          ///< of the user's own
   void chooseIntermediate(int view);

@@ -27,10 +27,12 @@ struct Choice {
 void addPresets(std::vector<Choice>& choices, const QString& group, const QString& folder) {
   for (const Preset& preset : builtinPresets()) {
     const QString id = QString::fromStdString(preset.id);
-    choices.push_back({{qtext(preset.label), {}, group, id}, Comparison{OtherKind::Preset, {}, id}});
+    choices.push_back(
+        {{tableText(preset.label), {}, group, id}, Comparison{OtherKind::Preset, {}, preset.id}});
   }
   for (const UserPreset& preset : userPresets(folder))
-    choices.push_back({{preset.label, {}, group, {}}, Comparison{OtherKind::Preset, {}, preset.path}});
+    choices.push_back(
+        {{preset.label, {}, group, {}}, Comparison{OtherKind::Preset, {}, preset.path.toStdString()}});
 }
 
 } // namespace
@@ -56,7 +58,7 @@ void MainWindow::chooseComparison(int view) {
   choices.push_back({{tr("Another frame…"), {}, frames, {}}, {}});
   for (const Intermediate& row : kIntermediates)
     choices.push_back(
-        {{qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), qtext(row.name)},
+        {{tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)},
          Comparison{OtherKind::Row, row.id}});
   ViewPanel* panel = views_->view(view);
   std::vector<ChooserEntry> entries;

@@ -16,6 +16,7 @@
 #include <QFileDialog>
 #include <QJsonArray>
 #include <QSplitter>
+#include <QTabWidget>
 
 #include <algorithm>
 #include <vector>
@@ -63,13 +64,17 @@ QJsonObject MainWindow::state() const {
   state[QStringLiteral("views")] = views_->state();
   state[QStringLiteral("timeline")] = timeline_->state();
   state[QStringLiteral("plots")] = plots_->state();
+  state[QStringLiteral("pipeline")] = pipeline_->state();
+  state[QStringLiteral("probe")] = probe_->state();
   state[QStringLiteral("scene")] = session_.sceneState();
   state[QStringLiteral("sceneTree")] = scene_->state();
   state[QStringLiteral("pins")] = pinsJson(session_.pins());
   state[QStringLiteral("activePin")] = session_.activePin();
   state[QStringLiteral("looping")] = session_.isLooping();
+  state[QStringLiteral("referenceSamples")] = session_.status().referenceGoal;
   QJsonObject panels;
-  panels[QStringLiteral("pipeline")] = !pipeline_->isHidden();
+  panels[QStringLiteral("pipeline")] = !left_->isHidden();
+  panels[QStringLiteral("scene")] = left_->currentWidget() == scene_;
   panels[QStringLiteral("probe")] = !probe_->isHidden();
   panels[QStringLiteral("lower")] =
       lower_->shows(lower_->current()) ? lowerPageId(lower_->current()) : QString();
@@ -86,6 +91,9 @@ void MainWindow::setState(const QJsonObject& state) {
                                                 {QStringLiteral("probe"), probe_}};
   for (const auto& [key, panel] : known)
     if (panels[key].isBool()) setPanelVisible(panel, panels[key].toBool());
+  left_->setCurrentIndex(left_->indexOf(panels[QStringLiteral("scene")].toBool()
+                                            ? static_cast<QWidget*>(scene_)
+                                            : static_cast<QWidget*>(pipeline_)));
   if (const QJsonValue page = panels[QStringLiteral("lower")]; page.isString())
     lower_->setShown(lowerPageWithId(page.toString()).value_or(lower_->current()),
                      !page.toString().isEmpty());
@@ -95,6 +103,8 @@ void MainWindow::setState(const QJsonObject& state) {
     session_.setLooping(state[QStringLiteral("looping")].toBool());
     timeline_->setLooping(session_.isLooping());
   }
+  if (const int samples = state[QStringLiteral("referenceSamples")].toInt(); samples > 0)
+    session_.setReferenceSamples(samples);
   if (state[QStringLiteral("scene")].isObject())
     session_.setSceneState(state[QStringLiteral("scene")].toObject());
   const std::vector<ProbePin> pins = pinsFrom(state[QStringLiteral("pins")].toArray());
@@ -103,6 +113,8 @@ void MainWindow::setState(const QJsonObject& state) {
   views_->setState(state[QStringLiteral("views")].toObject());
   timeline_->setState(state[QStringLiteral("timeline")].toObject());
   plots_->setState(state[QStringLiteral("plots")].toObject());
+  pipeline_->setState(state[QStringLiteral("pipeline")].toObject());
+  probe_->setState(state[QStringLiteral("probe")].toObject());
   scene_->setState(state[QStringLiteral("sceneTree")].toObject());
 }
 

@@ -50,10 +50,11 @@ std::vector<ParameterValue> parameterValues() {
 ChooserEntry entryOf(const ParameterValue& of, const Settings& settings) {
   const Parameter& row = *of.row;
   QString name = of.value != 0 ? MainWindow::tr("on") : MainWindow::tr("off");
-  if (row.kind == ParameterKind::Choice) name = qtext(row.choices[static_cast<std::size_t>(of.value)].label);
+  if (row.kind == ParameterKind::Choice)
+    name = tableText(row.choices[static_cast<std::size_t>(of.value)].label);
   const bool isNow = static_cast<int>(row.get(settings)) == of.value;
-  return {MainWindow::tr("%1: %2").arg(qtext(row.label), name), isNow ? MainWindow::tr("now") : QString(),
-          qtext(stageInfo(row.stage).label),
+  return {MainWindow::tr("%1: %2").arg(tableText(row.label), name), isNow ? MainWindow::tr("now") : QString(),
+          tableText(stageInfo(row.stage).label),
           qtext(row.path) + QLatin1Char('=') + QString::fromStdString(valueText(row, of.value)),
           isRelevant(row, settings)};
 }
@@ -148,7 +149,7 @@ void MainWindow::chooseIntermediate(int view) {
   std::vector<ChooserEntry> entries;
   for (const Intermediate& row : kIntermediates)
     entries.push_back(
-        {qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), qtext(row.name)});
+        {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)});
   ViewPanel* panel = views_->view(view);
   auto* chooser = new Chooser(
       tr("Search intermediates"), std::move(entries),
@@ -187,16 +188,16 @@ void MainWindow::showKeys() {
   for (const Menus::Command& command : menus_->commands())
     if (const QString keys = keysOf(command.action); !keys.isEmpty())
       lines.push_back({command.menu, keys, withoutMnemonic(command.action->text())});
-  const auto mouse = [&](const char* keys, const QString& text) {
-    lines.push_back({tr("In a view"), tr(keys), text});
+  const auto mouse = [&](const QString& keys, const QString& text) {
+    lines.push_back({tr("In a view"), keys, text});
   };
-  mouse("Wheel", tr("Zoom at the cursor"));
-  mouse("Left drag", tr("Pan"));
-  mouse("Drag the divider", tr("Show more of one side; a double click puts it in the middle"));
-  mouse("Hold Shift", tr("Show the other side"));
-  mouse("Right click, drag", tr("Probe a pixel; it stays"));
-  mouse("Arrows", tr("Move the probe by 1 px"));
-  mouse("Shift+arrows", tr("Move the probe by 10 px"));
+  mouse(tr("Wheel"), tr("Zoom at the cursor"));
+  mouse(tr("Left drag"), tr("Pan"));
+  mouse(tr("Drag the divider"), tr("Show more of one side; a double click puts it in the middle"));
+  mouse(tr("Hold Shift"), tr("Show the other side"));
+  mouse(tr("Right click, drag"), tr("Probe a pixel; it stays"));
+  mouse(tr("Arrows"), tr("Move the probe by 1 px"));
+  mouse(tr("Shift+arrows"), tr("Move the probe by 10 px"));
   lines.push_back({tr("In a number"), tr("Drag, Up, Down, wheel"), tr("Change it (Shift: finer)")});
   lines.push_back({tr("In a number"), tr("Double-click its label"), tr("Back to the preset's value")});
   lines.push_back({tr("In the pipeline"), tr("Ctrl+click"), tr("Show an intermediate in the other view")});

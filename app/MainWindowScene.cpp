@@ -13,6 +13,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/FlightBar.h"
+#include "app/widgets/Prompt.h"
 #include "core/base/Files.h"
 #include "core/io/CameraTrackJson.h"
 
@@ -151,6 +152,18 @@ void MainWindow::askToSaveCamera() {
     }
   });
   dialog->open();
+}
+
+void MainWindow::askForCameraName() {
+  const CameraTrackHandle track = flownCamera();
+  if (!track) return;
+  auto* prompt = new Prompt(
+      tr("Name of the flown camera"), QString::fromStdString(track->name),
+      [this, name = track->name](const QString& text) {
+        return session_.renameCamera(name, text.trimmed().toStdString());
+      },
+      this);
+  prompt->open();
 }
 
 void MainWindow::askForCamera() {

@@ -37,6 +37,7 @@ class ThreadRenderer final : public Renderer {
   void fly(const CameraPose& pose) override { thread_.fly(pose); }
   void setRecording(bool recording) override { thread_.setRecording(recording); }
   void addCameraTrack(const CameraTrack& track) override { thread_.addCameraTrack(track); }
+  void setFlownCameras(const FlownCameras& cameras) override { thread_.setFlownCameras(cameras); }
   void locate(const std::vector<int>& objects) override { thread_.locate(objects); }
 
  private:

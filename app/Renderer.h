@@ -44,6 +44,7 @@ class Renderer {
   virtual void fly(const CameraPose& pose) = 0;
   virtual void setRecording(bool recording) = 0;
   virtual void addCameraTrack(const CameraTrack& track) = 0;
+  virtual void setFlownCameras(const FlownCameras& cameras) = 0;
   virtual void locate(const std::vector<int>& objects) = 0;
 };
 

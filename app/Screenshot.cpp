@@ -1,5 +1,6 @@
 #include "app/Screenshot.h"
 
+#include "app/Dialogs.h"
 #include "app/MainWindow.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/PipelinePanel.h"
@@ -16,8 +17,9 @@
 namespace taa::app {
 
 namespace {
-constexpr int kPoll = 20;  ///< ms
-constexpr int kQuiet = 10; ///< polls
+constexpr int kPoll = 20;        ///< ms
+constexpr int kQuiet = 10;       ///< polls
+constexpr int kDialogQuiet = 40; ///< more of them: some read files
 constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
 } // namespace
@@ -46,10 +48,11 @@ bool Screenshot::isComplete() const {
     return false;
   const std::vector<ViewRequest> wanted = window_.views()->requests();
   for (std::size_t view = 0; view < wanted.size(); ++view) {
-    const ViewResult* result = session.picture(static_cast<int>(view));
+    const ViewResult* result = session.picture(static_cast<int>(view)).get();
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
     if (isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal) return false;
+    if (window_.views()->view(static_cast<int>(view))->isMeasuring()) return false;
     if (wanted[view].other && !(result->other && result->other->exact)) return false;
   }
   const PipelinePanel* pipeline = window_.pipeline();
@@ -98,7 +101,15 @@ void Screenshot::look() {
   }
   // Layouts settle and late results arrive before the picture is taken.
   if (++quiet_ < kQuiet) return;
-  if (window_.grab().save(file_, "PNG"))
+  if (dialog_.empty()) return take();
+  openDialog(window_, std::exchange(dialog_, {}));
+  quiet_ = -kDialogQuiet;
+}
+
+void Screenshot::take() {
+  QPixmap picture = window_.grab();
+  paintDialogs(window_, picture);
+  if (picture.save(file_, "PNG"))
     finish(0, {});
   else
     finish(1, tr("cannot write %1: check that its folder exists and can be written").arg(file_));

@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <string>
 
 namespace taa::app {
 
@@ -18,6 +19,8 @@ class Screenshot : public QObject {
   using Done = std::function<void(int code, const QString& text)>;
   /// `frame` is clamped to the shot.
   Screenshot(MainWindow& window, const QString& file, int frame, Done done);
+  /// Opens this one of dialogNames() first; empty: none.
+  void setDialog(const std::string& name) { dialog_ = name; }
 
  private:
   /// Asks for the frame once the source is open, and takes the picture once all is there.
@@ -25,6 +28,7 @@ class Screenshot : public QObject {
   bool isComplete() const;
   bool areProfilesComplete();
   bool areTracesComplete();
+  void take();
   void finish(int code, const QString& text);
 
   MainWindow& window_;
@@ -33,7 +37,8 @@ class Screenshot : public QObject {
   Done done_;
   bool asked_ = false, measures_ = false;
   bool asksForTraces_ = false, sawTracing_ = false;
-  int quiet_ = 0; ///< polls since all was there
+  int quiet_ = 0;      ///< polls since all was there
+  std::string dialog_; ///< that is still to be opened
   QTimer poll_, limit_;
   QString lastError_;
 };

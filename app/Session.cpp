@@ -36,14 +36,13 @@ Session::~Session() {
   renderer_.reset();
 }
 
-const ViewResult* Session::picture(int view) const {
-  const auto& picture = pictures_.at(static_cast<std::size_t>(view));
-  return picture ? &*picture : nullptr;
+const std::shared_ptr<const ViewResult>& Session::picture(int view) const {
+  return pictures_.at(static_cast<std::size_t>(view));
 }
 
 QString Session::memoryText(const glm::ivec2& sizePx) const {
   std::vector<IntermediateId> watched;
-  for (const std::optional<ViewResult>& picture : pictures_)
+  for (const std::shared_ptr<const ViewResult>& picture : pictures_)
     if (picture && std::ranges::find(watched, picture->request.id) == watched.end())
       watched.push_back(picture->request.id);
   std::vector<Settings> lanes{settings_};
@@ -85,7 +84,7 @@ void Session::deliver() {
   }
   for (int view = 0; view < kViewCount; ++view)
     if (auto& picture = delivery.pictures[static_cast<std::size_t>(view)]) {
-      pictures_[static_cast<std::size_t>(view)] = std::move(picture);
+      pictures_[static_cast<std::size_t>(view)] = std::make_shared<const ViewResult>(std::move(*picture));
       Q_EMIT pictureArrived(view);
     }
   bool hasProbes = false;
@@ -117,6 +116,8 @@ void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
   motionModes_.giveUp();
   filter_.giveUp();
+  flown_.giveUp();
+  history_.forgetCameras();
   ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
@@ -125,6 +126,7 @@ void Session::setSize(int width, int height) {
 }
 
 void Session::setCamera(const QString& name) {
+  flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
 }
 
@@ -184,7 +186,7 @@ void Session::setParameter(const QString& path, double value) {
     Settings changed = settings_;
     row.set(changed, value);
     if (changed == settings_) return;
-    history_.record(settings_, std::string(row.path));
+    history_.record({settings_}, std::string(row.path));
     useSettings(changed);
   });
 }
@@ -192,7 +194,7 @@ void Session::setParameter(const QString& path, double value) {
 void Session::setPreset(const QString& idOrPath) {
   guarded([&] {
     const Preset chosen = preset(idOrPath.toStdString());
-    history_.record(settings_, "");
+    history_.record({settings_}, "");
     presetId_ = chosen.id;
     presetSettings_ = chosen.settings;
     useSettings(chosen.settings);
@@ -219,7 +221,7 @@ void Session::preparePreset(const QString& idOrPath) {
 
 void Session::backToPreset() {
   if (settings_ == presetSettings_) return;
-  history_.record(settings_, "");
+  history_.record({settings_}, "");
   useSettings(presetSettings_);
 }
 
@@ -228,11 +230,17 @@ void Session::savePreset(const QString& folder, const QString& label) {
 }
 
 void Session::undo() {
-  if (history_.canUndo()) useSettings(history_.undo(settings_));
+  if (!history_.canUndo()) return;
+  const UndoStep step = history_.undo(settings_);
+  if (step.camera) return useCamera(step.camera->after, step.camera->before);
+  useSettings(step.settings);
 }
 
 void Session::redo() {
-  if (history_.canRedo()) useSettings(history_.redo(settings_));
+  if (!history_.canRedo()) return;
+  const UndoStep step = history_.redo(settings_);
+  if (step.camera) return useCamera(step.camera->before, step.camera->after);
+  useSettings(step.settings);
 }
 
 void Session::setViews(const std::vector<ViewRequest>& views) {

@@ -37,7 +37,7 @@ class Session : public QObject {
   /// What last arrived for the active pin, or for another.
   const ProbeResult* probe() const { return pins_.result(pins_.active()); }
   const ProbeResult* probe(int pin) const { return pins_.result(pin); }
-  const ViewResult* picture(int view) const;
+  const std::shared_ptr<const ViewResult>& picture(int view) const;
   /// What another size takes with these settings and views: "about 155 MiB".
   QString memoryText(const glm::ivec2& sizePx) const;
   /// The settings asked for, which the picture may not show yet.
@@ -107,7 +107,7 @@ class Session : public QObject {
   void setThumbnails(int width, int height);           ///< 0: none
   void setReferenceSamples(int samples);               ///< see RenderThread
   void setFigures(const std::vector<Figure>& figures); ///< arrive by figuresArrived
-  /// Presets that views are compared with: lanes 1, 2, 3 next to that of the settings.
+  /// Presets that views are compared with: lanes 1, 2 … next to that of the settings.
   void setOtherPresets(const QStringList& idsOrPaths);
   void reloadShaders();
   void cancel();
@@ -127,6 +127,10 @@ class Session : public QObject {
   void fly(const CameraPose& pose);
   void setRecording(bool recording);
   void addCameraTrack(const CameraTrack& track);
+  // Of flown cameras; undo takes it back
+  void removeCamera(const std::string& name);
+  /// False where the name is empty or taken.
+  bool renameCamera(const std::string& name, const std::string& newName);
   /// The scene's camera that was left for a flown one, or the one it opens with.
   void backToSceneCamera();
   /// Where these objects are seen is told from now on.
@@ -159,6 +163,7 @@ class Session : public QObject {
   void useStatus(Status&& status);
   void takeSceneStatus();
   void useSettings(const Settings& settings);
+  void useCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after);
   void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
   void guarded(const std::function<void()>& act);
@@ -171,7 +176,7 @@ class Session : public QObject {
   Work work_;
   Pins pins_;
   bool wantsWhatIf_ = false;
-  std::array<std::optional<ViewResult>, kViewCount> pictures_;
+  std::array<std::shared_ptr<const ViewResult>, kViewCount> pictures_;
   Settings settings_, presetSettings_;
   std::string presetId_;
   Settings considered_;
@@ -179,6 +184,7 @@ class Session : public QObject {
   SettingsHistory history_;
   Asked<std::vector<MotionOverride>> motionModes_;
   Asked<ObjectFilter> filter_;
+  Asked<FlownCameras> flown_;
   std::string sceneCamera_; ///< the last one that was not flown
   std::vector<ViewRequest> views_;
   QStringList otherPresets_;

@@ -7,6 +7,7 @@
 
 #include <QBoxLayout>
 #include <QDateTime>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -127,6 +128,11 @@ void SessionKeeper::saveTo(const QString& path) {
 
 QStringList SessionKeeper::recent() const {
   return settings_ ? settings_->value(recentKey()).toStringList() : QStringList();
+}
+
+QString SessionKeeper::cameraFolder() const {
+  return settings_ ? QFileInfo(settings_->fileName()).dir().filePath(QStringLiteral("cameras"))
+                   : QDir::temp().filePath(QStringLiteral("taa-inspector-cameras"));
 }
 
 void SessionKeeper::clearRecent() {

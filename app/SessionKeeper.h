@@ -35,6 +35,8 @@ class SessionKeeper : public QObject {
   /// Scenes and sessions, the latest first.
   QStringList recent() const;
   void clearRecent();
+  /// Where cameras lie that copied command lines name: beside what is remembered.
+  QString cameraFolder() const;
   /// Shows a bar when the program ended without closing before.
   void offerOrphan();
   OfferBar* offer() const { return offer_; } ///< null: there is none

@@ -13,6 +13,9 @@ namespace taa::app {
 void Session::takeSceneStatus() {
   motionModes_.arrived(status_.motionModes);
   filter_.arrived(status_.filter);
+  FlownCameras flown{{}, status_.camera};
+  for (const CameraTrackHandle& track : status_.tracks) flown.tracks.push_back(*track);
+  flown_.arrived(flown);
   const bool isFlown = std::ranges::any_of(
       status_.tracks, [&](const CameraTrackHandle& track) { return track->name == status_.camera; });
   if (!isFlown) sceneCamera_ = status_.camera;
@@ -50,15 +53,55 @@ void Session::setIsolated(const std::vector<std::string>& objects) {
 }
 
 void Session::fly(const CameraPose& pose) {
+  flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.fly(pose); });
 }
 
 void Session::setRecording(bool recording) {
+  flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.setRecording(recording); });
 }
 
 void Session::addCameraTrack(const CameraTrack& track) {
+  flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.addCameraTrack(track); });
+}
+
+namespace {
+
+std::optional<CameraTrack> trackNamed(const FlownCameras& cameras, const std::string& name) {
+  const auto found = std::ranges::find(cameras.tracks, name, &CameraTrack::name);
+  return found == cameras.tracks.end() ? std::nullopt : std::optional(*found);
+}
+
+} // namespace
+
+void Session::useCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after) {
+  std::string scenes = sceneCamera_;
+  if (scenes.empty() && !status_.cameras.empty()) scenes = status_.cameras.front(); // the scene's come first
+  flown_.ask(replaced(flown_.value(), before, after, scenes));
+  ask([&](Renderer& renderer) { renderer.setFlownCameras(flown_.value()); });
+  Q_EMIT settingsChanged(); // there is a step more or less
+}
+
+void Session::removeCamera(const std::string& name) {
+  const auto track = trackNamed(flown_.value(), name);
+  if (!track) return;
+  history_.record({settings_, CameraChange{track, {}}}, "");
+  useCamera(track, {});
+}
+
+bool Session::renameCamera(const std::string& name, const std::string& newName) {
+  const auto track = trackNamed(flown_.value(), name);
+  if (!track || name == newName) return track.has_value();
+  const bool isTaken =
+      trackNamed(flown_.value(), newName) || std::ranges::count(status_.cameras, newName) > 0;
+  if (newName.empty() || isTaken) return false;
+  CameraTrack after = *track;
+  after.name = newName;
+  history_.record({settings_, CameraChange{track, after}}, "");
+  useCamera(track, after);
+  return true;
 }
 
 void Session::backToSceneCamera() {

@@ -21,7 +21,7 @@ SessionFile Session::file() const {
 void Session::restore(const SessionFile& file) {
   open(QString::fromStdString(file.source), false);
   setPlaying(false);
-  history_.record(settings_, "");
+  history_.record({settings_}, "");
   presetId_ = file.settings.preset;
   presetSettings_ = file.settings.presetSettings;
   useSettings(file.settings.settings);

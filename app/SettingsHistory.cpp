@@ -1,32 +1,31 @@
 #include "app/SettingsHistory.h"
 
 #include <cassert>
+#include <utility>
 
 namespace taa::app {
 
-void SettingsHistory::record(const Settings& before, const std::string& what) {
+void SettingsHistory::record(const UndoStep& before, const std::string& what) {
   redo_.clear();
-  if (what == last_ && !undo_.empty()) return;
+  if (!what.empty() && what == last_ && !undo_.empty()) return;
   last_ = what;
   undo_.push_back(before);
 }
 
-Settings SettingsHistory::undo(const Settings& now) {
-  assert(canUndo());
-  redo_.push_back(now);
-  const Settings before = undo_.back();
-  undo_.pop_back();
+UndoStep SettingsHistory::step(std::vector<UndoStep>& from, std::vector<UndoStep>& to, const Settings& now) {
+  assert(!from.empty());
+  UndoStep goal = std::move(from.back());
+  from.pop_back();
+  to.push_back({now, goal.camera});
   last_.clear();
-  return before;
+  return goal;
 }
 
-Settings SettingsHistory::redo(const Settings& now) {
-  assert(canRedo());
-  undo_.push_back(now);
-  const Settings after = redo_.back();
-  redo_.pop_back();
+void SettingsHistory::forgetCameras() {
+  const auto isOfCamera = [](const UndoStep& step) { return step.camera.has_value(); };
+  std::erase_if(undo_, isOfCamera);
+  std::erase_if(redo_, isOfCamera);
   last_.clear();
-  return after;
 }
 
 } // namespace taa::app

@@ -62,7 +62,7 @@ QTreeView, QListWidget { background: @panel; alternate-background-color: @panel;
 QTreeView::item { padding: 2px 4px; border: none; }
 QTreeView::item:selected { background: @hover; color: @text; }
 QTreeView::item:selected:active { background: @hover; color: @text; }
-QListWidget::item { padding: 3px 8px; }
+QListWidget::item { padding: 3px 8px; border: none; }
 QListWidget::item:selected { background: @accent; color: @onAccent; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @secondary; border: none; border-bottom: 1px solid @line;

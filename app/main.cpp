@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 #include "app/Screenshot.h"
 #include "app/SessionKeeper.h"
+#include "app/Translation.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ViewArea.h"
@@ -13,6 +14,7 @@
 #include "core/io/SessionFile.h"
 
 #include <QApplication>
+#include <QLocale>
 #include <QSettings>
 
 #include <unistd.h>
@@ -104,19 +106,29 @@ void showViews(ViewArea& views, const Arguments& arguments) {
   }
 }
 
-void begin(MainWindow& window, const Arguments& arguments) {
-  Session& session = window.session();
-  if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
+void openScene(Session& session, const Arguments& arguments) {
   if (arguments.checkpoints)
     session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
   if (arguments.size) session.setSize(arguments.size->x, arguments.size->y);
+  session.open(QString::fromStdString(arguments.source), arguments.screenshot.empty() && !arguments.frame);
+}
+
+/// Whether the render thread may open the scene while the window is still being built. A preset changes what
+/// it draws, and is refused in the window when there is none of this name; a session brings settings of its
+/// own.
+bool opensBeforeWindow(const Arguments& arguments) {
+  return arguments.preset.empty() && !taa::isSessionName(arguments.source);
+}
+
+void begin(MainWindow& window, const Arguments& arguments) {
+  Session& session = window.session();
+  if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
   showViews(*window.views(), arguments);
   if (arguments.pixel) session.setPick(*arguments.pixel);
-  const bool plays = arguments.screenshot.empty() && !arguments.frame;
   if (taa::isSessionName(arguments.source))
     window.openSource(QString::fromStdString(arguments.source));
-  else
-    session.open(QString::fromStdString(arguments.source), plays);
+  else if (!opensBeforeWindow(arguments))
+    openScene(session, arguments);
   if (arguments.zoom) {
     const glm::dvec2 center = arguments.pixel ? glm::dvec2(*arguments.pixel) + 0.5 : glm::dvec2(0.0);
     for (int view = 0; view < kViewCount; ++view)
@@ -134,6 +146,9 @@ void begin(MainWindow& window, const Arguments& arguments) {
 
 int run(QApplication& application, const Arguments& arguments) {
   const bool isScreenshot = !arguments.screenshot.empty();
+  Session session;
+  if (arguments.timing) sayWhenPictureArrives(session);
+  if (opensBeforeWindow(arguments)) openScene(session, arguments);
   QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
   ThemeChoice theme = ThemeChoice::System;
   // A picture of the window looks the same whoever takes it.
@@ -143,19 +158,19 @@ int run(QApplication& application, const Arguments& arguments) {
     parseTheme(settings.value(QStringLiteral("theme")).toString(), theme);
   applyTheme(application, arguments.theme.value_or(theme));
 
-  Session session;
-  if (arguments.timing) sayWhenPictureArrives(session);
   MainWindow window(session, isScreenshot ? nullptr : &settings);
   window.setTheme(arguments.theme.value_or(theme));
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
   begin(window, arguments);
   if (isScreenshot) {
-    new Screenshot(window, QString::fromStdString(arguments.screenshot), screenshotFrame(arguments),
-                   [](int code, const QString& text) {
-                     if (!text.isEmpty()) std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
-                     QApplication::exit(code);
-                   });
+    auto* screenshot = new Screenshot(window, QString::fromStdString(arguments.screenshot),
+                                      screenshotFrame(arguments), [](int code, const QString& text) {
+                                        if (!text.isEmpty())
+                                          std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
+                                        QApplication::exit(code);
+                                      });
+    screenshot->setDialog(arguments.dialog);
   } else {
     if (arguments.frame) session.seek(*arguments.frame);
     window.keeper()->offerOrphan();
@@ -177,6 +192,12 @@ int main(int argc, char** argv) {
     chooseShaders(arguments);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("TAA Inspector"));
+    if (arguments.tableTexts) {
+      std::fputs(tableTextLines().toUtf8().constData(), stdout);
+      return 0;
+    }
+    // A picture of the window reads the same whoever takes it.
+    if (arguments.screenshot.empty()) installTranslation(application, QLocale(), translationFolders());
     return run(application, arguments);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "taa-inspector: %s\n", error.what());

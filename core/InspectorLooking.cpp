@@ -1,7 +1,5 @@
-// Comparing: lanes that come and go, frames beside the one on show, differences, overlays.
+// Comparing: frames beside the one on show, differences, overlays.
 #include "core/InspectorParts.h"
-
-#include "core/settings/Parameters.h"
 
 #include <algorithm>
 #include <cassert>
@@ -17,39 +15,10 @@ Layer layerOf(const Exposure& exposure, IntermediateId id) {
 
 } // namespace
 
-ShownFrame* Inspector::Parts::find(const std::optional<int>& frame) {
+ShownFrame* InspectedShot::Parts::find(const std::optional<int>& frame) {
   if (!frame || *frame == shown.frame) return &shown;
   const auto found = std::ranges::find(aside, *frame, &ShownFrame::frame);
   return found == aside.end() ? nullptr : &*found;
-}
-
-bool Inspector::areAllExact() const {
-  return parts_->isExact();
-}
-
-void Inspector::changeLanes(const std::vector<Settings>& lanes) {
-  const std::size_t old = parts_->subject.lanes.size();
-  if (!parts_->isOpen()) return setLanes(lanes);
-  checkLanes(lanes);
-  const auto resize = [&](std::size_t count) {
-    parts_->subject.lanes.resize(count, lanes.back());
-    parts_->checkpoints.resize(count);
-    parts_->shown.lanes.resize(count);
-    parts_->aside.clear();
-  };
-  std::vector<bool> changed(lanes.size(), false);
-  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    changed[lane] = lane >= old || !(lanes[lane] == parts_->subject.lanes[lane]);
-  resize(lanes.size());
-  if (std::ranges::none_of(changed, [](bool is) { return is; })) return;
-  try {
-    Subject next = parts_->subject;
-    next.lanes = lanes;
-    parts_->redraw(std::move(next), changed, true);
-  } catch (...) {
-    resize(std::min(old, lanes.size()));
-    throw;
-  }
 }
 
 void Inspector::keepAside(const std::vector<int>& frames, const Progress& progress) {
@@ -82,8 +51,8 @@ bool Inspector::isExact(const Look& look) const {
 }
 
 // Rows of one lane's frame come out of one exposure.
-DrawnLayers Inspector::Parts::layersOf(const Look& look, const std::optional<Look>& minus,
-                                       const ViewStyle& style) {
+DrawnLayers InspectedShot::Parts::layersOf(const Look& look, const std::optional<Look>& minus,
+                                           const ViewStyle& style) {
   const gl::PassGroup group(pass_group::kExposure);
   ShownFrame& frame = *find(look.frame);
   const bool isSameFrame = minus && minus->lane == look.lane && find(minus->frame) == &frame;

@@ -1,7 +1,5 @@
-// Small pictures, figures, programs ahead of need: what the Inspector does besides frames.
+// Small pictures and figures: what the Inspector does besides frames.
 #include "core/InspectorParts.h"
-
-#include <algorithm>
 
 namespace taa {
 
@@ -12,15 +10,6 @@ Picture Inspector::thumbnail(IntermediateId id, const glm::ivec2& texels, int la
     return parts_->referencePicture(id, defaultStyle(intermediate(id)), whole, texels, lane);
   }
   return parts_->thumbnails.draw(parts_->maker.pass, parts_->visualizer, parts_->resolved(lane), id, texels);
-}
-
-std::vector<int> Inspector::keptFrames() const {
-  std::vector<int> frames = parts_->checkpoints.front().frames();
-  std::erase_if(frames, [&](int frame) {
-    return !std::ranges::all_of(parts_->checkpoints,
-                                [&](const Checkpoints& kept) { return kept.at(frame) != nullptr; });
-  });
-  return frames;
 }
 
 void Inspector::setProfiling(bool on) {
@@ -36,10 +25,6 @@ std::optional<FrameProfile> Inspector::takeProfile() {
   std::size_t checkpointBytes = 0;
   for (const Checkpoints& kept : parts_->checkpoints) checkpointBytes += kept.bytes();
   return profileOf(*parts_->timer, frame(), parts_->shown.sceneMs + parts_->shown.resolveMs, checkpointBytes);
-}
-
-void Inspector::prepare(const Settings& settings, int lane) {
-  if (parts_->isOpen() && !parts_->timer) parts_->prepare(settings, static_cast<std::size_t>(lane));
 }
 
 StageCosts Inspector::measureStages(const Progress& progress, int lane) {

@@ -18,17 +18,23 @@ bool changesOutputOnly(const Settings& settings, const Settings& old) {
 
 } // namespace
 
-bool Inspector::Parts::isExact() const {
+bool InspectedShot::Parts::isExact() const {
   return std::ranges::all_of(shown.lanes, &ShownLane::exact);
 }
 
-void Inspector::Parts::show(ShownFrame&& next) {
+std::vector<IntermediateId> InspectedShot::Parts::watched() const {
+  std::vector<IntermediateId> all = maker.watched;
+  all.insert(all.end(), watchedOfReference.begin(), watchedOfReference.end());
+  return all;
+}
+
+void InspectedShot::Parts::show(ShownFrame&& next) {
   std::swap(shown, next);
   maker.recycle(std::move(next));
 }
 
 // The histories of the frame on show are checkpoints, whatever else was given up meanwhile.
-void Inspector::Parts::keepShown() {
+void InspectedShot::Parts::keepShown() {
   for (std::size_t index = 0; index < shown.lanes.size(); ++index) {
     const ShownLane& lane = shown.lanes[index];
     if (!lane.exact) continue;
@@ -37,7 +43,12 @@ void Inspector::Parts::keepShown() {
   }
 }
 
-void Inspector::Parts::goTo(int frame, const Progress& progress) {
+void InspectedShot::Parts::trimCheckpoints() {
+  for (std::size_t lane = 0; lane < checkpoints.size(); ++lane)
+    checkpoints[lane].trim(checkpointShare(subject, lane, budget), shown.frame, subject.scene->shot);
+}
+
+void InspectedShot::Parts::goTo(int frame, const Progress& progress) {
   try {
     show(maker.replay(subject, checkpoints, frame, budget, progress));
   } catch (...) {
@@ -46,16 +57,17 @@ void Inspector::Parts::goTo(int frame, const Progress& progress) {
   }
 }
 
-void Inspector::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
+void InspectedShot::Parts::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
   ShownFrame made = maker.replay(next, kept, frame, budget, {});
   subject = std::move(next);
   checkpoints = std::move(kept);
   aside.clear();
   show(std::move(made));
+  trimCheckpoints(); // shares change with the lanes
 }
 
-FrameStep Inspector::Parts::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
-                                         bool keepsHistory) const {
+FrameStep InspectedShot::Parts::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
+                                             bool keepsHistory) const {
   const bool isSameView = next.camera == subject.camera && next.width == subject.width &&
                           next.height == subject.height && next.motionModes == subject.motionModes &&
                           next.filter == subject.filter && next.track() == subject.track();
@@ -70,7 +82,7 @@ FrameStep Inspector::Parts::stepOfRedraw(const Subject& next, const std::vector<
   return step;
 }
 
-void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
+void InspectedShot::Parts::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
   if (!isOpen()) {
     subject = std::move(next);
     return;
@@ -94,9 +106,10 @@ void Inspector::Parts::redraw(Subject next, const std::vector<bool>& changed, bo
   aside.clear();
   show(std::move(made));
   keepShown();
+  trimCheckpoints();
 }
 
-void Inspector::Parts::follow(Subject next, int from) {
+void InspectedShot::Parts::follow(Subject next, int from) {
   const auto drop = [&] {
     for (Checkpoints& kept : checkpoints) kept.dropFrom(from);
   };
@@ -117,7 +130,7 @@ void Inspector::Parts::follow(Subject next, int from) {
 }
 
 // Some drivers compile a program only when something is drawn with it, for just these targets.
-void Inspector::Parts::prepare(const Settings& settings, std::size_t lane) {
+void InspectedShot::Parts::prepare(const Settings& settings, std::size_t lane) {
   const Settings& present = subject.lanes[lane];
   if (!sameInputs(settings, present)) return;
   Subject next = subject;
@@ -136,7 +149,7 @@ void Inspector::Parts::prepare(const Settings& settings, std::size_t lane) {
 }
 
 // New ones are made beside the old; the renderer, which keeps its own old ones on error, comes last.
-void Inspector::Parts::reloadShaders() {
+void InspectedShot::Parts::reloadShaders() {
   TaaPass pass;
   for (const Settings& settings : subject.lanes) pass.prepare(settings, maker.exposedRows(settings));
   Visualizer fresh = visualizer.reloaded();

@@ -3,6 +3,7 @@
 
 #include "core/Inspector.h"
 #include "core/base/EmbeddedFiles.h"
+#include "core/inspect/BackgroundCompiler.h"
 #include "core/inspect/FrameMaker.h"
 #include "core/inspect/ReferenceRows.h"
 #include "core/inspect/References.h"
@@ -20,11 +21,12 @@ class UsedShaders {
   UsedShaders& operator=(const UsedShaders&) = delete;
 };
 
-struct Inspector::Parts {
+struct InspectedShot::Parts {
   UsedShaders shaders; // first: everything else is compiled from them
   gl::Context context;
   Subject subject;
   FrameMaker maker;
+  std::vector<IntermediateId> watchedOfReference; // the others are the maker's
   Visualizer visualizer;
   std::vector<Checkpoints> checkpoints{1}; // one a lane
   ShownFrame shown;
@@ -36,6 +38,7 @@ struct Inspector::Parts {
   StageMeter stageMeter{gl::timingMethodFor(context.driver())};
   References references;
   std::array<ReferenceRows, kMostLanes> comparisons; // with the reference, one a lane
+  BackgroundCompiler compiler;
 
   bool isOpen() const { return subject.scene != nullptr; }
   const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
@@ -47,9 +50,12 @@ struct Inspector::Parts {
     return {inputs(index), lane(index).previous, lane(index).current, settings(index)};
   }
   bool isExact() const;
+  std::vector<IntermediateId> watched() const;
 
   void show(ShownFrame&& next);
   void keepShown();
+  /// Gives up what the budget cannot hold, in each lane.
+  void trimCheckpoints();
   void goTo(int frame, const Progress& progress);
   /// The frame that is looked at; null when it is not at hand.
   ShownFrame* find(const std::optional<int>& frame);
@@ -66,8 +72,15 @@ struct Inspector::Parts {
   /// What a view draws: rows of the frame, of another one, of the reference.
   DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);
 
+  // InspectorTracing.cpp
+  Subject firstLane() const;
+  /// Any frame of the first lane, exactly, without anything exposed; what is on show stays.
+  ShownFrame makeBeside(int frame, TraceCursor& cursor, const Progress& progress);
+
   // InspectorReference.cpp
   ReferenceSubject referenceSubject(int lane) const;
+  /// Throws Error where there is not the memory to draw one.
+  void checkReference(int lane) const;
   /// Those of the frame on show; null where it has no reference.
   ReferenceRows* referenceRows(int lane);
   ReferenceRows& requiredReferenceRows(int lane); ///< throws Error instead

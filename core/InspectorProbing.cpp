@@ -2,6 +2,7 @@
 #include "core/InspectorParts.h"
 
 #include "core/inspect/ProbePin.h"
+#include "core/inspect/TwinInputs.h"
 #include "core/taa/reference/SampleStages.h"
 
 #include <algorithm>
@@ -19,55 +20,22 @@ SeenSurface surfaceAt(const FrameInputs& inputs, const glm::ivec2& pixel) {
           inputs.depth.download(one).texel(0, 0).x};
 }
 
-reference::Texels texelsOf(const gl::Texture& texture) {
-  if (!texture) return {};
-  return {texture.width(), texture.height(), gl::channels(texture.format()),
-          [&texture](int x, int y, int width, int height) {
-            return texture.download({x, y, width, height});
-          }};
-}
-
-/// What the resolve of a frame was given, read where the twin looks at it. Both must stay as long as it does.
-reference::Inputs twinOf(const FrameInputs& inputs, const History* previous) {
-  reference::Inputs twin;
-  twin.color = texelsOf(inputs.color);
-  twin.depth = texelsOf(inputs.depth);
-  twin.motion = texelsOf(inputs.motion);
-  twin.normal = texelsOf(inputs.normal);
-  twin.objectId = texelsOf(inputs.objectId);
-  twin.previousDepth = texelsOf(inputs.previousDepth);
-  twin.mask = texelsOf(inputs.mask);
-  twin.overlay = texelsOf(inputs.overlay);
-  if (previous) {
-    twin.historyColor = texelsOf(previous->color);
-    twin.historySurface = texelsOf(previous->surface);
-    twin.historyObject = texelsOf(previous->object);
-    twin.historyNormal = texelsOf(previous->normal);
-    twin.historyMotion = texelsOf(previous->motion);
-    twin.historyLock = texelsOf(previous->lock);
-    twin.historyLumas = texelsOf(previous->lumas);
-  }
-  twin.outputPx = inputs.outputPx;
-  twin.frame = inputs.info.frame;
-  twin.stepSeconds = inputs.info.stepSeconds;
-  twin.jitterPx = inputs.block.jitterPx;
-  twin.depthTerms = inputs.block.depthTerms;
-  return twin;
-}
-
 } // namespace
 
 reference::Details Inspector::details(int x, int y, int lane) {
   const gl::PassGroup group(pass_group::kProbe);
   reference::Details details;
-  reference::resolvePixel(twinOf(inputs(lane), parts_->lane(lane).previous.get()), settings(lane), {x, y},
-                          details);
+  reference::Inputs twin = twinInputs(inputs(lane), parts_->lane(lane).previous.get(), TwinReading::Parts);
+  if (const History* resolved = parts_->lane(lane).current.get())
+    twin.resolved = twinTexels(resolved->color, TwinReading::Parts);
+  reference::resolvePixel(twin, settings(lane), {x, y}, details);
   return details;
 }
 
 std::vector<WhatIfRow> Inspector::whatIf(int x, int y, int lane) {
   const gl::PassGroup group(pass_group::kProbe);
-  return taa::whatIf(twinOf(inputs(lane), parts_->lane(lane).previous.get()), settings(lane), {x, y});
+  return taa::whatIf(twinInputs(inputs(lane), parts_->lane(lane).previous.get(), TwinReading::Parts),
+                     settings(lane), {x, y});
 }
 
 ProbePin Inspector::anchored(const ProbePin& pin) {

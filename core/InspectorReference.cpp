@@ -1,15 +1,22 @@
-// The supersampled picture of the frame on show, the rows that compare with it, and figures of the frame.
+// The supersampled picture of the frame on show, and the rows that compare with it.
 #include "core/InspectorParts.h"
-
-#include <algorithm>
+#include "core/inspect/MemoryNeed.h"
 
 namespace taa {
 
-ReferenceSubject Inspector::Parts::referenceSubject(int index) const {
+ReferenceSubject InspectedShot::Parts::referenceSubject(int index) const {
   return {referenceRequest(subject.request(static_cast<std::size_t>(index))), shown.frame};
 }
 
-ReferenceRows* Inspector::Parts::referenceRows(int index) {
+void InspectedShot::Parts::checkReference(int index) const {
+  const std::optional<std::size_t> available = gl::availableMemory(context.driver());
+  if (!available) return;
+  const glm::ivec2 size(subject.width, subject.height);
+  const std::string refusal = referenceRefusal(referenceBytes(settings(index), size), size, *available);
+  if (!refusal.empty()) throw Error(refusal);
+}
+
+ReferenceRows* InspectedShot::Parts::referenceRows(int index) {
   const ReferenceSubject wanted = referenceSubject(index);
   const ReferencePicture* picture = references.find(wanted);
   if (!picture) return nullptr;
@@ -21,28 +28,28 @@ ReferenceRows* Inspector::Parts::referenceRows(int index) {
   return &rows;
 }
 
-ReferenceRows& Inspector::Parts::requiredReferenceRows(int index) {
+ReferenceRows& InspectedShot::Parts::requiredReferenceRows(int index) {
   if (ReferenceRows* rows = referenceRows(index)) return *rows;
   throw Error("there is no reference of frame " + std::to_string(shown.frame) +
               " yet: it has to be drawn first");
 }
 
-void Inspector::Parts::forgetReferences() {
+void InspectedShot::Parts::forgetReferences() {
   references.clear();
   for (ReferenceRows& rows : comparisons) rows.forget();
 }
 
 // One without a reference is empty: nothing is covered.
-Picture Inspector::Parts::referencePicture(IntermediateId id, const ViewStyle& style,
-                                           const ViewTransform& transform, const glm::ivec2& size,
-                                           int index) {
+Picture InspectedShot::Parts::referencePicture(IntermediateId id, const ViewStyle& style,
+                                               const ViewTransform& transform, const glm::ivec2& size,
+                                               int index) {
   ReferenceRows* rows = referenceRows(index);
   if (rows)
     return visualizer.draw(rows->texture(id), 0, 0, intermediate(id), style, transform, size.x, size.y);
   return {size.x, size.y, std::vector<std::uint8_t>(std::size_t(4) * size.x * size.y)};
 }
 
-void Inspector::Parts::addReference(std::vector<PixelRecord>& around, const gl::Rect& region, int index) {
+void InspectedShot::Parts::addReference(std::vector<PixelRecord>& around, const gl::Rect& region, int index) {
   const ReferenceRows* rows = referenceRows(index);
   if (!rows) return;
   for (int y = 0; y < region.height; ++y)
@@ -58,6 +65,7 @@ void Inspector::Parts::addReference(std::vector<PixelRecord>& around, const gl::
 
 void Inspector::refineReference(int samples, const Progress& progress, int lane) {
   const gl::PassGroup group(pass_group::kReference);
+  parts_->checkReference(lane);
   parts_->references.refine(*parts_->subject.renderer, parts_->referenceSubject(lane), samples, progress);
 }
 
@@ -72,32 +80,6 @@ void Inspector::setReferenceBudget(std::size_t bytes) {
 
 PictureError Inspector::referenceError(int lane) {
   return parts_->requiredReferenceRows(lane).error();
-}
-
-FrameFigures Inspector::figures(const std::vector<Figure>& wanted, int lane) {
-  FrameFigures figures{.frame = frame(), .lane = lane, .exact = isExact(lane), .values = {}};
-  std::vector<IntermediateId> ids;
-  bool comparesWithReference = false;
-  for (const Figure figure : wanted)
-    if (const auto id = findIntermediate(figureInfo(figure).row))
-      ids.push_back(*id);
-    else
-      comparesWithReference = true;
-  ids = inTableOrder(std::move(ids));
-  const std::vector<Image> rows = images(ids, lane);
-  for (const Figure figure : wanted)
-    if (const auto id = findIntermediate(figureInfo(figure).row))
-      figures.at(figure) =
-          figureOf(figure, rows[static_cast<std::size_t>(std::ranges::find(ids, *id) - ids.begin())]);
-  ReferenceRows* const reference = comparesWithReference ? parts_->referenceRows(lane) : nullptr;
-  if (!reference) return figures;
-  figures.referenceSamples = reference->samples();
-  for (const Figure figure : wanted) {
-    if (figure == Figure::Rmse) figures.at(figure) = reference->error().rmse;
-    if (figure == Figure::Psnr) figures.at(figure) = reference->error().psnr;
-    if (figure == Figure::RmseLinear) figures.at(figure) = reference->error().rmseLinear;
-  }
-  return figures;
 }
 
 } // namespace taa

@@ -1,5 +1,4 @@
 // What of the scene is drawn and from where: cameras, flown ones too, motion modes, hidden objects.
-#include "core/Inspector.h"
 #include "core/InspectorParts.h"
 #include "core/base/Error.h"
 
@@ -9,17 +8,17 @@
 
 namespace taa {
 
-std::vector<std::string> Inspector::cameras() const {
+std::vector<std::string> InspectedShot::cameras() const {
   std::vector<std::string> names = cameraNames(scene());
   for (const CameraTrackHandle& track : parts_->subject.tracks) names.push_back(track->name);
   return names;
 }
 
-const std::string& Inspector::camera() const {
+const std::string& InspectedShot::camera() const {
   return parts_->subject.camera;
 }
 
-void Inspector::setCamera(const std::string& name) {
+void InspectedShot::setCamera(const std::string& name) {
   assert(parts_->isOpen());
   if (name == camera()) return;
   Subject next = parts_->subject;
@@ -28,11 +27,11 @@ void Inspector::setCamera(const std::string& name) {
   parts_->redraw(std::move(next), changed, false);
 }
 
-const std::vector<MotionOverride>& Inspector::motionModes() const {
+const std::vector<MotionOverride>& InspectedShot::motionModes() const {
   return parts_->subject.motionModes;
 }
 
-void Inspector::setMotionModes(const std::vector<MotionOverride>& modes) {
+void InspectedShot::setMotionModes(const std::vector<MotionOverride>& modes) {
   assert(parts_->isOpen());
   if (modes == motionModes()) return;
   checkMotionOverrides(scene(), modes);
@@ -42,11 +41,11 @@ void Inspector::setMotionModes(const std::vector<MotionOverride>& modes) {
   parts_->redraw(std::move(next), changed, true);
 }
 
-const ObjectFilter& Inspector::objectFilter() const {
+const ObjectFilter& InspectedShot::objectFilter() const {
   return parts_->subject.filter;
 }
 
-void Inspector::setObjectFilter(const ObjectFilter& filter) {
+void InspectedShot::setObjectFilter(const ObjectFilter& filter) {
   assert(parts_->isOpen());
   if (filter == objectFilter()) return;
   checkObjectFilter(scene(), filter);
@@ -56,11 +55,11 @@ void Inspector::setObjectFilter(const ObjectFilter& filter) {
   parts_->redraw(std::move(next), changed, true);
 }
 
-const std::vector<CameraTrackHandle>& Inspector::cameraTracks() const {
+const std::vector<CameraTrackHandle>& InspectedShot::cameraTracks() const {
   return parts_->subject.tracks;
 }
 
-void Inspector::setCameraTrack(CameraTrack track) {
+void InspectedShot::setCameraTrack(CameraTrack track) {
   assert(parts_->isOpen());
   checkCameraTrack(track);
   if (std::ranges::count(cameraNames(scene()), track.name) > 0)
@@ -79,7 +78,28 @@ void Inspector::setCameraTrack(CameraTrack track) {
   parts_->follow(std::move(next), old ? firstDifference(*old, *made).value_or(kNever) : 0);
 }
 
-CameraPose Inspector::cameraPose() const {
+void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
+  assert(parts_->isOpen());
+  Subject next = parts_->subject;
+  next.tracks.clear();
+  std::vector<std::string> names = cameraNames(scene());
+  for (const CameraTrack& track : cameras.tracks) {
+    checkCameraTrack(track);
+    if (std::ranges::count(names, track.name) > 0)
+      throw Error("there is a camera called \"" + track.name + "\" already; give the path another name");
+    names.push_back(track.name);
+    next.tracks.push_back(std::make_shared<const CameraTrack>(track));
+  }
+  if (std::ranges::count(names, cameras.camera) == 0)
+    throw Error("there is no camera called \"" + cameras.camera + "\"");
+  next.camera = cameras.camera;
+  const CameraTrackHandle now = next.track(), old = parts_->subject.track();
+  const bool isSame = now && old ? now->firstFrame == old->firstFrame && now->poses == old->poses
+                                 : !now && !old && next.camera == camera();
+  parts_->follow(std::move(next), isSame ? std::numeric_limits<int>::max() : 0);
+}
+
+CameraPose InspectedShot::cameraPose() const {
   if (const CameraTrackHandle track = parts_->subject.track()) return track->at(frame());
   const float aspect = static_cast<float>(width()) / static_cast<float>(height());
   return poseOf(cameraAt(scene(), camera(), info().time, aspect));

@@ -19,30 +19,40 @@ bool isCovered(const ProbePin& pin, const PinSpot& spot, const PixelRecord& reco
 
 } // namespace
 
+Subject InspectedShot::Parts::firstLane() const {
+  Subject first = subject;
+  first.lanes.resize(1);
+  return first;
+}
+
+// Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
+// last, which the next frame goes on from.
+ShownFrame InspectedShot::Parts::makeBeside(int frame, TraceCursor& cursor, const Progress& progress) {
+  std::vector<Checkpoints> kept(1);
+  kept[0] = checkpoints[0];
+  if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
+  const auto watched = std::exchange(maker.watched, {});
+  std::optional<ShownFrame> made;
+  try {
+    made = maker.replay(firstLane(), kept, frame, 0, progress);
+  } catch (...) {
+    maker.watched = watched;
+    throw;
+  }
+  maker.watched = watched;
+  cursor = {frame, made->lanes[0].current};
+  return std::move(*made);
+}
+
 std::vector<std::optional<TraceSample>> Inspector::traceFrame(int frame, const std::vector<ProbePin>& pins,
                                                               TraceCursor& cursor, const Progress& progress) {
   Parts& parts = *parts_;
   const gl::PassGroup group(pass_group::kProbe);
-  Subject subject = parts.subject;
-  subject.lanes.resize(1);
-  // Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
-  // last, which the next frame goes on from.
-  std::vector<Checkpoints> kept(1);
-  kept[0] = parts.checkpoints[0];
-  if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
-  const auto watched = std::exchange(parts.maker.watched, {});
-  std::optional<ShownFrame> made;
-  try {
-    made = parts.maker.replay(subject, kept, frame, 0, progress);
-  } catch (...) {
-    parts.maker.watched = watched;
-    throw;
-  }
-  parts.maker.watched = watched;
-  cursor = {frame, made->lanes[0].current};
+  const Subject subject = parts.firstLane();
+  ShownFrame made = parts.makeBeside(frame, cursor, progress);
   const View view = viewAt(scene(), subject.request(0), frame);
-  const FrameInputs& inputs = parts.maker.inputs(subject, *made, 0);
-  const ShownLane& lane = made->lanes[0];
+  const FrameInputs& inputs = parts.maker.inputs(subject, made, 0);
+  const ShownLane& lane = made.lanes[0];
   std::vector<std::optional<TraceSample>> samples(pins.size());
   for (std::size_t index = 0; index < pins.size(); ++index) {
     const PinSpot spot = spotOf(scene(), view, {width(), height()}, pins[index]);
@@ -52,7 +62,7 @@ std::vector<std::optional<TraceSample>> Inspector::traceFrame(int frame, const s
         probeRegion(parts.maker.pass, inputs, lane.previous.get(), *lane.current, subject.lanes[0], pixel)[0];
     if (!isCovered(pins[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
   }
-  parts.maker.recycle(std::move(*made));
+  parts.maker.recycle(std::move(made));
   return samples;
 }
 

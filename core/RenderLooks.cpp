@@ -7,14 +7,6 @@
 
 namespace taa {
 
-namespace {
-
-bool isAny(const Wishes& wishes) {
-  return !wishes.isEmpty();
-}
-
-} // namespace
-
 void RenderWorker::applyLooks(const Wishes& wishes) {
   if (wishes.profiling) inspector_.setProfiling(*wishes.profiling);
   if (wishes.cancel && measuring_) {
@@ -23,8 +15,11 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
   }
   if (wishes.measureStages) measuring_ = isOpen();
   if (wishes.thumbnails) thumbnails_.want(*wishes.thumbnails);
-  if (wishes.prepared) prepared_ = wishes.prepared;
-  if (playing_ || wishes.settings) prepared_.reset(); // it would hold up frames, or came too late
+  if (wishes.prepared && isOpen()) {
+    prepared_ = wishes.prepared;
+    inspector_.prepareAside(*prepared_);
+  }
+  if (wishes.settings) prepared_.reset(); // it came too late
   if (wishes.exported) exportSequence(*wishes.exported);
 }
 
@@ -61,12 +56,15 @@ std::optional<RenderWorker::Clock::time_point> RenderWorker::wakeAt() {
   return playing_ ? std::optional(nextFrameAt_) : thumbnail;
 }
 
-// Whether there was something to compile. Errors are told to whoever makes the choice.
+// Once what is looked at was compiled beside the frames it is taken over, which takes no longer than a frame;
+// where nothing is kept on disk it is compiled here. Neither holds up a play. Whether there was something to
+// do. Errors are told to whoever makes the choice.
 bool RenderWorker::compileAhead() {
-  const std::optional<Settings> settings = std::exchange(prepared_, {});
-  if (!settings || !isOpen()) return false;
+  constexpr std::chrono::milliseconds kSlice{5}; // that a wish may have to wait
+  if (!isCompilingAhead()) return false;
+  if (!inspector_.waitUntilPrepared(kSlice)) return true;
   try {
-    inspector_.prepare(*settings);
+    inspector_.prepare(*std::exchange(prepared_, {}));
   } catch (const Error&) {
   }
   return true;
@@ -87,7 +85,8 @@ void RenderWorker::useIdleTime() {
   const auto due = thumbnailDueAt();
   const Clock::time_point began = Clock::now();
   if (!due || *due > began) {
-    if (const std::optional<int> lane = laneOfReference()) refineReference(*lane);
+    if (const std::optional<int> lane = laneOfReference()) return refineReference(*lane);
+    if (const std::optional<int> frame = frameOfFigures()) fillFigures(*frame);
     return;
   }
   if (!playing_ && sharesDelivered_ != version_) return deliverShares(); // then the thumbnails, which wait

@@ -1,4 +1,4 @@
-// What the render thread does for the reference in idle time, and the figures of each frame.
+// What the render thread does for the reference in idle time.
 #include "core/RenderWorker.h"
 
 #include <algorithm>
@@ -6,10 +6,6 @@
 namespace taa {
 
 namespace {
-
-bool isAny(const Wishes& wishes) {
-  return !wishes.isEmpty();
-}
 
 bool needsReferenceFor(Figure figure) {
   return figureInfo(figure).needsReference;
@@ -30,10 +26,6 @@ void RenderWorker::applyReference(const Wishes& wishes) {
     reference_.goal = std::clamp(*wishes.referenceSamples, kLeastReferenceSamples, kMostReferenceSamples);
     reference_.stoppedAt = 0;
     statusChanged_ = true;
-  }
-  if (wishes.figures) {
-    figures_.wanted = *wishes.figures;
-    figures_.deliveredOf = {};
   }
 }
 
@@ -81,19 +73,6 @@ void RenderWorker::endReference() {
   if (!reference_.isTold || laneOfReference()) return;
   reference_.isTold = false;
   if (listener_.onWork) listener_.onWork({});
-}
-
-void RenderWorker::deliverFigures() {
-  const std::pair state(version_, reference_.version);
-  if (figures_.wanted.empty() || figures_.deliveredOf == state) return;
-  figures_.deliveredOf = state; // also when it fails: once is enough to tell
-  attempt([&] {
-    for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
-      FrameFigures figures = inspector_.figures(figures_.wanted, lane);
-      figures.subject = subject_;
-      if (listener_.onFigures) listener_.onFigures(std::move(figures));
-    }
-  });
 }
 
 void RenderWorker::addReference(ViewResult& result) {

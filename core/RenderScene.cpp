@@ -93,15 +93,19 @@ CameraTrackHandle RenderWorker::currentTrack() const {
 void RenderWorker::layTrack(int frame, const CameraPose& pose) {
   const std::string name = flight_.recorded.empty() ? kFreeCamera : flight_.recorded;
   CameraTrack track{name, inspector_.frame(), {inspector_.cameraPose()}};
-  if (const CameraTrackHandle flown = currentTrack(); flown && flown->name == name) track = *flown;
+  // One that begins later was begun before somebody jumped here.
+  const CameraTrackHandle flown = currentTrack();
+  if (flown && flown->name == name && flown->firstFrame <= inspector_.frame()) track = *flown;
   track.put(frame, pose);
   inspector_.setCameraTrack(std::move(track));
-  ++subject_;
+  // What is known of the frames up to here stays true; of those to come nothing is once they were dropped.
+  if (!std::exchange(flight_.isLaying, true)) ++subject_;
 }
 
 // Somebody jumps, stops or starts again: a recording is done, and a camera that was only flown rests where it
 // is, in all frames.
 void RenderWorker::endFlight() {
+  flight_.isLaying = false;
   if (!flight_.recorded.empty()) statusChanged_ = true;
   flight_.recorded.clear();
   if (!isOpen() || inspector_.camera() != kFreeCamera) return flight_.pose.reset();
@@ -117,6 +121,7 @@ void RenderWorker::endFlight() {
 
 // A recording goes on at rest; its last pose may not have had a frame yet.
 void RenderWorker::pauseFlight() {
+  flight_.isLaying = false;
   if (flight_.recorded.empty()) return endFlight();
   if (!flight_.pose || !attempt([&] { layTrack(inspector_.frame(), *flight_.pose); })) return;
   flight_.pose.reset();

@@ -18,18 +18,20 @@ struct SceneWishes {
   std::optional<ObjectFilter> filter;
   std::optional<CameraPose> pose; ///< to fly to
   std::optional<bool> recording;
-  std::vector<CameraTrack> tracks; ///< to add; the last one is looked through
+  std::optional<FlownCameras> cameras; ///< instead of all there are
+  std::vector<CameraTrack> tracks;     ///< to add after that; the last one is looked through
   std::optional<std::vector<int>> located;
 
-  bool isEmpty() const { return !filter && !pose && !recording && tracks.empty() && !located; }
+  bool isEmpty() const { return !filter && !pose && !recording && !cameras && tracks.empty() && !located; }
   /// Whether going to a frame is of no use any more.
-  bool endReplay() const { return filter || pose || recording || !tracks.empty(); }
+  bool endReplay() const { return filter || pose || recording || cameras || !tracks.empty(); }
 };
 
 /// The camera in somebody's hands.
 struct Flight {
   std::optional<CameraPose> pose; ///< that the next frame is given
   std::string recorded;           ///< the track that poses are kept in; empty: none
+  bool isLaying = false; ///< frames after the one on show get poses: what was known of them is dropped
 };
 
 /// Where objects are seen on a frame.

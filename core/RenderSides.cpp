@@ -1,6 +1,8 @@
 // What the render thread draws of views: both of their sides, of lanes and frames beside the one on show.
 #include "core/RenderWorker.h"
 
+#include "core/ShownPicture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -32,6 +34,14 @@ void addRows(std::vector<IntermediateId>& ids, IntermediateId id, const ViewStyl
 
 } // namespace
 
+ReasonCounts countReasons(const Image& reasons) {
+  ReasonCounts counts{};
+  for (const float value : reasons.pixels)
+    if (const int reason = static_cast<int>(value); reason >= 0 && reason < kReasonCount)
+      ++counts[static_cast<std::size_t>(reason)];
+  return counts;
+}
+
 std::vector<IntermediateId> rowsOf(const std::vector<ViewRequest>& views) {
   std::vector<IntermediateId> ids;
   for (const ViewRequest& view : views) {
@@ -51,10 +61,8 @@ void RenderWorker::applyLanes(const std::vector<Settings>& others) {
 
 // The frame of a view's other side, when it is not the one on show.
 std::optional<int> RenderWorker::otherFrame(const ViewRequest& view) const {
-  if (!isOpen() || !view.other || !view.other->isOfAnotherFrame()) return {};
-  const int wished = view.other->frame.value_or(inspector_.frame() - view.other->framesBefore);
-  const int frame = std::clamp(wished, 0, inspector_.frameCount() - 1);
-  return frame == inspector_.frame() ? std::nullopt : std::optional(frame);
+  if (!isOpen() || !view.other) return {};
+  return otherLook(*view.other, inspector_.frame(), inspector_.frameCount()).frame;
 }
 
 std::vector<int> RenderWorker::asideFrames() const {
@@ -68,13 +76,13 @@ std::vector<int> RenderWorker::asideFrames() const {
 bool RenderWorker::needsAside() const {
   if (!isOpen() || playing_) return false;
   const std::vector<int> frames = asideFrames();
-  if (asideStopped_ == version_ && framesStopped_ == frames) return false;
+  if (asides_.stoppedAt == version_ && asides_.framesStopped == frames) return false;
   return std::ranges::any_of(frames, [&](int frame) { return !inspector_.isAtHand({.frame = frame}); });
 }
 
 void RenderWorker::stopAside() {
-  asideStopped_ = version_;
-  framesStopped_ = asideFrames();
+  asides_.stoppedAt = version_;
+  asides_.framesStopped = asideFrames();
 }
 
 // What wishes interrupt is taken up again by the next work().
@@ -90,18 +98,19 @@ void RenderWorker::makeAside() {
   });
   if (listener_.onWork) listener_.onWork({});
   if (!isDone) stopAside();
-  if (!isCancelled) ++asides_;
+  if (!isCancelled) ++asides_.version;
 }
 
 void RenderWorker::deliverView(int index) {
   const ViewRequest& view = views_[static_cast<std::size_t>(index)];
-  Delivered& last = delivered_[static_cast<std::size_t>(index)];
+  DeliveredView& last = delivered_[static_cast<std::size_t>(index)];
   const bool showsReference = isOfReference(view.id) || (view.other && isOfReference(view.other->id));
-  const Delivered now{view, version_, view.other ? asides_ : 0, showsReference ? reference_.version : 0};
+  const DeliveredView now{view, version_, view.other ? asides_.version : 0,
+                          showsReference ? reference_.version : 0};
   if (!isShown(view) || last == now) return;
   const Look look{view.id, view.lane, {}};
   std::optional<Look> other;
-  if (view.other) other = Look{view.other->id, view.other->lane, otherFrame(view)};
+  if (view.other) other = otherLook(*view.other, inspector_.frame(), inspector_.frameCount());
   if (other && !inspector_.isAtHand(*other)) other.reset(); // on its way
   const bool isLaneThere = view.lane < inspector_.laneCount();
   if (!isLaneThere || (view.asDifference && !other)) return;
@@ -110,6 +119,20 @@ void RenderWorker::deliverView(int index) {
     ViewResult result = draw(index, look, other);
     if (listener_.onPicture) listener_.onPicture(std::move(result));
   });
+}
+
+// Of the whole picture, once for each that it is of: panning asks again and again.
+ReasonCounts RenderWorker::reasonsOf(const Look& look, IntermediateId id, const ViewStyle& style) {
+  if (!style.markRejected && id != IntermediateId::rejectReason) return {};
+  const std::pair now(version_, asides_.version);
+  if (reasons_.version != now) reasons_ = {now, {}};
+  const Look reasons{IntermediateId::rejectReason, look.lane, look.frame};
+  const auto known = std::ranges::find(reasons_.counts, reasons, &std::pair<Look, ReasonCounts>::first);
+  if (known != reasons_.counts.end()) return known->second;
+  const gl::Rect whole{0, 0, inspector_.width(), inspector_.height()};
+  const ReasonCounts counts = countReasons(inspector_.image(reasons, {}, whole));
+  reasons_.counts.emplace_back(reasons, counts);
+  return counts;
 }
 
 ViewResult RenderWorker::draw(int index, const Look& look, const std::optional<Look>& other) {
@@ -125,12 +148,14 @@ ViewResult RenderWorker::draw(int index, const Look& look, const std::optional<L
   result.exact = inspector_.isExact(look) && (!minus || inspector_.isExact(*minus));
   result.picture = inspector_.picture(look, minus, view.style, view.transform, view.width, view.height);
   if (hasValues) result.values = inspector_.image(look, minus, region);
+  result.reasons = reasonsOf(look, view.id, view.style);
   if (!other) return result;
   ViewSide& side = result.other.emplace();
   side.frame = other->frame.value_or(inspector_.frame());
   side.exact = inspector_.isExact(*other);
   side.picture = inspector_.picture(*other, {}, view.other->style, view.transform, view.width, view.height);
   if (hasValues) side.values = inspector_.image(*other, {}, region);
+  side.reasons = reasonsOf(*other, view.other->id, view.other->style);
   return result;
 }
 

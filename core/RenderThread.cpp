@@ -202,6 +202,15 @@ void RenderThread::setRecording(bool recording) {
   parts_->post([&](Wishes& wishes) { wishes.scene.recording = recording; });
 }
 
+void RenderThread::setFlownCameras(const FlownCameras& cameras) {
+  parts_->post([&](Wishes& wishes) {
+    wishes.scene.cameras = cameras;
+    wishes.scene.tracks.clear();
+    wishes.scene.pose.reset();
+    wishes.camera.reset();
+  });
+}
+
 void RenderThread::addCameraTrack(const CameraTrack& track) {
   parts_->post([&](Wishes& wishes) {
     wishes.scene.tracks.push_back(track);

@@ -6,14 +6,6 @@
 
 namespace taa {
 
-namespace {
-
-bool isAny(const Wishes& wishes) {
-  return !wishes.isEmpty();
-}
-
-} // namespace
-
 void RenderWorker::applyTraces(const Wishes& wishes) {
   if (wishes.tracing && *wishes.tracing != traces_.wanted) {
     traces_ = {};

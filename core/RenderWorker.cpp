@@ -17,41 +17,41 @@ bool stopsOpening(const Wishes& wishes) {
   return wishes.source || wishes.cancel;
 }
 
-// Any wish is answered between two frames; what was replayed until then is kept, and the replay goes on.
-bool stopsReplay(const Wishes& wishes) {
-  return !wishes.isEmpty();
-}
-
 } // namespace
-
-bool Wishes::isEmpty() const {
-  return !reload && !cancel && !source && !camera && !size && !motionModes && !settings && !looping &&
-         !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
-         !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
-         !otherLanes && !exported && scene.isEmpty() && !tracing && !fillTraces;
-}
-
-bool Wishes::endReplay() const {
-  return reload || cancel || source || camera || size || motionModes || settings || frame || steps != 0 ||
-         otherLanes || scene.endReplay();
-}
-
-bool endsReplay(const Wishes& wishes) {
-  return wishes.endReplay();
-}
 
 RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
     : listener_(listener), pending_(std::move(pending)), ends_(ends) {}
 
+bool RenderWorker::attempt(const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+    return false; // whoever asked for it knows
+  } catch (const std::exception& error) {
+    if (listener_.onError) listener_.onError(error.what());
+    return false;
+  }
+}
+
+void RenderWorker::change(const std::function<void()>& action) {
+  if (!attempt(action)) return;
+  ++version_;
+  ++subject_;
+  statusChanged_ = true;
+  refinementStopped_ = false;
+}
+
 // Reports `what` unless the progress names it itself, and stops when a wish says so: at once, or, for wishes
-// that a replay only pauses for, after the first step, so that it comes on however fast they arrive.
+// that a replay only pauses for, after the first step, so that it comes on however fast they arrive: what was
+// replayed until then is kept, and the replay goes on.
 Progress RenderWorker::progress(const std::string& what, bool (*stops)(const Wishes&)) {
   return [this, what, stops](std::string_view doing, int done, int total) {
     if (ends_ || pending_(stops)) return false;
     if (what.empty() || total > 1) {
       if (listener_.onWork) listener_.onWork({what.empty() ? std::string(doing) : what, done, total});
     }
-    if (!what.empty() && done > 0 && pending_(stopsReplay)) return false;
+    if (!what.empty() && done > 0 && pending_(isAny)) return false;
     return true;
   };
 }
@@ -81,7 +81,9 @@ void RenderWorker::apply(const Wishes& wishes) {
   applyTraces(wishes);
   applyLooks(wishes);
   applyReference(wishes);
+  applyFigures(wishes);
   endReference();
+  endFigures();
 }
 
 void RenderWorker::applySource(const Wishes& wishes) {
@@ -98,9 +100,11 @@ void RenderWorker::applySource(const Wishes& wishes) {
   }
   if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
     change([&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
-  if (wishes.source || wishes.camera || wishes.frame || !wishes.scene.tracks.empty()) endFlight();
+  const SceneWishes& scene = wishes.scene;
+  if (wishes.source || wishes.camera || wishes.frame || scene.cameras || !scene.tracks.empty()) endFlight();
+  if (isOpen() && scene.cameras) change([&] { inspector_.setFlownCameras(*scene.cameras); });
   if (isOpen())
-    for (const CameraTrack& track : wishes.scene.tracks) change([&] { inspector_.setCameraTrack(track); });
+    for (const CameraTrack& track : scene.tracks) change([&] { inspector_.setCameraTrack(track); });
   if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
     change([&] { inspector_.setCamera(*wishes.camera); });
   if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.motionModes())

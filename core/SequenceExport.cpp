@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -64,26 +65,23 @@ class Return {
   int frame_;
 };
 
-Picture pictureOf(Inspector& inspector, const SequenceRequest& request) {
-  return inspector.picture(request.id, request.style, request.transform, request.width, request.height,
-                           request.lane);
-}
-
-void writeValues(Inspector& inspector, const SequenceRequest& request, const fs::path& path) {
+void writeValues(Inspector& inspector, const SequenceRequest& request, const fs::path& path,
+                 const Progress& stop) {
   FrameFile frame{inspector.source(), inspector.camera(), inspector.driver().renderer, {}, {}};
   for (int lane = 0; lane < inspector.laneCount(); ++lane) {
     const std::string name = inspector.laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
     frame.lanes.push_back(
         {name, inspector.settings(lane), inspector.info(lane), inspector.inputs(lane).block});
+    if (std::ranges::any_of(request.ids, isOfReference))
+      inspector.refineReference(request.picture.referenceSamples, stop, lane);
   }
   exportFrame(inspector, std::move(frame), request.ids, path);
 }
 
 void writeFrame(Inspector& inspector, const SequenceRequest& request, const fs::path& path, GifWriter* gif,
                 const Progress& stop) {
-  if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path);
-  if (isOfReference(request.id)) inspector.refineReference(request.referenceSamples, stop, request.lane);
-  const Picture picture = pictureOf(inspector, request);
+  if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path, stop);
+  const Picture picture = shownPicture(inspector, request.picture, stop);
   if (gif)
     gif->add(picture.rgba);
   else
@@ -94,8 +92,8 @@ void makeFiles(Inspector& inspector, const SequenceRequest& request, const Works
                const Progress& progress) {
   std::unique_ptr<GifWriter> gif;
   if (request.kind == SequenceKind::Gif)
-    gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.width,
-                                      request.height, request.framesPerSecond);
+    gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.picture.width,
+                                      request.picture.height, request.framesPerSecond);
   const int count = request.last - request.first + 1;
   for (int frame = request.first; frame <= request.last; ++frame) {
     const auto tell = [&] { return !progress || progress("Exporting", frame - request.first, count); };

@@ -1,8 +1,8 @@
 // A range of frames into files: pictures, an animation, or values.
 #pragma once
 
+#include "core/ShownPicture.h"
 #include "core/base/Progress.h"
-#include "core/inspect/Visualizer.h"
 
 #include <filesystem>
 #include <string>
@@ -23,16 +23,9 @@ struct SequenceRequest {
   /// The file of a GIF; of the others "FOLDER/NAME.png", the number comes before the ending.
   std::filesystem::path target;
   int first = 0, last = 0;
-  // Pictures
-  IntermediateId id = IntermediateId::resolved;
-  ViewStyle style;
-  ViewTransform transform;
-  int width = 0, height = 0; ///< of the pictures, px
-  int lane = 0;
-  int referenceSamples = 64;     ///< where the row is one of the reference
-  double framesPerSecond = 30.0; ///< of a GIF
-  // Values
-  std::vector<IntermediateId> ids;
+  PictureRequest picture;          ///< of PNG and GIF, for each frame; of EXR its reference's samples
+  double framesPerSecond = 30.0;   ///< of a GIF
+  std::vector<IntermediateId> ids; ///< of EXR
 };
 
 /// How an export ended.

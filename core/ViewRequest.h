@@ -7,6 +7,8 @@
 #include "core/inspect/Visualizer.h"
 #include "core/taa/Intermediates.h"
 
+#include <array>
+#include <numeric>
 #include <optional>
 
 namespace taa {
@@ -36,12 +38,21 @@ struct ViewRequest {
   bool operator==(const ViewRequest&) const = default;
 };
 
+/// Pixels of the whole picture that were rejected for each reason; [0]: kept. All 0: not counted.
+inline constexpr int kReasonCount = 10;
+using ReasonCounts = std::array<int, kReasonCount>;
+inline int totalOf(const ReasonCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0);
+}
+ReasonCounts countReasons(const Image& reasons);
+
 /// The other side of a view, of the same pixels.
 struct ViewSide {
   Picture picture;
   Image values;
   int frame = 0;
   bool exact = true;
+  ReasonCounts reasons{}; ///< where they are shown
 };
 
 /// A finished picture of a view, with what it was made from.
@@ -57,6 +68,7 @@ struct ViewResult {
   std::optional<PictureError> error{};
   int frame = 0;
   bool exact = true;
+  ReasonCounts reasons{};          ///< where they are shown
   std::optional<ViewSide> other{}; ///< delivered together; nothing while it is on its way
 };
 

@@ -52,8 +52,7 @@ void Menus::makeComparing(QMenu* menu) {
     views->active()->setComparison({OtherKind::FramesBefore, {}, {}, 1});
   });
   add(menu, tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [this, views] {
-    const QString preset = QString::fromStdString(window_.session().presetId());
-    views->active()->setComparison({OtherKind::Preset, {}, preset});
+    views->active()->setComparison({OtherKind::Preset, {}, window_.session().presetId()});
   });
   QAction* none =
       add(menu, tr("With &nothing"), keys({"Alt+C"}), [views] { views->active()->setComparison({}); });
@@ -85,7 +84,7 @@ void Menus::makeOverlays(QMenu* menu) {
                               if (views->active()->style().markInvalid != on) views->active()->toggleMarks();
                             });
   onRefresh([views, marks] { marks->setChecked(views->active()->style().markInvalid); });
-  const char* const keysOf[] = {"Shift+X", "J", "Ctrl+K", "Shift+A", "Shift+G"};
+  const char* const keysOf[] = {"Shift+X", "J", "Ctrl+K", "Shift+A", "Shift+G", "Shift+L"};
   for (int index = 0; index < kOverlayCount; ++index) {
     const auto overlay = static_cast<Overlay>(index);
     QAction* action =

@@ -27,6 +27,10 @@ void Menus::makeEdit() {
       [this] { window_.copyProbe(ProbeFormat::Markdown); });
   add(menu, tr("Copy the probe as &JSON"), keys({"Ctrl+Alt+J"}),
       [this] { window_.copyProbe(ProbeFormat::Json); });
+  add(menu, tr("Copy the &picture of the view"), keys({"Ctrl+Alt+P"}),
+      [this] { window_.exports()->copyView(false); });
+  add(menu, tr("Copy it with its le&gend"), keys({"Ctrl+Alt+Shift+P"}),
+      [this] { window_.exports()->copyView(true); });
   add(menu, tr("Copy as &command line"), keys({"Ctrl+Alt+L"}),
       [this] { window_.exports()->copyCommandLine(); });
   add(menu, tr("Copy profile as text"), {}, [this] { window_.copyProfile(false); });

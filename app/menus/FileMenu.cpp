@@ -5,6 +5,7 @@
 #include "app/Icons.h"
 #include "app/MainWindow.h"
 #include "app/SessionKeeper.h"
+#include "app/Text.h"
 #include "core/scene/SceneSource.h"
 
 #include <QAction>
@@ -26,9 +27,9 @@ void Menus::makeFile() {
   menu->addSeparator();
   for (const BuiltinScene& scene : builtinScenes()) {
     const QString source = QStringLiteral("builtin:") + QString::fromStdString(scene.id);
-    add(menu, QString::fromStdString(scene.label), {}, [this, source] {
+    add(menu, tableText(scene.label), {}, [this, source] {
       window_.openSource(source);
-    })->setToolTip(QString::fromStdString(scene.description));
+    })->setToolTip(tableText(scene.description));
   }
   menu->setToolTipsVisible(true);
   menu->addSeparator();

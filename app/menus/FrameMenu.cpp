@@ -3,6 +3,7 @@
 
 #include "app/Icons.h"
 #include "app/MainWindow.h"
+#include "app/Text.h"
 #include "app/panels/TimelinePanel.h"
 
 #include <QAction>
@@ -116,7 +117,7 @@ void Menus::refreshObjects(QMenu* menu) {
       for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
         modes
             ->addAction(
-                QString::fromUtf8(kMotionModes[mode].label.data()), &window_.session(),
+                tableText(kMotionModes[mode].label), &window_.session(),
                 [this, name, mode] { window_.session().setMotionMode(name, static_cast<MotionMode>(mode)); })
             ->setCheckable(true);
     }

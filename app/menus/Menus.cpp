@@ -42,7 +42,8 @@ QAction* Menus::addCheck(QMenu* menu, const QString& text, const QKeySequence& k
                          std::function<void(bool)> act) {
   QAction* action = add(menu, text, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key}, [] {});
   action->setCheckable(true);
-  connect(action, &QAction::toggled, this, [act = std::move(act)](bool on) { act(on); });
+  // Not toggled: that also tells of marks that only follow what is on show.
+  connect(action, &QAction::triggered, this, [act = std::move(act)](bool on) { act(on); });
   return action;
 }
 

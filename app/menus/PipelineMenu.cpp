@@ -3,6 +3,7 @@
 
 #include "app/Exports.h"
 #include "app/MainWindow.h"
+#include "app/Text.h"
 #include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/views/ViewArea.h"
@@ -31,9 +32,9 @@ void Menus::makePipeline() {
     const QList<QKeySequence> key =
         ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
                       : QList<QKeySequence>();
-    add(presets, QString::fromStdString(preset.label), key, [&session, id] {
+    add(presets, tableText(preset.label), key, [&session, id] {
       session.setPreset(id);
-    })->setToolTip(QString::fromStdString(preset.description));
+    })->setToolTip(tableText(preset.description));
   }
   QMenu* own = menu->addMenu(tr("&My presets"));
   connect(own, &QMenu::aboutToShow, this, [this, own] {

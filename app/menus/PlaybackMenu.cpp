@@ -51,7 +51,7 @@ void Menus::makeFigures(QMenu* menu) {
   };
   offer(tr("None"), {});
   for (const FigureInfo& info : kFigures)
-    offer(qtext(info.label), info.figure)->setToolTip(qtext(info.description));
+    offer(tableText(info.label), info.figure)->setToolTip(tableText(info.description));
   menu->setToolTipsVisible(true);
 }
 

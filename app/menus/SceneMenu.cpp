@@ -3,6 +3,7 @@
 
 #include "app/Flight.h"
 #include "app/MainWindow.h"
+#include "app/Text.h"
 #include "app/panels/ScenePanel.h"
 
 #include <QAction>
@@ -23,6 +24,11 @@ void Menus::makeScene() {
   add(menu, tr("&Back to the scene's camera"), keys({"Backspace"}), [flight] { flight->reset(); });
   QAction* save = add(menu, tr("Sa&ve the flown camera…"), {}, [this] { window_.askToSaveCamera(); });
   add(menu, tr("Open a recorded &camera…"), {}, [this] { window_.askForCamera(); });
+  QAction* rename =
+      add(menu, tr("Re&name the flown camera…"), keys({"Ctrl+F2"}), [this] { window_.askForCameraName(); });
+  QAction* remove = add(menu, tr("&Delete the flown camera"), keys({"Ctrl+Shift+Del"}), [this] {
+    if (const CameraTrackHandle track = window_.flownCamera()) window_.session().removeCamera(track->name);
+  });
   menu->addSeparator();
   QAction* tree = addCheck(menu, tr("&Objects in place of the pipeline"), QKeySequence(QStringLiteral("F8")),
                            [this](bool on) { window_.showScene(on); });
@@ -38,15 +44,15 @@ void Menus::makeScene() {
       add(menu, tr("&Probe the selected object"), keys({"Ctrl+J"}), [scene] { scene->revealSelected(); })};
   QMenu* motion = menu->addMenu(tr("&Motion of the selected object"));
   for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
-    add(motion, QString::fromUtf8(kMotionModes[mode].label.data()),
+    add(motion, tableText(kMotionModes[mode].label),
         {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
         [scene, mode] { scene->setMotionOfSelected(static_cast<MotionMode>(mode)); });
   QAction* all = add(menu, tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [scene] { scene->showAll(); });
-  onRefresh([this, fly, record, save, tree, motion, all, flight, scene,
+  onRefresh([this, fly, record, save, rename, remove, tree, motion, all, flight, scene,
              selection = std::vector<QAction*>(std::begin(needSelection), std::end(needSelection))] {
     fly->setChecked(flight->isOn());
     record->setText(flight->isRecording() ? tr("End the &recording") : tr("&Record a flight"));
-    save->setEnabled(window_.flownCamera() != nullptr);
+    for (QAction* action : {save, rename, remove}) action->setEnabled(window_.flownCamera() != nullptr);
     tree->setChecked(window_.left()->currentWidget() == scene && !window_.left()->isHidden());
     for (QAction* action : selection) action->setEnabled(scene->selected() >= 0);
     motion->setEnabled(scene->selected() >= 0);

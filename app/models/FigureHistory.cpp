@@ -26,7 +26,7 @@ bool FigureHistory::add(const FrameFigures& figures) {
 TimelineStrip FigureHistory::strip(Figure figure, int frameCount) const {
   const FigureInfo& info = figureInfo(figure);
   TimelineStrip strip{
-      qtext(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + qtext(info.unit), {}};
+      tableText(info.label), info.unit.empty() ? QString() : QLatin1Char(' ') + tableText(info.unit), {}};
   strip.values.resize(static_cast<std::size_t>(frameCount));
   for (const auto& [frame, figures] : known_) {
     const std::optional<double> value = figures.at(figure);

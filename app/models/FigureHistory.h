@@ -1,4 +1,4 @@
-// A figure of each frame of the shot, as far as frames were shown, as long as it is true.
+// A figure of each frame of the shot, as far as it was measured, as long as it is true.
 #pragma once
 
 #include "app/views/Timeline.h"

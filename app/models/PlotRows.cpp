@@ -31,12 +31,10 @@ std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int ch
   return points;
 }
 
-QString curveName(std::size_t pin, const ProbePin& place, const QString& channel) {
-  QString name = place.follow == Follow::Screen
-                     ? QStringLiteral("%1 (%2, %3)").arg(pin + 1).arg(place.pixel.x).arg(place.pixel.y)
-                     : QCoreApplication::translate("PlotRows", "%1 surface").arg(pin + 1);
-  if (!channel.isEmpty()) name += QLatin1Char(' ') + channel;
-  return name;
+QString pinName(std::size_t pin, const ProbePin& place) {
+  return place.follow == Follow::Screen
+             ? QStringLiteral("%1 (%2, %3)").arg(pin + 1).arg(place.pixel.x).arg(place.pixel.y)
+             : QObject::tr("%1 surface").arg(pin + 1);
 }
 
 } // namespace
@@ -76,8 +74,8 @@ std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json) {
 
 QString plotTitle(IntermediateId id) {
   const Intermediate& row = intermediate(id);
-  const QString label = qtext(row.label);
-  return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, qtext(row.unit));
+  const QString label = tableText(row.label);
+  return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(row.unit));
 }
 
 std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces) {
@@ -88,24 +86,25 @@ std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& t
     for (int channel = 0; channel < info.channels; ++channel) {
       if (!row.has(channel)) continue;
       const QString name =
-          info.channels > 1 ? QString::fromStdString(channels[static_cast<std::size_t>(channel)]) : QString();
+          info.channels > 1
+              ? QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)])
+              : QString();
       const std::size_t number = curves.size();
-      curves.push_back({curveName(pin, traces[pin].pin, name), CurveChart::colorOf(static_cast<int>(number)),
-                        kDashes[number % kDashes.size()], pointsOf(traces[pin].trace, row.id, channel)});
+      curves.push_back({pinName(pin, traces[pin].pin) + name, CurveChart::colorOf(static_cast<int>(number)),
+                        kDashes[number % kDashes.size()], pointsOf(traces[pin].trace, row.id, channel),
+                        QString::number(pin + 1) + name});
     }
   return curves;
 }
 
 std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts) {
   std::vector<ChartMark> marks;
-  for (const int cut : cuts)
-    marks.push_back(
-        {static_cast<double>(cut), MarkKind::Cut, QCoreApplication::translate("PlotRows", "cut")});
+  for (const int cut : cuts) marks.push_back({static_cast<double>(cut), MarkKind::Cut, QObject::tr("cut")});
   if (!active) return marks;
   for (const auto& [frame, sample] : active->samples()) {
     const int reason = static_cast<int>(reference::at(sample.record, IntermediateId::rejectReason).x);
     if (reason != 0)
-      marks.push_back({static_cast<double>(frame), MarkKind::Reject, qtext(rejectReasonText(reason))});
+      marks.push_back({static_cast<double>(frame), MarkKind::Reject, tableText(rejectReasonText(reason))});
   }
   return marks;
 }

@@ -6,6 +6,8 @@
 #include "app/models/ProbeWords.h"
 
 #include <QFont>
+#include <QFontMetrics>
+#include <QSize>
 
 namespace taa::app {
 
@@ -28,7 +30,8 @@ QString valueText(const Intermediate& row, const glm::vec4& value) {
 
 } // namespace
 
-ProbeModel::ProbeModel(QObject* parent) : QAbstractItemModel(parent) {
+ProbeModel::ProbeModel(QObject* parent)
+    : QAbstractItemModel(parent), lineHeight_(QFontMetrics(numberFont()).lineSpacing()) {
   for (const StageInfo& stage : kStages) {
     Branch branch{stage.stage, {}};
     for (const Intermediate& row : kIntermediates)
@@ -88,8 +91,8 @@ int ProbeModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const {
-  if (role == Qt::DisplayRole && column == Name) return qtext(stageInfo(branch.stage).label);
-  if (role == Qt::ToolTipRole) return qtext(stageInfo(branch.stage).description);
+  if (role == Qt::DisplayRole && column == Name) return tableText(stageInfo(branch.stage).label);
+  if (role == Qt::ToolTipRole) return tableText(stageInfo(branch.stage).description);
   if (role == Qt::FontRole) {
     QFont font = secondaryFont();
     font.setBold(true);
@@ -99,8 +102,8 @@ QVariant ProbeModel::stageData(const Branch& branch, int column, int role) const
 }
 
 QString ProbeModel::cell(const Intermediate& row, int column) const {
-  if (column == Name) return qtext(row.label);
-  if (column == Unit) return qtext(row.unit);
+  if (column == Name) return tableText(row.label);
+  if (column == Unit) return tableText(row.unit);
   if (!record_) return {};
   if (!reference::hasValue(*record_, row.id))
     return column == Value ? QStringLiteral("—") : tr("no reference drawn");
@@ -114,6 +117,8 @@ QVariant ProbeModel::data(const QModelIndex& index, int role) const {
     return stageData(branches_[static_cast<std::size_t>(index.row())], index.column(), role);
   const Intermediate& row = intermediate(*idOf(index));
   switch (role) {
+  case Qt::SizeHintRole:
+    return QSize(1, row.channels * lineHeight_ + kUnit);
   case Qt::DisplayRole:
     return cell(row, index.column());
   case Qt::ToolTipRole:

@@ -28,6 +28,10 @@ class ProbeModel : public QAbstractItemModel {
   void setRecord(const std::optional<reference::PixelRecord>& record);
   /// The intermediate of a row; nothing for a stage.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;
+  /// The stage of a top-level row.
+  Stage stageOf(const QModelIndex& index) const {
+    return branches_.at(static_cast<std::size_t>(index.row())).stage;
+  }
   QModelIndex indexOf(IntermediateId id, int column = Name) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -46,6 +50,9 @@ class ProbeModel : public QAbstractItemModel {
   QString cell(const Intermediate& row, int column) const;
 
   std::vector<Branch> branches_;
+  /// A row is as high as its channels, whatever their values: a view need not lay out all texts anew for each
+  /// pixel, which took it longer than everything else that a new pixel changes.
+  int lineHeight_;
   std::optional<reference::PixelRecord> record_;
   std::optional<ProbeResult> pixel_; ///< whose record that is
 };

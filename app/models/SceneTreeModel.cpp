@@ -123,7 +123,7 @@ QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) {
     if (index.column() == Name) return label(node);
     if (item.objectCount == 0) return {};
-    return qtext(kMotionModes[static_cast<std::size_t>(motionOf(node))].label);
+    return tableText(kMotionModes[static_cast<std::size_t>(motionOf(node))].label);
   }
   if (role == Qt::ToolTipRole || role == Qt::AccessibleDescriptionRole) return explanation(node);
   if (role == Qt::CheckStateRole && index.column() == Name)

@@ -10,9 +10,7 @@
 #include "core/settings/Parameters.h"
 
 #include <QHBoxLayout>
-#include <QHideEvent>
 #include <QLabel>
-#include <QShowEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,8 +18,6 @@
 namespace taa::app {
 
 namespace {
-
-constexpr int kRefresh = 100; ///< ms
 
 QString fixed(double value, int digits) {
   return QString::number(value, 'f', digits).replace(QLatin1Char('-'), QChar(0x2212));
@@ -31,28 +27,19 @@ QString pair(const glm::dvec2& value) {
   return QStringLiteral("(%1, %2)").arg(fixed(value.x, 3), fixed(value.y, 3));
 }
 
-QLabel* secondaryLabel() {
-  auto* label = new QLabel;
-  label->setFont(secondaryFont());
-  label->setForegroundRole(QPalette::PlaceholderText);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 } // namespace
 
 JitterPanel::JitterPanel(QWidget* parent)
-    : QWidget(parent), view_(new JitterView),
+    : HistoryPage(parent), view_(new JitterView),
       table_(new FigureTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
-      title_(new QLabel), summary_(secondaryLabel()), legend_(secondaryLabel()) {
+      title_(new QLabel), legend_(makeNote()) {
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   columns->setSpacing(4 * kUnit);
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2 * kUnit);
   texts->addWidget(title_);
-  texts->addWidget(summary_);
+  texts->addWidget(summaryLabel());
   texts->addWidget(legend_);
   texts->addStretch(1);
   legend_->setText(tr("Disks: samples, with areas as their weights; ringed: this frame's. "
@@ -62,24 +49,12 @@ JitterPanel::JitterPanel(QWidget* parent)
   columns->addWidget(view_, 4);
   columns->addWidget(table_, 4);
   columns->addLayout(texts, 5);
-  refresh_.setSingleShot(true);
-  refresh_.setInterval(kRefresh);
-  connect(&refresh_, &QTimer::timeout, this, &JitterPanel::refresh);
   connect(view_, &JitterView::hovered, this, &JitterPanel::highlight);
   connect(view_, &JitterView::chosen, this, [this](int index) {
-    const int period = jitterPeriod(history_.settings.jitter);
-    const int back = (jitterIndex(history_.settings.jitter, history_.frame) - index + period) % period;
-    Q_EMIT seekRequested(std::max(0, history_.frame - back));
+    const int period = jitterPeriod(history().settings.jitter);
+    const int back = (jitterIndex(history().settings.jitter, history().frame) - index + period) % period;
+    Q_EMIT seekRequested(std::max(0, history().frame - back));
   });
-}
-
-void JitterPanel::setHistory(const PixelHistory& history) {
-  history_ = history;
-  if (isVisible() && !refresh_.isActive()) refresh_.start();
-}
-
-QString JitterPanel::summary() const {
-  return summary_->text();
 }
 
 void JitterPanel::highlight(std::optional<int> index) {
@@ -94,7 +69,7 @@ void JitterPanel::showTable(const JitterPattern& pattern, int current) {
   std::vector<FigureTable::Row> rows;
   for (int index = 0; index < period; ++index) {
     const JitterSample& sample = pattern.samples[static_cast<std::size_t>(index)];
-    const int latest = history_.frame - (current - index + period) % period;
+    const int latest = history().frame - (current - index + period) % period;
     const bool isCurrent = index == current;
     rows.push_back({{isCurrent ? tr("%1 now").arg(index) : QString::number(index),
                      fixed(sample.position.x - 0.5, 3), fixed(sample.position.y - 0.5, 3),
@@ -106,21 +81,21 @@ void JitterPanel::showTable(const JitterPattern& pattern, int current) {
 }
 
 void JitterPanel::refresh() {
-  if (!isVisible()) return;
-  const JitterSettings& jitter = history_.settings.jitter;
-  const bool isMeasured = !history_.measured.empty();
-  const std::vector<double> weights = frameWeights(isMeasured ? history_.measured : history_.nominal());
-  const JitterPattern pattern = jitterPattern(jitter, history_.frame, weights);
-  const int current = jitterIndex(jitter, history_.frame);
+  const JitterSettings& jitter = history().settings.jitter;
+  const bool isMeasured = !history().measured.empty();
+  const std::vector<double> weights = frameWeights(isMeasured ? history().measured : history().nominal());
+  const JitterPattern pattern = jitterPattern(jitter, history().frame, weights);
+  const int current = jitterIndex(jitter, history().frame);
   view_->setPattern(pattern, current);
   showTable(pattern, current);
   const int period = static_cast<int>(pattern.samples.size());
   const Parameter& row = parameter("jitter.sequence");
-  const auto choice = static_cast<std::size_t>(row.get(history_.settings));
-  title_->setText(tr("%1, index %2 of %3").arg(qtext(row.choices[choice].label)).arg(current).arg(period));
+  const auto choice = static_cast<std::size_t>(row.get(history().settings));
+  title_->setText(
+      tr("%1, index %2 of %3").arg(tableText(row.choices[choice].label)).arg(current).arg(period));
   QStringList lines;
   lines << (isMeasured
-                ? tr("Weights as measured at %1 over %2 frames.").arg(history_.place).arg(weights.size())
+                ? tr("Weights as measured at %1 over %2 frames.").arg(history().place).arg(weights.size())
                 : tr("Weights by the settings, where nothing moves or changes, over %1 frames.")
                       .arg(weights.size()));
   lines << tr("Effective samples: %1 of frames, %2 of the %3 places.")
@@ -128,19 +103,7 @@ void JitterPanel::refresh() {
                .arg(period);
   lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
-  summary_->setText(lines.join(QLatin1Char('\n')));
-}
-
-void JitterPanel::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  if (event->spontaneous()) return;
-  refresh();
-  Q_EMIT shownChanged(true);
-}
-
-void JitterPanel::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  if (!event->spontaneous()) Q_EMIT shownChanged(false);
+  setSummary(lines, QLatin1Char('\n'));
 }
 
 } // namespace taa::app

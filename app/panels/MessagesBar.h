@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <chrono>
+
 namespace taa::app {
 
 class Strip;
@@ -19,6 +21,8 @@ class MessagesBar : public QWidget {
   void showShaders(const QString& error);
   /// Something that was done; goes by itself.
   void showNote(const QString& sentence);
+  /// How long a note stays, of those shown from now on.
+  void setNoteTime(std::chrono::milliseconds time) { noteEnds_.setInterval(time); }
   /// Warnings of the source that is open; replaces those of the one before.
   void setWarnings(const QStringList& warnings);
   /// The hint of the first start; hintClosed() follows when it is closed.

@@ -7,12 +7,14 @@
 #include "app/widgets/IconButton.h"
 #include "app/widgets/IntermediateRow.h"
 #include "app/widgets/ParameterRow.h"
+#include "app/widgets/ScrollPlace.h"
 #include "app/widgets/SectionHeader.h"
 
 #include "core/settings/Presets.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -36,7 +38,7 @@ QString summary(Stage stage, const Settings& settings) {
   for (const Parameter& row : parameters())
     if (row.stage == stage && row.kind == ParameterKind::Choice) {
       const auto index = static_cast<std::size_t>(row.get(settings));
-      return index < row.choices.size() ? qtext(row.choices[index].label) : QString();
+      return index < row.choices.size() ? tableText(row.choices[index].label) : QString();
     }
   return {};
 }
@@ -91,13 +93,13 @@ PipelinePanel::PipelinePanel(QWidget* parent) : QWidget(parent) {
   }
   column->addStretch(1);
 
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(content);
-  layout->addWidget(scroll, 1);
+  scroll_ = new QScrollArea;
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setWidget(content);
+  layout->addWidget(scroll_, 1);
   setMinimumWidth(260);
 }
 
@@ -146,8 +148,8 @@ void PipelinePanel::setUserPresets(const std::vector<UserPreset>& presets) {
   for (const Preset& preset : builtinPresets()) {
     if (preset.group != group) separators.push_back(static_cast<int>(labels.size()));
     group = preset.group;
-    labels << QString::fromStdString(preset.label);
-    descriptions << QString::fromStdString(preset.description);
+    labels << tableText(preset.label);
+    descriptions << tableText(preset.description);
   }
   if (!presets.empty()) separators.push_back(static_cast<int>(labels.size()));
   for (const UserPreset& preset : presets) {
@@ -167,8 +169,8 @@ QString PipelinePanel::presetAt(int index) const {
 
 PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
   Section section;
-  section.header = new SectionHeader(qtext(stage.label));
-  section.header->setToolTip(qtext(stage.description));
+  section.header = new SectionHeader(tableText(stage.label));
+  section.header->setToolTip(tableText(stage.description));
   section.header->setObjectName(QStringLiteral("stage.") + qtext(stage.id));
   section.header->setChecked(startsExpanded(stage.stage));
   section.body = new QWidget;
@@ -191,8 +193,9 @@ PipelinePanel::Section PipelinePanel::makeSection(const StageInfo& stage) {
   section.main = mainRow(stage.stage);
   if (section.main) {
     section.header->setHasThumbnail(showsThumbnails_);
-    section.header->setToolTip(tr("%1\nThe picture: %2. Click it to show it in the active view.")
-                                   .arg(qtext(stage.description), qtext(intermediate(*section.main).label)));
+    section.header->setToolTip(
+        tr("%1\nThe picture: %2. Click it to show it in the active view.")
+            .arg(tableText(stage.description), tableText(intermediate(*section.main).label)));
     connect(section.header, &SectionHeader::thumbnailClicked, this,
             [this, id = *section.main] { Q_EMIT intermediateChosen(id, false); });
   }
@@ -230,7 +233,7 @@ void PipelinePanel::setPreset(const QString& id, bool changed) {
                        : isOwn
                            ? static_cast<int>(presets.size()) + static_cast<int>(own - userPresets_.begin())
                            : -1);
-  presets_->setCaption((isBuiltin ? QString::fromStdString(found->label)
+  presets_->setCaption((isBuiltin ? tableText(found->label)
                         : isOwn   ? own->label
                                   : id) +
                        (changed ? QStringLiteral(" *") : QString()));
@@ -334,6 +337,25 @@ void PipelinePanel::applySearch() {
     section.header->setVisible(any);
     section.body->setVisible(any && (section.header->isChecked() || !wanted.isEmpty()));
   }
+}
+
+QJsonObject PipelinePanel::state() const {
+  QJsonArray open;
+  for (std::size_t stage = 0; stage < sections_.size(); ++stage)
+    if (sections_[stage].header->isChecked()) open << qtext(kStages[stage].id);
+  return {{QStringLiteral("open"), open},
+          {QStringLiteral("search"), search_->text()},
+          {QStringLiteral("thumbnails"), showsThumbnails_},
+          {QStringLiteral("scroll"), scroll_->verticalScrollBar()->value()}};
+}
+
+void PipelinePanel::setState(const QJsonObject& state) {
+  if (const QJsonValue open = state.value(QLatin1String("open")); open.isArray())
+    for (std::size_t stage = 0; stage < sections_.size(); ++stage)
+      sections_[stage].header->setChecked(open.toArray().contains(qtext(kStages[stage].id)));
+  search_->setText(state.value(QLatin1String("search")).toString());
+  setShowsThumbnails(state.value(QLatin1String("thumbnails")).toBool(true));
+  scrollTo(scroll_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
 }
 
 } // namespace taa::app

@@ -7,6 +7,7 @@
 #include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
 
+#include <QJsonObject>
 #include <QString>
 #include <QWidget>
 
@@ -14,6 +15,7 @@
 #include <vector>
 
 class QLineEdit;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace taa::app {
@@ -52,6 +54,9 @@ class PipelinePanel : public QWidget {
   const std::vector<ParameterRow*>& parameterRows() const { return parameterRows_; }
   const std::vector<IntermediateRow*>& intermediateRows() const { return intermediateRows_; }
   QLineEdit* searchField() const { return search_; }
+  /// Which stages are open, what is searched for, and how far it is scrolled.
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
   QSize sizeHint() const override { return {300, 600}; }
 
  Q_SIGNALS:
@@ -90,6 +95,7 @@ class PipelinePanel : public QWidget {
   ChoiceButton* presets_ = nullptr;
   std::vector<UserPreset> userPresets_;
   QLineEdit* search_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
   std::vector<Section> sections_;
   int sharesFrame_ = -1; ///< that the headings speak of; −1: none
   std::vector<ParameterRow*> parameterRows_;

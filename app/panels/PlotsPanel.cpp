@@ -102,7 +102,7 @@ void PlotsPanel::setStatus(const Status& status) {
   if (status.frameCount == frameCount_ && status.cuts == cuts_) return;
   frameCount_ = std::max(1, status.frameCount);
   cuts_ = status.cuts;
-  shown_ = {0.0, frameCount_ - 1.0};
+  shown_ = wholeShot();
   for (CurveChart* chart : charts_) {
     chart->setBounds({0.0, frameCount_ - 1.0});
     chart->resetZoom();
@@ -192,9 +192,9 @@ void PlotsPanel::makeChips() {
   for (const PlotRow& row : rows_) {
     const Intermediate& info = intermediate(row.id);
     auto* chip = new QToolButton;
-    chip->setText(qtext(info.label));
-    chip->setAccessibleName(tr("Plot of %1").arg(qtext(info.label)));
-    chip->setToolTip(qtext(info.description));
+    chip->setText(tableText(info.label));
+    chip->setAccessibleName(tr("Plot of %1").arg(tableText(info.label)));
+    chip->setToolTip(tableText(info.description));
     chip->setPopupMode(QToolButton::InstantPopup);
     chip->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(chip);
@@ -219,7 +219,7 @@ void PlotsPanel::chooseRow() {
     const Intermediate& row = intermediate(id);
     ids.push_back(id);
     entries.push_back(
-        {qtext(row.label), qtext(row.unit), qtext(stageInfo(row.stage).label), qtext(row.name)});
+        {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)});
   }
   auto* chooser = new Chooser(
       tr("Plot an intermediate"), std::move(entries),
@@ -291,12 +291,19 @@ QString PlotsPanel::summary() const {
 }
 
 QJsonObject PlotsPanel::state() const {
-  return {{QStringLiteral("rows"), toJson(rows_)}};
+  QJsonObject state{{QStringLiteral("rows"), toJson(rows_)}};
+  if (shown_ != wholeShot()) state[QStringLiteral("frames")] = QJsonArray{shown_.low, shown_.high};
+  return state;
 }
 
 void PlotsPanel::setState(const QJsonObject& state) {
   const QJsonValue rows = state.value(QLatin1String("rows"));
+  const QJsonArray frames = state.value(QLatin1String("frames")).toArray();
+  const double low = frames.at(0).toDouble(-1.0), high = frames.at(1).toDouble(-1.0);
+  const Span whole = wholeShot();
+  shown_ = low >= whole.low && high > low && high <= whole.high ? Span{low, high} : whole;
   setRows(rows.isArray() ? plotRowsFromJson(rows.toArray()) : firstPlotRows());
+  for (CurveChart* chart : charts_) chart->setShown(shown_); // also where the rows are the same as before
 }
 
 void PlotsPanel::showEvent(QShowEvent* event) {

@@ -48,7 +48,7 @@ class PlotsPanel : public QWidget {
   QString saveCsvTo(const QString& path) const;
   QString summary() const;
 
-  /// Which rows are plotted.
+  /// Which rows are plotted, over which frames.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
   QSize sizeHint() const override { return {1000, 300}; }
@@ -71,6 +71,7 @@ class PlotsPanel : public QWidget {
   void connectChart(CurveChart* chart);
   void refresh();
   void refreshSoon();
+  Span wholeShot() const { return {0.0, frameCount_ - 1.0}; }
 
   TraceStore store_;
   std::vector<ProbePin> pins_;

@@ -4,14 +4,18 @@
 #include "app/Theme.h"
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
+#include "app/views/ColorSpaceView.h"
 #include "app/views/ProbePages.h"
+#include "app/widgets/FigureTable.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/PinBar.h"
+#include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QJsonArray>
 #include <QLabel>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -20,10 +24,29 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 
 namespace taa::app {
 
 namespace {
+
+constexpr std::array<const char*, 3> kTabs{"values", "colorSpace", "whatIf"};
+constexpr std::array<const char*, 2> kSpaces{"rgb", "ycocg"};
+
+/// Place of a text in a list, or nothing.
+template <std::size_t Count>
+std::optional<int> placeOf(const std::array<const char*, Count>& names, const QJsonValue& text) {
+  for (std::size_t place = 0; place < Count; ++place)
+    if (text.toString() == QLatin1String(names[place])) return static_cast<int>(place);
+  return {};
+}
+
+double finite(const QJsonValue& value, double otherwise) {
+  const double number = value.toDouble(otherwise);
+  return std::isfinite(number) ? number : otherwise;
+}
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
@@ -142,7 +165,7 @@ QWidget* ProbePanel::makeNeighbors() {
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
     swatches_[i] = new Swatches(captions[i]);
     swatches_[i]->setToolTip(
-        tr("The pixel and its neighbors: %1").arg(qtext(intermediate(kNeighbors[i]).label)));
+        tr("The pixel and its neighbors: %1").arg(tableText(intermediate(kNeighbors[i]).label)));
     line->addWidget(swatches_[i]);
   }
   line->addStretch(1);
@@ -179,7 +202,7 @@ void ProbePanel::fitColumns() {
   const QFontMetrics small(secondaryFont()), digits(numberFont());
   int name = 0;
   for (const Intermediate& row : kIntermediates)
-    name = std::max(name, small.horizontalAdvance(qtext(row.label)));
+    name = std::max(name, small.horizontalAdvance(tableText(row.label)));
   const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + 2 * kUnit;
   const int unitWidth = small.horizontalAdvance(QStringLiteral("frames")) + 2 * kUnit;
   const int room = width() - table_->verticalScrollBar()->sizeHint().width() - valueWidth - unitWidth;
@@ -280,6 +303,41 @@ QString ProbePanel::valueText(IntermediateId fallback) const {
 
 QString ProbePanel::summary() const {
   return summary_->text();
+}
+
+QJsonObject ProbePanel::state() const {
+  QJsonArray folded;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    if (const QModelIndex branch = model_->index(row, 0); !table_->isExpanded(branch))
+      folded << qtext(stageInfo(model_->stageOf(branch)).id);
+  const auto selected = model_->idOf(table_->currentIndex());
+  const Turn& turn = colorSpace_->view()->turn();
+  return {{QStringLiteral("tab"), QLatin1String(kTabs[static_cast<std::size_t>(tab())])},
+          {QStringLiteral("folded"), folded},
+          {QStringLiteral("row"), selected ? qtext(intermediate(*selected).name) : QString()},
+          {QStringLiteral("scroll"), table_->verticalScrollBar()->value()},
+          {QStringLiteral("space"), QLatin1String(kSpaces[static_cast<std::size_t>(colorSpace_->space())])},
+          {QStringLiteral("turn"), QJsonArray{turn.yaw, turn.pitch}},
+          {QStringLiteral("whatIfScroll"), whatIf_->table()->verticalScrollBar()->value()}};
+}
+
+void ProbePanel::setState(const QJsonObject& state) {
+  setTab(static_cast<ProbeTab>(placeOf(kTabs, state.value(QLatin1String("tab"))).value_or(0)));
+  const QJsonArray folded = state.value(QLatin1String("folded")).toArray();
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const QModelIndex branch = model_->index(row, 0);
+    table_->setExpanded(branch, !folded.contains(qtext(stageInfo(model_->stageOf(branch)).id)));
+  }
+  const auto row = findIntermediate(state.value(QLatin1String("row")).toString().toStdString());
+  table_->setAutoScroll(false); // it would go to the row when the page is shown next
+  table_->setCurrentIndex(row ? model_->indexOf(*row) : QModelIndex());
+  table_->setAutoScroll(true);
+  colorSpace_->setSpace(
+      static_cast<PlotSpace>(placeOf(kSpaces, state.value(QLatin1String("space"))).value_or(1)));
+  const QJsonArray turn = state.value(QLatin1String("turn")).toArray();
+  colorSpace_->view()->setTurn({finite(turn.at(0), Turn{}.yaw), finite(turn.at(1), Turn{}.pitch)});
+  scrollTo(table_->verticalScrollBar(), state.value(QLatin1String("scroll")).toInt());
+  scrollTo(whatIf_->table()->verticalScrollBar(), state.value(QLatin1String("whatIfScroll")).toInt());
 }
 
 } // namespace taa::app

@@ -3,6 +3,7 @@
 
 #include "core/RenderThread.h"
 
+#include <QJsonObject>
 #include <QWidget>
 
 #include <array>
@@ -46,6 +47,9 @@ class ProbePanel : public QWidget {
   ProbeModel* model() const { return model_; }
   QTreeView* table() const { return table_; }
   PinBar* pins() const { return pins_; }
+  /// Which page, what is folded and selected, and how the plot is turned.
+  QJsonObject state() const;
+  void setState(const QJsonObject& state);
   QSize sizeHint() const override { return {380, 600}; }
 
  Q_SIGNALS:

@@ -102,7 +102,7 @@ QWidget* ProfilerPanel::makeTop() {
 
 void ProfilerPanel::setDriver(const gl::Driver& driver) {
   const QString text = tr("%1: %2.").arg(QString::fromStdString(driver.renderer),
-                                         qtext(timingWords(gl::timingMethodFor(driver))));
+                                         tableText(timingWords(gl::timingMethodFor(driver))));
   if (driver.renderer.empty() || text == driver_) return;
   driver_ = text;
   method_->setText(driver_);
@@ -154,7 +154,7 @@ void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   const auto add = [&](const QString& name, double time) {
     rows.push_back({{name, ms(time), percent(costs.wholeMs > 0.0 ? time / costs.wholeMs : 0.0)}});
   };
-  for (const StageCost& cost : costs.stages) add(qtext(stageInfo(cost.stage).label), cost.milliseconds);
+  for (const StageCost& cost : costs.stages) add(tableText(stageInfo(cost.stage).label), cost.milliseconds);
   add(tr("Draw and stores"), costs.storeMs);
   rows.push_back({{tr("All"), ms(costs.wholeMs), {}}, {}, true});
   stages_->setRows(rows);

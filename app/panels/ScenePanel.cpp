@@ -246,7 +246,7 @@ void ScenePanel::openMotionMenu(const QPoint& globalPos) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode) {
-    QAction* action = menu->addAction(qtext(kMotionModes[mode].label), this,
+    QAction* action = menu->addAction(tableText(kMotionModes[mode].label), this,
                                       [this, mode] { setMotionOfSelected(static_cast<MotionMode>(mode)); });
     action->setCheckable(true);
     action->setChecked(model_->motionOf(selected()) == static_cast<MotionMode>(mode));

@@ -195,7 +195,7 @@ void TimelinePanel::offerFigures(const QPoint& place) {
     action->setChecked(figure == figure_);
   };
   offer(tr("No figure under the ruler"), {});
-  for (const FigureInfo& info : kFigures) offer(qtext(info.label), info.figure);
+  for (const FigureInfo& info : kFigures) offer(tableText(info.label), info.figure);
   menu->popup(place);
 }
 

@@ -7,9 +7,7 @@
 #include "core/inspect/SampleWeights.h"
 
 #include <QHBoxLayout>
-#include <QHideEvent>
 #include <QLabel>
-#include <QShowEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -18,7 +16,6 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kRefresh = 100;    ///< ms
 constexpr int kShownBack = 63;   ///< frames back on the first chart
 constexpr int kFramesAhead = 32; ///< shown of the effective samples at least
 
@@ -44,38 +41,22 @@ QString number(double value) {
 } // namespace
 
 WeightsPanel::WeightsPanel(QWidget* parent)
-    : QWidget(parent), weights_(new CurveChart(tr("Weight in the picture"), tr("frames back"))),
-      samples_(new CurveChart(tr("Effective samples"), tr("frame"))), summary_(new QLabel) {
+    : HistoryPage(parent), weights_(new CurveChart(tr("Weight in the picture"), tr("frames back"))),
+      samples_(new CurveChart(tr("Effective samples"), tr("frame"))) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   rows->setSpacing(kUnit);
-  summary_->setFont(secondaryFont());
-  summary_->setForegroundRole(QPalette::PlaceholderText);
-  summary_->setWordWrap(true);
-  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* charts = new QHBoxLayout;
   charts->setSpacing(4 * kUnit);
   charts->addWidget(weights_, 1);
   charts->addWidget(samples_, 1);
   rows->addLayout(charts, 1);
-  rows->addWidget(summary_);
-  refresh_.setSingleShot(true);
-  refresh_.setInterval(kRefresh);
-  connect(&refresh_, &QTimer::timeout, this, &WeightsPanel::refresh);
+  rows->addWidget(summaryLabel());
   connect(samples_, &CurveChart::xClicked, this,
           [this](double frame) { Q_EMIT seekRequested(static_cast<int>(frame)); });
   connect(weights_, &CurveChart::xClicked, this, [this](double back) {
-    Q_EMIT seekRequested(std::max(0, history_.frame - static_cast<int>(back)));
+    Q_EMIT seekRequested(std::max(0, history().frame - static_cast<int>(back)));
   });
-}
-
-void WeightsPanel::setHistory(const PixelHistory& history) {
-  history_ = history;
-  if (isVisible() && !refresh_.isActive()) refresh_.start();
-}
-
-QString WeightsPanel::summary() const {
-  return summary_->text();
 }
 
 void WeightsPanel::resetZoom() {
@@ -84,13 +65,12 @@ void WeightsPanel::resetZoom() {
 }
 
 void WeightsPanel::refresh() {
-  if (!isVisible()) return;
-  const std::vector<double> nominal = history_.nominal();
+  const std::vector<double> nominal = history().nominal();
   const std::vector<double> nominalWeights = frameWeights(nominal);
-  const int first = history_.frame - static_cast<int>(nominal.size()) + 1;
+  const int first = history().frame - static_cast<int>(nominal.size()) + 1;
   // On to where the count has nearly settled, so that the curve shows where it leads.
   const std::vector<double> ahead =
-      calmAlphas(history_.settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
+      calmAlphas(history().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
   const QColor color = CurveChart::colorOf(0), measuredColor = CurveChart::colorOf(1);
   std::vector<Curve> weights{{tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)}};
   std::vector<Curve> samples{
@@ -98,42 +78,30 @@ void WeightsPanel::refresh() {
   QStringList lines;
   lines << tr("Frame %1, %2 after history started. By the settings, where nothing moves or changes: "
               "α = %3, %4 effective samples now, %5 at last.")
-               .arg(history_.frame)
-               .arg(history_.frame - history_.start)
+               .arg(history().frame)
+               .arg(history().frame - history().start)
                .arg(number(nominal.back()), number(effectiveSamples(nominalWeights)),
-                    number(effectiveSamplesOver(calmAlphas(history_.settings, 2 * kMostFramesBack)).back()));
-  if (!history_.measured.empty()) {
-    const std::vector<double> measured = frameWeights(history_.measured);
-    const QString name = tr("measured at %1").arg(history_.place);
+                    number(effectiveSamplesOver(calmAlphas(history().settings, 2 * kMostFramesBack)).back()));
+  if (!history().measured.empty()) {
+    const std::vector<double> measured = frameWeights(history().measured);
+    const QString name = tr("measured at %1").arg(history().place);
     weights.push_back({name, measuredColor, Qt::SolidLine, backwards(measured)});
     samples.push_back({name, measuredColor, Qt::SolidLine,
-                       from(history_.frame - static_cast<int>(measured.size()) + 1,
-                            effectiveSamplesOver(history_.measured))});
+                       from(history().frame - static_cast<int>(measured.size()) + 1,
+                            effectiveSamplesOver(history().measured))});
     lines << tr("Measured over %1 frames at %2: α = %3, %4 effective samples. Where the surface moves, its "
                 "history came from other pixels.")
                  .arg(measured.size())
-                 .arg(history_.place, number(history_.measured.back()), number(effectiveSamples(measured)));
+                 .arg(history().place, number(history().measured.back()), number(effectiveSamples(measured)));
   } else {
     lines << tr("A probe adds what its pixel measured in the frames that were shown.");
   }
   weights_->setBounds({0.0, static_cast<double>(kShownBack)});
   weights_->setCurves(std::move(weights));
   samples_->setBounds({static_cast<double>(first), first + static_cast<double>(ahead.size()) - 1.0});
-  samples_->setPlayhead(history_.frame);
+  samples_->setPlayhead(history().frame);
   samples_->setCurves(std::move(samples));
-  summary_->setText(lines.join(QLatin1Char(' ')));
-}
-
-void WeightsPanel::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  if (event->spontaneous()) return;
-  refresh();
-  Q_EMIT shownChanged(true);
-}
-
-void WeightsPanel::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  if (!event->spontaneous()) Q_EMIT shownChanged(false);
+  setSummary(lines, QLatin1Char(' '));
 }
 
 } // namespace taa::app

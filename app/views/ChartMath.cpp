@@ -66,4 +66,17 @@ std::optional<Span> valueSpan(const std::vector<QPointF>& points, const Span& sh
   return span;
 }
 
+std::vector<LegendPlace> placeLegend(const std::vector<double>& widths, double start, double firstEnd,
+                                     double end) {
+  std::vector<LegendPlace> places;
+  LegendPlace next{0, start};
+  for (const double width : widths) {
+    const bool isFirstOfLine = places.empty() || places.back().line != next.line;
+    if (!isFirstOfLine && next.left + width > (next.line == 0 ? firstEnd : end)) next = {next.line + 1, 0.0};
+    places.push_back(next);
+    next.left += width;
+  }
+  return places;
+}
+
 } // namespace taa::app

@@ -30,4 +30,14 @@ std::optional<double> valueAt(const std::vector<QPointF>& points, double x);
 /// Least and greatest finite y of the points with x inside `shown`.
 std::optional<Span> valueSpan(const std::vector<QPointF>& points, const Span& shown);
 
+struct LegendPlace {
+  int line = 0;
+  double left = 0.0;
+  bool operator==(const LegendPlace&) const = default;
+};
+/// Places entries of these widths one after another: in the first line from `start` to `firstEnd`, in those
+/// below it from 0 to `end`. Each line has one entry at least.
+std::vector<LegendPlace> placeLegend(const std::vector<double>& widths, double start, double firstEnd,
+                                     double end);
+
 } // namespace taa::app

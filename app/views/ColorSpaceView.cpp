@@ -69,26 +69,30 @@ std::vector<Segment> edgesOf(const Corners& corners) {
 }
 
 std::vector<Item> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
-  const auto words = [](const char* text) { return ColorSpaceView::tr(text); };
   std::vector<Item> items{
-      {Shape::Dotted, words("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
-      {Shape::Dashed, words("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
-      {Shape::Solid, words("final box"), colors.text, {}, edgesOf(scene.box)}};
-  if (!scene.hull.empty()) items.push_back({Shape::Thin, words("hull"), colors.accent, {}, scene.hull});
+      {Shape::Dotted, ColorSpaceView::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
+      {Shape::Dashed, ColorSpaceView::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
+      {Shape::Solid, ColorSpaceView::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
+  if (!scene.hull.empty())
+    items.push_back({Shape::Thin, ColorSpaceView::tr("hull"), colors.accent, {}, scene.hull});
   if (!scene.variants.empty())
-    items.push_back({Shape::Cross, words("what if"), colors.secondary, scene.variants});
-  items.push_back({Shape::Ring, words("samples"), colors.text, {scene.samples.begin(), scene.samples.end()}});
+    items.push_back({Shape::Cross, ColorSpaceView::tr("what if"), colors.secondary, scene.variants});
+  items.push_back({Shape::Ring,
+                   ColorSpaceView::tr("samples"),
+                   colors.text,
+                   {scene.samples.begin(), scene.samples.end()}});
   if (scene.historyRaw && scene.historyRectified) {
-    Item way{Shape::Arrow, words("clip ray"), colors.caution, {}, {}};
+    Item way{Shape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
     if (*scene.historyRaw != *scene.historyRectified)
       way.lines.emplace_back(*scene.historyRaw, *scene.historyRectified);
     if (scene.target) way.lines.emplace_back(*scene.historyRectified, *scene.target);
     if (!way.lines.empty()) items.push_back(std::move(way));
-    items.push_back({Shape::Diamond, words("history"), colors.caution, {*scene.historyRaw}});
-    items.push_back({Shape::FilledDiamond, words("rectified"), colors.caution, {*scene.historyRectified}});
+    items.push_back({Shape::Diamond, ColorSpaceView::tr("history"), colors.caution, {*scene.historyRaw}});
+    items.push_back(
+        {Shape::FilledDiamond, ColorSpaceView::tr("rectified"), colors.caution, {*scene.historyRectified}});
   }
-  items.push_back({Shape::Dot, words("current"), colors.text, {scene.current}});
-  items.push_back({Shape::Square, words("resolved"), colors.accent, {scene.resolved}});
+  items.push_back({Shape::Dot, ColorSpaceView::tr("current"), colors.text, {scene.current}});
+  items.push_back({Shape::Square, ColorSpaceView::tr("resolved"), colors.accent, {scene.resolved}});
   return items;
 }
 

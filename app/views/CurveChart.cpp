@@ -21,7 +21,6 @@
 namespace taa::app {
 
 namespace {
-constexpr int kLegendHeight = 18;
 constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
 constexpr double kLeastSpan = 4.0, kZoomStep = 1.25;
 constexpr double kTickSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
@@ -37,7 +36,6 @@ CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* par
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
   QChart* chart = this->chart();
   chart->legend()->hide(); // drawn by hand, with dashes and values
-  chart->setMargins({0, kLegendHeight, 2 * kUnit, 0});
   chart->layout()->setContentsMargins(0, 0, 0, 0);
   chart->setBackgroundRoundness(0);
   chart->addAxis(frames_, Qt::AlignBottom);
@@ -48,6 +46,7 @@ CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* par
     axis->setLabelFormat(QStringLiteral("%g"));
   }
   applyColors();
+  layOutLegend();
   fitAxes();
 }
 
@@ -58,6 +57,7 @@ QColor CurveChart::colorOf(int place) {
 
 void CurveChart::setCurves(std::vector<Curve> curves) {
   curves_ = std::move(curves);
+  layOutLegend();
   fillSeries();
   fitAxes();
 }
@@ -122,7 +122,7 @@ void CurveChart::fitAxes() {
   for (const Curve& curve : curves_)
     if (const auto values = valueSpan(curve.points, shown_))
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
-  const int rows = std::max(2, static_cast<int>((height() - 2 * kLegendHeight) / kValueSpace));
+  const int rows = std::max(2, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
   values_->setTickInterval(roundStep(scale.length(), rows));
   values_->setRange(scale.low, scale.high);
@@ -161,44 +161,12 @@ QString CurveChart::readout() const {
   return parts.join(QStringLiteral("  "));
 }
 
-void CurveChart::drawLegend(QPainter& painter, const QRectF& plot) const {
-  const ThemeColors& colors = themeColors(this);
-  const auto x = readX();
-  painter.setFont(secondaryFont());
-  const QFontMetricsF metrics(painter.font());
-  const double baseline = kLegendHeight - 5.0;
-  QString place;
-  if (x) {
-    place = QStringLiteral("%1 %2").arg(xTitle_).arg(*x);
-    if (const QString mark = markText(*x); !mark.isEmpty()) place += QStringLiteral(" · ") + mark;
-  }
-  const double right = plot.right() - metrics.horizontalAdvance(place);
-  painter.setPen(colors.secondary);
-  painter.drawText(QPointF(right, baseline), place);
-  double left = 2.0 * kUnit;
-  const auto write = [&](const QString& text, const QColor& color) {
-    painter.setPen(color);
-    painter.drawText(QPointF(left, baseline),
-                     metrics.elidedText(text, Qt::ElideRight, std::max(0.0, right - left - 2.0 * kUnit)));
-    left += metrics.horizontalAdvance(text);
-  };
-  write(title_, colors.text);
-  left += 4.0 * kUnit;
-  for (const Curve& curve : curves_) {
-    if (left + 40.0 > right) break;
-    painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
-    painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + 26.0, baseline - 4.0));
-    left += 26.0 + kUnit;
-    write(curve.name, colors.secondary);
-    // Room for any value, so that nothing moves while they change.
-    left += kUnit;
-    if (const auto value = x ? valueAt(curve.points, *x) : std::nullopt) {
-      const double start = left;
-      write(shortText(*value, 4), colors.text);
-      left = start;
-    }
-    left += metrics.horizontalAdvance(QStringLiteral("−0.00000")) + 2.0 * kUnit;
-  }
+// Room for the legend above the curves: as many lines as their names take.
+void CurveChart::layOutLegend() {
+  const double place = QFontMetricsF(secondaryFont()).horizontalAdvance(xTitle_ + QStringLiteral(" 00000"));
+  legend_.layOut(title_, curves_, width(), place);
+  const QMargins margins(0, static_cast<int>(legend_.height()), 2 * kUnit, 0);
+  if (chart()->margins() != margins) chart()->setMargins(margins);
 }
 
 void CurveChart::drawMarks(QPainter& painter, const QRectF& plot) const {
@@ -238,7 +206,11 @@ void CurveChart::drawForeground(QPainter* painter, const QRectF&) {
     painter->fillRect(QRectF(QPointF(*pressedX_, plot.top()), QPointF(draggedX_, plot.bottom())).normalized(),
                       band);
   }
-  drawLegend(*painter, plot);
+  const auto x = readX();
+  QString place = x ? QStringLiteral("%1 %2").arg(xTitle_).arg(*x) : QString();
+  if (const QString mark = x ? markText(*x) : QString(); !mark.isEmpty())
+    place += QStringLiteral(" · ") + mark;
+  legend_.paint(*painter, colors, title_, curves_, x, place);
   painter->restore();
 }
 
@@ -306,6 +278,7 @@ void CurveChart::applyColors() {
 
 void CurveChart::resizeEvent(QResizeEvent* event) {
   QChartView::resizeEvent(event);
+  layOutLegend();
   fitAxes();
 }
 

@@ -2,7 +2,7 @@
 // color alone.
 #pragma once
 
-#include "app/views/ChartMath.h"
+#include "app/views/CurveLegend.h"
 
 #include <QChartView>
 #include <QColor>
@@ -15,13 +15,6 @@ class QLineSeries;
 class QValueAxis;
 
 namespace taa::app {
-
-struct Curve {
-  QString name;
-  QColor color;
-  Qt::PenStyle dash = Qt::SolidLine;
-  std::vector<QPointF> points; ///< rising in x; y NaN: a gap
-};
 
 /// Drawn at the bottom of the chart: × where history was rejected, a line where the shot is cut.
 enum class MarkKind : std::uint8_t { Reject, Cut };
@@ -80,7 +73,7 @@ class CurveChart : public QChartView {
   void fillSeries();
   void fitAxes();
   void applyColors();
-  void drawLegend(QPainter& painter, const QRectF& plot) const;
+  void layOutLegend();
   void drawMarks(QPainter& painter, const QRectF& plot) const;
   std::optional<double> readX() const { return hovered_ ? hovered_ : playhead_; }
   QString markText(double x) const;
@@ -89,6 +82,7 @@ class CurveChart : public QChartView {
   QValueAxis *frames_ = nullptr, *values_ = nullptr;
   std::vector<QLineSeries*> series_; ///< one for each run between gaps
   std::vector<Curve> curves_;
+  CurveLegend legend_;
   std::vector<ChartMark> marks_;
   Span all_, shown_;
   std::optional<double> playhead_, hovered_;

@@ -7,14 +7,15 @@
 
 #include "core/inspect/ColorMap.h"
 
-#include <QFontMetrics>
 #include <QImage>
 #include <QObject>
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace taa::app {
 
@@ -68,113 +69,117 @@ QString channelText(const Intermediate& row, const ViewStyle& style) {
   return shown;
 }
 
-/// Writes from the left and moves on; false when there is no room.
-class Pen {
- public:
-  Pen(QPainter& painter, const QRect& strip)
-      : painter_(painter), left_(strip.left() + 2 * kUnit), strip_(strip) {}
-
-  void write(const QString& text, const QFont& font, const QColor& color) {
-    const int width = QFontMetrics(font).horizontalAdvance(text);
-    if (text.isEmpty() || left_ + width > strip_.right() - kUnit) return;
-    painter_.setFont(font);
-    painter_.setPen(color);
-    painter_.drawText(QRect(left_, strip_.top(), width + 1, strip_.height()),
-                      Qt::AlignVCenter | Qt::AlignLeft, text);
-    left_ += width + 2 * kUnit;
-  }
-
-  /// As write, but cut where it is narrow.
-  void writeCut(const QString& text, const QFont& font, const QColor& color) {
-    constexpr int kLeast = 48;
-    const int room = strip_.right() - kUnit - left_;
-    if (room >= kLeast) write(QFontMetrics(font).elidedText(text, Qt::ElideRight, room), font, color);
-  }
-
-  /// A picture of `width` with its text, or neither.
-  QRect placeWith(int width, int height, const QString& text, const QFont& font) {
-    const int both = width + kUnit + 2 + QFontMetrics(font).horizontalAdvance(text);
-    return left_ + both > strip_.right() - kUnit ? QRect() : place(width, height);
-  }
-
-  /// Room for a picture of `width`, or an empty rectangle.
-  QRect place(int width, int height) {
-    if (left_ + width > strip_.right() - kUnit) return {};
-    const QRect rect(left_, strip_.center().y() - height / 2 + 1, width, height);
-    left_ += width + kUnit + 2;
-    return rect;
-  }
-
- private:
-  QPainter& painter_;
-  int left_;
-  QRect strip_;
-};
-
-void paintGround(QPainter& painter, const QRect& strip, const ThemeColors& colors) {
-  QColor ground = colors.panel;
-  ground.setAlpha(232);
-  painter.fillRect(strip, ground);
-}
-
 /// The value farthest from 0 in the range, as in shaders/inspect/visual_color.glsl.
 double extent(const ViewStyle& style) {
   return std::max(std::abs(style.low), std::abs(style.high));
 }
 
-void paintScale(Pen& pen, QPainter& painter, const Intermediate& row, const ViewStyle& style,
-                const ThemeColors& colors) {
-  const QFont digits = numberFont();
+/// Writes items of one look.
+class Writer {
+ public:
+  Writer(LegendFlow& flow, const ThemeColors& colors) : flow_(flow), colors_(colors) {}
+  void plain(const QString& text) { flow_.text(text, secondaryFont(), colors_.text); }
+  void quiet(const QString& text) { flow_.text(text, secondaryFont(), colors_.secondary); }
+  void digits(const QString& text) { flow_.text(text, numberFont(), colors_.text); }
+  void icon(int width, int height, LegendFlow::PaintIcon paint) {
+    flow_.icon({width, height}, std::move(paint));
+    flow_.glue();
+  }
+  void swatch(int category) {
+    const QColor color(rgbOf(categoryColor(category)));
+    icon(kBarHeight, kBarHeight,
+         [color](QPainter& painter, const QRect& place) { painter.fillRect(place, color); });
+  }
+  LegendFlow& flow() { return flow_; }
+
+ private:
+  LegendFlow& flow_;
+  const ThemeColors& colors_;
+};
+
+/// "1.2 %", exact enough that nothing that is there is 0.
+QString shareText(int count, int total) {
+  const double share = 100.0 * count / std::max(1, total);
+  if (share > 0 && share < 0.1) return QObject::tr("< 0.1 %");
+  return QObject::tr("%1 %").arg(share, 0, 'f', share < 10 ? 1 : 0);
+}
+
+static_assert(kReasonCount == static_cast<int>(intermediate(IntermediateId::rejectReason).high) + 1);
+
+/// The reasons that are in the picture, with their numbers, which large texels hold, and their shares.
+void addReasons(Writer& writer, const ReasonCounts& counts, const ReasonCounts* other, bool withKept) {
+  bool isAny = false;
+  for (int reason = withKept ? 0 : 1; reason < kReasonCount; ++reason) {
+    const auto index = static_cast<std::size_t>(reason);
+    if (counts[index] == 0 && !(other && (*other)[index] > 0)) continue;
+    isAny = true;
+    writer.swatch(reason);
+    QString share = shareText(counts[index], totalOf(counts));
+    if (other) share += QStringLiteral(" | ") + shareText((*other)[index], totalOf(*other));
+    writer.plain(QObject::tr("%1 %2 · %3").arg(reason).arg(tableText(rejectReasonText(reason)), share));
+  }
+  if (!isAny) writer.plain(QObject::tr("nothing is rejected in this picture"));
+}
+
+void addCategories(Writer& writer, const Intermediate& row) {
+  const int last = std::min(static_cast<int>(row.high), kCategoryCount - 1);
+  for (int number = 0; number <= last; ++number) {
+    writer.swatch(number);
+    writer.digits(QString::number(number));
+  }
+}
+
+// Signed values have 0 in the middle of their map, whatever the range.
+void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style) {
+  const bool isSigned = row.visual == Visual::Signed || row.visual == Visual::Vector;
+  writer.digits(shortText(isSigned ? -extent(style) : style.low));
+  writer.flow().glue();
+  writer.icon(kBarWidth, kBarHeight, [map = style.map](QPainter& painter, const QRect& place) {
+    painter.drawImage(place, mapBar(map));
+  });
+  writer.digits(shortText(isSigned ? extent(style) : style.high));
+}
+
+void addScale(Writer& writer, const LegendSubject& subject) {
+  const auto& [row, style, isDifference, note, reasons] = subject;
   if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
-    const int size = kLegendHeight - 4;
-    if (const QRect place = pen.place(size, size); !place.isEmpty())
-      painter.drawImage(place,
-                        hueDisk(size * std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()))));
-    pen.write(QStringLiteral("≤ %1").arg(shortText(extent(style))), digits, colors.text);
+    writer.icon(kLegendHeight - 4, kLegendHeight - 4, [](QPainter& painter, const QRect& place) {
+      const int ratio = std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()));
+      painter.drawImage(place, hueDisk(place.height() * ratio));
+    });
+    writer.digits(QStringLiteral("≤ %1").arg(shortText(extent(style))));
+  } else if (row.id == IntermediateId::rejectReason && row.visual == Visual::Index && reasons) {
+    addReasons(writer, *reasons, nullptr, true);
   } else if (row.visual == Visual::Index) {
-    const int last = std::min(static_cast<int>(row.high), kCategoryCount - 1);
-    for (int number = 0; number <= last; ++number) {
-      if (const QRect swatch = pen.place(kBarHeight, kBarHeight); !swatch.isEmpty())
-        painter.fillRect(swatch, QColor(rgbOf(categoryColor(number))));
-      pen.write(row.id == IntermediateId::rejectReason ? qtext(rejectReasonText(number))
-                                                       : QString::number(number),
-                row.id == IntermediateId::rejectReason ? secondaryFont() : digits, colors.text);
-    }
+    addCategories(writer, row);
   } else if (usesColorMap(row, style)) {
-    // Signed values have 0 in the middle of their map, whatever the range.
-    const bool isSigned = row.visual == Visual::Signed || row.visual == Visual::Vector;
-    pen.write(shortText(isSigned ? -extent(style) : style.low), digits, colors.text);
-    if (const QRect bar = pen.place(kBarWidth, kBarHeight); !bar.isEmpty())
-      painter.drawImage(bar, mapBar(style.map));
-    pen.write(shortText(isSigned ? extent(style) : style.high), digits, colors.text);
+    addMapScale(writer, row, style);
   } else if (hasRange(row)) {
-    pen.write(QObject::tr("range %1 … %2").arg(shortText(style.low), shortText(style.high)), digits,
-              colors.text);
+    writer.digits(QObject::tr("range %1 … %2").arg(shortText(style.low), shortText(style.high)));
   }
 }
 
 } // namespace
 
-void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
-                 bool isDifference, const ThemeColors& colors, const QString& note) {
-  paintGround(painter, strip, colors);
-  Pen pen(painter, strip);
-  pen.write(isDifference ? QObject::tr("%1, difference").arg(qtext(row.label)) : qtext(row.label),
-            secondaryFont(), colors.text);
-  paintScale(pen, painter, row, style, colors);
-  pen.write(qtext(row.unit), secondaryFont(), colors.secondary);
-  if (row.visual == Visual::Depth) pen.write(QObject::tr("logarithmic"), secondaryFont(), colors.secondary);
+void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeColors& colors) {
+  const Intermediate& row = subject.row;
+  const ViewStyle& style = subject.style;
+  Writer writer(flow, colors);
+  flow.startLine();
+  writer.plain(subject.isDifference ? QObject::tr("%1, difference").arg(tableText(row.label))
+                                    : tableText(row.label));
+  addScale(writer, subject);
+  writer.quiet(tableText(row.unit));
+  if (row.visual == Visual::Depth) writer.quiet(QObject::tr("logarithmic"));
   if (hasExposure(row) && style.exposure != 0)
-    pen.write(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
-                                            shortText(style.exposure)),
-              numberFont(), colors.text);
-  pen.write(channelText(row, style), secondaryFont(), colors.secondary);
-  pen.write(note, secondaryFont(), colors.text);
-  if (isDifference)
-    pen.writeCut(row.channels > 1
-                     ? QObject::tr("of the values: this minus other, the channel that differs most")
-                     : QObject::tr("of the values: this minus other"),
-                 secondaryFont(), colors.secondary);
+    writer.digits(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
+                                                shortText(style.exposure)));
+  writer.quiet(channelText(row, style));
+  writer.plain(subject.note);
+  if (!subject.isDifference) return;
+  writer.quiet(row.channels > 1
+                   ? QObject::tr("of the values: this minus other, the channel that differs most")
+                   : QObject::tr("of the values: this minus other"));
 }
 
 namespace {
@@ -188,61 +193,74 @@ void paintHatch(QPainter& painter, const QRect& place, const std::array<float, 3
         painter.fillRect(place.left() + x, place.top() + y, 1, 1, QColor(rgbOf(color)));
 }
 
-void paintReasons(QPainter& painter, const QRect& strip, const ThemeColors& colors) {
-  paintGround(painter, strip, colors);
-  Pen pen(painter, strip);
-  const int last = static_cast<int>(intermediate(IntermediateId::rejectReason).high);
-  for (int reason = 1; reason <= last; ++reason) {
-    const QString text = qtext(rejectReasonText(reason));
-    const QRect swatch = pen.placeWith(kBarHeight, kBarHeight, text, secondaryFont());
-    if (swatch.isEmpty()) return;
-    painter.fillRect(swatch, QColor(rgbOf(categoryColor(reason))));
-    pen.write(text, secondaryFont(), colors.text);
+/// An arrow as the shader draws it, white with a dark edge; `place` is as long as it is.
+void paintArrow(QPainter& painter, const QRect& place) {
+  constexpr double kHead = 6, kHalfShaft = 0.75;
+  const double left = place.left(), right = left + place.width(), y = place.center().y() + 0.5;
+  const double neck = right - std::min(kHead, place.width() / 2.0), half = (right - neck) / 2;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::black, 2));
+  painter.setBrush(Qt::white);
+  const QPolygonF outline({{left, y - kHalfShaft},
+                           {neck, y - kHalfShaft},
+                           {neck, y - half},
+                           {right, y},
+                           {neck, y + half},
+                           {neck, y + kHalfShaft},
+                           {left, y + kHalfShaft}});
+  painter.drawPolygon(outline);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(outline);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void paintDot(QPainter& painter, const QRect& place) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(Qt::black, 1));
+  painter.setBrush(Qt::white);
+  painter.drawEllipse(QRectF(place).center(), 1.5, 1.5);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+/// How long an arrow is, what a dot means, and which way they point.
+void addArrows(Writer& writer, const Intermediate& row, const ViewStyle& style,
+               const ViewTransform& transform) {
+  const ArrowScale scale = arrowScale(transform);
+  const QString unit = tableText(row.unit);
+  writer.icon(static_cast<int>(std::lround(scale.longest)), kLegendHeight - 8, paintArrow);
+  writer.plain(QObject::tr("= %1 %2 or more, shorter in proportion").arg(shortText(extent(style)), unit));
+  writer.icon(6, 6, paintDot);
+  writer.plain(QObject::tr("= still: less than %1 %2")
+                   .arg(shortText(extent(style) * static_cast<double>(scale.leastShare), 2), unit));
+  writer.quiet(row.id == IntermediateId::dilatedOffset ? QObject::tr("arrows point to the neighbor")
+                                                       : QObject::tr("arrows point where it moves to"));
+}
+
+void addHatches(Writer& writer) {
+  constexpr int kSwatchWidth = 18, kSwatchHeight = 12;
+  for (const bool isAbove : {true, false}) {
+    writer.icon(kSwatchWidth, kSwatchHeight, [isAbove](QPainter& painter, const QRect& place) {
+      paintHatch(painter, place, isAbove ? kAboveColor : kBelowColor, isAbove);
+    });
+    writer.plain(isAbove ? QObject::tr("above the range") : QObject::tr("below it"));
   }
-}
-
-bool hasArrows(const Intermediate& row, const ViewStyle& style) {
-  return style.arrows && row.visual == Visual::Vector;
-}
-
-bool hasMarks(const Intermediate& row, const ViewStyle& style) {
-  return (style.markClipped && hasRange(row)) || style.outlineObjects || hasArrows(row, style);
 }
 
 } // namespace
 
-int overlayLegendLines(const Intermediate& row, const ViewStyle& style) {
-  return (hasMarks(row, style) ? 1 : 0) + (style.markRejected ? 1 : 0);
-}
-
-void paintOverlayLegend(QPainter& painter, QRect strip, const Intermediate& row, const ViewStyle& style,
-                        const ThemeColors& colors) {
-  if (style.markRejected) {
-    paintReasons(painter, strip, colors);
-    strip.translate(0, -kLegendHeight);
-  }
-  if (!hasMarks(row, style)) return;
-  paintGround(painter, strip, colors);
-  Pen pen(painter, strip);
-  if (hasArrows(row, style)) {
-    const QString longest = QStringLiteral("≥ %1 %2").arg(shortText(extent(style)), qtext(row.unit));
-    pen.writeCut(row.id == IntermediateId::dilatedOffset
-                     ? QObject::tr("arrows: to the neighbor, the longest %1").arg(longest)
-                     : QObject::tr("arrows: where it moves to, the longest %1").arg(longest),
-                 secondaryFont(), colors.text);
-  }
-  if (style.markClipped && hasRange(row)) {
-    constexpr int kSwatchWidth = 18, kSwatchHeight = 12;
-    for (const bool isAbove : {true, false}) {
-      const QString text = isAbove ? QObject::tr("above the range") : QObject::tr("below it");
-      const QRect place = pen.placeWith(kSwatchWidth, kSwatchHeight, text, secondaryFont());
-      if (place.isEmpty()) break;
-      paintHatch(painter, place, isAbove ? kAboveColor : kBelowColor, isAbove);
-      pen.write(text, secondaryFont(), colors.text);
-    }
-  }
-  if (style.outlineObjects)
-    pen.writeCut(QObject::tr("dashes: between objects"), secondaryFont(), colors.text);
+void addOverlayLegend(LegendFlow& flow, const LegendSubject& subject, const ReasonCounts* other,
+                      const ViewTransform& transform, const ThemeColors& colors) {
+  const Intermediate& row = subject.row;
+  const ViewStyle& style = subject.style;
+  Writer writer(flow, colors);
+  flow.startLine();
+  if (style.arrows && row.visual == Visual::Vector && !subject.isDifference)
+    addArrows(writer, row, style, transform);
+  if (style.markClipped && hasRange(row)) addHatches(writer);
+  if (style.outlineObjects) writer.plain(QObject::tr("dashes: between objects"));
+  if (!style.markRejected || !subject.reasons) return;
+  flow.startLine();
+  addReasons(writer, *subject.reasons, other, false);
 }
 
 } // namespace taa::app

@@ -1,27 +1,42 @@
-// The strip inside the lower edge of a view: what is shown, in which range and colors.
+// What is told below a picture: what is shown, in which range and colors, and what lies over it.
 #pragma once
 
-#include "core/inspect/Visualizer.h"
+#include "app/views/LegendFlow.h"
 
-#include <QRect>
+#include "core/RenderThread.h"
+
 #include <QString>
-
-class QPainter;
 
 namespace taa::app {
 
-struct ThemeColors;
+/// A side of a view.
+struct LegendSubject {
+  Intermediate row; ///< of a difference: a signed one
+  ViewStyle style;
+  bool isDifference = false;
+  QString note{};                        ///< of the reference: samples and errors
+  const ReasonCounts* reasons = nullptr; ///< of this picture; null: not known yet
+};
 
-inline constexpr int kLegendHeight = 22;
+/// One side of what is looked at.
+struct ViewContent {
+  Intermediate row; ///< of a difference: a signed one
+  ViewStyle style;
+  QString text; ///< row and settings
+};
 
-/// Paints the strip into `strip` (logical pixels), `note` at its end.
-void paintLegend(QPainter& painter, const QRect& strip, const Intermediate& row, const ViewStyle& style,
-                 bool isDifference, const ThemeColors& colors, const QString& note = {});
+/// What it shows, in which range and colors.
+void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeColors& colors);
+/// What lies over it, as `transform` draws it. `other`: of the side beside it, null without one.
+void addOverlayLegend(LegendFlow& flow, const LegendSubject& subject, const ReasonCounts* other,
+                      const ViewTransform& transform, const ThemeColors& colors);
 
-/// Lines that what lies over the picture needs to be told.
-int overlayLegendLines(const Intermediate& row, const ViewStyle& style);
-/// Paints them upwards from `strip`, the lowest.
-void paintOverlayLegend(QPainter& painter, QRect strip, const Intermediate& row, const ViewStyle& style,
-                        const ThemeColors& colors);
+/// On the screen. Where it would cover much of the pictures what it says of overlays is folded away, until
+/// the mouse is on the sign that stands for it.
+struct ShownLegend {
+  LegendFlow flow;
+  QRect place;
+  QRect sign; ///< empty where nothing was folded
+};
 
 } // namespace taa::app

@@ -20,7 +20,9 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
+constexpr std::size_t kMiddle = 4;                               ///< of the 3×3 records
+constexpr int kName = 0, kResolved = 1, kChange = 2, kAlpha = 3; ///< columns of "What if"
+constexpr int kCellMargins = 3 * kUnit;                          ///< of a cell, both sides
 
 QLabel* makeNote() {
   auto* note = new QLabel;
@@ -59,14 +61,18 @@ std::vector<FigureTable::Row> rowsOf(const std::vector<WhatIfRow>& variants) {
   std::vector<FigureTable::Row> rows;
   for (const WhatIfRow& row : variants) {
     const bool isFirst = &row == variants.data() || (&row - 1)->group != row.group;
-    if (isFirst) rows.push_back({{qtext(whatIfGroupLabel(row.group)), {}, {}, {}}, {}, true});
+    if (isFirst) rows.push_back({{tableText(whatIfGroupLabel(row.group)), {}, {}, {}}, {}, true});
     const float difference = largest(row.difference);
-    QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + QString::fromStdString(row.label);
+    QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + tableText(row.label);
     if (!row.note.empty()) name += QStringLiteral(" *");
+    QString tip = WhatIfPage::tr("%1: resolved %2").arg(tableText(row.label), colorText(row.resolved));
+    if (!row.note.empty()) tip += QStringLiteral("\n* ") + QString::fromStdString(row.note);
     rows.push_back({{name, colorText(row.resolved),
                      difference == 0 ? WhatIfPage::tr("same") : shortText(static_cast<double>(difference), 2),
                      shortText(static_cast<double>(row.alpha), 3)},
-                    encoded(row.resolved)});
+                    encoded(row.resolved),
+                    false,
+                    tip});
   }
   return rows;
 }
@@ -123,6 +129,7 @@ WhatIfPage::WhatIfPage(QWidget* parent) : QWidget(parent) {
   for (int section = 1; section < 4; ++section)
     table_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
   table_->header()->setStretchLastSection(false);
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else columns change with the number of rows
   column->addWidget(table_, 1);
   note_ = makeNote();
   note_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -134,6 +141,27 @@ WhatIfPage::WhatIfPage(QWidget* parent) : QWidget(parent) {
 
 void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
   table_->setRows(result ? rowsOf(result->whatIf) : std::vector<FigureTable::Row>());
+  fitColumns();
+}
+
+// Where a name would be cut, the values of the resolved color make room: swatch and tip say them, too.
+void WhatIfPage::fitColumns() {
+  const QFontMetrics names(secondaryFont()), digits(numberFont());
+  int name = 0;
+  for (const FigureTable::Row& row : table_->rows())
+    name = std::max(name, names.horizontalAdvance(row.cells.value(kName)));
+  int room = table_->viewport()->width() - table_->iconSize().width();
+  for (const int column : {kResolved, kChange, kAlpha}) {
+    int width = names.horizontalAdvance(table_->headerItem()->text(column));
+    for (const FigureTable::Row& row : table_->rows())
+      width = std::max(width, digits.horizontalAdvance(row.cells.value(column)));
+    room -= width + kCellMargins;
+  }
+  table_->setColumnHidden(kResolved, room < name + kCellMargins);
+}
+
+void WhatIfPage::resizeEvent(QResizeEvent*) {
+  fitColumns();
 }
 
 QString WhatIfPage::text() const {

@@ -47,7 +47,11 @@ class WhatIfPage : public QWidget {
   /// The table, to copy.
   QString text() const;
 
+ protected:
+  void resizeEvent(QResizeEvent*) override;
+
  private:
+  void fitColumns();
   FigureTable* table_ = nullptr;
   QLabel* note_ = nullptr;
 };

@@ -15,9 +15,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kSide = 8, kFoot = 20, kHead = 6; // px around the columns
-constexpr int kColumn = 2;
-constexpr int kBins = (RangeHistogram::kWidth - 2 * kSide) / kColumn;
+constexpr int kFoot = 20, kHead = 6; // px below and above the columns
 
 } // namespace
 
@@ -31,12 +29,10 @@ RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
          "the low end, with Shift the high end."));
 }
 
-void RangeHistogram::setValues(const Image& values, const Intermediate& row, const ViewStyle& style) {
-  if (drags_) return; // the scale stays under the mouse
-  const auto found = autoRange(values, row, style);
-  values_ = found.value_or(range_);
-  fitScale();
-  counts_ = histogram(values, row, style, scale_, kBins);
+void RangeHistogram::setDistribution(const Distribution& found) {
+  if (drags_) return;
+  scale_ = found.scale;
+  counts_ = found.counts;
   update();
 }
 
@@ -44,14 +40,6 @@ void RangeHistogram::setRange(ValueRange range) {
   if (range == range_) return;
   range_ = range;
   update();
-}
-
-// All values and the range, with a little room beside them to move the ends outwards.
-void RangeHistogram::fitScale() {
-  const float low = std::min({values_.low, range_.low, range_.high});
-  const float high = std::max({values_.high, range_.low, range_.high});
-  const float room = 0.05f * std::max(high - low, 1e-6f);
-  scale_ = {low - room, high + room};
 }
 
 double RangeHistogram::position(double value) const {
@@ -68,6 +56,11 @@ void RangeHistogram::moveEnd(bool high, double value) {
   (high ? range_.high : range_.low) = static_cast<float>(value);
   update();
   Q_EMIT rangeEdited(range_);
+}
+
+QString RangeHistogram::rangeText() const {
+  return QStringLiteral("▲ %1  △ %2")
+      .arg(shortText(static_cast<double>(range_.low)), shortText(static_cast<double>(range_.high)));
 }
 
 void RangeHistogram::mousePressEvent(QMouseEvent* event) {
@@ -101,8 +94,18 @@ void RangeHistogram::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), colors.panel);
   painter.setPen(colors.line);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  if (counts_.empty()) {
+    painter.setPen(colors.secondary);
+    painter.drawText(rect(), Qt::AlignCenter, tr("The visible values are being counted"));
+    return;
+  }
+  paintColumns(painter, colors);
+  paintRange(painter, colors);
+}
+
+void RangeHistogram::paintColumns(QPainter& painter, const ThemeColors& colors) const {
   const int foot = height() - kFoot, tallest = foot - kHead;
-  const int most = counts_.empty() ? 0 : *std::ranges::max_element(counts_);
+  const int most = *std::ranges::max_element(counts_);
   for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
     if (counts_[bin] == 0) continue;
     // One pixel already for a single value: what is rare is what one looks for.
@@ -111,6 +114,10 @@ void RangeHistogram::paintEvent(QPaintEvent*) {
     painter.fillRect(kSide + static_cast<int>(bin) * kColumn, foot - tall, kColumn, tall, colors.secondary);
   }
   painter.fillRect(kSide, foot, kBins * kColumn, 1, colors.line);
+}
+
+void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) const {
+  const int foot = height() - kFoot;
   painter.setFont(numberFont());
   for (const bool high : {false, true}) {
     const auto value = static_cast<double>(high ? range_.high : range_.low);
@@ -122,10 +129,14 @@ void RangeHistogram::paintEvent(QPaintEvent*) {
     painter.setBrush(high ? QBrush(colors.panel) : QBrush(colors.accent));
     painter.drawPolygon(QPolygonF({{x + 0.5, foot - 1.0}, {x - 4.5, foot + 5.0}, {x + 5.5, foot + 5.0}}));
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(colors.text);
-    painter.drawText(QRect(kSide, foot + 5, kWidth - 2 * kSide, kFoot - 5),
-                     Qt::AlignVCenter | (high ? Qt::AlignRight : Qt::AlignLeft), shortText(value));
   }
+  // Below the ends of the axis what they are; the range between them, since its ends may lie close together.
+  const QRect texts(kSide, foot + 5, kWidth - 2 * kSide, kFoot - 5);
+  painter.setPen(colors.secondary);
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, shortText(static_cast<double>(scale_.low)));
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(static_cast<double>(scale_.high)));
+  painter.setPen(colors.text);
+  painter.drawText(texts, Qt::AlignCenter, rangeText());
 }
 
 } // namespace taa::app

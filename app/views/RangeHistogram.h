@@ -7,17 +7,24 @@
 
 #include <vector>
 
+class QPainter;
+
 namespace taa::app {
+
+struct ThemeColors;
 
 class RangeHistogram : public QWidget {
   Q_OBJECT
  public:
   static constexpr int kWidth = 288, kHeight = 92;
+  static constexpr int kSide = 8, kColumn = 2; ///< px beside the columns, width of one
+  static constexpr int kBins = (kWidth - 2 * kSide) / kColumn;
 
   explicit RangeHistogram(QWidget* parent = nullptr);
 
-  /// Values in view, of which the shown channels count.
-  void setValues(const Image& values, const Intermediate& row, const ViewStyle& style);
+  /// Of the values in view; one without counts: they are being counted. While an end is dragged nothing else
+  /// moves.
+  void setDistribution(const Distribution& found);
   void setRange(ValueRange range);
   ValueRange range() const { return range_; }
   /// Values from the left end to the right one.
@@ -25,6 +32,8 @@ class RangeHistogram : public QWidget {
   const std::vector<int>& counts() const { return counts_; }
   /// Where a value lies, logical px.
   double position(double value) const;
+  /// The ends of the range beside the signs of their handles.
+  QString rangeText() const;
   QSize sizeHint() const override { return {kWidth, kHeight}; }
 
  Q_SIGNALS:
@@ -39,10 +48,11 @@ class RangeHistogram : public QWidget {
 
  private:
   void moveEnd(bool high, double value);
-  void fitScale();
   double valueAt(double x) const;
+  void paintColumns(QPainter& painter, const ThemeColors& colors) const;
+  void paintRange(QPainter& painter, const ThemeColors& colors) const;
 
-  ValueRange range_, scale_, values_;
+  ValueRange range_, scale_;
   std::vector<int> counts_;
   bool movesHigh_ = false, drags_ = false;
 };

@@ -7,15 +7,6 @@
 
 namespace taa::app {
 
-ViewStyle differenceStyle(const Intermediate& row) {
-  ViewStyle style = defaultStyle(row);
-  const float span = row.high - row.low;
-  style.high = span > 0.0f ? span / 4.0f : 1.0f;
-  style.low = -style.high;
-  style.map = ColorMap::Diverging;
-  return style;
-}
-
 bool hasRange(const Intermediate& row) {
   switch (row.visual) {
   case Visual::Mask:
@@ -57,14 +48,16 @@ namespace {
 /// Calls `take` with each value of the shown channels that means something.
 template <typename Take>
 void forEachValue(const Image& values, const Intermediate& row, const ViewStyle& style, Take take) {
-  const int stride = values.channels;
-  for (std::size_t i = 0; i < values.pixels.size(); ++i) {
-    const int channel = static_cast<int>(i % static_cast<std::size_t>(stride));
-    const float value = values.pixels[i];
-    if (channel >= row.channels || (row.channels > 1 && !isShown(style, channel))) continue;
-    if (!std::isfinite(value) || (row.visual == Visual::Vector && value >= kNoPreviousPosition)) continue;
-    take(value);
-  }
+  std::vector<std::size_t> shown;
+  for (int channel = 0; channel < std::min(values.channels, row.channels); ++channel)
+    if (row.channels == 1 || isShown(style, channel)) shown.push_back(static_cast<std::size_t>(channel));
+  const float end = row.visual == Visual::Vector ? kNoPreviousPosition : INFINITY;
+  const auto stride = static_cast<std::size_t>(values.channels);
+  for (std::size_t pixel = 0; pixel < values.pixels.size(); pixel += stride)
+    for (const std::size_t channel : shown) {
+      const float value = values.pixels[pixel + channel];
+      if (value > -INFINITY && value < end) take(value); // false of NaN
+    }
 }
 
 } // namespace
@@ -93,6 +86,20 @@ std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row
   }
   if (high == low) high = low + 1.0f; // one value only: shown as the low end
   return ValueRange{low, high};
+}
+
+// With a little room beside it to move the ends outwards.
+Distribution distributionOf(const Image& values, const Intermediate& row, const ViewStyle& style,
+                            const std::optional<ValueRange>& range, int bins) {
+  Distribution found{.values = autoRange(values, row, style), .scale = {}, .counts = {}};
+  const ValueRange inner = found.values.value_or(range.value_or(ValueRange{}));
+  const ValueRange also = range.value_or(inner);
+  const float low = std::min({inner.low, also.low, also.high});
+  const float high = std::max({inner.high, also.low, also.high});
+  const float room = 0.05f * std::max(high - low, 1e-6f);
+  found.scale = {low - room, high + room};
+  if (bins > 0) found.counts = histogram(values, row, style, found.scale, bins);
+  return found;
 }
 
 } // namespace taa::app

@@ -14,8 +14,6 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
-/// The style a difference of this row opens with: both ways, a quarter of the row's own range.
-ViewStyle differenceStyle(const Intermediate& row);
 /// Whether low and high mean something for this row (ids, masks, normals and positions have their own scale).
 bool hasRange(const Intermediate& row);
 /// Whether exposure means something: colors.
@@ -36,5 +34,17 @@ std::optional<ValueRange> autoRange(const Image& values, const Intermediate& row
 /// leaves out do not count.
 std::vector<int> histogram(const Image& values, const Intermediate& row, const ViewStyle& style,
                            ValueRange scale, int bins);
+
+/// How visible values are spread.
+struct Distribution {
+  std::optional<ValueRange> values; ///< as autoRange() has it
+  ValueRange scale;                 ///< from the begin of the first bin to the end of the last one
+  std::vector<int> counts;
+};
+
+/// Of all values, exactly. The scale has room for them and for `range` where that is given. Without bins
+/// nothing is counted.
+Distribution distributionOf(const Image& values, const Intermediate& row, const ViewStyle& style,
+                            const std::optional<ValueRange>& range, int bins);
 
 } // namespace taa::app

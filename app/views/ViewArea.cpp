@@ -124,6 +124,10 @@ void ViewArea::setMarks(const std::vector<PinMark>& marks) {
   for (ViewPanel* view : views_) view->viewport()->setMarks(marks);
 }
 
+void ViewArea::setPlaying(bool playing) {
+  for (ViewPanel* view : views_) view->viewport()->setPlaying(playing);
+}
+
 void ViewArea::setSettingsName(const QString& name) {
   for (ViewPanel* view : views_) view->setSettingsName(name);
 }
@@ -147,8 +151,8 @@ QStringList ViewArea::comparedPresets() const {
   for (const ViewPanel* view : views_) {
     const Comparison& comparison = view->comparison();
     if (view->index() >= count_ || comparison.kind != OtherKind::Preset) continue;
-    if (!presets.contains(comparison.preset) && presets.size() < kMostOtherPresets)
-      presets << comparison.preset;
+    const QString preset = QString::fromStdString(comparison.preset);
+    if (!presets.contains(preset) && presets.size() < kMostOtherPresets) presets << preset;
   }
   return presets;
 }

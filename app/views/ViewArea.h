@@ -17,8 +17,10 @@ namespace taa::app {
 
 enum class Arrangement { Automatic, Beside, Stacked };
 
-/// Other presets that views can be compared with at a time: a lane each, besides that of the settings.
-inline constexpr int kMostOtherPresets = 3;
+/// Other presets that views can be compared with at a time: a lane each, besides that of the settings. There
+/// is one for each view.
+inline constexpr int kMostOtherPresets = kMostLanes - 1;
+static_assert(kMostOtherPresets >= kViewCount);
 
 class ViewArea : public QWidget {
   Q_OBJECT
@@ -47,6 +49,7 @@ class ViewArea : public QWidget {
   void setPictureSize(glm::ivec2 size);
   void setMarks(const std::vector<PinMark>& marks);
   void setSettingsName(const QString& name);
+  void setPlaying(bool playing);
   /// Draws a frame around these pixels in all views.
   void setFramed(const std::optional<gl::Rect>& box);
   /// What the render thread shall deliver; hidden views have no size.

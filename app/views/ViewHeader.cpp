@@ -9,9 +9,12 @@
 #include "app/widgets/IconButton.h"
 #include "app/widgets/IntermediateRow.h"
 #include "app/widgets/NumberField.h"
+#include "app/widgets/OverflowPopup.h"
 
 #include <QMouseEvent>
 #include <QPainter>
+
+#include <algorithm>
 
 namespace taa::app {
 
@@ -58,7 +61,7 @@ void ViewHeader::makeControls() {
   map_ = new ChoiceButton(this);
   map_->setToolTip(tr("Color map (M)"));
   QStringList maps;
-  for (const ColorMap map : kMaps) maps << qtext(colorMapName(map));
+  for (const ColorMap map : kMaps) maps << tableText(colorMapName(map));
   map_->setChoices(maps);
   compare_ = new IconButton(QStringLiteral("compare"),
                             tr("Compare with another intermediate, preset or frame (C)"), this);
@@ -73,6 +76,7 @@ void ViewHeader::makeControls() {
   zoom_ = new ChoiceButton(this);
   zoom_->setFlat(true);
   zoom_->setPlain(true);
+  makeOverflow();
   zoom_->setToolTip(tr("Screen pixels for each pixel; a click changes between fit (F) and one to one (1)"));
 }
 
@@ -133,7 +137,7 @@ void ViewHeader::editStyle(const ViewStyle& style) {
 void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style) {
   row_ = row;
   style_ = style;
-  name_->setCaption(qtext(row.label));
+  name_->setCaption(tableText(row.label));
   name_->setToolTip(intermediateToolTip(row));
   QStringList names;
   if (row.channels > 1)
@@ -179,51 +183,97 @@ void ViewHeader::setHistogramShown(bool shown) {
 }
 
 QPoint ViewHeader::overlaysPlace() const {
-  return overlays_->geometry().bottomLeft() + QPoint(0, 1);
+  const QWidget* button = overlays_->parentWidget() == this && overlays_->isVisible()
+                              ? static_cast<const QWidget*>(overlays_)
+                              : more_;
+  return button->geometry().bottomLeft() + QPoint(0, 1);
 }
 
-void ViewHeader::arrange() {
-  // From left to right, and how long each holds out when it gets narrow (0: longest).
-  struct Item {
-    QWidget* widget;
-    bool isWanted;
-    int rank;
-    int width = 0;
-    bool isShown = false;
-  };
-  Item items[] = {{name_, true, 0},
-                  {channels_, row_.channels > 1, 2},
-                  {map_, usesColorMap(row_, style_), 6},
-                  {low_, hasRange(row_), 4},
-                  {high_, hasRange(row_), 4},
-                  {auto_, hasRange(row_), 5},
-                  {histogram_, hasRange(row_), 7},
-                  {exposure_, hasExposure(row_), 3},
-                  {reset_, true, 8},
-                  {compare_, true, 7},
-                  {showing_, compares_, 5},
-                  {overlays_, true, 7},
-                  {zoom_, true, 1}};
-  int left = 2 * kUnit + kLetter + kGap, room = width() - left - kUnit;
+std::vector<ViewHeader::Item> ViewHeader::items() const {
+  return {{name_, {}, true, 0},
+          {channels_, tr("Channels"), row_.channels > 1, 2},
+          {map_, tr("Color map"), usesColorMap(row_, style_), 6},
+          {low_, tr("Range from"), hasRange(row_), 4},
+          {high_, tr("to"), hasRange(row_), 4},
+          {auto_, tr("Fit the range"), hasRange(row_), 5},
+          {histogram_, tr("Histogram"), hasRange(row_), 7},
+          {exposure_, tr("Exposure"), hasExposure(row_), 3},
+          {reset_, tr("As it opened"), true, 8},
+          {compare_, tr("Compare with…"), true, 7},
+          {showing_, tr("Shown side"), compares_, 5},
+          {overlays_, tr("Overlays"), true, 7},
+          {zoom_, {}, true, 1}};
+}
+
+namespace {
+
+/// Marks those that find room; whether all that are wanted do.
+template <class Items>
+bool fitInto(Items& items, int room, int gap) {
+  bool isAll = true;
+  for (auto& item : items) item.isShown = false;
   for (int rank = 0; rank <= 8; ++rank) {
     int needed = 0;
-    for (Item& item : items)
-      if (item.rank == rank && item.isWanted) needed += (item.width = item.widget->sizeHint().width()) + kGap;
-    if (rank > 0 && needed > room) continue;
-    for (Item& item : items)
+    for (auto& item : items)
+      if (item.rank == rank && item.isWanted) needed += (item.width = item.widget->sizeHint().width()) + gap;
+    if (rank > 0 && needed > room) {
+      isAll = isAll && needed == 0;
+      continue;
+    }
+    for (auto& item : items)
       if (item.rank == rank && item.isWanted) {
         item.width = std::min(item.width, std::max(0, room));
         item.isShown = true;
       }
     room -= needed;
   }
-  for (Item& item : items) {
+  return isAll;
+}
+
+} // namespace
+
+void ViewHeader::arrange() {
+  std::vector<Item> all = items();
+  int left = 2 * kUnit + kLetter + kGap;
+  const int room = width() - left - kUnit, moreWidth = more_->sizeHint().width();
+  const bool isAll = fitInto(all, room, kGap);
+  if (!isAll) fitInto(all, room - moreWidth - kGap, kGap);
+  more_->setVisible(!isAll);
+  int right = width() - kUnit;
+  for (const Item& item : all) {
+    if (overflow_->holds(item.widget)) continue;
     item.widget->setVisible(item.isShown);
     if (!item.isShown) continue;
-    if (item.widget == zoom_) left = width() - kUnit - item.width; // at the right end
-    item.widget->setGeometry(left, (kHeight - kRowHeight) / 2, item.width, kRowHeight);
+    const int top = (kHeight - kRowHeight) / 2;
+    if (item.widget == zoom_) {
+      right -= item.width; // at the right end
+      item.widget->setGeometry(right, top, item.width, kRowHeight);
+      right -= kGap;
+      continue;
+    }
+    item.widget->setGeometry(left, top, item.width, kRowHeight);
     left += item.width + kGap;
   }
+  if (!isAll) more_->setGeometry(right - moreWidth, (kHeight - kRowHeight) / 2, moreWidth, kRowHeight);
+}
+
+void ViewHeader::makeOverflow() {
+  more_ = new IconButton(QStringLiteral("more"), tr("More about this view, which has no room here"), this);
+  more_->setObjectName(QStringLiteral("more"));
+  overflow_ = new OverflowPopup(this);
+  connect(more_, &IconButton::clicked, this, &ViewHeader::openOverflow);
+  connect(overflow_, &OverflowPopup::closed, this, &ViewHeader::arrange);
+  // What opens something else, or is done, closes the list first.
+  for (IconButton* button : {auto_, histogram_, reset_, compare_, overlays_})
+    connect(button, &IconButton::clicked, overflow_, &QWidget::hide);
+}
+
+void ViewHeader::openOverflow() {
+  Q_EMIT pressed();
+  OverflowPopup::Controls hidden;
+  for (const Item& item : items())
+    if (item.isWanted && !item.widget->isVisibleTo(this)) hidden.emplace_back(item.widget, item.name);
+  overflow_->open(hidden, more_->geometry().bottomRight() + QPoint(1, 1));
 }
 
 void ViewHeader::paintEvent(QPaintEvent*) {

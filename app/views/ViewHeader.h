@@ -1,8 +1,8 @@
-// The line above a view: what it shows and how. Hides its lesser parts where it is narrow.
+// The line above a view: what it shows and how. Where it is narrow, its lesser
+// parts are in a list behind a button.
 #pragma once
 
-#include "app/views/Comparison.h"
-
+#include "core/Comparison.h"
 #include "core/inspect/Visualizer.h"
 
 #include <QWidget>
@@ -15,6 +15,7 @@ class ChannelButtons;
 class ChoiceButton;
 class IconButton;
 class NumberField;
+class OverflowPopup;
 
 class ViewHeader : public QWidget {
   Q_OBJECT
@@ -30,7 +31,7 @@ class ViewHeader : public QWidget {
   /// Whether there is another side, a difference of both, and how they are shown.
   void setComparing(bool compares, bool hasDifference, Showing showing);
   void setHistogramShown(bool shown);
-  /// Below the button that opens the list of overlays.
+  /// Below the button that opens the list of overlays, or the one it is behind.
   QPoint overlaysPlace() const;
   QSize sizeHint() const override { return {400, kHeight}; }
   QSize minimumSizeHint() const override { return {120, kHeight}; }
@@ -57,8 +58,20 @@ class ViewHeader : public QWidget {
   void makeControls();
   void nameControls();
   void connectControls();
+  /// A control from left to right, and how long it holds out when it gets narrow (0: longest).
+  struct Item {
+    QWidget* widget;
+    QString name; ///< in the list of those without room
+    bool isWanted;
+    int rank;
+    int width = 0;
+    bool isShown = false;
+  };
+  std::vector<Item> items() const;
   /// Shows what there is room for, the most important first.
   void arrange();
+  void openOverflow();
+  void makeOverflow();
   void editStyle(const ViewStyle& style);
 
   QChar letter_;
@@ -71,6 +84,8 @@ class ViewHeader : public QWidget {
   NumberField *low_ = nullptr, *high_ = nullptr, *exposure_ = nullptr;
   IconButton *auto_ = nullptr, *reset_ = nullptr, *compare_ = nullptr, *overlays_ = nullptr;
   IconButton* histogram_ = nullptr;
+  IconButton* more_ = nullptr;
+  OverflowPopup* overflow_ = nullptr;
   ChoiceButton *map_ = nullptr, *zoom_ = nullptr, *showing_ = nullptr;
 };
 

@@ -2,7 +2,7 @@
 
 #include "app/Theme.h"
 #include "app/views/RangeHistogram.h"
-#include "app/views/RangeMath.h"
+#include "app/views/ValueFinder.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 
@@ -14,7 +14,7 @@ ViewPanel::ViewPanel(int index, IntermediateId id, QWidget* parent)
     : QWidget(parent), index_(index), id_(id), style_(defaultStyle(intermediate(id))),
       difference_(differenceStyle(intermediate(id))),
       header_(new ViewHeader(QChar(static_cast<char16_t>('A' + index)))), viewport_(new Viewport),
-      histogram_(new RangeHistogram(viewport_)) {
+      histogram_(new RangeHistogram(viewport_)), finder_(new ValueFinder(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -68,6 +68,7 @@ void ViewPanel::refresh() {
                           : std::nullopt);
   viewport_->setShowing(showing_);
   viewport_->setShowsGrid(shows(Overlay::Grid));
+  viewport_->setLegendWhole(shows(Overlay::WholeLegend));
   histogram_->setRange({style().low, style().high});
   if (!hasRange(row)) setHistogramShown(false);
 }
@@ -87,6 +88,7 @@ void ViewPanel::setIntermediate(IntermediateId id) {
   style_ = known != remembered_.end() ? known->second : defaultStyle(intermediate(id));
   difference_ = differenceStyle(intermediate(id));
   wantsRange_ = false;
+  histogram_->setDistribution({});
   if (showing_ == Showing::Difference && !hasDifference()) showing_ = Showing::Wipe;
   change();
 }
@@ -97,17 +99,25 @@ void ViewPanel::setStyle(const ViewStyle& style) {
   change();
 }
 
-void ViewPanel::setResult(const ViewResult& result) {
+void ViewPanel::setResult(const std::shared_ptr<const ViewResult>& result) {
   viewport_->setResult(result);
-  fitRange(result);
-  fillHistogram();
+  measure();
 }
 
-void ViewPanel::fitRange(const ViewResult& result) {
-  if (!(wantsRange_ || alwaysAuto_) || result.request.id != id_ || result.values.empty()) return;
-  if (result.request.asDifference != isDifference()) return;
+// Asks how the values at hand are spread, for who wants to know.
+void ViewPanel::measure() {
+  const auto& result = viewport_->result();
+  const bool fits = wantsRange_ || alwaysAuto_;
+  if (!(fits || showsHistogram()) || !result || result->values.empty()) return;
+  if (result->request.id != id_ || result->request.asDifference != isDifference()) return;
+  ValueFinder::Wish wish{.result = result, .row = shownRow(), .style = style(), .range = {}};
+  if (!fits) wish.range = ValueRange{style().low, style().high};
+  if (showsHistogram()) wish.bins = RangeHistogram::kBins;
+  finder_->find(wish);
+}
+
+void ViewPanel::fitRange(const std::optional<ValueRange>& range) {
   wantsRange_ = false;
-  const std::optional<ValueRange> range = autoRange(result.values, shownRow(), this->style());
   ViewStyle style = this->style();
   if (range) {
     style.low = range->low;
@@ -133,7 +143,7 @@ void ViewPanel::normalize() {
   refresh(); // a click has checked the button
   if (!hasRange(shownRow())) return;
   wantsRange_ = true;
-  if (viewport_->result()) fitRange(*viewport_->result());
+  measure();
   if (wantsRange_) Q_EMIT requestChanged();
 }
 
@@ -181,13 +191,17 @@ void ViewPanel::makeHistogram() {
     style.high = range.high;
     setStyle(style);
   });
+  connect(finder_, &ValueFinder::found, this, [this](const ValueFinder::Wish& of, const Distribution& found) {
+    if (of.row.id != id_ || of.result->request.asDifference != isDifference()) return;
+    for (int channel = 0; channel < 3; ++channel)
+      if (isShown(of.style, channel) != isShown(style(), channel)) return; // a picture of these is on its way
+    if (wantsRange_ || alwaysAuto_) fitRange(found.values);
+    if (showsHistogram() && !found.counts.empty()) histogram_->setDistribution(found);
+  });
 }
 
-void ViewPanel::fillHistogram() {
-  const auto& result = viewport_->result();
-  if (!showsHistogram() || !result || result->values.empty()) return;
-  if (result->request.id == id_ && result->request.asDifference == isDifference())
-    histogram_->setValues(result->values, shownRow(), style());
+bool ViewPanel::isMeasuring() const {
+  return finder_->isBusy();
 }
 
 bool ViewPanel::showsHistogram() const {
@@ -199,7 +213,7 @@ void ViewPanel::setHistogramShown(bool shown) {
   if (shown == showsHistogram()) return header_->setHistogramShown(shown); // a click has checked the button
   histogram_->setVisible(shown);
   header_->setHistogramShown(showsHistogram());
-  fillHistogram();
+  measure();
   Q_EMIT contentChanged();
   Q_EMIT requestChanged();
 }

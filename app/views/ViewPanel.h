@@ -2,10 +2,14 @@
 // intermediate was last shown.
 #pragma once
 
-#include "app/views/Comparison.h"
+#include "app/views/Overlays.h"
+#include "app/views/RangeMath.h"
 #include "app/views/ViewportMath.h"
 
+#include "core/CommandLine.h"
+#include "core/Comparison.h"
 #include "core/RenderThread.h"
+#include "core/ShownPicture.h"
 
 #include <QJsonObject>
 #include <QStringList>
@@ -19,8 +23,12 @@ class QMenu;
 namespace taa::app {
 
 class RangeHistogram;
+class ValueFinder;
 class ViewHeader;
 class Viewport;
+
+/// Of a picture for a file: all of it, pixel for pixel, or as it lies in the viewport.
+enum class PictureExtent { Whole, Viewport };
 
 class ViewPanel : public QWidget {
   Q_OBJECT
@@ -37,9 +45,13 @@ class ViewPanel : public QWidget {
   /// What the render thread shall deliver. `presets`: those of the lanes after the first.
   ViewRequest request(const QStringList& presets) const;
 
+  /// What files are to show of any frame: both sides as they are on the screen.
+  PictureRequest pictureRequest(const QStringList& presets, PictureExtent extent) const;
+  CommandView commandView() const;
+
   void setIntermediate(IntermediateId id);
   void setStyle(const ViewStyle& style);
-  void setResult(const ViewResult& result);
+  void setResult(const std::shared_ptr<const ViewResult>& result);
   void setActive(bool active);
 
   // Comparing
@@ -54,6 +66,8 @@ class ViewPanel : public QWidget {
   /// Whether both sides have as many channels.
   bool hasDifference() const;
   bool isDifference() const { return comparison_ && showing_ == Showing::Difference; }
+  /// Row and settings of a side.
+  QString sideText(bool other) const;
   /// Shows the other side for as long as it lasts.
   void setPeeking(bool peeking);
   /// What the settings in force are called: "balanced*".
@@ -62,6 +76,8 @@ class ViewPanel : public QWidget {
   /// Counts the visible values below the range, to set it by.
   void setHistogramShown(bool shown);
   bool showsHistogram() const;
+  /// Whether values at hand are still being counted.
+  bool isMeasuring() const;
 
   // Overlays
   bool shows(Overlay overlay) const { return overlays_[static_cast<std::size_t>(overlay)]; }
@@ -91,9 +107,9 @@ class ViewPanel : public QWidget {
  private:
   void connectParts();
   void makeHistogram();
-  void fillHistogram();
   void connectComparing();
-  void fitRange(const ViewResult& result);
+  void measure();
+  void fitRange(const std::optional<ValueRange>& range);
   void refresh();
   void change();
   void openOverlayMenu();
@@ -101,7 +117,6 @@ class ViewPanel : public QWidget {
   IntermediateId otherId() const;
   ViewStyle drawn(const ViewStyle& style) const;
   ViewStyle otherStyle() const;
-  QString sideText(bool other) const;
 
   int index_;
   IntermediateId id_;
@@ -109,12 +124,13 @@ class ViewPanel : public QWidget {
   std::map<IntermediateId, ViewStyle> remembered_;
   Comparison comparison_;
   Showing showing_ = Showing::First;
-  std::array<bool, kOverlayCount> overlays_{false, false, false, false, true};
+  std::array<bool, kOverlayCount> overlays_{false, false, false, false, true, false};
   QString settingsName_;
   bool wantsRange_ = false, alwaysAuto_ = false;
   ViewHeader* header_;
   Viewport* viewport_;
   RangeHistogram* histogram_;
+  ValueFinder* finder_;
 };
 
 } // namespace taa::app

@@ -64,7 +64,7 @@ ViewRequest ViewPanel::request(const QStringList& presets) const {
   request.height = isShown ? geometry.viewport.y : 0;
   request.withValues = wantsRange_ || alwaysAuto_ || showsHistogram() || viewport_->showsValues() ||
                        viewport_->hovered().has_value();
-  const auto preset = presets.indexOf(comparison_.preset);
+  const auto preset = presets.indexOf(QString::fromStdString(comparison_.preset));
   if (!comparison_ || (comparison_.kind == OtherKind::Preset && preset < 0)) return request;
   OtherSide& other = request.other.emplace();
   other.id = otherId();
@@ -76,15 +76,14 @@ ViewRequest ViewPanel::request(const QStringList& presets) const {
   return request;
 }
 
-// Row and settings of a side; the viewport knows the frame.
+// The viewport knows the frame.
 QString ViewPanel::sideText(bool other) const {
   QString settings = settingsName_;
   if (other && comparison_.kind == OtherKind::Preset) {
-    const QFileInfo file(comparison_.preset);
-    settings =
-        comparison_.preset.endsWith(QStringLiteral(".json")) ? file.completeBaseName() : comparison_.preset;
+    const QString preset = QString::fromStdString(comparison_.preset);
+    settings = preset.endsWith(QStringLiteral(".json")) ? QFileInfo(preset).completeBaseName() : preset;
   }
-  const QString row = qtext(intermediate(other ? otherId() : id_).label);
+  const QString row = tableText(intermediate(other ? otherId() : id_).label);
   return settings.isEmpty() ? row : QStringLiteral("%1 · %2").arg(row, settings);
 }
 
@@ -154,6 +153,8 @@ QString ViewPanel::overlayText(Overlay overlay) {
     return tr("Arrows over vectors");
   case Overlay::Grid:
     return tr("Grid between large pixels");
+  case Overlay::WholeLegend:
+    return tr("Whole legend also where the picture is low");
   }
   return {};
 }

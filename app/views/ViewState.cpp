@@ -14,8 +14,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::array<const char*, kOverlayCount> kOverlayKeys = {"clipped", "rejected", "outlines", "arrows",
-                                                                 "grid"};
+constexpr std::array<const char*, kOverlayCount> kOverlayKeys = {"clipped", "rejected", "outlines",
+                                                                 "arrows",  "grid",     "wholeLegend"};
 constexpr std::array<const char*, 3> kArrangementKeys = {"automatic", "beside", "stacked"};
 constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
                               ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
@@ -98,6 +98,7 @@ QJsonObject ViewPanel::state() const {
           {QStringLiteral("comparedWith"), QString::fromStdString(comparisonText(comparison_))},
           {QStringLiteral("shows"), textOf(showingName(showing_))},
           {QStringLiteral("divider"), viewport_->divider()},
+          {QStringLiteral("histogram"), showsHistogram()},
           {QStringLiteral("overlays"), overlays},
           {QStringLiteral("camera"), jsonOf(viewport_->camera())}};
 }
@@ -124,6 +125,7 @@ void ViewPanel::setState(const QJsonObject& state) {
   viewport_->setDivider(state.value(QLatin1String("divider")).toDouble(0.5));
   viewport_->setCamera(cameraOf(state.value(QLatin1String("camera")).toObject()));
   change();
+  setHistogramShown(state.value(QLatin1String("histogram")).toBool());
 }
 
 QJsonObject ViewArea::state() const {

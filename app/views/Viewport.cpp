@@ -109,11 +109,11 @@ void Viewport::setHovered(std::optional<glm::ivec2> pixel) {
 void Viewport::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), themeColors(this).surround);
-  paintSides(painter);
+  for (const SidePart& side : parts(shown())) paintSide(painter, side);
+  paintOver(painter, shown());
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-  for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
   if (framed_) overlay.paintFrame(painter, *framed_);
-  paintLegends(painter);
+  paintLegend(painter);
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {
@@ -152,6 +152,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   else if (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)
     moveCamera(viewGeometry().panned(camera_, moved));
   if (drag_ == Qt::NoButton) setCursor(isOnDivider(cursor_) ? Qt::SplitHCursor : Qt::CrossCursor);
+  openLegend(drag_ == Qt::NoButton);
   setHovered(viewGeometry().pixelAt(transform(), deviceFrom(cursor_)));
 }
 
@@ -169,6 +170,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::leaveEvent(QEvent*) {
+  openLegend(false);
   setHovered({});
 }
 

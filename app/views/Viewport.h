@@ -3,25 +3,19 @@
 #pragma once
 
 #include "app/Pins.h"
-#include "app/views/Comparison.h"
 #include "app/views/Legend.h"
 #include "app/views/ViewportMath.h"
 
+#include "core/Comparison.h"
 #include "core/RenderThread.h"
 
 #include <QImage>
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace taa::app {
-
-/// One side of what is looked at.
-struct ViewContent {
-  Intermediate row; ///< of a difference: a signed one
-  ViewStyle style;
-  QString text; ///< row and settings
-};
 
 class Viewport : public QWidget {
   Q_OBJECT
@@ -38,9 +32,13 @@ class Viewport : public QWidget {
   /// Shows the other side meanwhile.
   void setPeeking(bool peeking);
   void setShowsGrid(bool shows);
+  /// Also where it covers much of the pictures (ShownLegend).
+  void setLegendWhole(bool whole);
+  /// Whether time goes on: another frame beside it is then not made.
+  void setPlaying(bool playing);
   /// Where the divider lies, share of the width.
   void setDivider(double share);
-  void setResult(const ViewResult& result);
+  void setResult(std::shared_ptr<const ViewResult> result);
   void setMarks(const std::vector<PinMark>& marks);
   /// Draws a frame around these pixels.
   void setFramed(const std::optional<gl::Rect>& box);
@@ -57,11 +55,17 @@ class Viewport : public QWidget {
   std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const;
   std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const;
   double divider() const { return divider_; }
+  /// The first column of the picture that a divider leaves to the other side.
+  int dividerColumn() const;
   /// What is on the screen now, peeking included.
   Showing shown() const;
+  /// What it shows, pixel for pixel of the screen, without what is only held for a moment; `withLegend`: with
+  /// all that lies over it, and below it what that means. Null while a part of it is on its way.
+  QImage picture(bool withLegend) const;
   /// Who is on a side: row, settings, frame.
   QString label(bool other) const;
-  const std::optional<ViewResult>& result() const { return result_; }
+  const std::shared_ptr<const ViewResult>& result() const { return result_; }
+  ShownLegend shownLegend() const;
 
   void fit();
   void oneToOne();
@@ -96,9 +100,25 @@ class Viewport : public QWidget {
   void setHovered(std::optional<glm::ivec2> pixel);
   bool isOnDivider(QPointF position) const;
   bool isResultOfContent() const;
-  void paintSide(QPainter& painter, bool other, const QRect& part) const;
-  void paintSides(QPainter& painter) const;
-  void paintLegends(QPainter& painter) const;
+  /// A side and the part of the widget that it is seen in.
+  struct SidePart {
+    bool other = false;
+    QRect part;
+  };
+  std::vector<SidePart> parts(Showing showing) const;
+  void paintSide(QPainter& painter, const SidePart& side) const;
+  void paintGridAndValues(QPainter& painter, const SidePart& side) const;
+  void paintLabels(QPainter& painter, Showing showing) const;
+  /// All that lies over the pictures but the legend.
+  void paintOver(QPainter& painter, Showing showing) const;
+  LegendFlow legend(Showing showing, bool isFolded = false) const;
+  int legendTop(int height) const;
+  void paintLegend(QPainter& painter) const;
+  void openLegend(bool mayOpen);
+  bool isPictureComplete() const;
+  Picture sidesPicture() const;
+  bool isBesideAnotherFrame() const;
+  const ViewSide* otherSide() const; ///< that is there; null: none
 
   glm::ivec2 size_{0};
   ViewCamera camera_;
@@ -106,9 +126,12 @@ class Viewport : public QWidget {
   std::optional<ViewContent> other_;
   Showing showing_ = Showing::First;
   bool peeks_ = false, showsGrid_ = true, dragsDivider_ = false;
+  bool isLegendWhole_ = false, isLegendOpen_ = false;
   double divider_ = 0.5;
-  std::optional<ViewResult> result_;
+  std::shared_ptr<const ViewResult> result_;
   QImage image_, otherImage_;
+  std::shared_ptr<const ViewResult> kept_; ///< an earlier one, whose other side stays meanwhile; else null
+  bool playing_ = false;
   std::vector<PinMark> marks_; ///< the active one last
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;

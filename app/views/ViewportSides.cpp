@@ -10,6 +10,7 @@
 #include <QPainter>
 
 #include <cmath>
+#include <utility>
 
 namespace taa::app {
 
@@ -30,12 +31,30 @@ std::optional<std::vector<float>> valueOf(const Image& values, const gl::Rect& r
 
 } // namespace
 
-void Viewport::setResult(const ViewResult& result) {
-  result_ = result;
-  image_ = imageOf(result.picture);
-  otherImage_ = result.other ? imageOf(result.other->picture) : QImage();
+// While time goes on, or another pair is on its way, the other side that was there last stays.
+void Viewport::setResult(std::shared_ptr<const ViewResult> result) {
+  const std::shared_ptr<const ViewResult> before = kept_ ? kept_ : result_;
+  const bool keeps = !result->other && before && before->other && result->request.other &&
+                     result->request.other == before->request.other &&
+                     result->request.transform == before->request.transform &&
+                     result->picture.width == before->other->picture.width;
+  kept_ = keeps ? before : nullptr;
+  result_ = std::move(result);
+  image_ = imageOf(result_->picture);
+  if (!keeps) otherImage_ = result_->other ? imageOf(result_->other->picture) : QImage();
   update();
   if (hovered_) Q_EMIT hoverChanged();
+}
+
+const ViewSide* Viewport::otherSide() const {
+  const ViewResult* holder = kept_ ? kept_.get() : result_.get();
+  return holder && holder->other ? &*holder->other : nullptr;
+}
+
+void Viewport::setPlaying(bool playing) {
+  if (playing == playing_) return;
+  playing_ = playing;
+  update();
 }
 
 void Viewport::setOther(const std::optional<ViewContent>& other) {
@@ -89,91 +108,160 @@ std::optional<std::vector<float>> Viewport::valueAt(glm::ivec2 pixel) const {
 }
 
 std::optional<std::vector<float>> Viewport::otherValueAt(glm::ivec2 pixel) const {
-  if (!other_ || !result_ || !result_->other || !result_->request.other) return {};
+  if (!other_ || !otherSide() || !result_->request.other) return {};
   if (result_->request.other->id != other_->row.id) return {};
-  return valueOf(result_->other->values, result_->region, pixel);
+  return valueOf(otherSide()->values, (kept_ ? kept_ : result_)->region, pixel);
 }
 
+bool Viewport::isBesideAnotherFrame() const {
+  return result_ && result_->request.other && result_->request.other->isOfAnotherFrame();
+}
+
+// With why it is not there, or not of now, and what helps.
 QString Viewport::label(bool other) const {
   const QString& text = other && other_ ? other_->text : content_.text;
-  if (!result_ || (other && !result_->other)) return tr("%1 · on its way").arg(text);
-  const int frame = other ? result_->other->frame : result_->frame;
-  const bool exact = other ? result_->other->exact : result_->exact;
+  if (!result_ || (other && !otherSide())) {
+    if (other && isBesideAnotherFrame() && isOfReference(other_->row.id))
+      return tr("%1 · only the frame on show has a reference: go to that frame to see its own").arg(text);
+    if (other && isBesideAnotherFrame() && playing_) return tr("%1 · comes when it is paused").arg(text);
+    return tr("%1 · on its way").arg(text);
+  }
+  const int frame = other ? otherSide()->frame : result_->frame;
+  const bool exact = other ? otherSide()->exact : result_->exact;
   const QString framed = tr("%1 · frame %2").arg(text).arg(frame);
+  const bool waits = playing_ && (kept_ || result_->request.asDifference) && isBesideAnotherFrame();
+  if (other && waits) return tr("%1 · stays until it is paused").arg(framed);
   return exact ? framed : tr("%1 · not exact yet").arg(framed);
 }
 
-// One side with its grid and values, cut to a part of the widget.
-void Viewport::paintSide(QPainter& painter, bool other, const QRect& part) const {
-  const QImage& image = other ? otherImage_ : image_;
-  painter.setClipRect(part);
-  if (!image.isNull() && result_) {
-    const ScreenRect place =
-        movedPicture(result_->request.transform, {image.width(), image.height()}, transform());
-    const double ratio = devicePixelRatioF();
-    painter.drawImage(QRectF(place.x / ratio, place.y / ratio, place.width / ratio, place.height / ratio),
-                      image);
-  }
+std::vector<Viewport::SidePart> Viewport::parts(Showing showing) const {
+  if (showing == Showing::Other) return {{true, rect()}};
+  if (showing != Showing::Wipe) return {{false, rect()}};
+  const int line = wipePosition(divider_, width());
+  return {{false, QRect(0, 0, line, height())}, {true, QRect(line, 0, width() - line, height())}};
+}
+
+void Viewport::paintSide(QPainter& painter, const SidePart& side) const {
+  const QImage& image = side.other ? otherImage_ : image_;
+  if (image.isNull() || !result_) return;
+  const ScreenRect place =
+      movedPicture(result_->request.transform, {image.width(), image.height()}, transform());
+  const double ratio = devicePixelRatioF();
+  painter.setClipRect(side.part);
+  painter.drawImage(QRectF(place.x / ratio, place.y / ratio, place.width / ratio, place.height / ratio),
+                    image);
+  painter.setClipping(false);
+}
+
+void Viewport::paintGridAndValues(QPainter& painter, const SidePart& side) const {
+  painter.setClipRect(side.part);
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   if (size_.x > 0 && showsGrid_ && overlay.texelSize() >= kGridZoom) overlay.paintGrid(painter);
-  if (showsValues() && other && result_ && result_->other)
-    overlay.paintValues(painter, other_->row, result_->other->values, result_->region);
-  else if (showsValues() && !other && isResultOfContent())
+  if (showsValues() && side.other && otherSide())
+    overlay.paintValues(painter, other_->row, otherSide()->values, (kept_ ? kept_ : result_)->region);
+  else if (showsValues() && !side.other && isResultOfContent())
     overlay.paintValues(painter, content_.row, result_->values, result_->region);
   painter.setClipping(false);
 }
 
-void Viewport::paintSides(QPainter& painter) const {
-  const ThemeColors& colors = themeColors(this);
-  const Showing now = shown();
-  const int line = now == Showing::Wipe ? wipePosition(divider_, width()) : width();
-  if (now == Showing::Other)
-    paintSide(painter, true, rect());
-  else
-    paintSide(painter, false, QRect(0, 0, line, height()));
+void Viewport::paintLabels(QPainter& painter, Showing showing) const {
   if (!other_) return;
-  if (now == Showing::Wipe) {
-    paintSide(painter, true, QRect(line, 0, width() - line, height()));
-    paintWipe(painter, rect(), line);
+  const ThemeColors& colors = themeColors(this);
+  if (showing == Showing::Wipe) {
+    paintWipe(painter, rect(), wipePosition(divider_, width()));
     const QRect half(0, 0, width() / 2, height());
     paintSideLabel(painter, half, label(false), false, colors);
     paintSideLabel(painter, half.translated(width() - half.width(), 0), label(true), true, colors);
-  } else if (now == Showing::Difference) {
+  } else if (showing == Showing::Difference) {
     paintSideLabel(painter, rect(), tr("%1  −  %2").arg(label(false), label(true)), false, colors);
   } else {
-    paintSideLabel(painter, rect(), label(now == Showing::Other), now == Showing::Other, colors);
+    const bool isOther = showing == Showing::Other;
+    paintSideLabel(painter, rect(), label(isOther), isOther, colors);
   }
 }
 
-void Viewport::paintLegends(QPainter& painter) const {
+void Viewport::paintOver(QPainter& painter, Showing showing) const {
+  for (const SidePart& side : parts(showing)) paintGridAndValues(painter, side);
+  paintLabels(painter, showing);
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
+}
+
+// From the top: what lies over the picture, the other side where it is another row, this side. Folded: a sign
+// for the first.
+LegendFlow Viewport::legend(Showing showing, bool isFolded) const {
   const ThemeColors& colors = themeColors(this);
-  const bool onlyOther = shown() == Showing::Other;
-  const ViewContent& main = onlyOther ? *other_ : content_;
-  const bool isDifference = shown() == Showing::Difference;
-  int lines = 1 + overlayLegendLines(main.row, main.style);
-  // Where another row is beside it, that has a line of its own.
-  const bool hasSecond = shown() == Showing::Wipe && (other_->row.id != main.row.id);
-  if (hasSecond) ++lines;
-  QRect strip(0, height() - kLegendHeight, width(), kLegendHeight);
-  if (!marks_.empty() && marks_.back().isActive) {
-    // The strip gives way to the picked pixel.
-    const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-    const ScreenRect cell = overlay.pixelRect(marks_.back().pixel);
-    const int top = height() - lines * kLegendHeight;
-    if (cell.y + cell.height > top - 2 * kUnit && cell.y < height()) {
-      const int labels = other_ ? 7 * kUnit : 0;
-      strip.moveTop(labels + (lines - 1) * kLegendHeight);
+  const bool onlyOther = showing == Showing::Other;
+  const auto subjectOf = [&](bool other) {
+    const ViewContent& content = other ? *other_ : content_;
+    LegendSubject subject{content.row, content.style, !other && showing == Showing::Difference, {}};
+    const bool isOfOther =
+        other && otherSide() && result_->request.other && result_->request.other->id == content.row.id;
+    const bool isOfResult = !other && isResultOfContent();
+    if (isOfResult && totalOf(result_->reasons) > 0) subject.reasons = &result_->reasons;
+    if (isOfOther && totalOf(otherSide()->reasons) > 0) subject.reasons = &otherSide()->reasons;
+    if (isOfResult) subject.note = referenceNote(*result_);
+    return subject;
+  };
+  const LegendSubject main = subjectOf(onlyOther);
+  LegendFlow flow;
+  const ReasonCounts* beside = nullptr;
+  if (showing == Showing::Wipe) beside = subjectOf(true).reasons;
+  if (beside && main.reasons && *beside == *main.reasons) beside = nullptr;
+  if (!isFolded) addOverlayLegend(flow, main, beside, transform(), colors);
+  if (showing == Showing::Wipe && other_->row.id != main.row.id) addRowLegend(flow, subjectOf(true), colors);
+  addRowLegend(flow, main, colors);
+  if (isFolded) flow.text(tr("⋯ overlays"), secondaryFont(), colors.accent);
+  return flow;
+}
+
+// At the lower edge; it gives way to the picked pixel.
+int Viewport::legendTop(int height) const {
+  const int top = this->height() - height;
+  if (marks_.empty() || !marks_.back().isActive) return top;
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  const ScreenRect cell = overlay.pixelRect(marks_.back().pixel);
+  const bool isBelow = cell.y + cell.height > top - 2 * kUnit && cell.y < this->height();
+  return isBelow ? (other_ ? 7 * kUnit : 0) : top;
+}
+
+// Unfolded it stays at the edge where it was folded, under the mouse.
+ShownLegend Viewport::shownLegend() const {
+  constexpr int kShare = 6; // of the height is what a legend of more than a line may cover
+  LegendFlow whole = legend(shown());
+  const int height = whole.lines(width()) * kLegendHeight;
+  if (!isLegendWhole_ && height * kShare > this->height()) {
+    LegendFlow folded = legend(shown(), true);
+    const int least = folded.lines(width()) * kLegendHeight, top = legendTop(least);
+    const QRect sign = folded.lastPlace(width()).translated(0, top);
+    if (least < height && !isLegendOpen_) return {std::move(folded), {0, top, width(), least}, sign};
+    if (least < height) {
+      const bool isAtBottom = top + least == this->height();
+      return {std::move(whole), {0, isAtBottom ? this->height() - height : top, width(), height}, sign};
     }
   }
-  const bool isOfResult = result_ && result_->request.id == main.row.id;
-  paintLegend(painter, strip, main.row, main.style, isDifference, colors,
-              isOfResult ? referenceNote(*result_) : QString());
-  if (hasSecond) {
-    strip.translate(0, -kLegendHeight);
-    paintLegend(painter, strip, other_->row, other_->style, false, colors);
-  }
-  strip.translate(0, -kLegendHeight);
-  paintOverlayLegend(painter, strip, main.row, main.style, colors);
+  return {std::move(whole), {0, legendTop(height), width(), height}, {}};
+}
+
+void Viewport::paintLegend(QPainter& painter) const {
+  const ShownLegend legend = shownLegend();
+  legend.flow.paint(painter, legend.place.topLeft(), width(), themeColors(this));
+}
+
+void Viewport::setLegendWhole(bool whole) {
+  isLegendWhole_ = whole;
+  isLegendOpen_ = false;
+  update();
+}
+
+// On its sign, and for as long as the mouse stays on what was unfolded.
+void Viewport::openLegend(bool mayOpen) {
+  const ShownLegend legend = shownLegend();
+  const bool isOn = (isLegendOpen_ ? legend.place : legend.sign).contains(cursor_.toPoint());
+  const bool opens = mayOpen && !legend.sign.isEmpty() && isOn;
+  if (opens == isLegendOpen_) return;
+  isLegendOpen_ = opens;
+  update();
 }
 
 } // namespace taa::app

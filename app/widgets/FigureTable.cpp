@@ -54,7 +54,7 @@ void FigureTable::setRows(const std::vector<Row>& rows) {
       font.setBold(row.isSum);
       item->setFont(column, font);
       item->setText(column, row.cells.value(column));
-      item->setToolTip(column, row.cells.value(column));
+      item->setToolTip(column, row.tip.isEmpty() ? row.cells.value(column) : row.tip);
       item->setTextAlignment(column, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight));
     }
     QPixmap swatch(iconSize());

@@ -16,6 +16,7 @@ class FigureTable : public QTreeWidget {
     QStringList cells;
     QColor swatch{}; ///< before the name; invalid: none
     bool isSum = false;
+    QString tip{}; ///< more than the cells have room for; empty: their own texts
     bool operator==(const Row&) const = default;
   };
   explicit FigureTable(const QStringList& header, QWidget* parent = nullptr);

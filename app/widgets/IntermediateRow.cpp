@@ -20,11 +20,12 @@ constexpr int kLetter = 14;
 QString intermediateToolTip(const Intermediate& row) {
   QStringList channels;
   for (const std::string& name : channelNames(row)) channels << QString::fromStdString(name);
-  const QString unit = row.unit.empty() ? QString() : QStringLiteral(" · ") + qtext(row.unit).toHtmlEscaped();
+  const QString unit =
+      row.unit.empty() ? QString() : QStringLiteral(" · ") + tableText(row.unit).toHtmlEscaped();
   const QString names =
       channels.size() > 1 ? QStringLiteral(" · ") + channels.join(QLatin1Char(' ')) : QString();
   return QStringLiteral("<b>%1</b>%2%3<br>%4<br><br><code>%5</code>")
-      .arg(qtext(row.label), unit, names, qtext(row.description).toHtmlEscaped(), qtext(row.name));
+      .arg(tableText(row.label), unit, names, tableText(row.description).toHtmlEscaped(), qtext(row.name));
 }
 
 void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool active,
@@ -41,7 +42,7 @@ void paintViewLetter(QPainter& painter, const QRect& box, QChar letter, bool act
 
 IntermediateRow::IntermediateRow(const Intermediate& row, QWidget* parent)
     : QAbstractButton(parent), row_(row) {
-  setText(qtext(row.label));
+  setText(tableText(row.label));
   setObjectName(qtext(row.name));
   setToolTip(intermediateToolTip(row));
   setFocusPolicy(Qt::TabFocus);
@@ -58,7 +59,7 @@ void IntermediateRow::setShownIn(const QString& letters, QChar active) {
 
 bool IntermediateRow::matches(const QString& wanted) const {
   for (const std::string_view field : {row_.label, row_.name, row_.description})
-    if (qtext(field).contains(wanted, Qt::CaseInsensitive)) return true;
+    if (tableText(field).contains(wanted, Qt::CaseInsensitive)) return true;
   return false;
 }
 

@@ -5,7 +5,11 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace taa::app {
 
@@ -19,11 +23,13 @@ struct Group {
   int height() const { return static_cast<int>(lines.size()) + 2; }
 };
 
+// A menu's keys stay together though its submenus lie between them.
 std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
   std::vector<Group> groups;
   for (const KeyLine& line : lines) {
-    if (groups.empty() || groups.back().name != line.group) groups.push_back({line.group, {}});
-    groups.back().lines.push_back(line);
+    auto group = std::ranges::find(groups, line.group, &Group::name);
+    if (group == groups.end()) group = groups.insert(groups.end(), {line.group, {}});
+    group->lines.push_back(line);
   }
   return groups;
 }
@@ -53,16 +59,11 @@ QWidget* groupWidget(const Group& group) {
   return widget;
 }
 
-} // namespace
-
-KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent) : QDialog(parent) {
-  setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(tr("Keys"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4 * kUnit, 4 * kUnit, 4 * kUnit, 4 * kUnit);
-  auto* columns = new QHBoxLayout;
+QWidget* columnsOf(const std::vector<Group>& groups) {
+  auto* page = new QWidget;
+  auto* columns = new QHBoxLayout(page);
+  columns->setContentsMargins(0, 0, 2 * kUnit, 0);
   columns->setSpacing(8 * kUnit);
-  const std::vector<Group> groups = grouped(lines);
   int total = 0, used = 0, column = 0;
   for (const Group& group : groups) total += group.height();
   QVBoxLayout* current = nullptr;
@@ -79,11 +80,34 @@ KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent) : QDi
   }
   for (int i = 0; i < columns->count(); ++i)
     static_cast<QVBoxLayout*>(columns->itemAt(i)->layout())->addStretch(1);
-  layout->addLayout(columns);
+  return page;
+}
+
+} // namespace
+
+// All of it where there is room; else it scrolls, by the keys, too.
+KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent) : QDialog(parent) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Keys"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4 * kUnit, 4 * kUnit, 4 * kUnit, 4 * kUnit);
+  auto* scroll = new QScrollArea;
+  scroll->setAccessibleName(tr("Keys"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QWidget* page = columnsOf(grouped(lines));
+  scroll->setWidget(page);
+  scroll->setMinimumWidth(page->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  layout->addWidget(scroll, 1);
   auto* close = new QPushButton(tr("Close"));
   close->setDefault(true);
   connect(close, &QPushButton::clicked, this, &QDialog::close);
   layout->addWidget(close, 0, Qt::AlignRight);
+  const int whole = page->sizeHint().height() + close->sizeHint().height() + 12 * kUnit;
+  const int room = (parent ? parent->height() : whole) - 8 * kUnit;
+  resize(sizeHint().width(), std::min(whole, std::max(room, 60 * kUnit)));
+  scroll->setFocus();
 }
 
 } // namespace taa::app

@@ -19,7 +19,7 @@ namespace {
 constexpr int kFieldWidth = 116;
 
 QString escaped(std::string_view view) {
-  return qtext(view).toHtmlEscaped();
+  return tableText(view).toHtmlEscaped();
 }
 
 } // namespace
@@ -30,23 +30,23 @@ QString parameterToolTip(const Parameter& row) {
   QStringList facts;
   const QString unit = row.unit.empty() ? QString() : QStringLiteral(" ") + escaped(row.unit);
   if (row.kind == ParameterKind::Integer || row.kind == ParameterKind::Number)
-    facts << QStringLiteral("range %1 to %2%3").arg(row.minimum).arg(row.maximum).arg(unit);
-  facts
-      << QStringLiteral("default %1%2").arg(QString::fromStdString(valueText(row, row.defaultValue())), unit);
+    facts << ParameterRow::tr("range %1 to %2%3").arg(row.minimum).arg(row.maximum).arg(unit);
+  facts << ParameterRow::tr("default %1%2")
+               .arg(QString::fromStdString(valueText(row, row.defaultValue())), unit);
   if (!row.source.empty()) facts << escaped(row.source);
   tip += QStringLiteral("<br><br>%1<br><code>%2</code>")
-             .arg(facts.join(QStringLiteral(" · ")), escaped(row.path));
+             .arg(facts.join(QStringLiteral(" · ")), qtext(row.path).toHtmlEscaped());
   return tip;
 }
 
 ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
-    : QWidget(parent), row_(row), label_(new ParameterLabel(qtext(row.label), this)) {
+    : QWidget(parent), row_(row), label_(new ParameterLabel(tableText(row.label), this)) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
   makeEditor();
   editor_->setObjectName(path());
-  editor_->setAccessibleName(qtext(row.label));
+  editor_->setAccessibleName(tableText(row.label));
   const QString tip = parameterToolTip(row);
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
@@ -68,7 +68,7 @@ void ParameterRow::makeEditor() {
   }
   if (row_.kind != ParameterKind::Choice) {
     auto* field = new NumberField({row_.minimum, row_.maximum, row_.kind == ParameterKind::Integer}, this);
-    field->setUnit(qtext(row_.unit));
+    field->setUnit(tableText(row_.unit));
     connect(field, &NumberField::valueEdited, this, &ParameterRow::edit);
     showValue_ = [field](double value) { field->setValue(value); };
     dim_ = [field](bool dimmed) { field->setDimmed(dimmed); };
@@ -77,8 +77,8 @@ void ParameterRow::makeEditor() {
   }
   QStringList labels, explanations;
   for (const Choice& choice : row_.choices) {
-    labels << qtext(choice.label);
-    explanations << qtext(choice.explanation);
+    labels << tableText(choice.label);
+    explanations << tableText(choice.explanation);
   }
   const auto wire = [&](auto* control) {
     connect(control, &std::remove_pointer_t<decltype(control)>::chosen, this,
@@ -120,7 +120,7 @@ bool ParameterRow::isDimmed() const {
 
 bool ParameterRow::matches(const QString& wanted) const {
   const auto holds = [&](std::string_view field) {
-    return qtext(field).contains(wanted, Qt::CaseInsensitive);
+    return tableText(field).contains(wanted, Qt::CaseInsensitive);
   };
   return holds(row_.label) || holds(row_.path) || holds(row_.tooltip) ||
          std::ranges::any_of(row_.choices, [&](const Choice& choice) { return holds(choice.label); });

@@ -32,10 +32,10 @@ enum Column { StageName, Setting, Present, InPreset };
 QString shownValue(const Parameter& row, double value) {
   if (row.kind == ParameterKind::Choice) {
     const auto index = static_cast<std::size_t>(value);
-    if (index < row.choices.size()) return qtext(row.choices[index].label);
+    if (index < row.choices.size()) return tableText(row.choices[index].label);
   }
   const QString text = QString::fromStdString(valueText(row, value));
-  return row.unit.empty() ? text : text + u' ' + qtext(row.unit);
+  return row.unit.empty() ? text : text + u' ' + tableText(row.unit);
 }
 
 } // namespace
@@ -115,8 +115,7 @@ void PresetsDialog::readPresets(const QString& wanted) {
                                            : QString::fromStdString(session_.presetId());
   entries_.clear();
   for (const Preset& preset : builtinPresets())
-    entries_.push_back(
-        {QString::fromStdString(preset.label), QString::fromStdString(preset.id), preset.settings, false});
+    entries_.push_back({tableText(preset.label), QString::fromStdString(preset.id), preset.settings, false});
   for (const UserPreset& own : userPresets(folder_)) try {
       entries_.push_back({own.label, own.path, preset(own.path.toStdString()).settings, true});
     } catch (const std::exception&) {
@@ -149,10 +148,10 @@ void PresetsDialog::compare() {
     for (const Parameter& row : parameters()) {
       const double present = row.get(now), there = row.get(entry->settings);
       if (valueText(row, present) == valueText(row, there)) continue;
-      auto* item = new QTreeWidgetItem({qtext(stageInfo(row.stage).label), qtext(row.label),
+      auto* item = new QTreeWidgetItem({tableText(stageInfo(row.stage).label), tableText(row.label),
                                         shownValue(row, present), shownValue(row, there)});
       item->setData(Setting, Qt::UserRole, qtext(row.path));
-      item->setToolTip(Setting, qtext(row.tooltip));
+      item->setToolTip(Setting, tableText(row.tooltip));
       item->setData(InPreset, Qt::UserRole, there);
       table_->addTopLevelItem(item);
     }

@@ -111,8 +111,8 @@ void RangeDialog::addRows() {
   const std::vector<IntermediateId> shown = window_.views()->shown();
   for (const IntermediateId id : allRows()) {
     const Intermediate& row = intermediate(id);
-    auto* item =
-        new QListWidgetItem(tr("%1 (%2)").arg(qtext(row.label), qtext(stageInfo(row.stage).label)), rows_);
+    auto* item = new QListWidgetItem(
+        tr("%1 (%2)").arg(tableText(row.label), tableText(stageInfo(row.stage).label)), rows_);
     item->setData(Qt::UserRole, static_cast<int>(id));
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
     const bool isShown = std::ranges::find(shown, id) != shown.end();
@@ -130,25 +130,16 @@ QString RangeDialog::ending() const {
 
 SequenceRequest RangeDialog::request() const {
   const ViewPanel* view = window_.views()->active();
-  const Status& status = window_.session().status();
   SequenceRequest request;
   request.kind = kind();
   const QString target = target_->text();
   request.target = (target.endsWith(ending()) ? target : target + ending()).toStdString();
   request.first = first_->value();
   request.last = last_->value();
-  request.id = view->id();
-  request.style = view->style();
-  request.width = status.width;
-  request.height = status.height;
+  const auto extent = extent_->currentIndex() == 1 ? PictureExtent::Viewport : PictureExtent::Whole;
+  request.picture = view->pictureRequest(window_.views()->comparedPresets(), extent);
+  request.picture.referenceSamples = window_.session().status().referenceGoal;
   request.framesPerSecond = rate_->value();
-  if (extent_->currentIndex() == 1) {
-    const ViewRequest shown = view->request({});
-    request.transform = shown.transform;
-    request.width = shown.width;
-    request.height = shown.height;
-    request.lane = shown.lane;
-  }
   for (int index = 0; index < rows_->count(); ++index)
     if (rows_->item(index)->checkState() == Qt::Checked)
       request.ids.push_back(static_cast<IntermediateId>(rows_->item(index)->data(Qt::UserRole).toInt()));
@@ -160,6 +151,7 @@ QString RangeDialog::problem() const {
   const QFileInfo file(target_->text());
   if (wanted.last < wanted.first) return tr("The last frame is before the first.");
   if (wanted.kind == SequenceKind::Exr && wanted.ids.empty()) return tr("No values are chosen.");
+  if (wanted.picture.width < 1 && wanted.kind != SequenceKind::Exr) return tr("There is no picture yet.");
   if (file.fileName().isEmpty() || file.isDir()) return tr("The name of a file is missing.");
   if (!file.dir().exists()) return tr("The folder %1 is not there.").arg(file.dir().path());
   if (!QFileInfo(file.dir().path()).isWritable())
@@ -175,18 +167,37 @@ void RangeDialog::refresh() {
   start_->setEnabled(wrong.isEmpty());
   if (!wrong.isEmpty()) return note_->setText(wrong);
   const SequenceRequest wanted = request();
+  note_->setText(describe(wanted));
+}
+
+// What will be there, and what of the view the pictures show.
+QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const int count = wanted.last - wanted.first + 1;
   const QString first = QString::fromStdString(sequenceFile(wanted, wanted.first).filename().string());
-  if (kind() == SequenceKind::Gif)
-    note_->setText(tr("%1: %2 frames of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).")
-                       .arg(first)
-                       .arg(count)
-                       .arg(wanted.width)
-                       .arg(wanted.height)
-                       .arg(10 * gifDelay(wanted.framesPerSecond)));
-  else
-    note_->setText(
-        tr("%1 file(s), the first %2. They appear when all of them are made.").arg(count).arg(first));
+  QString text =
+      kind() == SequenceKind::Gif
+          ? tr("%1: %2 frames of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).")
+                .arg(first)
+                .arg(count)
+                .arg(wanted.picture.width)
+                .arg(wanted.picture.height)
+                .arg(10 * gifDelay(wanted.framesPerSecond))
+          : tr("Files: %1, the first %2. They appear when all of them are made.").arg(count).arg(first);
+  if (kind() == SequenceKind::Exr || !showsOther(wanted.picture)) return text;
+  const ViewPanel* view = window_.views()->active();
+  const OtherSide& side = *wanted.picture.other;
+  QString other = view->sideText(true);
+  if (side.frame) other = tr("%1 of frame %2").arg(other).arg(*side.frame);
+  if (side.framesBefore > 0) other = tr("%1, %n frame(s) before", nullptr, side.framesBefore).arg(other);
+  const QString both = tr("%1 and %2").arg(view->sideText(false), other);
+  switch (wanted.picture.showing) {
+  case Showing::Wipe:
+    return tr("%1 They show both sides, with the divider where it is: %2.").arg(text, both);
+  case Showing::Difference:
+    return tr("%1 They show the difference of %2.").arg(text, both);
+  default:
+    return tr("%1 They show the other side: %2.").arg(text, other);
+  }
 }
 
 void RangeDialog::browse() {

@@ -34,6 +34,7 @@ class RangeDialog : public QDialog {
   void addRows();
   void browse();
   void refresh();
+  QString describe(const SequenceRequest& wanted) const;
   QString problem() const; ///< why it cannot begin; empty: it can
   SequenceKind kind() const;
   QString ending() const; ///< of its files, with the dot

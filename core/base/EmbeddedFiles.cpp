@@ -47,6 +47,10 @@ std::shared_ptr<const ShaderTexts> useShaders(std::shared_ptr<const ShaderTexts>
   return std::exchange(usedShaders, std::move(texts));
 }
 
+std::shared_ptr<const ShaderTexts> shadersInUse() {
+  return usedShaders;
+}
+
 std::vector<std::string> embeddedPaths(std::string_view prefix) {
   std::vector<std::string> paths;
   for (const EmbeddedFile& file : detail::embeddedFiles())

@@ -29,6 +29,8 @@ std::shared_ptr<const ShaderTexts> readShaders();
 /// What embeddedText() gives on this thread from now on, whatever becomes of the files; null: the files.
 /// Returns what it gave until now.
 std::shared_ptr<const ShaderTexts> useShaders(std::shared_ptr<const ShaderTexts> texts);
+/// What was given there last, to be used on another thread too.
+std::shared_ptr<const ShaderTexts> shadersInUse();
 
 /// Paths of all embedded files that start with `prefix`, sorted.
 std::vector<std::string> embeddedPaths(std::string_view prefix);

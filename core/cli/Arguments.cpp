@@ -1,5 +1,6 @@
 #include "core/cli/Arguments.h"
 
+#include "core/InspectedShot.h"
 #include "core/base/Error.h"
 #include "core/inspect/Metrics.h"
 #include "core/io/CameraTrackJson.h"
@@ -15,7 +16,6 @@ namespace taa::cli {
 
 namespace {
 
-constexpr std::size_t kMaxLanes = 4;
 constexpr std::string_view kMotionPrefix = "motion."; ///< of assignments that are for an object
 
 std::optional<int> parseCount(std::string_view text) {
@@ -35,6 +35,8 @@ std::optional<glm::ivec2> parsePair(const std::string& text, std::string_view se
   return glm::ivec2(*first, *second);
 }
 
+} // namespace
+
 Settings presetSettings(const std::string& name) {
   // A name that is wrong is the caller's mistake; a file that cannot be read is the world's.
   if (name.ends_with(".json")) return preset(name).settings;
@@ -44,8 +46,6 @@ Settings presetSettings(const std::string& name) {
     throw UsageError(error.what());
   }
 }
-
-} // namespace
 
 FrameRange parseFrames(const std::string& text) {
   const std::optional<int> one = parseCount(text);
@@ -119,9 +119,9 @@ std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments) {
 }
 
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
-  if (arguments.lanes.size() > kMaxLanes)
+  if (arguments.lanes.size() > std::size_t{kMostLanes})
     throw UsageError("--lane was given " + std::to_string(arguments.lanes.size()) + " times; there are " +
-                     std::to_string(kMaxLanes) + " lanes at most");
+                     std::to_string(kMostLanes) + " lanes at most");
   std::vector<LaneChoice> lanes;
   for (const std::string& name : arguments.lanes)
     lanes.push_back({std::string(1, static_cast<char>('A' + lanes.size())), name, presetSettings(name)});

@@ -47,9 +47,12 @@ struct RenderArguments {
   std::string frames, folder;                   ///< frames empty: that of the session
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
-  int referenceSamples = 64;      ///< of frames whose reference is looked at
-  std::vector<std::string> style; ///< "key=value" on top of the styles that rows open with
-  double framesPerSecond = 0.0;   ///< of a GIF; 0: the scene's
+  int referenceSamples = 64;           ///< of frames whose reference is looked at
+  std::vector<std::string> style;      ///< "key=value" on top of the styles that rows open with
+  std::string compare, compareAs;      ///< of pictures; empty: with nothing, as a wipe
+  std::vector<std::string> otherStyle; ///< as style, of the other side
+  double divider = 0.5;                ///< where it lies in a wipe, share of the width
+  double framesPerSecond = 0.0;        ///< of a GIF; 0: the scene's
   bool json = false;
   bool verbose = false;
 };
@@ -109,6 +112,7 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
 std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments);  ///< also Error: its file
+Settings presetSettings(const std::string& name);                          ///< also Error: a preset file
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
 void assign(std::vector<LaneChoice>& lanes,
             const std::vector<std::string>& assignments); ///< but motion modes

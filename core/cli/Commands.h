@@ -27,7 +27,7 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
 /// Prints figures of a range of frames: RMSE and PSNR against the reference, and what the resolve did.
 /// Throws UsageError, Error, Cancelled.
 void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress);
-/// Writes the resolve of some settings as one GLSL file. Throws UsageError, Error.
+/// Writes the resolve of some settings, and the pass after it, as one GLSL file. Throws UsageError, Error.
 void runGlsl(const GlslArguments& arguments, std::ostream& out);
 
 } // namespace taa::cli

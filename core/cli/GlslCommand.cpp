@@ -1,4 +1,4 @@
-// taa-batch glsl: the resolve of some settings as a file of its own.
+// taa-batch glsl: the resolve of some settings and what is shown of it as a file of its own.
 #include "core/cli/Commands.h"
 
 #include "core/base/Files.h"

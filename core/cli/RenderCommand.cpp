@@ -3,20 +3,19 @@
 
 #include "core/FrameExport.h"
 #include "core/base/Error.h"
-#include "core/cli/Shot.h"
+#include "core/cli/Pictures.h"
 #include "core/inspect/MemoryNeed.h"
-#include "core/inspect/StyleText.h"
 #include "core/io/FrameJson.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -59,21 +58,15 @@ fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<
   return path;
 }
 
-/// What a view at 1:1 shows.
-Picture pictureOf(Inspector& inspector, const RenderArguments& arguments, IntermediateId id, int lane) {
-  ViewStyle style = defaultStyle(intermediate(id));
-  for (const std::string& assignment : arguments.style) applyStyle(style, assignment);
-  return inspector.picture(id, style, {}, inspector.width(), inspector.height(), lane);
-}
-
 /// One file for each intermediate.
 std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
-                                const std::vector<IntermediateId>& ids) {
+                                const std::vector<IntermediateId>& ids, const Pictures& pictures,
+                                const Progress& progress) {
   std::vector<fs::path> paths;
   const std::vector<FrameLane> lanes = laneHeaders(inspector, plan);
-  for (int lane = 0; lane < inspector.laneCount(); ++lane)
+  for (int lane = 0; lane < pictures.laneCount(inspector); ++lane)
     for (const IntermediateId id : ids) {
-      const Picture picture = pictureOf(inspector, arguments, id, lane);
+      const Picture picture = pictures.draw(inspector, id, lane, progress);
       const std::string part = partName(lanes.at(static_cast<std::size_t>(lane)), id);
       paths.push_back(fs::path(arguments.folder) / (frameName(inspector.frame()) + "." + part + ".png"));
       writePng(paths.back(), picture.width, picture.height, picture.rgba);
@@ -85,10 +78,11 @@ std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, cons
 class Animations {
  public:
   Animations(const Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
-             const std::vector<IntermediateId>& ids) {
+             const std::vector<IntermediateId>& ids, const Pictures& pictures)
+      : pictures_(pictures) {
     const double rate =
         arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : inspector.scene().shot.framesPerSecond;
-    for (int lane = 0; lane < inspector.laneCount(); ++lane)
+    for (int lane = 0; lane < pictures.laneCount(inspector); ++lane)
       for (const IntermediateId id : ids) {
         const std::string& name = plan.lanes.at(static_cast<std::size_t>(lane)).name;
         const std::string file = (name.empty() ? "" : name + ".") + std::string(intermediate(id).name);
@@ -107,8 +101,8 @@ class Animations {
   Animations(const Animations&) = delete;
   Animations& operator=(const Animations&) = delete;
 
-  void add(Inspector& inspector, const RenderArguments& arguments) {
-    for (const Row& row : rows_) row.writer->add(pictureOf(inspector, arguments, row.id, row.lane).rgba);
+  void add(Inspector& inspector, const Progress& progress) {
+    for (const Row& row : rows_) row.writer->add(pictures_.draw(inspector, row.id, row.lane, progress).rgba);
   }
   std::vector<fs::path> finish() {
     std::vector<fs::path> paths;
@@ -129,16 +123,21 @@ class Animations {
     fs::path path, temporary;
     std::unique_ptr<GifWriter> writer;
   };
+  const Pictures& pictures_;
   std::vector<Row> rows_;
 };
 
-void sayMemory(const Inspector& inspector, const ShotPlan& plan) {
+void sayMemory(const Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids) {
   std::vector<Settings> lanes;
   for (const LaneChoice& lane : plan.lanes) lanes.push_back(lane.settings);
-  const MemoryNeed need = memoryNeed(lanes, plan.size, {});
+  // Rows that are written to files are counted with the export.
+  std::vector<IntermediateId> ofReference;
+  std::ranges::copy_if(ids, std::back_inserter(ofReference), isOfReference);
+  const MemoryNeed need = memoryNeed(lanes, plan.size, ofReference);
   std::cerr << "memory: about " << bytesText(need.total()) << " for " << plan.size.x << " × " << plan.size.y
-            << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories)
-            << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
+            << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories);
+  if (need.reference > 0) std::cerr << ", reference " << bytesText(need.reference);
+  std::cerr << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
             << " at a time";
   if (const std::optional<std::size_t> available = gl::availableMemory(inspector.driver()))
     std::cerr << "; " << bytesText(*available) << " are free";
@@ -147,27 +146,28 @@ void sayMemory(const Inspector& inspector, const ShotPlan& plan) {
 
 /// All frames; `written` is told of each file as soon as it is there.
 void renderFrames(Inspector& inspector, const RenderArguments& arguments, const ShotPlan& plan,
-                  const FrameRange& range, const Progress& progress,
+                  const FrameRange& range, const Pictures& pictures, const Progress& progress,
                   const std::function<void(const fs::path&)>& written) {
   const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
-  const bool showsReference = std::ranges::any_of(ids, isOfReference);
+  const bool isExr = arguments.format == "exr";
   std::optional<Animations> animations;
-  if (arguments.format == "gif") animations.emplace(inspector, plan, arguments, ids);
+  if (arguments.format == "gif") animations.emplace(inspector, plan, arguments, ids, pictures);
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.seek(frame, frame == range.first ? progress : Progress());
-    for (int lane = 0; showsReference && lane < inspector.laneCount(); ++lane)
+    for (int lane = 0; isExr && pictures.showsReference() && lane < inspector.laneCount(); ++lane)
       inspector.refineReference(arguments.referenceSamples, progress, lane);
-    if (arguments.format == "exr") {
+    if (isExr) {
       written(writeExr(inspector, plan, ids, arguments.folder));
       continue;
     }
     inspector.watch(ids);
     if (animations)
-      animations->add(inspector, arguments);
+      animations->add(inspector, progress);
     else
-      for (const fs::path& path : writePngs(inspector, plan, arguments, ids)) written(path);
+      for (const fs::path& path : writePngs(inspector, plan, arguments, ids, pictures, progress))
+        written(path);
   }
   if (animations)
     for (const fs::path& path : animations->finish()) written(path);
@@ -179,39 +179,31 @@ FrameRange rangeOf(const RenderArguments& arguments, const ShotPlan& plan) {
   return {plan.frame, plan.frame};
 }
 
-// What is wrong with it is the caller's mistake.
-void checkStyle(const RenderArguments& arguments) {
-  ViewStyle style;
-  for (const std::string& assignment : arguments.style) try {
-      applyStyle(style, assignment);
-    } catch (const Error& error) {
-      throw UsageError(std::string("--style: ") + error.what());
-    }
-}
-
 } // namespace
 
 void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
-  const ShotPlan plan = planShot(arguments.shot);
+  ShotPlan plan = planShot(arguments.shot);
   const FrameRange range = rangeOf(arguments, plan);
-  const bool showsReference = std::ranges::any_of(parseEmit(arguments.emit), isOfReference);
-  if (showsReference) checkReferenceSamples(arguments.referenceSamples);
-  checkStyle(arguments);
+  const std::vector<IntermediateId> ids = parseEmit(arguments.emit);
+  const Pictures pictures(arguments, ids);
+  pictures.addLane(plan);
+  if (pictures.showsReference()) checkReferenceSamples(arguments.referenceSamples);
   Inspector inspector;
-  if (arguments.verbose) sayMemory(inspector, plan);
+  if (arguments.verbose) sayMemory(inspector, plan, ids);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
   makeFolder(arguments.folder);
 
   ordered_json files = ordered_json::array();
-  renderFrames(inspector, arguments, plan, range, progress, [&](const fs::path& path) {
+  renderFrames(inspector, arguments, plan, range, pictures, progress, [&](const fs::path& path) {
     files.push_back(path.string());
     if (!arguments.json) out << path.string() << '\n' << std::flush;
   });
   if (!arguments.json) return;
   ordered_json json = shotJson(inspector);
   json["frames"] = {range.first, range.last};
-  if (showsReference) json["referenceSamples"] = arguments.referenceSamples;
+  if (pictures.showsReference()) json["referenceSamples"] = arguments.referenceSamples;
+  if (pictures.compares()) json["compare"] = arguments.compare;
   for (int lane = 0; lane < inspector.laneCount(); ++lane)
     json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
   json["files"] = files;

@@ -1,4 +1,5 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
+#include "core/Comparison.h"
 #include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
@@ -79,7 +80,7 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
           ->capture_default_str();
   CLI::Option* lane =
       command
-          .add_option("--lane", shot.lanes, "A preset; repeat it to run up to four side by side, as A to D")
+          .add_option("--lane", shot.lanes, "A preset; repeat it to run up to five side by side, as A to E")
           ->allow_extra_args(false)
           ->excludes(preset);
   CLI::Option* session = command.add_option(
@@ -109,6 +110,19 @@ void addList(CLI::App& app, ListArguments& list) {
   command->callback([&list] { runList(list, std::cout); });
 }
 
+void addComparing(CLI::App& command, RenderArguments& render) {
+  command.add_option("--compare", render.compare,
+                     "Of png and gif: what each is compared with, " + std::string(taa::kComparisonHelp));
+  command.add_option("--compare-as", render.compareAs,
+                     "How both are shown: wipe, which it is without this, first, other or difference");
+  command
+      .add_option("--divider", render.divider, "Where a wipe goes over to the other side, share of the width")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--other-style", render.otherStyle, "As --style, of the other side; repeat it for more")
+      ->allow_extra_args(false);
+}
+
 void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("render", "Render frames and write their intermediates to files");
   addShotOptions(*command, render.shot);
@@ -129,11 +143,11 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
       ->capture_default_str();
   addReferenceSamples(*command, render.referenceSamples, "of references that are emitted, 4 to 1024");
   command
-      ->add_option(
-          "--style", render.style,
-          "How png and gif show values: low=, high=, exposure=, channels=, map= or marks=; repeat it "
-          "for more")
+      ->add_option("--style", render.style,
+                   "How png and gif show values: low=, high=, exposure=, channels=, map=, marks=, clipped=, "
+                   "rejected=, outlines= or arrows=; repeat it for more")
       ->allow_extra_args(false);
+  addComparing(*command, render);
   command->add_option("--fps", render.framesPerSecond, "Frames a second of a gif; else the scene's")
       ->check(CLI::Range(0.1, 1000.0));
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
@@ -195,7 +209,9 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
 
 void addGlsl(CLI::App& app, GlslArguments& glsl) {
   CLI::App* command = app.add_subcommand(
-      "glsl", "Write the resolve of some settings as one GLSL file that needs nothing else");
+      "glsl",
+      "Write the resolve of some settings, and what is shown of it, as one GLSL file that needs nothing "
+      "else; its head says how to use it");
   command->add_option("--preset", glsl.preset, "A preset (see list presets) or a .json file")
       ->capture_default_str();
   command->add_option("--set", glsl.assignments, "path=value (see list parameters); repeat it for more")

@@ -16,9 +16,9 @@ constexpr std::array<std::uint32_t, 10> kViridis = {0x440154, 0x482878, 0x3e4a89
 constexpr std::array<std::uint32_t, 10> kInferno = {0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60,
                                                     0xcf4446, 0xed6925, 0xfb9a06, 0xf7d03c, 0xfcffa4};
 
-// Eight colors whose lightness differs too: OKLab lightness, chroma, hue in degrees. Number 0 is a gray of
-// its own; neighbors in the list are far apart in lightness and in the blue-yellow direction, which all eyes
-// tell apart.
+// Ten colors whose lightness differs too: OKLab lightness, chroma, hue in degrees. Number 0 is a gray of its
+// own; neighbors in the list are far apart in lightness and in the blue-yellow direction, which all eyes tell
+// apart. The last two are those farthest from all others for eyes that lack one kind of cones.
 struct Lch {
   float lightness, chroma, hue;
 };
@@ -29,7 +29,9 @@ constexpr std::array<Lch, kCategoryCount> kCategories{{{0.34f, 0.0f, 0.0f},
                                                        {0.56f, 0.20f, 15.0f},
                                                        {0.81f, 0.09f, 225.0f},
                                                        {0.63f, 0.13f, 155.0f},
-                                                       {0.41f, 0.17f, 320.0f}}};
+                                                       {0.41f, 0.17f, 320.0f},
+                                                       {0.748f, 0.071f, 132.0f},
+                                                       {0.94f, 0.12f, 149.0f}}};
 
 glm::vec3 stop(std::uint32_t hex) {
   return glm::vec3(hex >> 16, (hex >> 8) & 255u, hex & 255u) / 255.0f;

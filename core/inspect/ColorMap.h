@@ -11,7 +11,7 @@ inline constexpr int kColorMapCount = 6;
 inline constexpr int kColorMapEntries = 257;
 /// Colors of ColorMap::Categorical, in the first entries of its row: the first for number 0, the others
 /// repeat.
-inline constexpr int kCategoryCount = 8;
+inline constexpr int kCategoryCount = 10;
 
 /// OKLab lightness of every color of ColorMap::Cyclic.
 inline constexpr float kCyclicLightness = 0.72f;

@@ -2,7 +2,6 @@
 
 #include "core/gl/Context.h"
 #include "core/gl/PassTimer.h"
-#include "core/inspect/StoredRows.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -42,10 +41,10 @@ void arrange(const Subject& subject, const std::vector<InputsHandle>& given, Sho
   }
 }
 
-void fitExposure(Exposure& exposure, const std::vector<IntermediateId>& ids, const gl::Rect& region) {
-  if (exposure.watched() == ids && exposure.region() == region) return;
+void fitExposure(Exposure& exposure, const ExposureLayout& layout, const gl::Rect& picture) {
+  if (exposure.region() == picture && exposure.layout().hasSamePlaces(layout)) return exposure.take(layout);
   exposure = Exposure(); // the old textures first: there may not be room for both
-  exposure = Exposure(ids, region);
+  exposure = Exposure(layout, picture);
 }
 
 /// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
@@ -93,6 +92,15 @@ bool startsHistory(const Subject& subject, int frame) {
 
 bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {
   return checkpoints.at(frame) && isAtHand(subject, checkpoints, frame);
+}
+
+std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget) {
+  const auto bytesOf = [&](const Settings& settings) {
+    return historyBytes(subject.width, subject.height, settings);
+  };
+  std::size_t frameOfAll = 0;
+  for (const Settings& settings : subject.lanes) frameOfAll += bytesOf(settings);
+  return budget / frameOfAll * bytesOf(subject.lanes[lane]);
 }
 
 int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
@@ -145,9 +153,7 @@ const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown,
 }
 
 std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) const {
-  const bool areStored =
-      std::ranges::all_of(watched, [&](IntermediateId id) { return isStored(id, settings); });
-  return areStored ? std::vector<IntermediateId>() : watched;
+  return ExposureLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
 }
 
 void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
@@ -165,7 +171,9 @@ void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame&
     lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
     lane.asked.reset();
     lane.isExposed = step.exposes && !exposedRows(subject.lanes[index]).empty();
-    if (lane.isExposed) fitExposure(lane.watched, watched, wholePicture(subject));
+    if (lane.isExposed)
+      fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])),
+                  wholePicture(subject));
     const std::shared_ptr<History> out = pool_.take();
     pass.resolve(inputs, lane.previous.get(), subject.lanes[index], *out,
                  lane.isExposed ? &lane.watched : nullptr);
@@ -201,7 +209,7 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
       next.lanes[lane].exact = true;
       step.previous[lane] = next.lanes[lane].current;
       checkpoints[lane].keep(step.frame, next.lanes[lane].current);
-      checkpoints[lane].trim(budget / lanes, step.frame, subject.scene->shot);
+      checkpoints[lane].trim(checkpointShare(subject, lane, budget), step.frame, subject.scene->shot);
     }
   }
   for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -209,46 +217,44 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
   return next;
 }
 
+// What the history holds is there at once; for all else the inputs are drawn.
+void FrameMaker::fill(const Subject& subject, ShownFrame& shown, std::size_t index, Exposure& exposure) {
+  const ShownLane& lane = shown.lanes[index];
+  if (!exposure.layout().needsInputs()) return exposure.readFrom(nullptr, *lane.current);
+  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, subject.lanes[index],
+              exposure);
+}
+
 Exposure FrameMaker::expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
                             int laneIndex) {
   const auto index = static_cast<std::size_t>(laneIndex);
-  const ShownLane& lane = shown.lanes[index];
-  const Settings& settings = subject.lanes[index];
-  if (std::ranges::all_of(ids, [&](IntermediateId id) { return isStored(id, settings); }))
-    return storedRows(*lane.current, ids);
-  Exposure exposure(ids, wholePicture(subject));
-  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, settings, exposure);
+  Exposure exposure(ExposureLayout(ids, rowSources(subject.lanes[index])), wholePicture(subject));
+  fill(subject, shown, index, exposure);
   return exposure;
 }
 
 const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, IntermediateId id,
                                     int laneIndex) {
-  const auto index = static_cast<std::size_t>(laneIndex);
-  ShownLane& lane = shown.lanes[index];
-  const Settings& settings = subject.lanes[index];
-  if (lane.isExposed && lane.watched.holds(id)) return lane.watched;
-  if (lane.asked && lane.asked->holds(id)) return *lane.asked;
-  const bool isWatched = std::ranges::find(watched, id) != watched.end();
-  if (!isWatched) return lane.asked.emplace(expose(subject, shown, {id}, laneIndex));
-  // What is stored is there at once; when others are watched too, they give it as well.
-  if (exposedRows(settings).empty()) return lane.asked.emplace(storedRows(*lane.current, watched));
-  lane.isExposed = false;
-  fitExposure(lane.watched, watched, wholePicture(subject));
-  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, settings, lane.watched);
-  lane.isExposed = true;
-  return lane.watched;
+  return exposedAll(subject, shown, {id}, laneIndex);
 }
 
+// What is watched is exposed together.
 const Exposure& FrameMaker::exposedAll(const Subject& subject, ShownFrame& shown,
                                        const std::vector<IntermediateId>& ids, int laneIndex) {
-  ShownLane& lane = shown.lanes[static_cast<std::size_t>(laneIndex)];
+  const auto index = static_cast<std::size_t>(laneIndex);
+  ShownLane& lane = shown.lanes[index];
+  const auto hasAll = [&](const Exposure& exposure) {
+    return std::ranges::all_of(ids, [&](IntermediateId id) { return exposure.holds(id); });
+  };
+  if (lane.isExposed && hasAll(lane.watched)) return lane.watched;
+  if (lane.asked && hasAll(*lane.asked)) return *lane.asked;
   const auto isWatched = [&](IntermediateId id) { return std::ranges::find(watched, id) != watched.end(); };
-  // What is watched is exposed together.
-  if (ids.size() == 1 || std::ranges::all_of(ids, isWatched))
-    return exposed(subject, shown, ids[0], laneIndex);
-  const bool isAtHand =
-      lane.asked && std::ranges::all_of(ids, [&](IntermediateId id) { return lane.asked->holds(id); });
-  return isAtHand ? *lane.asked : lane.asked.emplace(expose(subject, shown, ids, laneIndex));
+  if (!std::ranges::all_of(ids, isWatched)) return lane.asked.emplace(expose(subject, shown, ids, laneIndex));
+  lane.isExposed = false;
+  fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])), wholePicture(subject));
+  fill(subject, shown, index, lane.watched);
+  lane.isExposed = true;
+  return lane.watched;
 }
 
 } // namespace taa

@@ -76,7 +76,7 @@ class FrameMaker {
 
   /// A frame to make the next one in, with the textures of one that is not on show any more.
   ShownFrame take();
-  /// What a run of the resolve exposes: nothing when all that is watched is stored anyway.
+  /// What a run of the resolve exposes: nothing when no watched row has to be written.
   std::vector<IntermediateId> exposedRows(const Settings& settings) const;
   /// Gives back a frame that is not on show any more.
   void recycle(ShownFrame&& frame);
@@ -104,6 +104,7 @@ class FrameMaker {
   const FrameInputs& inputs(const Subject& subject, ShownFrame& shown, std::size_t lane);
 
  private:
+  void fill(const Subject& subject, ShownFrame& shown, std::size_t lane, Exposure& exposure);
   HistoryPool pool_;
   std::optional<ShownFrame> spare_;
 };
@@ -113,6 +114,9 @@ bool startsHistory(const Subject& subject, int frame);
 
 /// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.
 bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame);
+/// What of `budget` bytes the checkpoints of a lane may use: as many frames as those of every other lane,
+/// because going to a frame takes as long as in the lane that has kept the least.
+std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget);
 /// How many frames replay() resolves to reach `frame`.
 int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
 /// The frame nearest to `frame` for which that is one at most.

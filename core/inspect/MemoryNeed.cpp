@@ -1,5 +1,6 @@
 #include "core/inspect/MemoryNeed.h"
 
+#include "core/inspect/References.h"
 #include "core/render/SceneRenderer.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/TaaPass.h"
@@ -16,12 +17,30 @@ constexpr std::size_t kFrames = 2;          // on show, and being made
 constexpr std::size_t kHistoriesOfLane = 3; // resolved from, shown, resolved into
 constexpr std::size_t kFreeHistories = 4;   // at most, that the pool holds for later
 
+// See ReferenceRows::texture().
+std::size_t rowBytes(const Intermediate& row, const glm::ivec2& picturePx) {
+  return gl::textureBytes({picturePx.x, picturePx.y},
+                          row.channels == 3 ? gl::Format::RGBA32F : gl::Format::R32F);
+}
+
+std::string sizeText(const glm::ivec2& picturePx) {
+  return std::to_string(picturePx.x) + " × " + std::to_string(picturePx.y);
+}
+
 } // namespace
+
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx) {
+  FrameRequest request;
+  request.inputs = settings.inputs;
+  const InputSettings drawn = referenceRequest(request).inputs;
+  return inputBytes(drawn, picturePx) + scratchBytes(drawn, picturePx);
+}
 
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
                       const std::vector<IntermediateId>& watched) {
   MemoryNeed need;
-  std::size_t largestHistory = 0, scratch = 0;
+  std::size_t largestHistory = 0, scratch = 0, drawn = 0;
+  bool drawsReference = false;
   for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
     const Settings& settings = lanes[lane];
     const auto before = lanes.begin() + static_cast<std::ptrdiff_t>(lane);
@@ -32,8 +51,17 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     const std::size_t history = historyBytes(picturePx.x, picturePx.y, settings);
     largestHistory = std::max(largestHistory, history);
     need.histories += kHistoriesOfLane * history;
-    need.exposures += kFrames * exposureBytes(watched, {0, 0, picturePx.x, picturePx.y});
+    need.exposures += kFrames * exposureBytes(ExposureLayout(watched, rowSources(settings)),
+                                              {0, 0, picturePx.x, picturePx.y});
   }
+  for (const IntermediateId id : watched) {
+    if (!isOfReference(id)) continue;
+    need.reference += lanes.size() * rowBytes(intermediate(id), picturePx);
+    drawsReference = true;
+  }
+  for (std::size_t lane = 0; drawsReference && lane < lanes.size(); ++lane) // one after the other
+    drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx));
+  need.reference += drawn;
   need.inputs += scratch;
   need.histories += kFreeHistories * largestHistory;
   return need;
@@ -53,11 +81,17 @@ std::string bytesText(std::size_t bytes) {
 
 std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available) {
   if (need.total() <= available) return "";
-  return "cannot use a picture of " + std::to_string(picturePx.x) + " × " + std::to_string(picturePx.y) +
-         " pixels: it takes about " + bytesText(need.total()) + " of memory (inputs " +
-         bytesText(need.inputs) + ", histories " + bytesText(need.histories) + ", exposures " +
-         bytesText(need.exposures) + ") and " + bytesText(available) +
-         " are free; choose a smaller size, fewer lanes or fewer views";
+  const std::string reference = need.reference > 0 ? ", reference " + bytesText(need.reference) : "";
+  return "cannot use a picture of " + sizeText(picturePx) + " pixels: it takes about " +
+         bytesText(need.total()) + " of memory (inputs " + bytesText(need.inputs) + ", histories " +
+         bytesText(need.histories) + ", exposures " + bytesText(need.exposures) + reference + ") and " +
+         bytesText(available) + " are free; choose a smaller size, fewer lanes or fewer views";
+}
+
+std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std::size_t available) {
+  if (bytes <= available) return "";
+  return "cannot draw the reference of a picture of " + sizeText(picturePx) + " pixels: it takes about " +
+         bytesText(bytes) + " of memory and " + bytesText(available) + " are free; choose a smaller size";
 }
 
 } // namespace taa

@@ -17,16 +17,22 @@ struct MemoryNeed {
   std::size_t inputs = 0;    ///< of the frame on show and of the one that is made, and what drawing keeps
   std::size_t histories = 0; ///< that a frame is resolved from and into, and those used again
   std::size_t exposures = 0; ///< of what is watched, for both frames
-  std::size_t total() const { return inputs + histories + exposures; }
+  std::size_t reference = 0; ///< where rows of it are watched: drawing it, and those rows
+  std::size_t total() const { return inputs + histories + exposures + reference; }
 };
 
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
                       const std::vector<IntermediateId>& watched);
+
+/// Drawing the reference alone, bytes.
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx);
 
 /// "512 MiB", "2.4 GiB".
 std::string bytesText(std::size_t bytes);
 
 /// Why a picture cannot be had, as a sentence for the user; empty where it can. `available`: bytes there are.
 std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available);
+/// Why the reference of one cannot be drawn, in the same way.
+std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std::size_t available);
 
 } // namespace taa

@@ -1,6 +1,9 @@
 #include "core/inspect/Metrics.h"
 
+#include "core/inspect/ChangedShare.h"
+
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -32,11 +35,6 @@ double mean(const Image& row) {
   return std::accumulate(row.pixels.begin(), row.pixels.end(), 0.0) / static_cast<double>(row.pixels.size());
 }
 
-double percentAbove0(const Image& row) {
-  const auto count = std::ranges::count_if(row.pixels, [](float value) { return value > 0.0f; });
-  return 100.0 * static_cast<double>(count) / static_cast<double>(row.pixels.size());
-}
-
 } // namespace
 
 PictureError pictureError(const Image& picture, const Image& reference) {
@@ -58,7 +56,9 @@ std::optional<Figure> findFigure(std::string_view id) {
 
 double figureOf(Figure figure, const Image& row) {
   assert(!figureInfo(figure).row.empty() && row.channels == 1 && !row.empty());
-  return figure == Figure::Rejected || figure == Figure::Clipped ? percentAbove0(row) : mean(row);
+  if (figure != Figure::Rejected && figure != Figure::Clipped) return mean(row);
+  const std::array rows{ChangedRow{row, 0.0f}}; // 0: kept
+  return 100.0 * shareOfChanged(rows);
 }
 
 } // namespace taa

@@ -146,9 +146,10 @@ RowStory storyOf(IntermediateId id, const ProbedPixel& probed, int digits) {
     return story::inputStory(id, teller);
   case Stage::DilateMotion:
   case Stage::Reproject:
+    return story::sampleStory(id, teller);
   case Stage::SampleHistory:
   case Stage::FilterCurrent:
-    return story::sampleStory(id, teller);
+    return story::filterStory(id, teller);
   case Stage::Neighborhood:
     return story::boxStory(id, teller);
   case Stage::RectifyHistory:
@@ -158,11 +159,14 @@ RowStory storyOf(IntermediateId id, const ProbedPixel& probed, int digits) {
   case Stage::BlendWeight:
     return story::weightStory(id, teller);
   case Stage::Blend:
-  case Stage::Output:
     return story::blendStory(id, teller);
-  default:
-    return {};
+  case Stage::Output:
+  case Stage::Reference:
+    return story::outputStory(id, teller);
+  case Stage::Jitter: // it gives no row
+    break;
   }
+  return {};
 }
 
 } // namespace taa

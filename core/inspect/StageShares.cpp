@@ -1,6 +1,7 @@
 #include "core/inspect/StageShares.h"
 
-#include <algorithm>
+#include "core/inspect/ChangedShare.h"
+
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -38,22 +39,16 @@ const std::vector<IntermediateId>& shareRows() {
 
 std::vector<StageShare> sharesOf(const std::vector<Image>& rows) {
   assert(rows.size() == kRows.size());
-  const std::size_t pixels = static_cast<std::size_t>(rows[0].width) * rows[0].height;
   std::vector<StageShare> shares;
-  std::vector<bool> touched;
+  std::vector<ChangedRow> ofStage;
   for (std::size_t index = 0; index < rows.size(); ++index) {
     const Stage stage = stageOf(kRows[index]);
     if (shares.empty() || shares.back().stage != stage) {
       shares.push_back({stage, 0.0});
-      touched.assign(pixels, false);
+      ofStage.clear();
     }
-    const Image& row = rows[index];
-    const auto channels = static_cast<std::size_t>(row.channels);
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-      for (std::size_t channel = 0; channel < channels; ++channel)
-        if (row.pixels[pixel * channels + channel] != kRows[index].untouched) touched[pixel] = true;
-    shares.back().share =
-        static_cast<double>(std::ranges::count(touched, true)) / static_cast<double>(pixels);
+    ofStage.push_back({rows[index], kRows[index].untouched});
+    shares.back().share = shareOfChanged(ofStage);
   }
   return shares;
 }

@@ -1,19 +1,28 @@
-// Stories of stages 9 and 10: the mix, and what is shown of it.
+// Stories of stage 9: the mix.
 #include "core/inspect/StoryText.h"
 
 #include "core/taa/reference/Color.h"
 
+#include <array>
+#include <cstddef>
+
 namespace taa::story {
 
 namespace {
+
+/// A pixel and its diagonals among the nine samples, which a blurred restart is the mean of.
+constexpr std::array<std::size_t, 5> kDiagonals{4, 0, 2, 6, 8};
 
 RowStory toneStory(Id id, const Teller& t) {
   const ToneWeight tone = t.settings().blend.tone;
   if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return {"not asked for", "", ""};
   const bool isCurrent = id == Id::toneWeightCurrent;
   const bool isBlurred = t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f;
-  if (isCurrent && isBlurred) return {"of the blurred color that history starts with", "", ""};
   glm::vec3 color = t.color(isCurrent ? Id::currentFiltered : Id::historyRectified);
+  if (isCurrent && isBlurred) {
+    color = glm::vec3(0.0f);
+    for (const std::size_t k : kDiagonals) color += t.details().filterSamples[k] / 5.0f;
+  }
   if (tone == ToneWeight::LumaAsPrinted) color = reference::compress(color, ToneSpace::MaxChannel);
   return {"bright colors count less",
           t.equals("1 / (1 + " + t.number(static_cast<double>(reference::luma(color))) + ")", id), ""};
@@ -45,7 +54,10 @@ RowStory lengthStory(const Teller& t) {
     return {"as many as α stands for",
             t.equals(call("max", {t.number(Id::sampleConfidence) + " / " + a, "1"}), Id::historyLength), ""};
   case LengthRule::Confidence:
-    return {"ten more where it stands still, else 1", "", ""};
+    return {"ten more where it stands still, else 1",
+            t.equals(t.value(Id::historyLength) > t.value(Id::historyKeptLength) ? n + " + 10" : "1",
+                     Id::historyLength),
+            ""};
   case LengthRule::Variance:
     return {"frames that would be as calm when averaged",
             t.equals("1 / (" + a + "^2 + (1 − " + a + ")^2 / " + n + ")", Id::historyLength), ""};
@@ -54,6 +66,47 @@ RowStory lengthStory(const Teller& t) {
             t.equals(a + "^2 + (1 − " + a + ")^2 / " + n, Id::historyLength), ""};
   }
   return {};
+}
+
+/// The mean of the pixel and its diagonals.
+RowStory restartStory(const Teller& t, const std::string& stored) {
+  std::string sum;
+  for (const std::size_t k : kDiagonals)
+    sum += (sum.empty() ? "" : " + ") + t.number(t.details().filterSamples[k].x);
+  return {"history starts with the mean of the pixel and its diagonals" + stored,
+          "(" + sum + ") / 5 = " + t.number(t.color(Id::resolved).x), "R"};
+}
+
+/// Mixed with bounded highlights. A share of its own in each channel is not told.
+RowStory boundedStory(const Teller& t, const std::string& words) {
+  const ToneSpace space = t.settings().blend.tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel
+                                                                                 : ToneSpace::MaxChannel;
+  const auto red = [&](Id id) { return t.number(reference::compress(t.color(id), space).x); };
+  const std::string past = red(Id::historyRectified);
+  const bool isPerChannel = t.settings().weight.source == AlphaSource::ContrastPerChannel;
+  const std::string share = isPerChannel ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
+  // With the largest channel bounding all, a share in each would move the bound itself.
+  const bool isShort = !isPerChannel || space == ToneSpace::ReinhardChannel;
+  return {words + ", mixed with bounded highlights",
+          isShort ? past + " + " + share + " × (" + red(Id::currentFiltered) + " − " + past +
+                        ") = " + red(Id::resolved)
+                  : "",
+          isShort ? kBoundedRed : ""};
+}
+
+/// Mixed in each channel by its own α.
+RowStory channelsStory(const Teller& t, const std::string& stored) {
+  const ToneWeight tone = t.settings().blend.tone;
+  std::string share = t.tuple(Id::alphaChannels);
+  if (tone == ToneWeight::Luma || tone == ToneWeight::LumaAsPrinted) {
+    const std::string current = share + " × " + t.number(Id::toneWeightCurrent);
+    share = current + " / (" + current + " + (1 − " + share + ") × " + t.number(Id::toneWeightHistory) + ")";
+  }
+  const std::string history = t.tuple(Id::historyRectified);
+  return {"mixed in each channel by its own α" + stored,
+          t.equals(history + " + " + share + " × (" + t.tuple(Id::currentFiltered) + " − " + history + ")",
+                   Id::resolved),
+          ""};
 }
 
 RowStory resolvedStory(const Teller& t) {
@@ -65,38 +118,17 @@ RowStory resolvedStory(const Teller& t) {
                                                                : "";
   const std::string words = t.percent(static_cast<double>(factor)) + " current, the rest history" + stored;
   const bool isBlurred = t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f;
-  if (isBlurred) return {"history starts with the mean of the pixel and its diagonals", "", ""};
+  if (isBlurred) return restartStory(t, stored);
   if (factor >= 1.0f)
     return {"the current frame alone" + stored, t.equals(t.tuple(Id::currentFiltered), Id::resolved), ""};
-  if (tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel)
-    return {words + ", mixed with bounded highlights", "", ""};
-  if (t.settings().weight.source == AlphaSource::ContrastPerChannel)
-    return {"mixed in each channel by its own α", "", ""};
+  if (tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel) return boundedStory(t, words);
+  if (t.settings().weight.source == AlphaSource::ContrastPerChannel) return channelsStory(t, stored);
   const std::string history = t.tuple(Id::historyRectified);
   return {words,
           t.equals(history + " + " + t.number(Id::blendFactor) + " × (" + t.tuple(Id::currentFiltered) +
                        " − " + history + ")",
                    Id::resolved),
           ""};
-}
-
-RowStory outputStory(Id id, const Teller& t) {
-  const OutputSettings& output = t.settings().output;
-  if (id == Id::sharpenDetail)
-    return {output.sharpen == Sharpen::None ? "not asked for"
-            : t.value(id) >= 0              ? "made brighter"
-                                            : "made darker",
-            "", ""};
-  if (id == Id::blurTrust) {
-    if (!isOn(output.motionBlur)) return {"not asked for", "", ""};
-    if (t.value(Id::speed) >= kNoPreviousPosition) return {"the motion is not known", "", ""};
-    return {"fast surfaces are blurred along their motion",
-            t.equals("1 − clamp((" + t.number(Id::speed) + " − 2) / 13, 0, 1)", id), ""};
-  }
-  const bool isSame =
-      output.sharpen == Sharpen::None && !isOn(output.motionBlur) && t.value(Id::overlayAlpha) == 0.0f;
-  if (isSame) return {"the resolved color as it is", t.equals(t.tuple(Id::resolved), id), ""};
-  return {"the resolved color with what was done to it", "", ""};
 }
 
 } // namespace
@@ -110,10 +142,8 @@ RowStory blendStory(Id id, const Teller& t) {
     return factorStory(t);
   case Id::historyLength:
     return lengthStory(t);
-  case Id::resolved:
-    return resolvedStory(t);
   default:
-    return outputStory(id, t);
+    return resolvedStory(t);
   }
 }
 

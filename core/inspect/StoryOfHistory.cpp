@@ -15,6 +15,8 @@ namespace {
 /// What rectification moves, in box space.
 struct Clip {
   glm::vec3 h{0.0f}, current{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
+  glm::vec3 mean{0.0f};      ///< of the samples, within the box
+  glm::vec3 moved{0.0f};     ///< where h went
   reference::Clipped result; ///< before strength and locks
 };
 
@@ -25,12 +27,14 @@ Clip clipOf(const Teller& t) {
   clip.low = t.details().neighborhood.boxMin;
   clip.high = t.details().neighborhood.boxMax;
   clip.center = 0.5f * (clip.low + clip.high);
+  clip.mean = glm::clamp(t.details().neighborhood.mean, clip.low, clip.high);
   Settings plain = t.settings();
   plain.rectify.relaxAtRest = plain.rectify.locks = plain.rectify.instability = Switch::Off;
   reference::Inputs inputs;
   inputs.historyColor = Image(1, 1, 4); // there is a history
   clip.result = reference::rectifyHistory(inputs, plain, t.color(Id::historyRaw),
                                           t.color(Id::currentFiltered), t.details().neighborhood);
+  clip.moved = t.box(clip.result.value);
   return clip;
 }
 
@@ -61,6 +65,15 @@ bool isMoved(const Teller& t) {
   return t.settings().rectify.method != RectifyMethod::None && !t.details().isFirst;
 }
 
+/// How far the result is on the way from h to `target`, by the channel that goes farthest.
+float alongTo(const Clip& clip, const glm::vec3& target) {
+  const glm::vec3 way = target - clip.h;
+  int most = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::fabs(way[i]) > std::fabs(way[most])) most = i;
+  return way[most] == 0.0f ? 0.0f : (clip.moved[most] - clip.h[most]) / way[most];
+}
+
 /// The way into the box as an expression of box space; empty where it has no short one.
 std::string wayText(const Teller& t, const Clip& clip) {
   const std::string h = t.tuple(clip.h);
@@ -76,9 +89,25 @@ std::string wayText(const Teller& t, const Clip& clip) {
            ")";
   case RectifyMethod::ClipToHull:
     return h + " + " + amount + " × (" + t.tuple(clip.current) + " − " + h + ")";
-  default:
-    return "";
+  case RectifyMethod::RayToCurrent: // farther than to the current color, where that lies outside as well
+    return h + " + " + t.number(alongTo(clip, clip.current)) + " × (" + t.tuple(clip.current) + " − " + h +
+           ")";
+  case RectifyMethod::ShrinkAxes: {
+    const std::string mean = t.tuple(clip.mean);
+    return mean + " + (1 − " + t.number(alongTo(clip, clip.mean)) + ") × (" + h + " − " + mean + ")";
   }
+  case RectifyMethod::ClampThenClip: {
+    const reference::Neighborhood& hood = t.details().neighborhood;
+    const glm::vec3 first = glm::clamp(clip.h, hood.min, hood.max);
+    const float second =
+        reference::clip(RectifyMethod::ClipToCenter, first, first, clip.low, clip.high).amount;
+    const std::string from = call("clamp", {h, t.tuple(hood.min), t.tuple(hood.max)});
+    return from + " + " + t.number(second) + " × (" + t.tuple(clip.center) + " − " + from + ")";
+  }
+  case RectifyMethod::None:
+    break;
+  }
+  return "";
 }
 
 /// What of the correction is applied, in words; empty: all of it.
@@ -86,8 +115,8 @@ std::string partWords(const Teller& t) {
   std::string words;
   if (isOn(t.settings().rectify.relaxAtRest))
     words += ", of which " + t.percent(static_cast<double>(t.value(Id::rectifyStrength))) + " are applied";
-  if (t.details().held > 0.0f)
-    words += ", and " + t.percent(static_cast<double>(t.details().held)) + " of that are taken back";
+  if (t.details().held.share > 0.0f)
+    words += ", and " + t.percent(static_cast<double>(t.details().held.share)) + " of that are taken back";
   return words;
 }
 
@@ -100,10 +129,10 @@ RowStory rectifiedStory(const Teller& t) {
   const float amount = t.value(Id::clipAmount);
   const std::string words =
       "pulled " + t.percent(static_cast<double>(amount)) + " of the way into the box" + partWords(t);
-  if (isOn(rectify.relaxAtRest) || t.details().held > 0.0f) {
+  if (isOn(rectify.relaxAtRest) || t.details().held.share > 0.0f) {
     const std::string raw = t.tuple(Id::historyRaw);
     const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
-                              t.number(static_cast<double>(t.details().held)) + ")";
+                              t.number(static_cast<double>(t.details().held.share)) + ")";
     return {words,
             t.equals(raw + " + " + share + " × (" + t.tuple(clip.result.value) + " − " + raw + ")",
                      Id::historyRectified),
@@ -111,7 +140,13 @@ RowStory rectifiedStory(const Teller& t) {
   }
   const std::string way = wayText(t, clip);
   if (way.empty()) return {words, "", ""};
-  return {words, way + " = " + t.tuple(t.box(clip.result.value)), "in box space"};
+  return {words, way + " = " + t.tuple(clip.moved), "in box space"};
+}
+
+/// The way of h against that to `target`.
+std::string partText(const Teller& t, const Clip& clip, const glm::vec3& target) {
+  return call("length", {t.tuple(clip.moved) + " − " + t.tuple(clip.h)}) + " / " +
+         call("length", {t.tuple(target) + " − " + t.tuple(clip.h)});
 }
 
 /// How far h goes, before what is taken back.
@@ -139,9 +174,17 @@ std::string amountText(const Teller& t, const Clip& clip) {
     return "1 − " + n(0.5f * (clip.high[channel] - clip.low[channel]) + 1e-8f) + " / |" + n(clip.h[channel]) +
            " − " + n(clip.center[channel]) + "|";
   }
-  default:
-    return "";
+  case RectifyMethod::ClampThenClip:
+    return partText(t, clip, clip.center);
+  case RectifyMethod::ShrinkAxes:
+    return partText(t, clip, clip.mean);
+  case RectifyMethod::ClipToHull:
+  case RectifyMethod::RayToCurrent:
+    return call("min", {partText(t, clip, clip.current), "1"});
+  case RectifyMethod::None:
+    break;
   }
+  return "";
 }
 
 RowStory clipStory(const Teller& t) {
@@ -155,8 +198,8 @@ RowStory clipStory(const Teller& t) {
           parameter("rectify.method").choices[static_cast<std::size_t>(t.settings().rectify.method)].label);
   if (text.empty()) return {words, "", ""};
   if (isOn(t.settings().rectify.relaxAtRest)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
-  if (t.details().held > 0.0f)
-    text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().held)) + ")";
+  if (t.details().held.share > 0.0f)
+    text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().held.share)) + ")";
   return {words, t.equals(text, Id::clipAmount), ""};
 }
 
@@ -177,7 +220,7 @@ RowStory keptLengthStory(const Teller& t) {
   if (before == kept)
     return {"as long as before", t.equals(t.number(Id::historyRawLength), Id::historyKeptLength), ""};
   const std::string forgotten = call("min", {t.number(Id::historyRawLength), t.number(1.6216216)});
-  const std::string held = t.number(static_cast<double>(t.details().held));
+  const std::string held = t.number(static_cast<double>(t.details().held.share));
   return {
       "clamped history forgets",
       t.equals(forgotten + " + " + held + " × (" + t.number(Id::historyRawLength) + " − " + forgotten + ")",
@@ -239,14 +282,42 @@ RowStory reasonStory(const Teller& t) {
   return {words, "", ""};
 }
 
-std::string offWords(Switch value, const std::string& words) {
-  return isOn(value) ? words : "not asked for";
+RowStory normalStory(const Teller& t) {
+  if (!isOn(t.settings().validate.normal)) return {"not asked for", "", ""};
+  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+  const glm::vec3 now = t.details().geometry.normal, then = t.details().match.normal;
+  if (now == then && now == glm::vec3(0.0f)) return {"the sky, as before", "", ""};
+  if (then == glm::vec3(0.0f) && t.value(Id::normalAgreement) == 1.0f)
+    return {"history keeps no normals yet", "", ""};
+  const double cosine = std::fmax(-1.0, std::fmin(1.0, static_cast<double>(t.value(Id::normalAgreement))));
+  std::string dot;
+  for (int i = 0; i < 3; ++i) dot += (i == 0 ? "" : " + ") + t.number(now[i]) + " × " + t.number(then[i]);
+  return {"the surface turned by " + t.number(std::acos(cosine) * 57.29577951) + " degrees",
+          t.equals(dot, Id::normalAgreement), ""};
+}
+
+RowStory velocityStory(const Teller& t) {
+  const VelocityTest test = t.settings().validate.velocity;
+  if (test == VelocityTest::None && !isOn(t.settings().weight.velocityChange))
+    return {"not asked for", "", ""};
+  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+  const glm::vec2 now = t.details().geometry.motion, then = t.details().match.motion;
+  if (now.x >= kNoPreviousPosition || then.x >= kNoPreviousPosition)
+    return {"there is no motion to compare", "", ""};
+  if (t.value(Id::velocityChange) == 0.0f && then == glm::vec2(0.0f) && now != then)
+    return {"history keeps no motion yet", "", ""};
+  const std::string words = t.value(Id::velocityChange) == 0.0f ? "its motion is the same as a frame ago"
+                                                                : "its motion is another than a frame ago";
+  const std::string text =
+      test == VelocityTest::Length
+          ? "|" + call("length", {t.tuple(now)}) + " − " + call("length", {t.tuple(then)}) + "|"
+          : call("length", {t.tuple(now) + " − " + t.tuple(then)});
+  return {words, t.equals(text, Id::velocityChange), ""};
 }
 
 } // namespace
 
 RowStory rectifyStory(Id id, const Teller& t) {
-  const RectifySettings& rectify = t.settings().rectify;
   switch (id) {
   case Id::historyRectified:
     return rectifiedStory(t);
@@ -255,18 +326,9 @@ RowStory rectifyStory(Id id, const Teller& t) {
   case Id::rectifyStrength:
     return strengthStory(t);
   case Id::lock:
-    return {offWords(rectify.locks,
-                     t.value(id) > 0 ? "a thin feature keeps its history" : "no lock holds history"),
-            "", ""};
   case Id::lockLife:
-    return {offWords(rectify.locks, t.value(id) >= 2   ? "locked in this frame"
-                                    : t.value(id) >= 1 ? "locked in an earlier frame"
-                                                       : "no lock, or one that has run out"),
-            "", ""};
   case Id::instability:
-    return {offWords(rectify.instability,
-                     t.value(id) > 0 ? "luma comes and goes: history is kept" : "luma does not come and go"),
-            "", ""};
+    return lockStory(id, t);
   default:
     return keptLengthStory(t);
   }
@@ -292,14 +354,9 @@ RowStory validateStory(Id id, const Teller& t) {
                                                    : "another object than now",
             "", ""};
   case Id::normalAgreement:
-    return {offWords(t.settings().validate.normal,
-                     "the surface turned by " +
-                         t.number(std::acos(std::fmin(1.0, static_cast<double>(t.value(id)))) * 57.29577951) +
-                         " degrees"),
-            "", ""};
+    return normalStory(t);
   case Id::velocityChange:
-    return {t.value(id) == 0.0f ? "no change, or not asked for" : "its motion is another than a frame ago",
-            "", ""};
+    return velocityStory(t);
   default:
     return reasonStory(t);
   }

@@ -1,7 +1,6 @@
-// Stories of stages 1 to 5: whose motion, where from, what history and this frame hold, and the box.
+// Stories of stages 1, 2 and 5: whose motion, where from, and the box.
 #include "core/inspect/StoryText.h"
 
-#include "core/settings/Parameters.h"
 #include "core/taa/reference/Color.h"
 
 #include <array>
@@ -11,11 +10,6 @@
 namespace taa::story {
 
 namespace {
-
-std::string choiceLabel(std::string_view path, const Settings& settings) {
-  const Parameter& row = parameter(path);
-  return std::string(row.choices[static_cast<std::size_t>(row.get(settings))].label);
-}
 
 RowStory dilateStory(Id id, const Teller& t) {
   const glm::vec2 offset = t.pair(Id::dilatedOffset);
@@ -28,7 +22,10 @@ RowStory dilateStory(Id id, const Teller& t) {
   const std::string whose = isOwn ? "of the pixel itself" : "of the neighbor at " + t.tuple(offset);
   if (id == Id::dilatedMotion && t.value(id) >= kNoPreviousPosition)
     return {"the surface was behind the previous camera", "", ""};
-  return {(id == Id::dilatedDepth ? "depth " : "motion ") + whose, "", ""};
+  if (id == Id::dilatedDepth) return {"depth " + whose, "", ""};
+  if (!isUpsampled(t.settings())) return {"motion " + whose, "", ""};
+  return {"motion " + whose + ", in px of the picture",
+          t.equals(t.tuple(t.details().drawnMotion) + " / " + t.tuple(t.details().renderRatio), id), ""};
 }
 
 RowStory reprojectStory(Id id, const Teller& t) {
@@ -45,74 +42,6 @@ RowStory reprojectStory(Id id, const Teller& t) {
             "", ""};
   }
   return {"length of the motion", t.equals(call("length", {t.tuple(motion)}), id), ""};
-}
-
-RowStory historyStory(Id id, const Teller& t) {
-  if (t.details().isFirst) return {"there is no history yet", "", ""};
-  if (id == Id::depthEdge)
-    return {!isOn(t.settings().history.bilinearAtEdges) ? "not asked for"
-            : t.value(id) != 0.0f                       ? "an edge in depth: read by one bilinear tap"
-                                                        : "no edge in depth: the filter is used",
-            "", ""};
-  const glm::vec2 at = t.details().readPosition;
-  if (id == Id::historyRawLength)
-    return {"as many frames' worth of samples were stored around " + t.tuple(at), "", ""};
-  const glm::vec2 fraction = (at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f));
-  return {choiceLabel("history.filter", t.settings()) + " at " + t.tuple(at) + ", " + t.tuple(fraction) +
-              " of a texel from the one before",
-          "", ""};
-}
-
-/// Weights of the nine samples as they count, luma weighting put in.
-std::vector<float> filterWeights(const Teller& t) {
-  std::vector<float> weights;
-  for (std::size_t k = 0; k < 9; ++k) {
-    const float weight = t.details().filterWeights[k];
-    const bool byLuma = isOn(t.settings().current.lumaWeighted);
-    weights.push_back(byLuma ? weight / (1.0f + reference::luma(t.details().filterSamples[k])) : weight);
-  }
-  return weights;
-}
-
-std::string weightedMean(const Teller& t, const std::vector<float>& weights,
-                         const std::vector<float>& values) {
-  std::string sum, total;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    if (weights[k] == 0.0f) continue;
-    const std::string weight = t.number(static_cast<double>(weights[k]));
-    sum += (sum.empty() ? "" : " + ") + weight + " × " + t.number(static_cast<double>(values[k]));
-    total += (total.empty() ? "" : " + ") + weight;
-  }
-  return "(" + sum + ") / (" + total + ")";
-}
-
-RowStory currentStory(const Teller& t) {
-  const CurrentSettings& current = t.settings().current;
-  if (isUpsampled(t.settings()))
-    return {choiceLabel("current.upsample", t.settings()) + " over the samples around, drawn smaller", "",
-            ""};
-  const std::string filter = choiceLabel("current.filter", t.settings());
-  if (current.sharpen != CurrentSharpen::None)
-    return {filter + ", then sharpened by the four around", "", ""};
-  const bool isSingle = current.filter == CurrentFilter::Center;
-  if (isSingle)
-    return {"the sample as it is", t.equals(t.tuple(t.details().filterSamples[4]), Id::currentFiltered), ""};
-  if (current.filter == CurrentFilter::Unjitter) return {"read where the pixel's center landed", "", ""};
-  std::vector<float> reds;
-  for (const glm::vec3& sample : t.details().filterSamples) reds.push_back(sample.x);
-  std::string mean = weightedMean(t, filterWeights(t), reds);
-  if (isOn(current.dering)) {
-    float low = reds[4], high = reds[4];
-    for (const float red : reds) low = std::fmin(low, red), high = std::fmax(high, red);
-    const bool rings = current.filter == CurrentFilter::Mitchell ||
-                       current.filter == CurrentFilter::CatmullRom ||
-                       current.filter == CurrentFilter::Lanczos;
-    if (rings)
-      mean = call("clamp", {mean, t.number(static_cast<double>(low)), t.number(static_cast<double>(high))});
-  }
-  return {filter + " over the nine samples",
-          call("max", {mean, "0"}) + " = " + t.number(static_cast<double>(t.color(Id::currentFiltered).x)),
-          "R"};
 }
 
 /// The samples a shape takes, as numbers of the 3×3.
@@ -263,19 +192,7 @@ RowStory wallStory(Id id, const Teller& t) {
 } // namespace
 
 RowStory sampleStory(Id id, const Teller& t) {
-  switch (intermediate(id).stage) {
-  case Stage::DilateMotion:
-    return dilateStory(id, t);
-  case Stage::Reproject:
-    return reprojectStory(id, t);
-  case Stage::SampleHistory:
-    return historyStory(id, t);
-  default:
-    break;
-  }
-  if (id == Id::currentFiltered) return currentStory(t);
-  return {isUpsampled(t.settings()) ? "how near the samples lie to the pixel's center" : "drawn at full size",
-          "", ""};
+  return intermediate(id).stage == Stage::DilateMotion ? dilateStory(id, t) : reprojectStory(id, t);
 }
 
 RowStory boxStory(Id id, const Teller& t) {

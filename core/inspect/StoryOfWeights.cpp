@@ -225,18 +225,72 @@ RowStory maskStory(const Teller& t) {
   return {};
 }
 
+RowStory divergenceStory(const Teller& t) {
+  if (!isOn(t.settings().weight.divergence)) return {"not asked for", "", ""};
+  if (t.value(Id::alphaDivergence) == 0.0f) return {"neighbors move along, or the pixel rests", "", ""};
+  const reference::Divergence& d = t.details().divergence;
+  return {"a neighbor goes only " + t.percent(static_cast<double>(d.least)) + " along",
+          t.equals("clamp(1 − " + t.number(d.least) + ", 0, 1) × clamp(√(" + t.number(d.fastest) + ") / " +
+                       t.number(t.settings().weight.divergenceSpeed) + ", 0, 1)",
+                   Id::alphaDivergence),
+          ""};
+}
+
+RowStory invalidStory(const Teller& t) {
+  const float invalid = t.value(Id::alphaInvalid);
+  if (invalid == 0.0f) return {"history was kept", "", ""};
+  const std::string words = invalid < 1.0f ? "history counts less" : "history was dropped";
+  const ValidateSettings& validate = t.settings().validate;
+  const auto reason = static_cast<reference::RejectReason>(static_cast<int>(t.value(Id::rejectReason)));
+  const bool isSoft = validate.action == RejectAction::RaiseAlpha && reason >= reference::RejectReason::Depth;
+  const std::string whole = isSoft ? t.number(validate.softAlpha) : "1";
+  const std::string text = reason == reference::RejectReason::Velocity
+                               ? "clamp((" + t.number(Id::velocityChange) + " − " +
+                                     t.number(validate.velocityLimit) + ") × " +
+                                     t.number(validate.velocityGain) + ", 0, 1) × " + whole
+                               : whole;
+  return {words, t.equals(text, Id::alphaInvalid), ""};
+}
+
+std::string alphaText(const Teller& t, bool withBase) {
+  const bool isScaled = isOn(t.settings().weight.frameRate) && frames(t) != 1.0;
+  std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, withBase);
+  if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
+  if (t.value(Id::alphaMask) > 0 || t.value(Id::alphaInvalid) > 0)
+    text = call("max", {text, t.number(Id::alphaMask), t.number(Id::alphaInvalid)});
+  return text;
+}
+
+/// Red with a base of its own: the same terms, but those that look at α itself.
+RowStory channelsStory(const Teller& t) {
+  const WeightSettings& weight = t.settings().weight;
+  if (weight.source != AlphaSource::ContrastPerChannel) return {"α in each, " + t.number(Id::alpha), "", ""};
+  if (t.value(Id::alphaInvalid) >= 1.0f) return {"history was rejected: the current frame alone", "", ""};
+  const float contrast = t.details().seen.contrast.x;
+  reference::PixelRecord record = t.probed.record;
+  const auto set = [&](Id id, float value) { reference::at(record, id).x = value; };
+  set(Id::alphaBase, 1.0f - (0.25f + 0.6f * reference::saturated(contrast)));
+  set(Id::alphaFloor, std::fmin(reference::at(record, Id::alphaBase).x, weight.minimum));
+  const ProbedPixel red{record, t.details(), t.settings(), t.probed.info, t.probed.pixel};
+  const Teller teller{red, t.digits};
+  if (weight.motion == MotionAlpha::Doubled) {
+    const float alpha = calmed(teller);
+    set(Id::alphaMotion, reference::saturated(t.value(Id::speed) / weight.motionSpeed) *
+                             (std::fmin(2.0f * alpha, 1.0f) - alpha));
+  }
+  const std::string words = "of each channel's own contrast, red's is " + t.number(contrast) + ": base " +
+                            teller.number(Id::alphaBase);
+  if (isOn(weight.frameRate) && frames(t) != 1.0) return {words, "", ""};
+  return {words, alphaText(teller, false) + " = " + t.number(t.color(Id::alphaChannels).x), "R"};
+}
+
 RowStory alphaStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
   if (invalid >= 1.0f) return {"history was rejected: the current frame alone", t.equals("1", Id::alpha), ""};
   std::string words = t.percent(static_cast<double>(t.value(Id::alpha))) + " current, by " + sourceLabel(t);
   if (t.value(Id::alphaMotion) > 0) words += "; raised by motion of " + t.number(Id::speed) + " px";
   if (invalid > 0) words += "; raised where history was rejected";
-  const bool isScaled = isOn(t.settings().weight.frameRate) && frames(t) != 1.0;
-  std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, true);
-  if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
-  if (t.value(Id::alphaMask) > 0 || invalid > 0)
-    text = call("max", {text, t.number(Id::alphaMask), t.number(Id::alphaInvalid)});
-  return {words, t.equals(text, Id::alpha), ""};
+  return {words, t.equals(alphaText(t, true), Id::alpha), ""};
 }
 
 RowStory changeStory(const Teller& t) {
@@ -273,23 +327,17 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alphaVelocityChange:
     return changeStory(t);
   case Id::alphaDivergence:
-    return {isOn(t.settings().weight.divergence) ? "neighbors move apart by that much" : "not asked for", "",
-            ""};
+    return divergenceStory(t);
   case Id::alphaFrameRate:
     return frameRateStory(t);
   case Id::alphaMask:
     return maskStory(t);
   case Id::alphaInvalid:
-    return {t.value(id) == 0.0f  ? "history was kept"
-            : t.value(id) < 1.0f ? "history counts less"
-                                 : "history was dropped",
-            "", ""};
+    return invalidStory(t);
   case Id::alpha:
     return alphaStory(t);
-  default: {
-    const bool isOwn = t.settings().weight.source == AlphaSource::ContrastPerChannel;
-    return {isOwn ? "of each channel's own contrast" : "α in each", "", ""};
-  }
+  default:
+    return channelsStory(t);
   }
 }
 

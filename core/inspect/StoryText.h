@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace taa::story {
 
@@ -30,7 +31,9 @@ struct Teller {
   std::string tuple(const glm::vec2& v) const;
   std::string tuple(const glm::vec3& v) const;
   std::string tuple(Id id) const { return tuple(color(id)); }
+  std::string number(float x) const { return number(static_cast<double>(x)); }
   std::string percent(double share) const;
+  std::string percent(Id id) const { return percent(static_cast<double>(value(id))); }
   /// "expression = value"
   std::string equals(const std::string& expression, Id id) const;
 
@@ -43,15 +46,25 @@ struct Teller {
 /// "max(a, b)"
 std::string call(const std::string& function, std::initializer_list<std::string> arguments);
 std::string call(const std::string& function, std::span<const std::string> arguments);
+/// "(a × b + c × d) / (a + c)", without those that weigh nothing; "a × b + c × d" where they are not divided.
+std::string weightedMean(const Teller& teller, std::span<const float> weights, std::span<const float> values,
+                         bool isDivided = true);
+/// Label of the choice that the settings have.
+std::string choiceLabel(std::string_view path, const Settings& settings);
+/// Of the color divided by one more than its channel, or than its largest channel.
+inline constexpr const char* kBoundedRed = "R, its highlights bounded";
 bool isOn(Switch value);
 
 // By stages; each tells nothing of rows of others.
 RowStory inputStory(Id id, const Teller& teller);
-RowStory sampleStory(Id id, const Teller& teller); ///< dilate to filter current
+RowStory sampleStory(Id id, const Teller& teller); ///< dilate and reproject
+RowStory filterStory(Id id, const Teller& teller); ///< sample history and filter current
 RowStory boxStory(Id id, const Teller& teller);    ///< neighborhood
 RowStory rectifyStory(Id id, const Teller& teller);
+RowStory lockStory(Id id, const Teller& teller); ///< what of rectification is taken back
 RowStory validateStory(Id id, const Teller& teller);
 RowStory weightStory(Id id, const Teller& teller);
-RowStory blendStory(Id id, const Teller& teller); ///< blend and output
+RowStory blendStory(Id id, const Teller& teller);
+RowStory outputStory(Id id, const Teller& teller); ///< output and reference
 
 } // namespace taa::story

@@ -26,6 +26,16 @@ struct ChannelKey {
 constexpr ChannelKey kChannels[] = {
     {'r', &ViewStyle::red}, {'g', &ViewStyle::green}, {'b', &ViewStyle::blue}};
 
+struct SwitchKey {
+  std::string_view key;
+  bool ViewStyle::*field;
+};
+constexpr SwitchKey kSwitches[] = {{"marks", &ViewStyle::markInvalid},
+                                   {"clipped", &ViewStyle::markClipped},
+                                   {"rejected", &ViewStyle::markRejected},
+                                   {"outlines", &ViewStyle::outlineObjects},
+                                   {"arrows", &ViewStyle::arrows}};
+
 constexpr std::array<std::string_view, 6> kMaps{"gray",      "viridis", "inferno",
                                                 "diverging", "cyclic",  "categorical"};
 
@@ -45,6 +55,14 @@ std::string channelsText(const ViewStyle& style) {
   throw Error("cannot read the style \"" + std::string(assignment) + "\": " + expected);
 }
 
+float readNumber(std::string_view value, std::string_view assignment) {
+  float read = 0.0f;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), read);
+  if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(read))
+    refuse(assignment, "expected a number");
+  return read;
+}
+
 void applyChannels(ViewStyle& style, std::string_view value, std::string_view assignment) {
   if (value != "none" && (value.empty() || value.find_first_not_of("rgb") != value.npos))
     refuse(assignment, "channels are letters of rgb, or none");
@@ -62,8 +80,9 @@ std::vector<std::string> styleDifferences(const ViewStyle& style, const ViewStyl
   if (channelsText(style) != channelsText(base)) texts.push_back("channels=" + channelsText(style));
   if (style.map != base.map)
     texts.push_back("map=" + std::string(kMaps.at(static_cast<std::size_t>(style.map))));
-  if (style.markInvalid != base.markInvalid)
-    texts.push_back(std::string("marks=") + (style.markInvalid ? "on" : "off"));
+  for (const SwitchKey& choice : kSwitches)
+    if (style.*choice.field != base.*choice.field)
+      texts.push_back(std::string(choice.key) + (style.*choice.field ? "=on" : "=off"));
   return texts;
 }
 
@@ -73,24 +92,23 @@ void applyStyle(ViewStyle& style, std::string_view assignment) {
   const std::string_view value = equals == assignment.npos ? "" : assignment.substr(equals + 1);
   for (const NumberKey& number : kNumbers)
     if (key == number.key) {
-      float read = 0.0f;
-      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), read);
-      if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(read))
-        refuse(assignment, "expected a number");
-      style.*number.field = read;
+      style.*number.field = readNumber(value, assignment);
+      return;
+    }
+  for (const SwitchKey& choice : kSwitches)
+    if (key == choice.key) {
+      if (value != "on" && value != "off") refuse(assignment, "expected on or off");
+      style.*choice.field = value == "on";
       return;
     }
   if (key == "channels") return applyChannels(style, value, assignment);
-  if (key == "map") {
-    const auto found = std::ranges::find(kMaps, value);
-    if (found == kMaps.end())
-      refuse(assignment, "there are gray, viridis, inferno, diverging, cyclic and categorical");
-    style.map = static_cast<ColorMap>(found - kMaps.begin());
-    return;
-  }
-  if (key != "marks" || (value != "on" && value != "off"))
-    refuse(assignment, "write low, high, exposure, channels, map or marks (on or off), = and a value");
-  style.markInvalid = value == "on";
+  if (key != "map")
+    refuse(assignment, "write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "
+                       "arrows (on or off), = and a value");
+  const auto found = std::ranges::find(kMaps, value);
+  if (found == kMaps.end())
+    refuse(assignment, "there are gray, viridis, inferno, diverging, cyclic and categorical");
+  style.map = static_cast<ColorMap>(found - kMaps.begin());
 }
 
 } // namespace taa

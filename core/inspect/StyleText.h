@@ -13,7 +13,7 @@ namespace taa {
 std::vector<std::string> styleDifferences(const ViewStyle& style, const ViewStyle& base);
 
 /// Applies one. Keys: low, high, exposure (numbers), channels (letters of rgb, or none), map (a color map),
-/// marks (on, off). Throws Error that says what is expected.
+/// marks, clipped, rejected, outlines, arrows (on, off). Throws Error that says what is expected.
 void applyStyle(ViewStyle& style, std::string_view assignment);
 
 } // namespace taa

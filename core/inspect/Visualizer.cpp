@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -21,6 +22,24 @@ constexpr std::array<std::string_view, 10> kVisuals = {"Color",  "Box",      "De
                                                        "Vector", "Position", "Normal", "Mask",   "Index"};
 constexpr std::size_t kKeptTargets = 4; // viewports of as many sizes are drawn in turn
 
+// Half of the longest arrow, share of its cell, and half of the shortest one that is no dot, units.
+constexpr float kArrowReach = 0.45f, kLeastReach = 2.0f;
+
+/// What kind of texture a layer is read from.
+enum class Reading : std::uint8_t { Array, Plain, Integers };
+
+/// The textures in the order of their units; 1 has the color maps.
+struct LayerUnit {
+  unsigned unit;
+  std::string_view name;
+  Layer DrawnLayers::*layer;
+};
+constexpr LayerUnit kLayerUnits[] = {{0, "layer", &DrawnLayers::row},
+                                     {2, "minus", &DrawnLayers::minus},
+                                     {3, "rejectReason", &DrawnLayers::rejectReason},
+                                     {4, "objectId", &DrawnLayers::objectId}};
+using Readings = std::array<Reading, std::size(kLayerUnits)>;
+
 /// What a program is made for: all that decides which of its branches are taken.
 struct Variant {
   Visual visual = Visual::Color;
@@ -28,16 +47,43 @@ struct Variant {
   ColorMap map = ColorMap::Gray;
   bool marksInvalid = true, isMinified = false;
   bool isDifference = false, marksClipped = false, tintsRejected = false, outlines = false, hasArrows = false;
+  Readings readings{};
 
   auto key() const {
     return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
-                      tintsRejected, outlines, hasArrows);
+                      tintsRejected, outlines, hasArrows, readings);
   }
   bool operator<(const Variant& other) const { return key() < other.key(); }
 };
 
-std::string prelude(const Variant& variant) {
+Readings readingsOf(const DrawnLayers& layers) {
+  Readings readings{};
+  for (std::size_t index = 0; index < std::size(kLayerUnits); ++index) {
+    const gl::Texture* texture = (layers.*kLayerUnits[index].layer).texture;
+    if (!texture || texture->size().layers > 0) continue;
+    readings[index] = texture->format() == gl::Format::R32UI ? Reading::Integers : Reading::Plain;
+  }
+  return readings;
+}
+
+// The textures, and fetch_<name>(texel, layer) of each.
+std::string samplers(const Readings& readings) {
   std::string text;
+  for (std::size_t index = 0; index < std::size(kLayerUnits); ++index) {
+    const Reading reading = readings[index];
+    const std::string name(kLayerUnits[index].name);
+    const std::string_view type = reading == Reading::Array   ? "sampler2DArray"
+                                  : reading == Reading::Plain ? "sampler2D"
+                                                              : "usampler2D";
+    text.append("layout(binding = " + std::to_string(kLayerUnits[index].unit) + ") uniform ");
+    text.append(type).append(" u_" + name + ";\n#define fetch_" + name + "(texel, layer) vec4(texelFetch(u_");
+    text += name + (reading == Reading::Array ? ", ivec3(texel, layer), 0))\n" : ", texel, 0))\n");
+  }
+  return text;
+}
+
+std::string prelude(const Variant& variant) {
+  std::string text = samplers(variant.readings);
   const auto add = [&](std::string_view type, std::string_view name, int value) {
     text.append("const ").append(type).append(" ").append(name);
     text += " = " + std::string(type) + "(" + std::to_string(value) + ");\n";
@@ -94,7 +140,13 @@ Variant variantOf(const DrawnLayers& layers, const Intermediate& row, const View
           .marksClipped = style.markClipped,
           .tintsRejected = style.markRejected && layers.rejectReason.texture,
           .outlines = style.outlineObjects && layers.objectId.texture,
-          .hasArrows = style.arrows && row.visual == Visual::Vector && !isDifference};
+          .hasArrows = style.arrows && row.visual == Visual::Vector && !isDifference,
+          .readings = readingsOf(layers)};
+}
+
+// Screen pixels of what is laid over the picture: whole ones, so that lines stay sharp.
+float unitOf(const ViewTransform& transform) {
+  return std::max(1.0f, std::round(transform.scale));
 }
 
 shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const ViewTransform& transform) {
@@ -108,9 +160,9 @@ shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const
   block.layer = {layers.row.layer, layers.row.firstChannel, layers.minus.layer, layers.minus.firstChannel};
   block.overlays = {layers.rejectReason.layer, layers.rejectReason.firstChannel, layers.objectId.layer,
                     layers.objectId.firstChannel};
-  block.above = {kAboveColor[0], kAboveColor[1], kAboveColor[2], std::max(1.0f, std::round(transform.scale))};
+  block.above = {kAboveColor[0], kAboveColor[1], kAboveColor[2], unitOf(transform)};
   block.below = {kBelowColor[0], kBelowColor[1], kBelowColor[2], kTintShare};
-  block.arrows = {kArrowSpacing, kLongestArrow, 0.0f, 0.0f};
+  block.arrows = {kArrowSpacing, kLongestArrow, kArrowReach, kLeastReach};
   return block;
 }
 
@@ -165,7 +217,7 @@ Picture Visualizer::draw(const gl::Texture& texture, int layer, int firstChannel
 
 Picture Visualizer::draw(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
                          const ViewTransform& transform, int width, int height) {
-  assert(layers.row.texture && layers.row.texture->size().layers > layers.row.layer);
+  assert(layers.row.texture);
   assert(width > 0 && height > 0 && transform.zoom > 0.0f);
   const gl::Program& program = parts_->program(variantOf(layers, row, style, transform));
   const Parts::Target& target = parts_->target(width, height);
@@ -174,12 +226,10 @@ Picture Visualizer::draw(const DrawnLayers& layers, const Intermediate& row, con
   {
     gl::RenderPass pass(target.framebuffer, {}, "Visualizer");
     pass.program(program);
-    pass.texture(0, *layers.row.texture, parts_->sampler);
     pass.texture(1, parts_->colorMaps, parts_->sampler);
-    const std::pair<int, const Layer*> others[] = {
-        {2, &layers.minus}, {3, &layers.rejectReason}, {4, &layers.objectId}};
-    for (const auto& [unit, other] : others)
-      if (other->texture) pass.texture(unit, *other->texture, parts_->sampler);
+    for (const LayerUnit& unit : kLayerUnits)
+      if (const gl::Texture* drawn = (layers.*unit.layer).texture)
+        pass.texture(unit.unit, *drawn, parts_->sampler);
     pass.uniformBlock(3, parts_->blocks);
     pass.drawFullscreen();
   }
@@ -192,6 +242,14 @@ Visualizer Visualizer::reloaded() const {
   Visualizer fresh;
   for (const auto& [variant, program] : parts_->programs) fresh.parts_->program(variant);
   return fresh;
+}
+
+// As pointed() in shaders/inspect/visualize.frag.
+ArrowScale arrowScale(const ViewTransform& transform) {
+  const float texels = std::ceil(kArrowSpacing * unitOf(transform) / transform.zoom);
+  const float cell = texels * transform.zoom / unitOf(transform);
+  const float reach = kArrowReach * std::min(cell, kLongestArrow);
+  return {2.0f * reach, std::min(1.0f, kLeastReach / reach)};
 }
 
 ViewStyle defaultStyle(const Intermediate& row) {
@@ -219,6 +277,15 @@ ViewStyle defaultStyle(const Intermediate& row) {
     break;
   }
   if (row.id == IntermediateId::referenceErrorAbs) style.map = ColorMap::Inferno; // dark: as it should be
+  return style;
+}
+
+ViewStyle differenceStyle(const Intermediate& row) {
+  ViewStyle style = defaultStyle(row);
+  const float span = row.high - row.low;
+  style.high = span > 0.0f ? span / 4.0f : 1.0f;
+  style.low = -style.high;
+  style.map = ColorMap::Diverging;
   return style;
 }
 

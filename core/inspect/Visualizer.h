@@ -33,6 +33,8 @@ struct ViewStyle {
 
 /// The style a row opens with.
 ViewStyle defaultStyle(const Intermediate& row);
+/// The style a difference of this row opens with: both ways, a quarter of the row's own range.
+ViewStyle differenceStyle(const Intermediate& row);
 std::string_view colorMapName(ColorMap map);
 
 /// Which part of the picture is shown where. Screen pixel s shows picture position origin + s / zoom.
@@ -55,10 +57,18 @@ inline constexpr std::array<float, 3> kAboveColor{0.66539f, 0.11193f, 0.0f};    
 inline constexpr std::array<float, 3> kBelowColor{0.09306f, 0.45641f, 0.81485f}; // sRGB 86, 180, 233
 /// Units (ViewTransform::scale) from one arrow to the next, at least; and of a cell's arrow, at most.
 inline constexpr float kArrowSpacing = 24.0f, kLongestArrow = 48.0f;
+
+/// What the arrows over vectors mean.
+struct ArrowScale {
+  float longest = 0.0f;    ///< units of an arrow at the end of the range, or beyond it
+  float leastShare = 0.0f; ///< of the range; what is less is a dot
+};
+ArrowScale arrowScale(const ViewTransform& transform);
+
 /// How much of a tint is its reason's color, the rest is the picture.
 inline constexpr float kTintShare = 0.6f;
 
-/// Where a row's values are: a layer of an array, from one of its channels on.
+/// Where a row's values are: a layer of an array, or a plain texture, from one of its channels on.
 struct Layer {
   const gl::Texture* texture = nullptr; ///< null: none
   int layer = 0, firstChannel = 0;
@@ -79,8 +89,8 @@ class Visualizer {
   Visualizer(Visualizer&&) noexcept;
   Visualizer& operator=(Visualizer&&) noexcept;
 
-  /// Draws `layer` of `texture` (an array), from its `firstChannel` on, as row `row` into a viewport of the
-  /// given size (px).
+  /// Draws `layer` of `texture` (0 where it is no array), from its `firstChannel` on, as row `row` into a
+  /// viewport of the given size (px).
   Picture draw(const gl::Texture& texture, int layer, int firstChannel, const Intermediate& row,
                const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// The same with what is laid over or subtracted. Of a difference the shown channel that differs most is

@@ -21,6 +21,7 @@ struct FrameLane {
   Settings settings;
   FrameInfo info;
   shared::FrameBlock block{};
+  int referenceSamples = 0; ///< of the reference that rows are compared with; 0: there was none
 };
 
 struct FramePart {
@@ -39,7 +40,8 @@ struct FrameFile {
 std::string partName(const FrameLane& lane, IntermediateId id);
 
 /// Writes all parts, or nothing. Channels are named by the table; attributes start with "taa:" (source,
-/// camera, driver, lane, settings as JSON, frame, time, jitterPx, matrices, label, unit, description).
+/// camera, driver, lane, settings as JSON, frame, time, jitterPx, matrices, label, unit, description;
+/// referenceSamples in parts of the reference).
 /// Expects images of one size. Throws Error.
 void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame);
 

@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/io/CameraTrackJson.h"
+#include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -23,7 +24,8 @@ namespace {
 constexpr int kFormat = 1;
 constexpr std::uintmax_t kMostBytes = 4u << 20;
 constexpr int kDeepest = 32; ///< levels of the JSON
-constexpr std::size_t kLongest = 4096, kMostModes = 4096, kMostLanes = 3;
+constexpr std::size_t kLongest = 4096, kMostModes = 4096;
+constexpr std::size_t kMostFurtherLanes = kMostLanes - 1;
 constexpr int kMostFrame = 1'000'000, kMostSide = 32768, kLeastSide = 4, kMostMiB = 1 << 20;
 
 void checkKeys(const json& object, const std::string& what, std::initializer_list<std::string_view> known) {
@@ -128,8 +130,8 @@ SessionFile sessionFromJson(const json& object) {
                   numberOf(size[1], "size", kLeastSide, kMostSide)};
   session.settings = laneFromJson(object);
   const json lanes = object.value("lanes", json::array());
-  if (!lanes.is_array() || lanes.size() > kMostLanes)
-    throw Error("\"lanes\" is not a list of at most " + std::to_string(kMostLanes));
+  if (!lanes.is_array() || lanes.size() > kMostFurtherLanes)
+    throw Error("\"lanes\" is not a list of at most " + std::to_string(kMostFurtherLanes));
   for (const json& lane : lanes) {
     checkKeys(lane, "a lane", {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane));

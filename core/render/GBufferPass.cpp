@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace taa {
@@ -74,7 +75,6 @@ GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
                                       : moves[static_cast<std::size_t>(node)] ? ObjectClass::Moving
                                                                               : ObjectClass::Still;
       items_.push_back({node, mesh, index, primitive.material, objectClass, variant});
-      if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
       if (variant.deforms() && !extents_.contains({mesh, index}))
         extents_.emplace(
             std::pair(mesh, index),
@@ -212,7 +212,7 @@ Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& i
                         view.pose.time);
 }
 
-void GBufferPass::prepare(const Scene& scene, const View& view) {
+void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
   visible_.clear();
   blended_.clear();
   counts_ = {};
@@ -226,7 +226,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
     ++counts_.objects;
     const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx);
-    if (culls_ && !distance) continue;
+    if (culls && !distance) continue;
     ++counts_.drawn;
     counts_.triangles += primitive.indices.size() / 3;
     if (item.variant.blended)
@@ -242,7 +242,23 @@ void GBufferPass::prepare(const Scene& scene, const View& view) {
   std::sort(blended_.rbegin(), blended_.rend());
 }
 
-void GBufferPass::apply(const InputSettings& settings, const Scene& scene) {
+void GBufferPass::keepOneOfEach() {
+  for (std::vector<Visible>* list : {&visible_, &blended_}) {
+    std::set<Variant> kept;
+    std::erase_if(*list,
+                  [&](const Visible& visible) { return !kept.insert(items_[visible.item].variant).second; });
+  }
+}
+
+// Each program is compiled, then drawn; what comes after them is the last step.
+void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
+  std::set<Variant> variants;
+  for (const Item& item : items_) variants.insert(item.variant);
+  report(warmUp, "Compiling shaders", static_cast<int>(done), static_cast<int>(2 * variants.size() + 1));
+}
+
+void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const Progress& warmUp) {
+  std::set<Variant> missing;
   for (Item& item : items_) {
     const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
     Variant& variant = item.variant;
@@ -256,38 +272,47 @@ void GBufferPass::apply(const InputSettings& settings, const Scene& scene) {
     variant.mask = settings.mask == MaskSource::None || variant.steady       ? 0
                    : settings.mask == MaskSource::Opacity && variant.blended ? 2
                                                                              : 1;
-    if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
+    if (!programs_.contains(variant)) missing.insert(variant);
+  }
+  for (const Variant& variant : missing) {
+    reportWarmUp(warmUp, programs_.size());
+    programs_.emplace(variant, compile(variant));
   }
 }
 
 void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
-                       const View& view, const gl::Buffer& frame, const gl::Framebuffer& target) {
+                       const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
+                       const Progress& warmUp) {
   if (items_.empty()) return;
-  apply(settings, scene);
+  apply(settings, scene, warmUp);
   prepareDeformation(scene, view);
-  prepare(scene, view);
+  prepare(scene, view, culls_ && !warmUp);
+  if (warmUp) keepOneOfEach();
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
-  drawItems(scene, resources, frame, visible_, pass);
+  drawItems(scene, resources, frame, visible_, pass, warmUp);
 }
 
 void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                              const gl::Framebuffer& target) {
+                              const gl::Framebuffer& target, const Progress& warmUp) {
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = {}}, "GBufferPass blended");
   pass.blending(0, gl::Blending::Over);
   pass.blending(kMaskAttachment, gl::Blending::Largest);
-  drawItems(scene, resources, frame, blended_, pass);
+  drawItems(scene, resources, frame, blended_, pass, warmUp);
 }
 
 void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                            const std::vector<Visible>& items, gl::RenderPass& pass) const {
+                            const std::vector<Visible>& items, gl::RenderPass& pass,
+                            const Progress& warmUp) const {
+  std::size_t drawn = &items == &blended_ ? visible_.size() : 0;
   pass.uniformBlock(2, frame);
   pass.uniformBlock(3, lightBlock_);
   if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
   if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
   for (const Visible& visible : items) {
     const Item& item = items_[visible.item];
+    if (warmUp) reportWarmUp(warmUp, programs_.size() + drawn++);
     pass.program(programs_.at(item.variant));
     pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));
     resources.bindMaterial(pass, item.material);

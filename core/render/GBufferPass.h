@@ -2,6 +2,7 @@
 // and depth; and what is blended over them.
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/render/DrawCounts.h"
 #include "core/render/Lights.h"
 #include "core/render/SceneResources.h"
@@ -23,21 +24,23 @@ class GBufferPass {
  public:
   static constexpr unsigned kMaskAttachment = 5;
 
-  /// Compiles the shader variants the scene's materials need.
   explicit GBufferPass(const Scene& scene);
 
   /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
   /// block. Leaves out what the settings blend.
-  /// Compiles variants that new settings need first; throws Error when their shader does not.
+  /// Compiles variants that are new first; throws Error when their shader does not. With `warmUp`, here and
+  /// in drawBlended(), one item of each variant is drawn, whether it is seen or not: that is when some
+  /// drivers compile. Reports for each compiled and each drawn.
   void draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
-            const View& view, const gl::Buffer& frame, const gl::Framebuffer& target);
+            const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
+            const Progress& warmUp = {});
 
   /// Whether draw() left something out that may be seen.
   bool hasBlended() const { return !blended_.empty(); }
   /// What draw() left out of this frame, back to front: over the first attachment of `target`, in place of
   /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
   void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                   const gl::Framebuffer& target);
+                   const gl::Framebuffer& target, const Progress& warmUp = {});
 
   /// Of the last draw(), with what it left to drawBlended().
   const DrawCounts& counts() const { return counts_; }
@@ -71,7 +74,7 @@ class GBufferPass {
   static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
   gl::Program compile(const Variant& variant) const;
   /// Sets what the settings ask for in every item's variant and compiles what is new.
-  void apply(const InputSettings& settings, const Scene& scene);
+  void apply(const InputSettings& settings, const Scene& scene, const Progress& warmUp);
   /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
   struct Visible {
     bool masked = false;
@@ -82,13 +85,16 @@ class GBufferPass {
     }
   };
   /// Fills the blocks of all items, `visible_` and `blended_`.
-  void prepare(const Scene& scene, const View& view);
+  void prepare(const Scene& scene, const View& view, bool culls);
+  /// What is in the lists, but one of each variant.
+  void keepOneOfEach();
+  void reportWarmUp(const Progress& warmUp, std::size_t done) const;
   /// Around an item in this frame, in the space its draw block starts from; empty when nothing is known.
   Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
   /// Fills joint matrices and morph weights of both frames.
   void prepareDeformation(const Scene& scene, const View& view);
   void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
-                 const std::vector<Visible>& items, gl::RenderPass& pass) const;
+                 const std::vector<Visible>& items, gl::RenderPass& pass, const Progress& warmUp) const;
   shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
 
   LightCounts lights_;

@@ -7,8 +7,10 @@
 #include "core/render/ReactivePass.h"
 #include "core/render/SkyPass.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <string_view>
 #include <utility>
 
 namespace taa {
@@ -42,6 +44,8 @@ std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
            {&FrameInputs::overlay, gl::Format::RGBA16F, "overlay", settings.blended == BlendedAs::After}}};
 }
 
+} // namespace
+
 void fitInputs(const FrameRequest& request, FrameInputs& out) {
   const glm::ivec2 size = drawnSize({request.width, request.height}, request.inputs.renderScale);
   out.outputPx = {request.width, request.height};
@@ -51,8 +55,6 @@ void fitInputs(const FrameRequest& request, FrameInputs& out) {
     else
       out.*row.texture = gl::Texture();
 }
-
-} // namespace
 
 std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
@@ -82,8 +84,10 @@ struct SceneRenderer::Parts {
   Parts(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene) {}
 
-  void drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out);
-  void drawBlended(const InputSettings& settings, const FrameInputs& out);
+  void draw(const FrameRequest& request, int frame, FrameInputs& out, const Progress& warmUp);
+  void drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
+                    const Progress& warmUp);
+  void drawBlended(const InputSettings& settings, const FrameInputs& out, const Progress& warmUp);
 };
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
@@ -95,8 +99,8 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View& view,
-                                        const FrameInputs& out) {
+void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
+                                        const Progress& warmUp) {
   std::vector<gl::Attachment> attachments{
       {&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}};
   const gl::Framebuffer background(attachments, &out.depth, "background");
@@ -105,15 +109,16 @@ void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View&
   gl::Framebuffer target(attachments, &out.depth, "frame inputs");
   target.clearDepth(0.0f);
   if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f));
-  gbuffer.draw(*scene, resources, request.inputs, view, frame, target);
+  gbuffer.draw(*scene, resources, request.inputs, view, frame, target, warmUp);
   sky.draw(frame, background);
 }
 
-void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const FrameInputs& out) {
+void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const FrameInputs& out,
+                                       const Progress& warmUp) {
   if (out.overlay) {
     gl::Framebuffer layer({{&out.overlay}}, &out.depth, "overlay");
     layer.clearColor(0, glm::vec4(0.0f));
-    if (gbuffer.hasBlended()) gbuffer.drawBlended(*scene, resources, frame, layer);
+    if (gbuffer.hasBlended()) gbuffer.drawBlended(*scene, resources, frame, layer, warmUp);
     return;
   }
   if (!gbuffer.hasBlended()) return;
@@ -121,25 +126,41 @@ void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const Fram
   const gl::Framebuffer target(
       {{&out.color}, {writesMotion ? &out.motion : nullptr}, {}, {}, {}, {out.mask ? &out.mask : nullptr}},
       &out.depth, "blended");
-  gbuffer.drawBlended(*scene, resources, frame, target);
+  gbuffer.drawBlended(*scene, resources, frame, target, warmUp);
+}
+
+void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameInputs& out,
+                                const Progress& warmUp) {
+  const View view = viewAt(*scene, request, number);
+  fitInputs(request, out);
+  out.info = view.info;
+  out.block = view.block;
+  frame.update(0, &view.block, sizeof(view.block));
+
+  drawSurfaces(request, view, out, warmUp);
+  if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
+  drawBlended(request.inputs, out, warmUp);
+  if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask);
+  if (request.inputs.motion != MotionSource::Objects) cameraMotion.draw(request.inputs.motion, frame, out);
+  if (request.inputs.noise != InputNoise::None) noise.draw(request.inputs, frame, out);
 }
 
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {
   assert(frame >= 0 && request.width > 0 && request.height > 0);
-  Parts& parts = *parts_;
-  const View view = viewAt(*parts.scene, request, frame);
-  fitInputs(request, out);
-  out.info = view.info;
-  out.block = view.block;
-  parts.frame.update(0, &view.block, sizeof(view.block));
+  parts_->draw(request, frame, out, {});
+}
 
-  parts.drawSurfaces(request, view, out);
-  if (request.inputs.mask == MaskSource::AutoReactive) parts.reactive.keepOpaque(out.color);
-  parts.drawBlended(request.inputs, out);
-  if (request.inputs.mask == MaskSource::AutoReactive) parts.reactive.draw(out.color, out.mask);
-  if (request.inputs.motion != MotionSource::Objects)
-    parts.cameraMotion.draw(request.inputs.motion, parts.frame, out);
-  if (request.inputs.noise != InputNoise::None) parts.noise.draw(request.inputs, parts.frame, out);
+void SceneRenderer::warmUp(const FrameRequest& request, const Progress& progress) {
+  constexpr int kShrunk = 16;
+  FrameRequest small = request;
+  small.width = std::max(request.width / kShrunk, 4);
+  small.height = std::max(request.height / kShrunk, 4);
+  FrameInputs ignored;
+  const auto told = [&](std::string_view what, int done, int total) {
+    return !progress || progress(what, done, total);
+  };
+  parts_->draw(small, 0, ignored, told);
+  gl::finish();
 }
 
 const DrawCounts& SceneRenderer::counts() const {

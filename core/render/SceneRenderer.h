@@ -35,6 +35,8 @@ struct FrameRequest {
 /// ⌈r·W⌉ × ⌈r·H⌉ of a picture of W × H: the size of what is drawn at inputs.renderScale r, px.
 glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale);
 
+/// Makes the textures that are drawn for a request, with undefined contents; keeps those that fit.
+void fitInputs(const FrameRequest& request, FrameInputs& out);
 /// What the textures of a frame's inputs take for a picture, and what the renderer keeps besides while it
 /// draws them; bytes.
 std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx);
@@ -43,7 +45,7 @@ std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& pictur
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer {
  public:
-  /// Uploads everything. Throws Error (out of memory, shader), Cancelled.
+  /// Uploads everything. Throws Error (out of memory), Cancelled.
   explicit SceneRenderer(std::shared_ptr<const Scene> scene,
                          const Progress& progress = {}); // also owned by the Inspector
   ~SceneRenderer();
@@ -53,7 +55,12 @@ class SceneRenderer {
   /// Draws frame `frame` into `out`, whose textures are made anew only when size or format differ.
   /// Pose and camera of frame − 1 give the motion; at frame 0 and at cuts the previous frame is the frame
   /// itself.
+  /// Throws Error when a shader does not compile.
   void draw(const FrameRequest& request, int frame, FrameInputs& out);
+
+  /// Compiles what draw() will need for any frame, so that it does not wait; some drivers do that when
+  /// something is first drawn, so all is drawn, small. Reports for each program; throws Error, Cancelled.
+  void warmUp(const FrameRequest& request, const Progress& progress);
 
   /// Of the last frame drawn.
   const DrawCounts& counts() const;

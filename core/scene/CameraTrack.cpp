@@ -37,6 +37,24 @@ void CameraTrack::put(int frame, const CameraPose& pose) {
   poses[index] = pose;
 }
 
+FlownCameras replaced(FlownCameras cameras, const std::optional<CameraTrack>& before,
+                      const std::optional<CameraTrack>& after, const std::string& instead) {
+  const auto named = [&](const std::optional<CameraTrack>& wanted) {
+    return std::ranges::find_if(
+        cameras.tracks, [&](const CameraTrack& track) { return wanted && track.name == wanted->name; });
+  };
+  const auto old = named(before);
+  const bool isShown = before ? cameras.camera == before->name : true;
+  if (old != cameras.tracks.end() && after)
+    *old = *after;
+  else if (old != cameras.tracks.end())
+    cameras.tracks.erase(old);
+  else if (after && named(after) == cameras.tracks.end())
+    cameras.tracks.push_back(*after);
+  if (isShown) cameras.camera = after ? after->name : instead;
+  return cameras;
+}
+
 std::optional<int> firstDifference(const CameraTrack& a, const CameraTrack& b) {
   const auto end = [](const CameraTrack& track) {
     return track.firstFrame + static_cast<int>(track.poses.size());

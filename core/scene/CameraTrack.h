@@ -35,6 +35,17 @@ struct CameraTrack {
 };
 using CameraTrackHandle = std::shared_ptr<const CameraTrack>;
 
+/// Cameras that were flown, and the one that is looked through: one of them or of the scene's.
+struct FlownCameras {
+  std::vector<CameraTrack> tracks;
+  std::string camera;
+  bool operator==(const FlownCameras&) const = default;
+};
+/// One in place of another: nothing before it adds one, nothing after it removes one. What was looked through
+/// goes on to be, or else `instead`; what is added is looked through.
+FlownCameras replaced(FlownCameras cameras, const std::optional<CameraTrack>& before,
+                      const std::optional<CameraTrack>& after, const std::string& instead);
+
 /// Name of the camera that is flown and not recorded.
 inline constexpr const char* kFreeCamera = "free";
 

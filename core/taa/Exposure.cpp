@@ -33,8 +33,41 @@ Exposure::Exposure(std::vector<IntermediateId> watched, const gl::Rect& region, 
   four_ = makeLayers(layout_, texels_, 4);
 }
 
-std::size_t exposureBytes(const std::vector<IntermediateId>& watched, const gl::Rect& region) {
-  const ExposureLayout layout(watched);
+Exposure::Exposure(ExposureLayout layout, const gl::Rect& picture)
+    : layout_(std::move(layout)), region_(picture), texels_(picture.width, picture.height) {
+  one_ = makeLayers(layout_, texels_, 1);
+  two_ = makeLayers(layout_, texels_, 2);
+  four_ = makeLayers(layout_, texels_, 4);
+  for (const ExposedSlot& slot : layout_.constants()) fill(slot);
+}
+
+void Exposure::fill(const ExposedSlot& slot) {
+  gl::Framebuffer({{&textureOf(slot), slot.layer}}, nullptr, "constant rows")
+      .clearColor(0, glm::vec4(*slot.constant));
+}
+
+void Exposure::take(const ExposureLayout& layout) {
+  assert(layout_.hasSamePlaces(layout));
+  for (std::size_t index = 0; index < layout.constants().size(); ++index)
+    if (layout.constants()[index].constant != layout_.constants()[index].constant)
+      fill(layout.constants()[index]);
+  layout_ = layout;
+}
+
+void Exposure::readFrom(const FrameInputs* inputs, const History& resolved) {
+  assert(inputs || !layout_.needsInputs());
+  inputs_ = inputs;
+  resolved_ = &resolved;
+}
+
+const gl::Texture& Exposure::texture(IntermediateId id) const {
+  assert(holds(id));
+  const HeldRow* row = layout_.held(id);
+  if (!row) return textureOf(layout_.slot(id));
+  return row->input ? inputs_->*row->input : resolved_->*row->history;
+}
+
+std::size_t exposureBytes(const ExposureLayout& layout, const gl::Rect& region) {
   std::size_t sum = 0;
   for (const int channels : kChannelCounts)
     sum += static_cast<std::size_t>(layout.layers(channels)) *

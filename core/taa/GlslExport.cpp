@@ -1,10 +1,11 @@
-// The text of the resolve without what the inspector adds to it.
+// The text of the resolve and of the pass after it without what the inspector adds to them.
 #include "core/taa/GlslExport.h"
 
 #include "core/settings/Parameters.h"
 #include "core/taa/ExposureLayout.h"
 #include "core/taa/GlslHead.h"
 #include "core/taa/History.h"
+#include "core/taa/OutputPass.h"
 #include "core/taa/PassInputs.h"
 #include "core/taa/TaaPass.h"
 
@@ -60,7 +61,8 @@ bool uses(std::string_view line, std::string_view word) {
 bool isOfInspector(std::string_view line) {
   const bool isEmptyMacro =
       line.starts_with("#define") && line.ends_with(')') && std::ranges::count(line, '(') == 1;
-  return line.empty() || line == ";" || line.starts_with("#version") || isEmptyMacro;
+  const bool isRow = line.starts_with("#define expose_");
+  return line.empty() || line == ";" || line.starts_with("#version") || isEmptyMacro || isRow;
 }
 
 /// What is left of a shader, with the layout and the comments it was written with.
@@ -122,15 +124,18 @@ std::string declaredName(std::string_view line) {
   return std::string(line.substr(begin, end - begin));
 }
 
-// Inputs and members of the frame's block that these settings do not need.
-std::vector<std::string> withoutUnusedInputs(const std::vector<std::string>& lines) {
+// Inputs and members of the frame's block that these settings do not need. The block is also that of the
+// shader `other`.
+std::vector<std::string> withoutUnusedInputs(const std::vector<std::string>& lines,
+                                             const std::vector<std::string>& other) {
   std::vector<std::string> kept;
   bool isBlock = false;
   for (const std::string& line : lines) {
     if (line.starts_with("}")) isBlock = false;
     const bool isSampler = line.find(" uniform ") != line.npos && line.find("sampler2D ") != line.npos;
     const std::string name = isSampler || isBlock ? declaredName(line) : "";
-    if (name.empty() || isUsedElsewhere(lines, line, isBlock ? "resolveBlock." + name : name))
+    const std::string use = isBlock ? "resolveBlock." + name : name;
+    if (name.empty() || isUsedElsewhere(lines, line, use) || (isBlock && isUsedElsewhere(other, "", use)))
       kept.push_back(line);
     if (line.find("uniform ResolveBlock {") != line.npos) isBlock = true;
   }
@@ -224,6 +229,33 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+/// A shader with its constants before it, all inputs still declared.
+std::string bodyOf(const gl::ShaderSource& source, const Settings& settings) {
+  std::string body = joined(Readable(source).lines);
+  std::string constants = constantNumbers(settings, source, body);
+  constants += constantWeights(settings, body);
+  return (constants.empty() ? "" : "// ---- settings\n" + constants) + body;
+}
+
+// The pass after the resolve as it runs here when only its last row is watched.
+gl::ShaderSource outputSource(const Settings& settings) {
+  std::string rows = exposeAsTargets({}, 0);
+  replaceAll(rows, "#define expose_output(value)\n",
+             "#define expose_output(value) o_output = vec4(value, 1.0)\n");
+  return gl::ShaderSource("taa/output.frag", glslPrelude(outputSettings(settings)) +
+                                                 overlayPrelude(settings.inputs.blended == BlendedAs::After) +
+                                                 sparsePrelude(false) +
+                                                 "layout(location = 0) out vec4 o_output;\n" + rows);
+}
+
+// Empty where there is no such pass.
+std::string outputBody(const Settings& settings) {
+  if (!changesOutput(settings)) return {};
+  std::string body = bodyOf(outputSource(settings), settings);
+  replaceAll(body, "expose_output(color)", "o_output = vec4(color, 1.0)");
+  return body;
+}
+
 } // namespace
 
 gl::ShaderSource resolveSource(const Settings& settings) {
@@ -236,13 +268,15 @@ gl::ShaderSource resolveSource(const Settings& settings) {
 }
 
 std::string exportedGlsl(const Settings& settings, const std::string& title) {
-  const gl::ShaderSource source = resolveSource(settings);
-  std::string body = joined(Readable(source).lines);
-  std::string constants = constantNumbers(settings, source, body);
-  constants += constantWeights(settings, body);
-  body = joined(withoutUnusedInputs(linesOf(body)));
-  return "#version 450 core\n" + glslHead(settings, title, body) + "\n" +
-         (constants.empty() ? "" : "// ---- settings\n" + constants) + body;
+  static constexpr const char* kVersion = "#version 450 core\n";
+  const std::vector<std::string> all = linesOf(bodyOf(resolveSource(settings), settings));
+  const std::vector<std::string> allOutput = linesOf(outputBody(settings));
+  const std::string resolve = joined(withoutUnusedInputs(all, allOutput));
+  const std::string output = joined(withoutUnusedInputs(allOutput, all));
+  const std::string head = kVersion + glslHead(settings, title, resolve, output) + "\n";
+  if (output.empty()) return head + resolve;
+  return head + "#ifndef " + kOutputMacro + "\n// ==== the resolve\n\n" + resolve + "\n#else // " +
+         kOutputMacro + "\n// ==== the pass after it: what is shown\n\n" + output + "\n#endif\n";
 }
 
 std::string settingsTitle(const std::string& presetId, const Settings& settings, const Settings& preset) {

@@ -3,6 +3,7 @@
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/settings/Parameters.h"
+#include "core/taa/GlslExport.h"
 #include "core/taa/History.h"
 
 #include <sstream>
@@ -40,7 +41,9 @@ constexpr Input kInputs[] = {
     {"u_historyLumas", "u_historyLumas (12): o_kept_lumas of the previous frame."},
     {"u_mask", "u_mask (14), RG8: reactive (share of blended things in the color), responsive (1 where "
                "content changes without motion). One black texel where nothing is marked."},
-    {"u_overlay", "u_overlay (15), RGBA16F: a premultiplied layer drawn without jitter."},
+    {"u_overlay", "u_overlay (15), RGBA16F: a premultiplied layer of the size of the inputs, drawn without "
+                  "jitter, that is laid over what is shown. One black texel where there is none."},
+    {"u_resolved", "u_resolved (8): o_color that the resolve has just written, of this frame."},
 };
 
 constexpr Input kMembers[] = {
@@ -123,22 +126,41 @@ std::string weightTermsText(const Settings& settings) {
          "), 1 to 64, s the seconds since the previous frame. z, w: 0.";
 }
 
-std::string inputsText(const Settings& settings, const std::string& body) {
-  const auto isThere = [&](std::string_view word) { return body.find(word) != body.npos; };
+bool declares(const std::string& body, const Input& input) {
+  return body.find(" " + std::string(input.mark) + ";") != body.npos;
+}
+
+std::string texturesText(const std::string& resolve, const std::string& output) {
   std::string text =
       "//\n// WHAT GOES IN (texture unit): samplers nearest, clamped to the edge, no mipmaps.\n";
   for (const Input& input : kInputs)
-    if (isThere(" " + std::string(input.mark) + ";")) text += item(std::string(input.text));
-  text += "//\n// WHAT GOES IN: the uniform block ResolveBlock at binding 0.\n";
+    if (declares(resolve, input)) text += item(std::string(input.text));
+  if (output.empty()) return text;
+  text += "//\n// WHAT GOES IN with " + std::string(kOutputMacro) + ": likewise.\n";
+  for (const Input& input : kInputs) {
+    if (!declares(output, input)) continue;
+    const std::string told(input.text.substr(0, input.text.find(')') + 1));
+    text += item(declares(resolve, input) ? told + ": the same as the resolve's." : std::string(input.text));
+  }
+  return text;
+}
+
+std::string blockText(const Settings& settings, const std::string& resolve, const std::string& output) {
+  const auto isThere = [&](std::string_view member) {
+    const std::string use = "resolveBlock." + std::string(member);
+    return resolve.find(use) != resolve.npos || output.find(use) != output.npos;
+  };
+  std::string text = std::string("//\n// WHAT GOES IN: the uniform block ResolveBlock at binding 0") +
+                     (output.empty() ? "" : ", the same for both") + ".\n";
   for (const Input& input : kMembers)
-    if (isThere("resolveBlock." + std::string(input.mark))) text += item(std::string(input.text));
-  if (isThere("resolveBlock.currentWeights"))
+    if (isThere(input.mark)) text += item(std::string(input.text));
+  if (isThere("currentWeights"))
     text +=
         item("currentWeights0 to 2: weights of the 3x3 colors, row-major, w unused: " +
              kernelText(settings.current) +
              ", r = |o - j|, o the neighbor's offset in px (-1 to 1, y down), j = jitterPx. They need not "
              "sum up to 1. Where |sum| <= 0.0001: 1 for the center, else 0.");
-  if (isThere("resolveBlock.weightTerms")) text += item(weightTermsText(settings));
+  if (isThere("weightTerms")) text += item(weightTermsText(settings));
   return text;
 }
 
@@ -148,12 +170,12 @@ std::string formatText(gl::Format format) {
   return format == gl::Format::RGBA8 ? "RGBA8" : "RG32F";
 }
 
-std::string outputsText(const Settings& settings) {
+std::string outputsText(const Settings& settings, bool hasOutput) {
   std::string text =
       "//\n// WHAT COMES OUT: color targets of the size of the picture, the next frame's history.\n";
-  text += item(std::string("o_color (0), ") +
-               (settings.history.precision == Precision::Half ? "RGBA16F" : "RGBA32F") +
-               ": the resolved scene-linear color, alpha 1. Tone map it for the screen.");
+  text += item(
+      std::string("o_color (0), ") + (settings.history.precision == Precision::Half ? "RGBA16F" : "RGBA32F") +
+      ": the resolved scene-linear color, alpha 1." + (hasOutput ? "" : " Tone map it for the screen."));
   text += item("o_surface (1), RG32F: length of the history in frames, view depth in m.");
   int location = 2;
   for (const HistoryLayer& layer : historyLayers())
@@ -161,20 +183,47 @@ std::string outputsText(const Settings& settings) {
       text += item("o_kept_" + std::string(layer.name) + " (" + std::to_string(location++) + "), " +
                    formatText(layer.format) + ".");
     }
-  return text;
+  if (!hasOutput) return text;
+  text += "//\n// WHAT COMES OUT with " + std::string(kOutputMacro) + ": a color target of the same size.\n";
+  return text +
+         item("o_output (0), RGBA16F or RGBA32F: the scene-linear color to show, alpha 1. Tone map it for "
+              "the screen. No history: the next frame must not read it.");
 }
 
-std::string settingsText(const Settings& settings) {
+std::string settingsText(const Settings& settings, bool hasOutput) {
   std::string text =
       "//\n// SETTINGS (a line for each stage; those of jitter and inputs are the renderer's business)\n";
   for (const StageInfo& stage : kStages) {
+    if (stage.stage == Stage::Output && !hasOutput) continue;
     std::string line;
     for (const Parameter& row : parameters())
-      if (row.stage == stage.stage && row.stage != Stage::Output && isRelevant(row, settings))
+      if (row.stage == stage.stage && isRelevant(row, settings))
         line += " " + std::string(row.path) + "=" + valueText(row, row.get(settings));
     if (!line.empty()) text += item(line.substr(1));
   }
   return text;
+}
+
+// Which passes there are, and in which order.
+std::string passesText(bool hasOutput) {
+  static const std::string kMacro = kOutputMacro;
+  if (!hasOutput)
+    return wrapped(
+        "What is shown is o_color: with these settings nothing follows the resolve (stage Output of "
+        "the inspector). What you do to it must not find its way into the history.",
+        "");
+  return "//\n// TWO SHADERS: compile the file twice.\n" +
+         item("As it is: the resolve. It writes the history.") +
+         item(
+             "With a line \"#define " + kMacro + "\" behind #version, or -D" + kMacro +
+             ": the pass after it (stage Output of the inspector), which makes of the resolved color what is "
+             "shown.") +
+         item("In each frame: 1. the resolve into this frame's set of targets. 2. the pass with " + kMacro +
+              " into a target of its own; it reads o_color of this frame. 3. tone map o_output for the "
+              "screen. 4. "
+              "swap the sets. The history stays what the resolve wrote: what the second pass does would add "
+              "up "
+              "in it.");
 }
 
 std::string licenseText() {
@@ -190,26 +239,29 @@ bool hasConstantWeights(const CurrentSettings& settings) {
   return isKernelOfPlace(settings.filter) || settings.jitterAware == Switch::Off;
 }
 
-std::string glslHead(const Settings& settings, const std::string& title, const std::string& body) {
-  std::string text = "// Temporal anti-aliasing: the resolve of one pixel. Settings: " + title + ".\n";
+std::string glslHead(const Settings& settings, const std::string& title, const std::string& resolve,
+                     const std::string& output) {
+  const bool hasOutput = !output.empty();
+  std::string text = std::string("// Temporal anti-aliasing: the resolve of one pixel") +
+                     (hasOutput ? ", and what is shown of it" : "") + ". Settings: " + title + ".\n";
   text += "// Made by TAA Inspector " TAA_VERSION "; see the license below.\n//\n";
-  text +=
-      wrapped("A fragment shader without further needs: draw one triangle that covers the target, without "
-              "blending. Row 0 of every texture and of the target is the top of the picture, so that "
-              "gl_FragCoord.y grows downwards. Keep two sets of the targets and swap them every frame; the "
-              "history must be of the same size as the picture.",
-              "");
+  text += wrapped(
+      (hasOutput ? std::string("Fragment shaders") : std::string("A fragment shader")) +
+          " without further needs: draw one triangle that covers the target, without blending. Row 0 of "
+          "every "
+          "texture and of the target is the top of the picture, so that gl_FragCoord.y grows downwards. Keep "
+          "two sets of the resolve's targets and swap them every frame; the history must be of the same size "
+          "as "
+          "the picture.",
+      "");
   if (isUpsampled(settings))
     text += wrapped(
         "The inputs are smaller than the picture (render scale " +
             valueText(parameter("inputs.renderScale"), static_cast<double>(settings.inputs.renderScale)) +
             "): it upsamples.",
         "");
-  text += wrapped("What is shown is o_color; sharpening and other effects after it (stage Output of the "
-                  "inspector) are not part of this, and must not find their way into the history.",
-                  "");
-  text += inputsText(settings, body) + outputsText(settings) + settingsText(settings);
-  return text + licenseText();
+  text += passesText(hasOutput) + texturesText(resolve, output) + blockText(settings, resolve, output);
+  return text + outputsText(settings, hasOutput) + settingsText(settings, hasOutput) + licenseText();
 }
 
 } // namespace taa

@@ -7,8 +7,23 @@ namespace taa {
 
 namespace {
 
-// What the shader depends on, so that other choices share its programs.
-Settings relevantSettings(const Settings& settings) {
+const gl::Program& programFor(ProgramCache& programs, const Settings& settings, bool hasOverlay,
+                              bool isSparse, const ExposureLayout& layout) {
+  const std::string key =
+      std::string(hasOverlay ? "overlay " : "") + (isSparse ? "sparse " : "") + slotsKey(layout.ofOutput());
+  return programs.program(outputSettings(settings), key, [&] {
+    return overlayPrelude(hasOverlay) + sparsePrelude(isSparse) + exposeAsTargets(layout.ofOutput(), 0);
+  });
+}
+
+} // namespace
+
+bool changesOutput(const Settings& settings) {
+  return settings.output.sharpen != Sharpen::None || settings.output.motionBlur == Switch::On ||
+         settings.inputs.blended == BlendedAs::After;
+}
+
+Settings outputSettings(const Settings& settings) {
   Settings relevant;
   relevant.dilate = settings.dilate;
   relevant.output = settings.output;
@@ -16,17 +31,9 @@ Settings relevantSettings(const Settings& settings) {
   return relevant;
 }
 
-const gl::Program& programFor(ProgramCache& programs, const Settings& settings, bool hasOverlay,
-                              bool isSparse, const ExposureLayout& layout) {
-  const std::string key =
-      std::string(hasOverlay ? "overlay " : "") + (isSparse ? "sparse " : "") + slotsKey(layout.ofOutput());
-  return programs.program(relevantSettings(settings), key, [&] {
-    return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n" +
-           sparsePrelude(isSparse) + exposeAsTargets(layout.ofOutput(), 0);
-  });
+std::string overlayPrelude(bool hasOverlay) {
+  return std::string("const bool kHasOverlay = ") + (hasOverlay ? "true" : "false") + ";\n";
 }
-
-} // namespace
 
 OutputPass::OutputPass() : programs("taa/output.frag", "output") {}
 

@@ -8,6 +8,15 @@
 
 namespace taa {
 
+/// Whether what is shown may differ from the resolved picture (shaders/taa/output.glsl).
+bool changesOutput(const Settings& settings);
+
+/// What the program of this pass depends on, all else as by default, so that other choices share it.
+Settings outputSettings(const Settings& settings);
+
+/// GLSL that says whether something is laid over what is shown.
+std::string overlayPrelude(bool hasOverlay);
+
 /// Needs the current context for its whole life.
 class OutputPass {
  public:

@@ -162,7 +162,9 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
     const gl::Framebuffer target(attachments(run, &out, exposure, settings), nullptr, "resolved");
     parts_->draw(run, target, inputs, previous, settings, exposure);
   }
-  if (exposure) parts_->output.fill(inputs, out.color, settings, *exposure);
+  if (!exposure) return;
+  parts_->output.fill(inputs, out.color, settings, *exposure);
+  exposure->readFrom(&inputs, out);
 }
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,
@@ -180,6 +182,7 @@ void TaaPass::expose(const FrameInputs& inputs, const History* previous, const H
     parts_->draw(run, target, inputs, previous, settings, &exposure);
   }
   parts_->output.fill(inputs, resolved.color, settings, exposure);
+  exposure.readFrom(&inputs, resolved);
 }
 
 void TaaPass::resolveUntil(Stage last, const FrameInputs& inputs, const History* previous,
@@ -197,7 +200,7 @@ void TaaPass::forgetStageEnds() {
 }
 
 void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {
-  const ExposureLayout layout(watched);
+  const ExposureLayout layout(watched, rowSources(settings));
   const Settings relevant = relevantSettings(settings);
   for (const Run& run : runsFor(relevant, true, layout.ofResolve()))
     parts_->programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
@@ -205,7 +208,7 @@ void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId
 }
 
 bool TaaPass::isPrepared(const Settings& settings, const std::vector<IntermediateId>& watched) const {
-  const ExposureLayout layout(watched);
+  const ExposureLayout layout(watched, rowSources(settings));
   const Settings relevant = relevantSettings(settings);
   return std::ranges::all_of(runsFor(relevant, true, layout.ofResolve()),
                              [&](const Run& run) { return parts_->programs.holds(relevant, run.key()); });

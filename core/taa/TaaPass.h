@@ -16,13 +16,16 @@
 
 namespace taa {
 
-/// Textures that hold the watched intermediates of a region, 32-bit floats.
+/// The watched intermediates of a region: textures of 32-bit floats, and where rows need not be written,
+/// those that hold them anyway.
 class Exposure {
  public:
   Exposure() = default;
-  /// `region` in pixels of the picture; `texels`: how many stand for them, each for the one in its middle, 0:
-  /// one each. Throws Error when there is not the memory.
+  /// All rows are written. `region` in pixels of the picture; `texels`: how many stand for them, each for the
+  /// one in its middle, 0: one each. Throws Error when there is not the memory.
   Exposure(std::vector<IntermediateId> watched, const gl::Rect& region, const glm::ivec2& texels = {});
+  /// Of the whole picture; likewise.
+  Exposure(ExposureLayout layout, const gl::Rect& picture);
 
   const std::vector<IntermediateId>& watched() const { return layout_.watched(); }
   const ExposureLayout& layout() const { return layout_; }
@@ -30,9 +33,9 @@ class Exposure {
   const glm::ivec2& texels() const { return texels_; }
   bool isSparse() const { return texels_ != glm::ivec2(region_.width, region_.height); }
   bool holds(IntermediateId id) const { return layout_.holds(id); }
-  /// The texture array, its layer and the channel from which on it holds `id`. Expects holds(id).
-  const gl::Texture& texture(IntermediateId id) const { return textureOf(layout_.slot(id)); }
-  int layer(IntermediateId id) const { return layout_.slot(id).layer; }
+  /// The texture, its layer (of an array) and the channel from which on it holds `id`. Expects holds(id).
+  const gl::Texture& texture(IntermediateId id) const;
+  int layer(IntermediateId id) const { return layout_.held(id) ? 0 : layout_.slot(id).layer; }
   int firstChannel(IntermediateId id) const { return layout_.firstChannel(id); }
   /// All texels of `id`, with the row's channels. Expects holds(id).
   Image image(IntermediateId id) const;
@@ -40,15 +43,24 @@ class Exposure {
   Image image(IntermediateId id, const gl::Rect& part) const;
   const gl::Texture& textureOf(const ExposedSlot& slot) const;
 
+  /// From now on rows that are not written are those of this frame, which must outlive their being looked at.
+  /// `inputs` may be null where the layout needs none.
+  void readFrom(const FrameInputs* inputs, const History& resolved);
+  /// Takes another layout of the same places, with its constants.
+  void take(const ExposureLayout& layout);
+
  private:
+  void fill(const ExposedSlot& slot);
   ExposureLayout layout_;
   gl::Rect region_;
   glm::ivec2 texels_{0};
   gl::Texture one_, two_, four_; ///< arrays by channel count; empty when no row needs them
+  const FrameInputs* inputs_ = nullptr;
+  const History* resolved_ = nullptr;
 };
 
 /// What an Exposure of the same takes, bytes.
-std::size_t exposureBytes(const std::vector<IntermediateId>& watched, const gl::Rect& region);
+std::size_t exposureBytes(const ExposureLayout& layout, const gl::Rect& region);
 
 /// Specialised programs and the draw. Needs the current context for its whole life.
 class TaaPass {
@@ -76,7 +88,8 @@ class TaaPass {
                     History& out);
   void forgetStageEnds();
 
-  /// Compiles the program for `settings` now, so that the next resolve does not wait.
+  /// Compiles the program for `settings` now, so that the next resolve does not wait. `watched`: of the whole
+  /// picture, where rows are written only if they must be.
   void prepare(const Settings& settings, const std::vector<IntermediateId>& watched);
 
   /// Whether resolve() has all it needs for that.

@@ -11,13 +11,12 @@ float luma(vec3 c) {
   return result;
 }
 
-/// NaN, Inf, negative and unstorable values are not.
-bool isSane(float x) { return x >= 0.0 && x <= kBrightest; }
-
-/// Channels that are not sane become 0.
-vec3 sanitized(vec3 c) {
-  return vec3(isSane(c.r) ? c.r : 0.0, isSane(c.g) ? c.g : 0.0, isSane(c.b) ? c.b : 0.0);
+/// Channels that are not sane, which are NaN, Inf, negative or cannot be stored, become those of another color.
+vec3 saneOr(vec3 other, vec3 c) {
+  return mix(mix(other, c, greaterThanEqual(c, vec3(0.0))), other, greaterThan(c, vec3(kBrightest)));
 }
+
+vec3 sanitized(vec3 c) { return saneOr(vec3(0.0), c); }
 
 /// What a computed color becomes: negative values and NaN 0, too bright ones the brightest that can be stored.
 vec3 storable(vec3 c) { return bounded(c, vec3(0.0), vec3(kBrightest)); }
@@ -29,7 +28,7 @@ float largestChannel(vec3 c) { return greater(greater(c.r, c.g), c.b); }
 /// Divisor of the inverse of c/(1 + x): brightness 1 is infinitely bright.
 float inverseDivisor(float brightness) {
   precise float difference = 1.0 - brightness;
-  return difference > 1e-5 ? difference : 1e-5;
+  return greater(difference, 1e-5);
 }
 
 /// Each channel by itself (15.3).

@@ -8,7 +8,7 @@ const int kGray = 0;
 const int kCyclic = 4;
 const int kCategorical = 5;
 const int kEntries = 257;
-const int kCategories = 8;
+const int kCategories = 10;
 
 float srgbDecoded(float value) {
   return value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4);

@@ -1,4 +1,4 @@
-// What is laid over a picture: hatches over clipped values, arrows. In: values as they are stored, positions in screen
+// What is laid over a picture: hatches over clipped values, arrows, numbers of reasons. In: values as they are stored, positions in screen
 // px. All lengths are units of view.above.w screen px.
 #include "inspect/visual_color.glsl"
 
@@ -56,12 +56,28 @@ float outsideArrow(vec2 at, vec2 along, float reach) {
 
 // The arrow of a vector over a color: white with a dark edge; a dot where there is nearly no length.
 vec3 withArrow(vec3 color, vec2 value, vec2 at, float cell) {
-  const float kLeastReach = 2.0, kDot = 1.0, kEdge = 1.0;
+  const float kDot = 1.0, kEdge = 1.0;
   if (value.x == kNoPrevious || value.y == kNoPrevious || isNaN(value.x + value.y)) return color;
   float size = length(value); // infinite ones have no direction to show
   if (isInfinite(size)) return color;
-  float reach = 0.45 * min(cell, view.arrows.y) * min(size / extent(), 1.0);
-  float outside = reach < kLeastReach ? max(length(at) - kDot, 0.0) : outsideArrow(at, value / size, reach);
+  float reach = view.arrows.z * min(cell, view.arrows.y) * min(size / extent(), 1.0);
+  float outside = reach < view.arrows.w ? max(length(at) - kDot, 0.0) : outsideArrow(at, value / size, reach);
   if (outside == 0.0) return vec3(1.0);
   return outside <= kEdge ? vec3(0.0) : color;
+}
+
+// The digits 0 to 9: five rows of three bits, the upper left one the highest.
+const int kDigits[10] = int[](0x7B6F, 0x2C97, 0x73E7, 0x73CF, 0x5BC9, 0x79CF, 0x79EF, 0x7249, 0x7BEF, 0x7BCF);
+const float kLeastNumbered = 12.0; // units a texel has at least to hold a digit
+
+// A digit on a dark plate in the upper left corner of a texel that is `zoom` screen px wide; `at`: px from its corner.
+vec3 numbered(vec3 color, int digit, vec2 at, float zoom) {
+  float unit = view.above.w;
+  if (zoom < kLeastNumbered * unit) return color;
+  float size = zoom < 24.0 * unit ? unit : 2.0 * unit;
+  ivec2 cell = ivec2(floor(at / size)) - 2;
+  if (any(lessThan(cell, ivec2(-1))) || cell.x > 3 || cell.y > 5) return color;
+  bool isInside = all(greaterThanEqual(cell, ivec2(0))) && cell.x < 3 && cell.y < 5;
+  bool isSet = isInside && ((kDigits[clamp(digit, 0, 9)] >> (14 - 3 * cell.y - cell.x)) & 1) != 0;
+  return isSet ? vec3(1.0) : vec3(0.0);
 }

@@ -1,18 +1,13 @@
-// A part of one intermediate as a picture for the screen. In: the layer, the color maps, ViewBlock; from the
-// prelude kVisual and kVisual_<name>, kChannels (of the row), kAlone (the channel shown alone, or -1), kMap (row of the
-// table of color maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines,
-// kHasArrows. Constants, because a software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen
-// pixel the picture covers.
+// A part of one intermediate as a picture for the screen. In: the color maps, ViewBlock; from the prelude
+// fetch_<name>(texel, layer) of the textures that are read (layer, minus, rejectReason, objectId), kVisual and
+// kVisual_<name>, kChannels (of the row), kAlone (the channel shown alone, or -1), kMap (row of the table of color
+// maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines, kHasArrows. Constants,
+// because a software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen pixel the picture covers.
 // Colors are linear Rec. 709 until the last line; averages are taken of what would be displayed.
 #include "shared/ViewBlock.h"
 #include "inspect/color_maps.glsl"
 #include "inspect/visual_color.glsl"
 #include "inspect/overlays.glsl"
-
-layout(binding = 0) uniform sampler2DArray u_layer;
-layout(binding = 2) uniform sampler2DArray u_minus;
-layout(binding = 3) uniform sampler2DArray u_rejectReason;
-layout(binding = 4) uniform sampler2DArray u_objectId;
 
 layout(location = 0) out vec4 o_color;
 
@@ -43,18 +38,18 @@ vec4 fromChannel(vec4 value, int first) {
 }
 
 vec4 rowAt(ivec2 texel) {
-  vec4 value = fromChannel(texelFetch(u_layer, ivec3(texel, view.layer.x), 0), view.layer.y);
-  if (kIsDifference) value -= fromChannel(texelFetch(u_minus, ivec3(texel, view.layer.z), 0), view.layer.w);
+  vec4 value = fromChannel(fetch_layer(texel, view.layer.x), view.layer.y);
+  if (kIsDifference) value -= fromChannel(fetch_minus(texel, view.layer.z), view.layer.w);
   return value;
 }
 
 int rejectReasonAt(ivec2 texel) {
-  vec4 value = texelFetch(u_rejectReason, ivec3(texel, view.overlays.x), 0);
+  vec4 value = fetch_rejectReason(texel, view.overlays.x);
   return int(fromChannel(value, view.overlays.y).x);
 }
 
 float objectAt(ivec2 texel) {
-  return fromChannel(texelFetch(u_objectId, ivec3(texel, view.overlays.z), 0), view.overlays.w).x;
+  return fromChannel(fetch_objectId(texel, view.overlays.z), view.overlays.w).x;
 }
 
 vec3 colorAt(ivec2 texel, inout int clipped) {
@@ -115,6 +110,13 @@ vec3 pointed(vec3 color, vec2 corner) {
   return withArrow(color, value, (position - middle) * zoom / view.above.w, texels * zoom / view.above.w);
 }
 
+// The number of the reason in each texel that is rejected, where it is large enough.
+vec3 withReason(vec3 color, ivec2 texel, vec2 corner) {
+  int reason = rejectReasonAt(texel);
+  vec2 at = (view.originPx + (corner + 0.5) / view.range.w - vec2(texel)) * view.range.w;
+  return reason == 0 ? color : numbered(color, reason, at, view.range.w);
+}
+
 void main() {
   vec2 corner = floor(gl_FragCoord.xy);
   Part part = kIsMinified ? areaBelow(corner) : texelBelow(corner);
@@ -125,6 +127,7 @@ void main() {
   int clipped = 0;
   vec3 color = meanColor(part, clipped);
   if (kMarksClipped) color = hatched(color, clipped, corner);
+  if (kTintsRejected && !kIsMinified) color = withReason(color, ivec2(part.from), corner);
   if (kOutlines) color = outlined(color, corner);
   if (kHasArrows) color = pointed(color, corner);
   o_color = vec4(encoded(color), part.covered);

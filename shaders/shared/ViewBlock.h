@@ -20,7 +20,8 @@ layout(std140, binding = 3) uniform ViewBlock {
   ivec4 overlays; // x, y: layer and channel of the reject reason; z, w: of the object id
   vec4 above;     // xyz: color of what lies above the range, linear; w: screen px a unit of hatches, lines and arrows
   vec4 below;     // xyz: color of what lies below the range, linear; w: share of a tint
-  vec4 arrows;    // x: units from one to the next at least, y: units one is long at most; others unused
+  vec4 arrows;    // units: x: from one to the next at least, y: a cell at most; z: half the longest, share of its cell;
+                  // w: half the shortest that is no dot
 #ifdef __cplusplus
 };
 } // namespace taa::shared

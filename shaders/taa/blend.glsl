@@ -22,7 +22,7 @@ float blendFactor(float alpha, float currentWeight, float historyWeight) {
   precise float current = alpha * currentWeight;
   precise float factor = current / (current + (1.0 - alpha) * historyWeight);
   if (!kWeighsByLuma) factor = alpha;
-  return alpha >= 1.0 ? 1.0 : factor;
+  return mix(factor, 1.0, alpha >= 1.0);
 }
 
 vec3 compressed(vec3 color) {
@@ -42,12 +42,9 @@ vec3 mixed(vec3 current, vec3 history, vec3 factor) {
     precise vec3 between = from + factor * (to - from);
     result = current == history ? history : decompressed(between);
   }
-  if (kUpsampled) { // a share of 0 does not go through compression and back (invariant 65)
-    result = vec3(factor.r <= 0.0 ? history.r : result.r, factor.g <= 0.0 ? history.g : result.g,
-                  factor.b <= 0.0 ? history.b : result.b);
-  }
-  return vec3(factor.r >= 1.0 ? current.r : result.r, factor.g >= 1.0 ? current.g : result.g,
-              factor.b >= 1.0 ? current.b : result.b);
+  // A share of 0 does not go through compression and back (invariant 65).
+  if (kUpsampled) result = mix(result, history, lessThanEqual(factor, vec3(0.0)));
+  return mix(result, current, greaterThanEqual(factor, vec3(1.0)));
 }
 
 /// Mean of the pixel and its diagonals, for pixels without history (5.6).
@@ -67,17 +64,17 @@ float framesAfter(float alpha, float framesBefore, float confidence, vec2 motion
   if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
   if (kBlendLength == kBlendLength_reciprocal) frames = alpha > 1e-6 ? greater(confidence / alpha, 1.0) : framesBefore;
   if (kBlendLength == kBlendLength_confidence) frames = confidenceAfter(framesBefore, motion);
-  return alpha >= 1.0 ? 1.0 : frames;
+  return mix(frames, 1.0, alpha >= 1.0);
 }
 
 /// The nearest half float, ties to even, of a value from 0 to 65504: unpackHalf2x16(packHalf2x16(x)), which costs
 /// llvmpipe ten times as much.
-float nearestHalf(float x) {
-  uint bits = floatBitsToUint(x);
-  float normal = uintBitsToFloat((bits + 0xFFFu + ((bits >> 13u) & 1u)) & 0xFFFFE000u); // 11 significant bits
-  precise float shifted = x + 0.5; // below 2⁻¹⁴ halves are multiples of 2⁻²⁴, as floats from ½ to 1 are
-  precise float subnormal = shifted - 0.5;
-  return x < 6.103515625e-5 ? subnormal : normal;
+vec3 nearestHalf(vec3 x) {
+  uvec3 bits = floatBitsToUint(x);
+  vec3 normal = uintBitsToFloat((bits + 0xFFFu + ((bits >> 13u) & 1u)) & 0xFFFFE000u); // 11 significant bits
+  precise vec3 shifted = x + 0.5; // below 2⁻¹⁴ halves are multiples of 2⁻²⁴, as floats from ½ to 1 are
+  precise vec3 subnormal = shifted - 0.5;
+  return mix(normal, subnormal, lessThan(x, vec3(6.103515625e-5)));
 }
 
 /// One of the two half floats around x, the nearer one more often, so that the mean is x. `random`: 13 bits. Halves
@@ -114,13 +111,12 @@ const bool kIsUnorm = kHistoryPrecision == kHistoryPrecision_unorm8 || kHistoryP
 /// kept in floats. To the nearest, or up and down at random (14.7, 20.6).
 vec3 asStored(vec3 color, ivec2 pixel) {
   if (!kIsHalf && !kIsUnorm) return color;
+  if (kIsHalf && !kHistoryDither) return nearestHalf(color);
   uvec3 random = kHistoryDither ? ditherBits(pixel) : uvec3(0u);
   vec3 u = kHistoryDither ? (vec3(random) + 0.5) / 8192.0 : vec3(0.5);
   float steps = kHistoryPrecision == kHistoryPrecision_unorm8 ? 255.0 : 1023.0;
   if (kIsUnorm) return vec3(unorm(color.r, steps, u.r), unorm(color.g, steps, u.g), unorm(color.b, steps, u.b));
-  if (kHistoryDither)
-    return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
-  return vec3(nearestHalf(color.r), nearestHalf(color.g), nearestHalf(color.b));
+  return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
 }
 
 Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float invalid) {
@@ -136,8 +132,7 @@ Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float
                    blendFactor(weight.channels.g, currentWeight, historyWeight),
                    blendFactor(weight.channels.b, currentWeight, historyWeight));
   precise vec3 color = mixed(current, history, factors);
-  precise vec3 sane = vec3(isSane(color.r) ? color.r : current.r, isSane(color.g) ? color.g : current.g,
-                           isSane(color.b) ? color.b : current.b);
+  precise vec3 sane = saneOr(current, color);
   Blended result = Blended(asStored(sane, pixel), framesAfter(weight.alpha, x.frames, x.confidence, x.dilated.motion));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);

@@ -93,6 +93,7 @@ float leastWeight(float base) {
 
 /// Less where luma differs (13.11), of compressed colors with Godot's divisor.
 float lumaFlickerFactor(WeightInputs x) {
+  if (!kWeightLumaFlicker) return 1.0;
   const bool kIsCompressed = kWeightFlickerScale == kWeightFlickerScale_compressed;
   precise float current = luma(kIsCompressed ? reinhardChannel(x.current) : x.current);
   precise float history = luma(kIsCompressed ? reinhardChannel(x.history) : x.history);
@@ -101,7 +102,7 @@ float lumaFlickerFactor(WeightInputs x) {
   if (kIsCompressed) divisor = greater(largest, 1.001);
   precise float rest = 1.0 - abs(current - history) / divisor;
   precise float factor = rest * rest;
-  return kWeightLumaFlicker && hasHistory() ? factor : 1.0;
+  return hasHistory() ? factor : 1.0;
 }
 
 float boxWidth(Box box) {
@@ -111,30 +112,34 @@ float boxWidth(Box box) {
 
 /// Less where history, before it is rectified, lies near a wall of the box (13.13, Karis 2014).
 float nearClampFactor(WeightInputs x) {
+  if (!kWeightNearClamp) return 1.0;
   float history = boxLuma(toBox(x.rawHistory));
   precise float toLow = abs(history - boxLuma(x.box.lo));
   precise float toHigh = abs(history - boxLuma(x.box.hi));
   float toWall = lesser(toLow, toHigh);
   precise float sum = toWall + boxWidth(x.box);
   precise float factor = sum > 0.0 ? toWall / sum : 1.0;
-  return kWeightNearClamp && hasHistory() ? factor : 1.0;
+  return hasHistory() ? factor : 1.0;
 }
 
 /// Less where the box is large against history (13.15).
 float historyContrastFactor(WeightInputs x) {
+  if (!kWeightHistoryContrast) return 1.0;
   float history = boxLuma(toBox(x.history));
   precise float factor = history > 0.0 ? 1.0 / (1.0 + boxWidth(x.box) / history) : 1.0;
-  return kWeightHistoryContrast && hasHistory() ? factor : 1.0;
+  return hasHistory() ? factor : 1.0;
 }
 
 /// Less where the mask says that the box was widened (13.18, Donut).
 float relaxFactor(WeightInputs x) {
+  if (!kNeighborhoodMaskRelax) return 1.0;
   precise float factor = 1.0 / (1.0 + 0.5 * greater(x.mask.x, x.mask.y));
-  return kNeighborhoodMaskRelax ? factor : 1.0;
+  return factor;
 }
 
 /// The least that the mask asks for (13.18, 21.4).
 float maskWeight(WeightInputs x) {
+  if (kWeightMask == kWeightMask_off) return 0.0;
   precise float responsive = settings.weightMaskAlpha * greater(x.mask.x, x.mask.y);
   if (kWeightMask == kWeightMask_responsive) return responsive;
   if (kWeightMask == kWeightMask_reactive) return x.mask.x;
@@ -143,15 +148,17 @@ float maskWeight(WeightInputs x) {
 
 /// Less the farther the sample lies from the pixel's center; Donut's (13.6) is 1 again where things move.
 float sampleDistanceFactor(WeightInputs x) {
+  if (kWeightSampleDistance == kWeightSampleDistance_none) return 1.0;
   float factor = resolveBlock.weightTerms.x;
   float t = saturated(x.speed);
   precise float moving = (t * t) * (3.0 - 2.0 * t);
   if (kWeightSampleDistance == kWeightSampleDistance_parabola) factor = greater(moving, factor);
-  return kWeightSampleDistance == kWeightSampleDistance_none ? 1.0 : factor;
+  return factor;
 }
 
 /// What motion adds to α (13.4 to 13.6).
 float motionWeight(WeightInputs x, float alpha) {
+  if (kWeightMotion == kWeightMotion_none) return 0.0;
   precise float share = saturated(x.speed / settings.weightMotionSpeed);
   precise float squared = share * share;
   precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
@@ -232,7 +239,7 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   calmed = calmed * calming.relax;
   calmed = calmed * calming.sampleDistance;
   calmed = greater(calmed, result.least);
-  calmed = calmed < 1.0 ? calmed : 1.0;
+  calmed = lesser(calmed, 1.0);
   result.motion = motionWeight(x, calmed);
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
   precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);

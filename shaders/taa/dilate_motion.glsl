@@ -20,10 +20,10 @@ bool isCandidate(int k) {
   return k != 4 || kIsAsPrinted;
 }
 
-/// × may reach two pixels (4.4).
+/// × may reach two pixels (4.4). May lie outside the picture.
 ivec2 neighborOf(ivec2 pixel, int k) {
   const int kReach = kIsClosestX2 ? 2 : 1;
-  return clamped(pixel + kReach * ivec2(k % 3 - 1, k / 3 - 1));
+  return pixel + kReach * ivec2(k % 3 - 1, k / 3 - 1);
 }
 
 /// Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself. As printed the
@@ -35,12 +35,11 @@ ivec2 closestOf(ivec2 pixel, out float closest) {
     if (!isCandidate(k)) continue;
     ivec2 neighbor = neighborOf(pixel, k);
     float depth = texelAt(u_depth, neighbor).r;
-    if (depth > closest) {
-      closest = depth;
-      chosen = neighbor;
-    }
+    bool isCloser = depth > closest;
+    closest = mix(closest, depth, isCloser);
+    chosen = mix(chosen, neighbor, bvec2(isCloser));
   }
-  return chosen;
+  return clamped(chosen);
 }
 
 float squaredLength(vec2 motion) {
@@ -54,7 +53,7 @@ ivec2 longestOf(ivec2 pixel) {
   float longest = squaredLength(texelAt(u_motion, pixel).rg);
   for (int k = 0; k < 9; ++k) {
     if (!isCandidate(k)) continue;
-    ivec2 neighbor = neighborOf(pixel, k);
+    ivec2 neighbor = clamped(neighborOf(pixel, k));
     float squared = squaredLength(texelAt(u_motion, neighbor).rg);
     if (squared > longest) {
       longest = squared;

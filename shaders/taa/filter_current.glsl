@@ -13,22 +13,22 @@ const bool kIsWeighted = kCurrentFilter != kCurrentFilter_center && kCurrentFilt
 const bool kMayRing = kCurrentFilter == kCurrentFilter_mitchell || kCurrentFilter == kCurrentFilter_catmullRom ||
                       kCurrentFilter == kCurrentFilter_lanczos;
 
-/// Weight of sample k for its color: bright ones may count less (7.2).
-float sampleWeight(Samples samples, int k) {
+/// Weight of sample k, of this color: bright ones may count less (7.2).
+float sampleWeight(vec3 color, int k) {
   precise float weight = currentWeight(k);
-  if (kCurrentLumaWeighted) weight = weight / (1.0 + luma(samples.color[k]));
+  if (kCurrentLumaWeighted) weight = weight / (1.0 + luma(color));
   return weight;
 }
 
 vec3 weightedSamples(Samples samples) {
-  precise float total = sampleWeight(samples, 0);
-  for (int k = 1; k < 9; ++k) total = total + sampleWeight(samples, k);
+  precise float total = sampleWeight(samples.color[0], 0);
+  for (int k = 1; k < 9; ++k) total = total + sampleWeight(samples.color[k], k);
   // Differences to the center, so that a constant stays exactly constant.
-  precise vec3 sum = sampleWeight(samples, 0) * (samples.color[0] - samples.color[4]);
+  precise vec3 sum = sampleWeight(samples.color[0], 0) * (samples.color[0] - samples.color[4]);
   for (int k = 1; k < 9; ++k)
-    if (k != 4) sum = sum + sampleWeight(samples, k) * (samples.color[k] - samples.color[4]);
+    if (k != 4) sum = sum + sampleWeight(samples.color[k], k) * (samples.color[k] - samples.color[4]);
   precise vec3 result = samples.color[4] + sum / total;
-  return abs(total) > 1e-4 ? result : samples.color[4];
+  return mix(samples.color[4], result, bvec3(abs(total) > 1e-4));
 }
 
 /// One bilinear tap at the place where the pixel's unjittered center landed (7.1).

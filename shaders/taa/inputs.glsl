@@ -55,8 +55,8 @@ bool keeps(int layer) { return (resolveBlock.state.x & layer) != 0; }
 float viewDepth(float depth) {
   precise float numerator = depth * resolveBlock.depthTerms.x - resolveBlock.depthTerms.y;
   precise float denominator = depth * resolveBlock.depthTerms.z - resolveBlock.depthTerms.w;
-  precise float result = depth == 0.0 ? 0.0 : numerator / denominator;
-  return result;
+  precise float result = numerator / denominator;
+  return mix(result, 0.0, depth == 0.0);
 }
 
 /// The render texel whose sample lies nearest to a pixel's center, and the way there from the center in render px:

@@ -127,6 +127,7 @@ const vec3 kSlabs[13] = vec3[](vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3
                                vec3(1, 0, 1), vec3(1, 0, -1), vec3(0, 1, 1), vec3(0, 1, -1), vec3(1, 1, 1),
                                vec3(1, 1, -1), vec3(1, -1, 1), vec3(1, -1, -1));
 const bool kIsClipToHull = kRectifyMethod == kRectifyMethod_clipToHull;
+const int kSlabCount = kIsClipToHull ? 13 : 1; // those that nobody reads cost time to compile
 
 float across(vec3 direction, vec3 color) {
   precise float result = (direction.x * color.x + direction.y * color.y) + direction.z * color.z;
@@ -137,8 +138,8 @@ float across(vec3 direction, vec3 color) {
 struct Neighborhood {
   Box box;
   Moments moments;
-  float slabLow[13];
-  float slabHigh[13];
+  float slabLow[kSlabCount];
+  float slabHigh[kSlabCount];
 };
 
 Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 historyColor, float speed) {

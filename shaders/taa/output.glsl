@@ -58,16 +58,15 @@ vec3 blurredAlong(vec2 position, vec2 motion, float noise) {
 
 /// Share of the resolved color by its speed. Where no motion is known there is nothing to blur along.
 float blurTrust(float speed) {
-  if (!kOutputMotionBlur || speed >= kNoPreviousPosition) return 1.0;
+  if (speed >= kNoPreviousPosition) return 1.0;
   precise float trust = 1.0 - saturated((speed - 2.0) / 13.0);
   return trust;
 }
 
-void showOutput(ivec2 pixel) {
-  Place place = placeOf(pixel);
-  Samples resolved = readResolved(pixel);
-  vec3 sharp = sharpen(resolved, readInputs(place));
-  vec2 motion = kOutputMotionBlur ? dilateMotion(place.texel).motion : vec2(0.0);
+/// The color with this frame blurred along its motion over it, as little as the resolved color is to be trusted; and
+/// that trust.
+vec4 blurredByMotion(ivec2 pixel, ivec2 texel, vec3 sharp) {
+  vec2 motion = dilateMotion(texel).motion;
   float trust = blurTrust(speedOf(motion));
   precise vec3 color = sharp;
   if (trust < 1.0) {
@@ -75,13 +74,27 @@ void showOutput(ivec2 pixel) {
     precise vec3 blurred = blurredAlong(position, motion, gradientNoise(pixel));
     color = blurred + trust * (sharp - blurred);
   }
+  return vec4(color, trust);
+}
+
+/// How much brighter than the resolved color the sharpened one is.
+float detailOf(vec3 sharp, vec3 resolved) {
+  precise float detail = luma(sharp) - luma(resolved);
+  return detail;
+}
+
+void showOutput(ivec2 pixel) {
+  Place place = placeOf(pixel);
+  Samples resolved = readResolved(pixel);
+  vec3 sharp = sharpen(resolved, place);
+  vec4 shown = kOutputMotionBlur ? blurredByMotion(pixel, place.texel, sharp) : vec4(sharp, 1.0);
+  vec3 color = shown.rgb;
   if (kHasOverlay) {
     vec4 layer = texelAt(u_overlay, place.still);
     precise vec3 covered = color * (1.0 - layer.a) + layer.rgb;
     color = storable(covered);
   }
-  precise float detail = luma(sharp) - luma(resolved.color[4]);
-  expose_sharpenDetail(detail);
-  expose_blurTrust(trust);
+  expose_sharpenDetail(detailOf(sharp, resolved.color[4]));
+  expose_blurTrust(shown.a);
   expose_output(color);
 }

@@ -34,24 +34,21 @@ Rectified clipToCenter(vec3 history, Box box) {
   return Rectified(color, farthest > 1.0 ? amount : 0.0);
 }
 
-/// Share of the way at which one channel enters the box; 0 where it is inside.
-float entry(float history, float way, float lo, float hi) {
-  precise float fromBelow = (lo - history) / way;
-  precise float fromAbove = (hi - history) / way;
-  return history < lo ? fromBelow : (history > hi ? fromAbove : 0.0);
+/// Share of the way at which each channel enters the box; 0 where it is inside.
+vec3 entry(vec3 history, vec3 way, vec3 lo, vec3 hi) {
+  precise vec3 fromBelow = (lo - history) / way;
+  precise vec3 fromAbove = (hi - history) / way;
+  return mix(mix(vec3(0.0), fromAbove, greaterThan(history, hi)), fromBelow, lessThan(history, lo));
 }
 
 /// Towards the filtered current color until the box's wall (11.3, Karis 2014), never past the target.
 Rectified clipToFiltered(vec3 history, Box box, vec3 currentFiltered) {
   precise vec3 target = bounded(toBox(currentFiltered), box.lo, box.hi);
   precise vec3 way = target - history;
-  precise vec3 entries =
-      vec3(entry(history.x, way.x, box.lo.x, box.hi.x), entry(history.y, way.y, box.lo.y, box.hi.y),
-           entry(history.z, way.z, box.lo.z, box.hi.z));
+  vec3 entries = entry(history, way, box.lo, box.hi);
   precise float amount = greater(greater(entries.x, entries.y), entries.z);
   precise vec3 color = history + way * amount;
-  if (amount >= 1.0) return Rectified(target, 1.0);
-  return Rectified(color, amount);
+  return Rectified(mix(color, target, bvec3(amount >= 1.0)), mix(amount, 1.0, amount >= 1.0));
 }
 
 /// |value − history| against the way to `target`.
@@ -117,7 +114,8 @@ Rectified clipToHull(vec3 history, Neighborhood around, vec3 currentFiltered) {
     float end = across(kSlabs[slab], target);
     float low = lesser(around.slabLow[slab], end);
     float high = greater(around.slabHigh[slab], end);
-    amount = greater(amount, entry(across(kSlabs[slab], history), across(kSlabs[slab], way), low, high));
+    vec3 entries = entry(vec3(across(kSlabs[slab], history)), vec3(across(kSlabs[slab], way)), vec3(low), vec3(high));
+    amount = greater(amount, entries.x);
   }
   precise vec3 color = history + way * amount;
   if (amount >= 1.0) return Rectified(target, 1.0);
@@ -152,11 +150,12 @@ bool isKept(vec3 history, Neighborhood around, Rectified rectified) {
 
 /// Part of the correction that is applied (11.6, 17.2).
 float rectifyStrength(float speed) {
+  if (kRectifyMethod == kRectifyMethod_none) return 0.0;
+  if (!kRectifyRelaxAtRest) return 1.0;
   precise float share = speed / settings.rectifyRestSpeed;
   precise float strength =
       settings.rectifyLeastStrength + (1.0 - settings.rectifyLeastStrength) * saturated(share * share);
-  if (kRectifyMethod == kRectifyMethod_none) return 0.0;
-  return kRectifyRelaxAtRest ? strength : 1.0;
+  return strength;
 }
 
 /// N of history that was moved: a tenth of what FSR2 accumulates, 0.1 of a mean weight of 0.74/12 a frame (11.7).

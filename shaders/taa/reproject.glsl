@@ -12,7 +12,7 @@ struct Reprojection {
 /// Length of a motion; NaN counts as the fastest.
 float speedOf(vec2 motion) {
   precise float speed = sqrt(motion.x * motion.x + motion.y * motion.y);
-  return speed <= kNoPreviousPosition ? speed : kNoPreviousPosition;
+  return mix(kNoPreviousPosition, speed, speed <= kNoPreviousPosition);
 }
 
 /// Whether the history position lies outside for the chosen rule. Written so that NaN does.

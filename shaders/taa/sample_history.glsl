@@ -246,10 +246,11 @@ HistorySample readHistory(vec2 position, bool isEdge) {
   precise vec2 corner = floor(position - 0.5);
   ivec2 first = ivec2(corner);
   ivec2 nearest = ivec2(floor(position)) - first;
+  result.frames = 0.0;
   for (int k = 0; k < 4; ++k) {
     ivec2 offset = ivec2(k % 2, k / 2);
     vec2 surface = historyAt(u_historySurface, first + offset).rg;
-    if (k == 0 || offset == nearest) result.frames = surface.r;
+    result.frames = mix(result.frames, surface.r, k == 0 || offset == nearest);
     result.depths[k] = surface.g;
   }
   return result;

@@ -1,4 +1,4 @@
-// Sharpens the resolved color (catalogue §18). In: the nine resolved colors around the pixel, this frame's nine
+// Sharpens the resolved color (catalogue §18). In: the nine resolved colors around the pixel, the place of this frame's
 // samples. Out: scene-linear color, storable. All differences are to the pixel itself, so that what is flat stays
 // exactly what it is, whatever the amount.
 
@@ -110,14 +110,14 @@ vec3 reconstructed(Samples c) {
   return result;
 }
 
-vec3 sharpen(Samples c, Samples samples) {
+vec3 sharpen(Samples c, Place place) {
   if (kOutputSharpen == kOutputSharpen_none) return c.color[4];
   precise vec3 result = c.color[4];
   if (kOutputSharpen == kOutputSharpen_lumaRatio) result = sharpenedByLuma(c);
   if (kOutputSharpen == kOutputSharpen_laplacian) result = sharpenedByLaplacian(c);
   if (kOutputSharpen == kOutputSharpen_unsharp) result = unsharpMasked(c);
   if (kOutputSharpen == kOutputSharpen_rcas) result = sharpenedByRcas(c);
-  if (kOutputSharpen == kOutputSharpen_inResolve) result = brightenedInResolve(c, samples);
+  if (kOutputSharpen == kOutputSharpen_inResolve) result = brightenedInResolve(c, readInputs(place));
   if (kOutputSharpen == kOutputSharpen_logarithm) result = sharpenedInLogarithms(c);
   if (kOutputSharpen == kOutputSharpen_reconstruct) result = reconstructed(c);
   if (kOutputDering) result = boundedBySamples(result, c);

@@ -23,8 +23,9 @@ struct Validity {
 /// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
 float depthMismatch(float expected, float stored) {
   precise float relative = abs(expected - stored) / expected;
-  if (expected == 0.0 && stored == 0.0) return 0.0;
-  return expected == 0.0 || stored == 0.0 ? 1.0 : relative;
+  bool isSky = expected == 0.0;
+  bool wasSky = stored == 0.0;
+  return mix(mix(relative, 1.0, isSky || wasSky), 0.0, isSky && wasSky);
 }
 
 struct DepthMatch {
@@ -37,7 +38,8 @@ DepthMatch bestMatch(float expected, float depths[4]) {
   DepthMatch best = DepthMatch(depths[0], depthMismatch(expected, depths[0]));
   for (int k = 1; k < 4; ++k) {
     float mismatch = depthMismatch(expected, depths[k]);
-    if (mismatch < best.mismatch) best = DepthMatch(depths[k], mismatch);
+    bool isBetter = mismatch < best.mismatch;
+    best = DepthMatch(mix(best.depth, depths[k], isBetter), mix(best.mismatch, mismatch, isBetter));
   }
   return best;
 }
@@ -46,8 +48,10 @@ DepthMatch bestMatch(float expected, float depths[4]) {
 float smallerStep(float center, float a, float b) {
   precise float toA = abs(a - center);
   precise float toB = abs(b - center);
-  if (a == 0.0) return b == 0.0 ? 0.0 : toB;
-  return b == 0.0 ? toA : lesser(toA, toB);
+  bool isSkyA = a == 0.0;
+  bool isSkyB = b == 0.0;
+  float besideSky = mix(mix(toA, toB, isSkyA), 0.0, isSkyA && isSkyB);
+  return mix(lesser(toA, toB), besideSky, isSkyA || isSkyB);
 }
 
 float viewDepthAt(ivec2 texel) { return viewDepth(texelAt(u_depth, texel).r); }
@@ -59,7 +63,7 @@ float allowedMismatch(ivec2 texel, float expected) {
   float y = smallerStep(center, viewDepthAt(texel - ivec2(0, 1)), viewDepthAt(texel + ivec2(0, 1)));
   precise float slope = x + y;
   precise float sloped = settings.validateDepthTolerance + (settings.validateSlopeAllowance * slope) / expected;
-  return expected == 0.0 || center == 0.0 ? settings.validateDepthTolerance : sloped;
+  return mix(sloped, settings.validateDepthTolerance, expected == 0.0 || center == 0.0);
 }
 
 /// The weightiest of what speaks against history.
@@ -78,17 +82,17 @@ int rejectReason(Reprojection reprojection, bool isDeeper, GeometryMatch geometr
 
 /// Least α for a reason: what is off the screen or not there starts anew whatever is chosen.
 float invalidity(int reason, float changed) {
-  if (reason == kRejectReason_kept) return 0.0;
   bool isSoft = kValidateAction == kValidateAction_raiseAlpha && reason >= kRejectReason_depth;
-  float whole = isSoft ? settings.validateSoftAlpha : 1.0;
+  float whole = mix(1.0, settings.validateSoftAlpha, isSoft);
   precise float part = changed * whole;
-  return reason == kRejectReason_velocity ? part : whole;
+  return mix(mix(whole, part, reason == kRejectReason_velocity), 0.0, reason == kRejectReason_kept);
 }
 
 /// Share of history that a change of velocity rejects (12.5).
 float changedShare(float velocityChange) {
+  if (kValidateVelocity == kValidateVelocity_none) return 0.0;
   precise float share = (velocityChange - settings.validateVelocityLimit) * settings.validateVelocityGain;
-  return kValidateVelocity == kValidateVelocity_none ? 0.0 : saturated(share);
+  return saturated(share);
 }
 
 Validity validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reprojection, HistorySample history) {

@@ -1,5 +1,6 @@
 // The arithmetic of charts.
 #include "app/views/ChartMath.h"
+#include "app/views/CurveLegend.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,35 @@ TEST(ChartMath, ZoomKeepsWhatIsUnderTheCursorAndStaysInside) {
   EXPECT_EQ(moved({10.0, 20.0}, all, 5.0), (Span{15.0, 25.0}));
   EXPECT_EQ(moved({10.0, 20.0}, all, 500.0), (Span{90.0, 100.0}));
   EXPECT_EQ(moved({10.0, 20.0}, all, -500.0), (Span{0.0, 10.0}));
+}
+
+TEST(ChartMath, ALegendGoesOnInTheNextLineBeforeItLeavesTheChart) {
+  const std::vector<double> widths{30.0, 40.0, 50.0, 200.0, 10.0};
+  const std::vector<LegendPlace> wide = placeLegend(widths, 20.0, 400.0, 500.0);
+  EXPECT_EQ(wide, (std::vector<LegendPlace>{{0, 20.0}, {0, 50.0}, {0, 90.0}, {0, 140.0}, {0, 340.0}}));
+  // 90 is the end of the first line, 100 that of the others; what is wider than a line has one for itself.
+  const std::vector<LegendPlace> narrow = placeLegend(widths, 20.0, 90.0, 100.0);
+  EXPECT_EQ(narrow, (std::vector<LegendPlace>{{0, 20.0}, {0, 50.0}, {1, 0.0}, {2, 0.0}, {3, 0.0}}));
+  EXPECT_TRUE(placeLegend({}, 20.0, 90.0, 100.0).empty());
+}
+
+TEST(CurveLegend, ShortensNamesBeforeItTakesMoreLines) {
+  std::vector<Curve> curves;
+  for (int pin = 1; pin <= 9; ++pin)
+    curves.push_back(
+        {QStringLiteral("%1 surface").arg(pin), Qt::red, Qt::SolidLine, {}, QString::number(pin)});
+  CurveLegend legend;
+  legend.layOut("α", {curves[0], curves[1]}, 1200.0, 80.0);
+  EXPECT_FALSE(legend.isShortened());
+  EXPECT_EQ(legend.lines(), 1);
+  const double line = legend.height();
+  legend.layOut("α", curves, 1200.0, 80.0);
+  EXPECT_TRUE(legend.isShortened());
+  EXPECT_EQ(legend.lines(), 1);
+  legend.layOut("α", curves, 420.0, 80.0);
+  EXPECT_TRUE(legend.isShortened());
+  EXPECT_GT(legend.lines(), 1);
+  EXPECT_EQ(legend.height(), legend.lines() * line);
 }
 
 TEST(ChartMath, LinesAreBrokenAtGaps) {

@@ -1,8 +1,6 @@
-// Views with two sides, by mouse and keys, on a synthetic renderer whose pictures are of one gray each.
+// Views with two sides, by mouse and keys.
 #include "app/panels/StatusLine.h"
-#include "app/views/RangeHistogram.h"
 #include "app/views/ViewArea.h"
-#include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/views/Wipe.h"
 #include "app/widgets/Chooser.h"
@@ -10,44 +8,20 @@
 #include "core/base/Error.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "tests/app/WindowFixture.h"
+#include "tests/app/ViewsFixture.h"
 
-#include <QAction>
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QLineEdit>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace taa;
 using namespace taa::app;
 
 namespace {
 
-using test::FakeRenderer;
+using test::FakeRenderer, test::kRow, test::kSharp;
 
-class ComparingTest : public test::FakeWindow {
- protected:
-  ViewPanel* view(int index = 0) { return window.views()->view(index); }
-  Viewport* viewport() { return view()->viewport(); }
-  const ViewRequest& asked(std::size_t index = 0) { return renderer->views.at(index); }
-  /// The gray at a place of the first view, logical px.
-  int grayAt(int x, int y) { return qRed(viewport()->grab().toImage().pixel(x, y)); }
-  int middleY() { return viewport()->height() / 2 + 40; } // below the handle
-  /// Where a pixel's center lies, logical px.
-  QPoint placeOf(glm::ivec2 pixel) {
-    const glm::dvec2 place = screenFromPicture(viewport()->transform(), glm::dvec2(pixel) + 0.5);
-    return {static_cast<int>(place.x), static_cast<int>(place.y)};
-  }
-  void compareWith(const Comparison& comparison) {
-    view()->setComparison(comparison);
-    settle();
-  }
-};
-
-const Comparison kRow{OtherKind::Row, IntermediateId::color};
-const Comparison kSharp{OtherKind::Preset, {}, QStringLiteral("sharp")};
+class ComparingTest : public test::FakeViews {};
 
 } // namespace
 
@@ -63,7 +37,9 @@ TEST(ComparisonTest, TextsAndMeaningsBelongTogether) {
     EXPECT_EQ(comparisonText(comparison), text);
     EXPECT_EQ(parseComparison(text), comparison) << text;
   }
-  for (const char* wrong : {"", "colour", "preset:", "frame:", "frame:x", "frame:1.5", "frame:99999999999"})
+  EXPECT_EQ(parseComparison("row:color"), kRow);
+  for (const char* wrong : {"", "row:", "row:preset:sharp", "colour", "preset:", "frame:", "frame:x",
+                            "frame:1.5", "frame:99999999999"})
     EXPECT_THROW(parseComparison(wrong), Error) << wrong;
   for (const Showing showing : {Showing::First, Showing::Other, Showing::Difference, Showing::Wipe})
     EXPECT_EQ(showingNamed(showingName(showing)), showing);
@@ -190,12 +166,28 @@ TEST_F(ComparingTest, RowsOfOtherChannelCountsHaveNoDifference) {
   EXPECT_FALSE(asked().asDifference);
 }
 
+TEST_F(ComparingTest, EachOfFourViewsHasAPresetOfItsOwnToCompareWith) {
+  window.views()->setViewCount(4);
+  const QStringList presets{"sharp", "stable", "minimal", "fsr2"};
+  for (int index = 0; index < 4; ++index)
+    view(index)->setComparison({OtherKind::Preset, {}, presets[index].toStdString()});
+  settle();
+  ASSERT_EQ(renderer->otherLanes.size(), 4u);
+  const std::vector<ViewRequest> requests = window.views()->requests();
+  for (int index = 0; index < 4; ++index) {
+    EXPECT_TRUE(renderer->otherLanes[static_cast<std::size_t>(index)] ==
+                preset(presets[index].toStdString()).settings);
+    ASSERT_TRUE(requests[static_cast<std::size_t>(index)].other) << index;
+    EXPECT_EQ(requests[static_cast<std::size_t>(index)].other->lane, index + 1);
+  }
+}
+
 TEST_F(ComparingTest, APresetIsALaneBesideTheSettings) {
   compareWith(kSharp);
   ASSERT_EQ(renderer->otherLanes.size(), 1u);
   EXPECT_TRUE(renderer->otherLanes[0] == preset("sharp").settings);
   EXPECT_EQ(asked().other->lane, 1);
-  view(1)->setComparison({OtherKind::Preset, {}, QStringLiteral("stable")});
+  view(1)->setComparison({OtherKind::Preset, {}, "stable"});
   settle();
   EXPECT_EQ(renderer->otherLanes.size(), 2u);
   EXPECT_EQ(asked(1).other->lane, 2);
@@ -216,6 +208,33 @@ TEST_F(ComparingTest, AnotherFrameIsAskedForByItsNumberOrItsDistance) {
   EXPECT_TRUE(viewport()->label(true).contains("frame 19")) << viewport()->label(true).toStdString();
 }
 
+TEST_F(ComparingTest, WhilePlayingTheFrameBeforeStaysAndSaysSo) {
+  session.seek(20);
+  key(Qt::Key_C, Qt::ShiftModifier);
+  const int right = viewport()->width() - 12;
+  ASSERT_EQ(grayAt(right, middleY()), FakeRenderer::kOtherGray);
+  session.setPlaying(true);
+  session.seek(24);
+  settle();
+  EXPECT_EQ(viewport()->label(true).toStdString(),
+            "Resolved · balanced · frame 19 · stays until it is paused");
+  EXPECT_EQ(viewport()->label(false).toStdString(), "Resolved · balanced · frame 24");
+  EXPECT_EQ(grayAt(right, middleY()), FakeRenderer::kOtherGray) << "not an empty half";
+  EXPECT_TRUE(viewport()->picture(false).isNull()) << "no file shows a pair that is none";
+  compareWith({OtherKind::FramesBefore, {}, {}, 3});
+  EXPECT_EQ(viewport()->label(true).toStdString(), "Resolved · balanced · comes when it is paused");
+  session.setPlaying(false);
+  settle();
+  EXPECT_EQ(viewport()->label(true).toStdString(), "Resolved · balanced · frame 21");
+}
+
+TEST_F(ComparingTest, TheReferenceOfAnotherFrameSaysWhyItIsNotThere) {
+  view()->setIntermediate(IntermediateId::reference);
+  compareWith({OtherKind::Frame, {}, {}, 7});
+  EXPECT_TRUE(viewport()->label(true).contains("only the frame on show has a reference: go to"))
+      << viewport()->label(true).toStdString();
+}
+
 TEST_F(ComparingTest, LabelsSayWhichRowWhichSettingsAndWhichFrame) {
   compareWith(kSharp);
   EXPECT_EQ(viewport()->label(false).toStdString(), "Resolved · balanced · frame 0");
@@ -230,13 +249,14 @@ TEST_F(ComparingTest, TheListOffersPresetsFramesAndIntermediates) {
   QTest::keyClick(chooser->findChild<QLineEdit*>(), Qt::Key_Return);
   settle();
   EXPECT_EQ(view()->comparison().kind, OtherKind::FramesBefore);
+  ASSERT_TRUE(test::waitFor([&] { return !window.findChild<Chooser*>(); }));
   window.chooseComparison(0);
-  chooser = window.findChildren<Chooser*>().last(); // the first one is not deleted yet
+  chooser = window.findChild<Chooser*>();
+  ASSERT_TRUE(chooser);
   chooser->search(QStringLiteral("another frame…"));
   QTest::keyClick(chooser->findChild<QLineEdit*>(), Qt::Key_Return);
-  settle();
+  ASSERT_TRUE(test::waitFor([&] { return window.findChild<Prompt*>() != nullptr; })); // behind the chooser
   auto* prompt = window.findChild<Prompt*>();
-  ASSERT_TRUE(prompt);
   prompt->field()->setText(QStringLiteral("33"));
   QTest::keyClick(prompt->field(), Qt::Key_Return);
   settle();
@@ -249,54 +269,6 @@ TEST_F(ComparingTest, HoverShowsTheValuesOfBothSides) {
   settle();
   EXPECT_EQ(window.statusLine()->hover().toStdString(),
             "A (10, 3)  (310, 310, 310)  other (10310, 10310, 10310)");
-}
-
-TEST_F(ComparingTest, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
-  key(Qt::Key_X, Qt::ShiftModifier);
-  key(Qt::Key_J);
-  key(Qt::Key_K, Qt::ControlModifier);
-  key(Qt::Key_A, Qt::ShiftModifier);
-  const ViewStyle& style = asked().style;
-  EXPECT_TRUE(style.markClipped && style.markRejected && style.outlineObjects && style.arrows);
-  EXPECT_FALSE(asked(1).style.markClipped);
-  window.showIntermediate(IntermediateId::motion, false);
-  settle();
-  EXPECT_TRUE(asked().style.markClipped && asked().style.arrows);
-  key(Qt::Key_J);
-  EXPECT_FALSE(asked().style.markRejected);
-}
-
-TEST_F(ComparingTest, TheGridCanBeSwitchedOff) {
-  viewport()->setCamera({false, 24.0, {32.0, 18.0}});
-  settle();
-  const glm::dvec2 corner = screenFromPicture(viewport()->transform(), {30.0, 20.0});
-  const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y) + 12;
-  EXPECT_NE(grayAt(x, y), FakeRenderer::kGray);
-  key(Qt::Key_G, Qt::ShiftModifier);
-  EXPECT_EQ(grayAt(x, y), FakeRenderer::kGray);
-}
-
-TEST_F(ComparingTest, TheHistogramCountsWhatIsVisibleAndItsHandlesSetTheRange) {
-  EXPECT_FALSE(asked().withValues);
-  key(Qt::Key_H);
-  EXPECT_TRUE(asked().withValues);
-  auto* histogram = view()->findChild<RangeHistogram*>();
-  ASSERT_TRUE(histogram && histogram->isVisible());
-  int counted = 0;
-  for (const int count : histogram->counts()) counted += count;
-  EXPECT_EQ(counted, 64 * 36 * 3) << "every channel of every pixel";
-  const int low = static_cast<int>(histogram->position(0.0)),
-            high = static_cast<int>(histogram->position(1.0));
-  EXPECT_NEAR(low, high, 2) << "a range of 1 among thousands";
-  QTest::mousePress(histogram, Qt::LeftButton, {}, {high + 40, 30});
-  QTest::mouseRelease(histogram, Qt::LeftButton, {}, {high + 40, 30});
-  settle();
-  const ViewStyle& style = asked().style;
-  EXPECT_NEAR(histogram->position(static_cast<double>(style.high)), high + 40, 1.0);
-  EXPECT_EQ(style.low, 0.0f);
-  key(Qt::Key_H);
-  EXPECT_FALSE(asked().withValues);
-  EXPECT_TRUE(histogram->isHidden());
 }
 
 TEST_F(ComparingTest, AStateIsRestoredAsItWas) {

@@ -96,6 +96,17 @@ void FakeRenderer::addCameraTrack(const CameraTrack& track) {
   deliver();
 }
 
+void FakeRenderer::setFlownCameras(const FlownCameras& cameras) {
+  for (const CameraTrackHandle& track : status.tracks) std::erase(status.cameras, track->name);
+  status.tracks.clear();
+  for (const CameraTrack& track : cameras.tracks) {
+    status.tracks.push_back(std::make_shared<const CameraTrack>(track));
+    status.cameras.push_back(track.name);
+  }
+  status.camera = cameras.camera;
+  deliver();
+}
+
 /// Object n is seen in the box from (10·n, 5) that is 4 pixels wide and 3 high.
 void FakeRenderer::locate(const std::vector<int>& objects) {
   located = objects;
@@ -267,7 +278,11 @@ ViewResult FakeRenderer::draw(int view) const {
     result.region = {0, 0, status.width, status.height};
     result.values = valuesOf(request.id, request.lane, result.frame);
   }
-  if (!request.other) return result;
+  if (request.style.markRejected) result.reasons = {1000, 0, 0, 0, 300};
+  // As the real one: no other frame while it plays, and no reference of one.
+  const bool isMade = request.other && !(status.playing && request.other->framesBefore > 0) &&
+                      !(request.other->isOfAnotherFrame() && isOfReference(request.other->id));
+  if (!isMade) return result;
   ViewSide& side = result.other.emplace();
   side.frame = request.other->frame.value_or(result.frame - request.other->framesBefore);
   side.picture = gray(request, kOtherGray);

@@ -43,6 +43,7 @@ class FakeRenderer final : public Renderer {
   void fly(const CameraPose& pose) override;
   void setRecording(bool recording) override;
   void addCameraTrack(const CameraTrack& track) override;
+  void setFlownCameras(const FlownCameras& cameras) override;
   void locate(const std::vector<int>& objects) override;
   void setTracing(bool wanted) override;
   void fillTraces(int first, int last) override;

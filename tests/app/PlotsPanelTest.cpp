@@ -36,6 +36,7 @@ class Plots : public test::FakeWindow {
   void refresh() { QTest::qWait(200); }
   void goTo(int frame) {
     session.seek(frame);
+    test::waitFor([&] { return session.status().info.frame == frame; }, 5000);
     settle();
   }
   PlotsPanel* plots() const { return window.plots(); }
@@ -56,8 +57,8 @@ class Plots : public test::FakeWindow {
 TEST_F(Plots, EveryFrameThatIsShownAddsAPoint) {
   ASSERT_EQ(plots()->rows().front().id, IntermediateId::alpha);
   for (const int frame : {5, 6, 9}) goTo(frame);
-  refresh();
   ASSERT_EQ(chart()->curves().size(), 1u);
+  ASSERT_TRUE(test::waitFor([&] { return valueAt(chart()->curves()[0].points, 9).has_value(); }, 5000));
   const std::vector<QPointF>& points = chart()->curves()[0].points;
   for (const int frame : {0, 5, 6, 9})
     EXPECT_EQ(valueAt(points, frame), static_cast<double>(test::FakeRenderer::valueAt(3, 2, frame))) << frame;

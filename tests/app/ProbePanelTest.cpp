@@ -8,6 +8,8 @@
 #include <QClipboard>
 #include <QTreeView>
 
+#include <map>
+
 using namespace taa;
 using namespace taa::app;
 using ProbeTable = test::FakeWindow;
@@ -173,6 +175,23 @@ TEST(ProbeModel, ValuesReadBackAsTheSameFloats) {
     number.replace(QChar(0x2212), '-');
     EXPECT_EQ(number.toFloat(), record[0][channel]) << lines[channel].toStdString();
   }
+}
+
+// A view asks for the size of every row whenever the pixel changes: laying out their texts for it took most
+// of the time in which the window answered nothing.
+TEST(ProbeModel, ARowIsAsHighAsItsChannelsWhateverTheirValues) {
+  ProbeModel model;
+  const auto height = [&](IntermediateId id) {
+    return model.data(model.indexOf(id, ProbeModel::Value), Qt::SizeHintRole).toSize().height();
+  };
+  std::map<IntermediateId, int> before;
+  for (const Intermediate& row : kIntermediates) before[row.id] = height(row.id);
+  EXPECT_GT(before.at(IntermediateId::alpha), 0);
+  EXPECT_GT(before.at(IntermediateId::motion), before.at(IntermediateId::alpha));
+  reference::PixelRecord record;
+  record.fill(glm::vec4(-1.0f / 3.0f));
+  model.setRecord(record);
+  for (const Intermediate& row : kIntermediates) EXPECT_EQ(height(row.id), before.at(row.id)) << row.label;
 }
 
 TEST_F(ProbeTable, ShowsTheValuesAtThePick) {

@@ -46,6 +46,20 @@ TEST(RangeMath, IsNeverEmpty) {
   EXPECT_EQ(autoRange(valuesOf(1, {2, 2}), kAlpha, {}), (ValueRange{2, 3}));
 }
 
+TEST(RangeMath, AScaleHasRoomForTheValuesAndTheRange) {
+  const Image values = valuesOf(1, {1, 2, NAN, 2, 5});
+  const Distribution narrow = distributionOf(values, kAlpha, {}, {}, 4);
+  EXPECT_EQ(narrow.values, (ValueRange{1, 5}));
+  EXPECT_FLOAT_EQ(narrow.scale.low, 0.8f);
+  EXPECT_FLOAT_EQ(narrow.scale.high, 5.2f);
+  EXPECT_EQ(narrow.counts, (std::vector<int>{1, 2, 0, 1}));
+  const Distribution wide = distributionOf(values, kAlpha, {}, ValueRange{-5, 4}, 0);
+  EXPECT_FLOAT_EQ(wide.scale.low, -5.5f);
+  EXPECT_FLOAT_EQ(wide.scale.high, 5.5f);
+  EXPECT_TRUE(wide.counts.empty());
+  EXPECT_FLOAT_EQ(distributionOf({}, kAlpha, {}, ValueRange{0, 10}, 0).scale.high, 10.5f) << "no value";
+}
+
 TEST(RangeMath, ColorMapsAreForSingleChannels) {
   ViewStyle style;
   EXPECT_TRUE(usesColorMap(kAlpha, style));

@@ -9,6 +9,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/FlightBar.h"
+#include "app/widgets/Prompt.h"
 
 #include <QJsonArray>
 #include <QLineEdit>
@@ -199,6 +200,55 @@ TEST_F(FlightWindow, RecordsAndGoesBackToTheCameraItLeft) {
   EXPECT_FALSE(renderer->status.recording);
   key(Qt::Key_Backspace);
   EXPECT_EQ(renderer->status.camera, "still");
+}
+
+TEST_F(FlightWindow, ARecordedCameraIsRenamedAndDeletedAndUndoTakesItBack) {
+  key(Qt::Key_Escape);
+  const CameraTrack first{"Recorded 1", 0, {CameraPose{}, CameraPose{.yaw = 10.0f}}};
+  const CameraTrack second{"Recorded 2", 0, {CameraPose{.yaw = 50.0f}}};
+  session.addCameraTrack(first);
+  session.addCameraTrack(second);
+  settle();
+  const auto names = [&] {
+    std::vector<std::string> all;
+    for (const CameraTrackHandle& track : renderer->status.tracks) all.push_back(track->name);
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  window.activateWindow();
+  key(Qt::Key_F2, Qt::ControlModifier);
+  auto* prompt = window.findChild<Prompt*>();
+  ASSERT_TRUE(prompt);
+  auto* field = prompt->findChild<QLineEdit*>();
+  EXPECT_EQ(field->text(), "Recorded 2");
+  field->setText("Recorded 1");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(names(), (Names{"Recorded 1", "Recorded 2"})) << "that is taken";
+  field->setText("By the wall");
+  QTest::keyClick(field, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(names(), (Names{"Recorded 1", "By the wall"}));
+  EXPECT_EQ(renderer->status.camera, "By the wall");
+  key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(names(), (Names{"Recorded 1"}));
+  EXPECT_EQ(renderer->status.camera, "still") << "the scene's";
+  session.setCamera("Recorded 1");
+  settle();
+  const SessionFile file = session.file();
+  const QJsonObject state = session.sceneState();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(names(), (Names{"Recorded 1", "By the wall"}));
+  EXPECT_EQ(renderer->status.camera, "By the wall");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(names(), (Names{"Recorded 1", "Recorded 2"}));
+  EXPECT_EQ(renderer->status.camera, "Recorded 2");
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(names(), (Names{"Recorded 1", "By the wall"}));
+  session.restore(file);
+  session.setSceneState(state);
+  settle();
+  EXPECT_EQ(names(), (Names{"Recorded 1"})) << "a session has those that were there";
+  EXPECT_EQ(renderer->status.camera, "Recorded 1");
 }
 
 TEST(FlightMath, MovesAlongWhereItLooks) {

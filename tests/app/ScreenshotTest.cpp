@@ -53,6 +53,18 @@ TEST(Screenshot, WritesAPictureOfTheWholeWindow) {
   EXPECT_GT(colors.size(), 1000u);
 }
 
+TEST(Screenshot, ADialogLiesInItsMiddle) {
+  const QString plain = fileName("plain.png"), file = fileName("dialog.png");
+  const QStringList options = {"--window-size", "1280x800", "--size", "160x90", "--frame", "5"};
+  ASSERT_EQ(run(QStringList{"--screenshot", plain} + options).code, 0);
+  ASSERT_EQ(run(QStringList{"--screenshot", file, "--dialog", "keys"} + options).code, 0);
+  const QImage without(plain), with(file);
+  ASSERT_EQ(without.size(), with.size());
+  const QRect middle(540, 300, 200, 200);
+  EXPECT_NE(without.copy(middle), with.copy(middle));
+  EXPECT_EQ(run({"--screenshot", file, "--dialog", "nothing"}).code, 2);
+}
+
 TEST(Screenshot, AFileThatCannotBeOpenedIsNamed) {
   const Outcome outcome = run({"--screenshot", fileName("none.png"), "/nowhere/none.glb"});
   EXPECT_EQ(outcome.code, 1);
@@ -110,7 +122,7 @@ TEST(RealWindow, StepsBackToTheSamePicture) {
   session.open("builtin:fan", false);
   const auto pictureOf = [&](int frame) {
     EXPECT_TRUE(taa::app::test::waitFor([&] {
-      const ViewResult* result = session.picture(0);
+      const ViewResult* result = session.picture(0).get();
       return session.isOpen() && result && result->frame == frame && result->exact &&
              result->request == window.views()->requests()[0];
     })) << frame;

@@ -186,10 +186,11 @@ TEST_F(SessionFiles, ACommandLineIsCopied) {
 }
 
 TEST_F(SessionFiles, AViewIsWrittenAsItIsShown) {
+  session.removeAllPins(); // a legend's picture shows them
   settle();
-  const ViewResult* shown = session.picture(0);
+  const std::shared_ptr<const ViewResult> shown = session.picture(0);
   ASSERT_TRUE(shown);
-  own->views()->view(0)->setResult(*shown);
+  own->views()->view(0)->setResult(shown);
   own->exports()->writeView(path("view.png"), false);
   own->exports()->writeView(path("legend.png"), true);
   ASSERT_TRUE(taa::app::test::waitFor(
@@ -233,7 +234,7 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   EXPECT_EQ(renderer->exported->target, path("out.gif").toStdString());
   EXPECT_EQ(renderer->exported->first, 3);
   EXPECT_EQ(renderer->exported->last, 8);
-  EXPECT_EQ(renderer->exported->width, 64);
+  EXPECT_EQ(renderer->exported->picture.width, 64);
   renderer->listener().onExported({path("out.gif").toStdString(), 6});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));

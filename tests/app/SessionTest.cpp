@@ -46,12 +46,12 @@ TEST(SettingsHistory, UndoneChangesCanBeMadeAgainUntilSomethingElseChanges) {
   Settings first, second, third;
   second.weight.alpha = 0.2f;
   third.weight.alpha = 0.3f;
-  history.record(first, "weight.alpha");
-  history.record(second, "weight.alpha"); // the same drag
-  EXPECT_EQ(history.undo(third).weight.alpha, first.weight.alpha);
+  history.record({first}, "weight.alpha");
+  history.record({second}, "weight.alpha"); // the same drag
+  EXPECT_EQ(history.undo({third}).settings.weight.alpha, first.weight.alpha);
   EXPECT_FALSE(history.canUndo());
-  EXPECT_EQ(history.redo(first).weight.alpha, 0.3f);
-  history.record(third, "rectify.method");
+  EXPECT_EQ(history.redo({first}).settings.weight.alpha, 0.3f);
+  history.record({third}, "rectify.method");
   EXPECT_FALSE(history.canRedo());
   EXPECT_TRUE(history.canUndo());
 }

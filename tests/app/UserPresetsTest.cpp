@@ -86,6 +86,25 @@ TEST_F(UserPresetsTest, ANameOfABuiltInOneIsRefusedAndNothingIsLost) {
   EXPECT_THROW(saveUserPreset(own.presetFolder(), "…", {}), Error);
 }
 
+TEST_F(UserPresetsTest, RowsBeginAtTheSamePlaceChosenOrNot) {
+  QTest::keyClick(&own, Qt::Key_D, Qt::ControlModifier);
+  auto* dialog = own.findChild<PresetsDialog*>();
+  ASSERT_TRUE(dialog);
+  QListWidget* list = dialog->list();
+  list->setCurrentRow(1);
+  list->scrollToTop();
+  const QImage seen = list->viewport()->grab().toImage();
+  const auto textBegin = [&](int row) { // the first column that is not of one color
+    const QRect place = list->visualItemRect(list->item(row));
+    for (int x = place.left(); x < place.right(); ++x)
+      for (int y = place.top() + 1; y < place.bottom(); ++y)
+        if (seen.pixel(x, y) != seen.pixel(x, place.top() + 1)) return x;
+    return -1;
+  };
+  ASSERT_GT(textBegin(1), 0);
+  for (const int row : {0, 2, 3}) EXPECT_NEAR(textBegin(row), textBegin(1), 2) << "letters begin unlike";
+}
+
 TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   saveAs("Mine");
   session.setParameter("weight.minimum", 0.25);

@@ -155,6 +155,51 @@ TEST_F(OverlaysTest, TintsByTheReasonAndLeavesWhatIsKept) {
   }
 }
 
+TEST_F(OverlaysTest, LargeTexelsHoldTheNumberOfTheirReason) {
+  const taa::gl::Texture values = textureOf(oneChannel(2, {0.25f, 0.25f}));
+  const taa::gl::Texture reasons = textureOf(oneChannel(2, {0.0f, 7.0f}));
+  ViewStyle style;
+  style.markRejected = true;
+  const auto drawn = [&](float zoom) {
+    return draw({.row = {&values}, .rejectReason = {&reasons}}, IntermediateId::alpha, style, {.zoom = zoom},
+                static_cast<int>(2 * zoom), static_cast<int>(zoom));
+  };
+  const Picture large = drawn(16.0f);
+  // A 7 two pixels inside the corner of the second texel: a bar above, a leg at its right.
+  const char* const seven[] = {"###", "..#", "..#", "..#", "..#"};
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 3; ++x)
+      EXPECT_EQ(pixel(large, 16 + 2 + x, 2 + y), seven[y][x] == '#' ? kWhite : kBlack) << x << ", " << y;
+  const Bytes tint = pixel(large, 30, 14);
+  EXPECT_NE(tint, kBlack);
+  EXPECT_EQ(pixel(large, 2, 2), pixel(large, 14, 14)) << "none where nothing is rejected";
+  const Picture small = drawn(8.0f);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 8; x < 16; ++x) EXPECT_EQ(pixel(small, x, y), tint) << x << ", " << y;
+}
+
+TEST_F(OverlaysTest, TheScaleOfArrowsIsWhatIsDrawn) {
+  const taa::gl::Texture values = textureOf(filled(8, 8, {100.0f, 0.0f}));
+  ViewStyle style = taa::defaultStyle(row(IntermediateId::motion));
+  style.arrows = true;
+  const ViewTransform transform{.zoom = 32.0f};
+  const Picture picture = draw({.row = {&values}}, IntermediateId::motion, style, transform, 256, 256);
+  int length = 0;
+  for (int x = 32; x < 64; ++x) length += pixel(picture, x, 48) == kWhite ? 1 : 0;
+  EXPECT_NEAR(length, taa::arrowScale(transform).longest, 2.0) << "its tip is narrower than a pixel";
+  const float most = std::max(std::abs(style.low), std::abs(style.high));
+  const float least = taa::arrowScale(transform).leastShare * most;
+  const auto whiteIn = [&](float x) {
+    const taa::gl::Texture still = textureOf(filled(8, 8, {x, 0.0f}));
+    const Picture drawn = draw({.row = {&still}}, IntermediateId::motion, style, transform, 256, 256);
+    int count = 0;
+    for (int at = 32; at < 64; ++at) count += pixel(drawn, at, 48) == kWhite ? 1 : 0;
+    return count;
+  };
+  EXPECT_LE(whiteIn(0.98f * least), 2) << "a dot";
+  EXPECT_GE(whiteIn(1.1f * least), 3) << "an arrow";
+}
+
 TEST_F(OverlaysTest, OutlinesRunBetweenObjectsAndNotAroundThePicture) {
   const taa::gl::Texture values = textureOf(filled(2, 2, {0.25f}));
   const taa::gl::Texture objects = textureOf(oneChannel(2, {4.0f, 4.0f, 4.0f, 9.0f}));

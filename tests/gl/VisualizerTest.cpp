@@ -27,6 +27,11 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// What the visualizer puts before its shader, for one of its variants: all of the block is in use.
 constexpr std::string_view kPrelude =
+    "layout(binding = 0) uniform sampler2DArray u_layer;\n"
+    "#define fetch_layer(texel, layer) texelFetch(u_layer, ivec3(texel, layer), 0)\n"
+    "#define fetch_minus fetch_layer\n"
+    "#define fetch_rejectReason fetch_layer\n"
+    "#define fetch_objectId fetch_layer\n"
     "const int kVisual_Color = 0, kVisual_Box = 1, kVisual_Depth = 2, "
     "kVisual_Signed = 4, kVisual_Vector = 5,\n"
     "  kVisual_Position = 6, kVisual_Normal = 7, kVisual_Index = 9;\n"
@@ -88,6 +93,63 @@ class VisualizerTest : public taa::test::GlTest {
 };
 
 } // namespace
+
+// Rows that are read in place lie in all of these.
+TEST_F(VisualizerTest, ShowsTexturesThatAreNoArraysAsTheirLayers) {
+  using taa::gl::Format;
+  struct Case {
+    IntermediateId id;
+    Format format;
+    int first;
+  };
+  const Case cases[] = {
+      {IntermediateId::color, Format::RGBA16F, 0},  {IntermediateId::motion, Format::RG16F, 0},
+      {IntermediateId::depth, Format::Depth32F, 0}, {IntermediateId::objectId, Format::R32UI, 0},
+      {IntermediateId::responsive, Format::RG8, 1}, {IntermediateId::objectClass, Format::RGBA16F, 3}};
+  constexpr int kSide = 4;
+  for (const auto& [id, format, first] : cases) {
+    const int channels = taa::gl::channels(format);
+    Image image(kSide, kSide, channels);
+    for (int texel = 0; texel < kSide * kSide; ++texel) // 0 and 1, which all formats hold
+      for (int channel = 0; channel < channels; ++channel)
+        image.at(texel % kSide, texel / kSide)[channel] = static_cast<float>((texel + channel) % 2);
+    taa::gl::Texture plain({kSide, kSide}, format, "plain");
+    taa::gl::Texture layers({kSide, kSide, 2}, formatFor(channels), "layers");
+    plain.upload(image);
+    layers.upload(image, 1);
+    const ViewStyle style = taa::defaultStyle(row(id));
+    const Picture expected = visualizer().draw(layers, 1, first, row(id), style, {}, kSide, kSide);
+    const Picture actual = visualizer().draw(plain, 0, first, row(id), style, {}, kSide, kSide);
+    EXPECT_EQ(actual.rgba, expected.rgba) << row(id).name;
+    EXPECT_NE(pixel(expected, 0), pixel(expected, 1)) << row(id).name << ": there is something to see";
+  }
+}
+
+TEST_F(VisualizerTest, SubtractsAndOutlinesByTexturesThatAreNoArrays) {
+  using taa::gl::Format;
+  Image colors(4, 2, 4), objects(4, 2, 1);
+  for (std::size_t index = 0; index < colors.pixels.size(); ++index)
+    colors.pixels[index] = 0.125f * static_cast<float>(index % 7);
+  for (std::size_t index = 0; index < objects.pixels.size(); ++index)
+    objects.pixels[index] = static_cast<float>(index / 2);
+  taa::gl::Texture plain({4, 2}, Format::RGBA16F, "plain"), layers({4, 2, 1}, Format::RGBA32F, "layers");
+  taa::gl::Texture plainIds({4, 2}, Format::R32UI, "ids"), ids({4, 2, 1}, Format::R32F, "layers of ids");
+  taa::gl::Texture zero({4, 2, 1}, Format::RGBA32F, "zero");
+  plain.upload(colors);
+  layers.upload(colors);
+  plainIds.upload(objects);
+  ids.upload(objects);
+  zero.clear(0.0f, 0.0f, 0.0f, 0.0f);
+  const taa::Intermediate& shown = row(IntermediateId::resolved);
+  ViewStyle style = taa::differenceStyle(shown);
+  style.outlineObjects = true;
+  const auto draw = [&](const taa::gl::Texture& minus, const taa::gl::Texture& objectIds) {
+    const taa::DrawnLayers drawn{.row = {&zero}, .minus = {&minus}, .objectId = {&objectIds}};
+    return visualizer().draw(drawn, shown, style, {}, 4, 2).rgba;
+  };
+  EXPECT_EQ(draw(plain, plainIds), draw(layers, ids));
+  EXPECT_NE(draw(plain, plainIds), draw(zero, ids));
+}
 
 TEST_F(VisualizerTest, SharesItsBlockWithTheShader) {
   const taa::gl::Program program(taa::gl::ShaderSource("include/fullscreen.vert"),

@@ -151,10 +151,10 @@ TEST(Batch, NamesWhatThereIsWhenTheCallerIsWrong) {
   expectUsageError({"probe", "builtin:fan", "--frame", "-1", "--pixel", "0,0"}, {"--frame"});
 }
 
-TEST(Batch, RefusesAFifthLane) {
+TEST(Batch, RefusesASixthLane) {
   std::vector<std::string> arguments = {"render", "builtin:fan", "--frames", "0", "--out", "/nowhere"};
-  for (int lane = 0; lane < 5; ++lane) arguments.insert(arguments.end(), {"--lane", "balanced"});
-  expectUsageError(arguments, {"5 times", "4 lanes"});
+  for (int lane = 0; lane < 6; ++lane) arguments.insert(arguments.end(), {"--lane", "balanced"});
+  expectUsageError(arguments, {"6 times", "5 lanes"});
 }
 
 using BatchTest = taa::test::GlTest;
@@ -223,6 +223,44 @@ TEST_F(BatchTest, WritesAPictureForEachIntermediate) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   EXPECT_EQ(fileNames(folder),
             (std::vector<std::string>{"frame.0000.motion.png", "frame.0000.resolved.png"}));
+}
+
+TEST_F(BatchTest, DrawsWhatIsComparedAsItIsAskedFor) {
+  const fs::path folder = freshFolder();
+  const auto drawn = [&](const std::vector<std::string>& more) {
+    const ProcessResult result = render(folder, joined({"--frames", "4", "--format", "png"}, more));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(fileNames(folder), std::vector<std::string>{"frame.0004.resolved.png"});
+    return taa::readFile(folder / "frame.0004.resolved.png");
+  };
+  const std::string first = drawn({}), sharp = drawn({"--preset", "sharp"});
+  EXPECT_NE(first, sharp);
+  const std::vector<std::string> preset = {"--compare", "preset:sharp", "--compare-as"};
+  EXPECT_EQ(drawn(joined(preset, {"first"})), first);
+  EXPECT_EQ(drawn(joined(preset, {"other"})), sharp);
+  EXPECT_EQ(drawn(joined(preset, {"wipe", "--divider", "1"})), first);
+  EXPECT_EQ(drawn(joined(preset, {"wipe", "--divider", "0"})), sharp);
+  const std::string wipe = drawn({"--compare", "preset:sharp"});
+  EXPECT_EQ(wipe, drawn(joined(preset, {"wipe", "--divider", "0.5"})));
+  EXPECT_TRUE(wipe != first && wipe != sharp);
+  EXPECT_NE(drawn(joined(preset, {"difference"})), wipe);
+  EXPECT_NE(drawn({"--compare", "frame:-1", "--compare-as", "other"}), first);
+  EXPECT_EQ(drawn({"--compare", "frame:4", "--compare-as", "other"}), first);
+  EXPECT_NE(drawn({"--compare", "reference", "--compare-as", "other", "--reference-samples", "4"}), first);
+}
+
+TEST(BatchMistakes, ComparingIsOfOnePictureAndWhatThereIs) {
+  const auto expectWrong = [](const std::vector<std::string>& more, const std::vector<std::string>& words) {
+    expectUsageError(joined({"render", "builtin:fan", "--frames", "0", "--out", "x"}, more), words);
+  };
+  expectWrong({"--format", "png", "--compare", "colour"}, {"--compare", "colour", "preset:NAME"});
+  expectWrong({"--format", "png", "--compare", "preset:loud"}, {"loud", "balanced"});
+  expectWrong({"--format", "png", "--compare", "color", "--compare-as", "sideways"}, {"sideways", "wipe"});
+  expectWrong({"--compare", "color"}, {"--format png"});
+  expectWrong({"--format", "png", "--compare-as", "wipe"}, {"--compare"});
+  expectWrong({"--format", "png", "--compare", "alpha", "--compare-as", "difference"},
+              {"resolved has 3 channels", "alpha 1"});
+  expectWrong({"--format", "png", "--compare", "color", "--lane", "sharp", "--lane", "stable"}, {"one lane"});
 }
 
 TEST_F(BatchTest, ProbesWhatItExports) {

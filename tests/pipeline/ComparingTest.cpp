@@ -87,7 +87,7 @@ TEST_F(ComparingTest, ALaneCanTakeOtherSettingsWithoutTheOthersNoticing) {
 
 TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
   const auto inspector = opened();
-  EXPECT_THROW(inspector->changeLanes(std::vector<Settings>(5)), taa::Error);
+  EXPECT_THROW(inspector->changeLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
   EXPECT_EQ(inspector->laneCount(), 1);
 }
 

@@ -196,6 +196,55 @@ TEST_F(FlightThread, RecordsWhileItPlays) {
   EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown);
 }
 
+TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
+  for (const bool isRecorded : {false, true}) {
+    recorder.clear();
+    thread->seek(0);
+    if (isRecorded) thread->setRecording(true);
+    thread->waitUntilIdle();
+    const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
+    thread->setPlaying(true);
+    ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
+    std::vector<std::uint64_t> subjects;
+    for (int step = 1; step < 6; ++step) {
+      thread->fly(shifted(start, step));
+      ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
+      subjects.push_back(recorder.read([&] { return recorder.statuses.back().subject; }));
+    }
+    EXPECT_EQ(std::ranges::count(subjects, subjects.front()), 5) << "dropped once, when it began";
+    thread->setPlaying(false);
+    thread->setRecording(false);
+    thread->waitUntilIdle();
+    thread->setCamera("orbit");
+    thread->waitUntilIdle();
+    EXPECT_GT(recorder.read([&] { return recorder.statuses.back().subject; }), subjects.back());
+  }
+}
+
+TEST_F(SceneChoices, ARenamedCameraShowsTheSameAndARemovedOneNothing) {
+  const auto inspector = opened();
+  const CameraPose first = inspector->cameraPose();
+  CameraTrack track{"flown", 0, {first, shifted(first, 3), shifted(first, 9)}};
+  inspector->setCameraTrack({"other", 0, {shifted(first, 4)}});
+  inspector->setCameraTrack(track);
+  inspector->seek(4);
+  const std::vector<Image> flown = inspector->images(allRows());
+  const CameraTrack other = *inspector->cameraTracks()[0];
+  CameraTrack named = track;
+  named.name = "By the wall";
+  inspector->setFlownCameras({{other, named}, "By the wall"});
+  EXPECT_TRUE(inspector->isExact()) << "it is the same camera";
+  EXPECT_EQ(inspector->camera(), "By the wall");
+  expectSame(inspector->images(allRows()), flown);
+  EXPECT_THROW(inspector->setFlownCameras({{other, other}, "other"}), taa::Error);
+  EXPECT_THROW(inspector->setFlownCameras({{other}, "flown"}), taa::Error);
+  EXPECT_EQ(inspector->camera(), "By the wall") << "an error changes nothing";
+  inspector->setFlownCameras({{other}, "orbit"});
+  EXPECT_EQ(inspector->cameras().back(), "other");
+  inspector->refine();
+  expectSame(inspector->images(allRows()), straight(4, [](Inspector& one) { one.setCamera("orbit"); }));
+}
+
 TEST_F(FlightThread, SaysWhereObjectsAreSeen) {
   std::vector<taa::ObjectArea> areas;
   const auto outline = recorder.read([&] { return recorder.statuses.back().outline; });

@@ -1,9 +1,11 @@
-// An exported resolve, compiled as it stands and bound by what its head says, gives the inspector's bits.
+// An exported resolve and the pass after it, compiled as they stand and bound by what their head says, give
+// the inspector's bits.
 #include "core/taa/GlslExport.h"
 
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+#include "core/taa/OutputPass.h"
 #include "core/taa/PassInputs.h"
 #include "shaders/shared/ResolveBlock.h"
 #include "tests/support/Paths.h"
@@ -22,11 +24,12 @@ using test::FrameShape;
 class Engine {
  public:
   explicit Engine(const std::string& text)
-      : program_(gl::ShaderSource("include/fullscreen.vert"),
-                 gl::ShaderSource::complete(text, "exported.frag"), "exported"),
+      : program_(compiled(text)), output_(hasOutput(text) ? compiled(withOutputMacro(text)) : gl::Program()),
         nearest_(gl::SamplerState{}), nothing_(gl::TextureSize{1, 1}, gl::Format::RGBA8, "nothing") {
     nothing_.clear(0.0f, 0.0f, 0.0f, 0.0f);
   }
+
+  static bool hasOutput(const std::string& text) { return text.find("#ifndef TAA_OUTPUT") != text.npos; }
 
   void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out) {
     fitHistory(out, inputs.outputWidth(), inputs.outputHeight(), settings);
@@ -42,7 +45,34 @@ class Engine {
     pass.drawFullscreen();
   }
 
+  /// What is shown, from what was resolved.
+  Image show(const FrameInputs& inputs, const Settings& settings, const History& resolved) const {
+    if (!output_) return resolved.color.download();
+    const gl::TextureSize size{inputs.outputWidth(), inputs.outputHeight()};
+    const gl::Texture shown(size, gl::Format::RGBA32F, "shown");
+    const gl::Buffer block = blockOf(inputs, nullptr, settings); // the same buffer serves both
+    const gl::Framebuffer target({{&shown}}, nullptr, "shown");
+    gl::RenderPass pass(target, {}, "shown");
+    pass.program(output_);
+    pass.uniformBlock(0, block);
+    pass.texture(0, inputs.color, nearest_);
+    pass.texture(1, inputs.depth, nearest_);
+    pass.texture(2, inputs.motion, nearest_);
+    pass.texture(8, resolved.color, nearest_);
+    pass.texture(15, inputs.overlay ? inputs.overlay : nothing_, nearest_);
+    pass.drawFullscreen();
+    return shown.download();
+  }
+
  private:
+  static gl::Program compiled(const std::string& text) {
+    return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource::complete(text, "exported.frag"),
+            "exported"};
+  }
+  static std::string withOutputMacro(std::string text) {
+    return text.insert(text.find('\n') + 1, "#define TAA_OUTPUT\n");
+  }
+
   void bindTextures(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous) {
     const gl::Texture* textures[] = {&inputs.color,  &inputs.depth,    &inputs.motion,
                                      &inputs.normal, &inputs.objectId, &inputs.previousDepth};
@@ -94,7 +124,7 @@ class Engine {
     return {bytes.size(), bytes.data(), "exported"};
   }
 
-  gl::Program program_;
+  gl::Program program_, output_;
   gl::Sampler nearest_;
   gl::Texture nothing_;
 };
@@ -116,19 +146,35 @@ class GlslExportTest : public test::ResolveTest {
       expectSame(actual.*layer.texture, expected.*layer.texture, layer.name);
   }
 
-  // Two frames with history and one without.
+  // Alpha has no row.
+  static void expectSameColors(const Image& shown, const Image& row) {
+    ASSERT_EQ(shown.width, row.width);
+    ASSERT_EQ(shown.height, row.height);
+    int wrong = 0;
+    for (int y = 0; y < row.height; ++y)
+      for (int x = 0; x < row.width; ++x)
+        if (std::memcmp(shown.at(x, y), row.at(x, y), 3 * sizeof(float)) != 0) ++wrong;
+    EXPECT_EQ(wrong, 0) << "pixels of what is shown";
+  }
+
+  // Two frames with history and one without: what is kept, and what is shown.
   static void expectSameResolve(const Settings& settings) {
     const FrameShape shape = test::shapeFor(settings);
-    Engine engine(exportedGlsl(settings, "test"));
+    const std::string text = exportedGlsl(settings, "test");
+    EXPECT_EQ(Engine::hasOutput(text), changesOutput(settings));
+    Engine engine(text);
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
-      const reference::Inputs images = test::randomFrame(shape, seed, seed == 2);
+      reference::Inputs images = test::randomFrame(shape, seed, seed == 2);
+      if (settings.inputs.blended != BlendedAs::After) images.overlay = {};
       const FrameInputs inputs = test::upload(images, shape);
       const History history = test::uploadHistory(images, shape);
       const History* previous = seed == 3 ? nullptr : &history;
       History expected, actual;
-      pass().resolve(inputs, previous, settings, expected);
+      Exposure exposure({IntermediateId::output}, whole(shape));
+      pass().resolve(inputs, previous, settings, expected, &exposure);
       engine.resolve(inputs, previous, settings, actual);
       expectSameHistory(actual, expected);
+      expectSameColors(engine.show(inputs, settings, actual), exposure.image(IntermediateId::output));
     }
   }
 };
@@ -141,7 +187,7 @@ TEST_P(EachExported, ResolvesAsTheInspectorDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Presets, EachExported,
                          testing::Values("balanced", "minimal", "stable", "sharp", "fsr2", "ue4", "playdead",
-                                         "intel", "hdrp-high", "urp-high", "donut"),
+                                         "intel", "hdrp-high", "urp-high", "donut", "raptor", "miniengine"),
                          [](const auto& row) {
                            std::string name = row.param;
                            std::erase(name, '-');
@@ -152,6 +198,49 @@ TEST_F(GlslExportTest, UpsamplesAsTheInspectorDoes) {
   Settings settings = preset("balanced").settings;
   applyAssignment(settings, "inputs.renderScale=0.5");
   expectSameResolve(settings);
+}
+
+class EachExportedSharpening : public GlslExportTest, public testing::WithParamInterface<int> {};
+
+TEST_P(EachExportedSharpening, ShowsWhatTheInspectorShows) {
+  Settings settings = preset("minimal").settings;
+  settings.output.sharpen = static_cast<Sharpen>(GetParam());
+  settings.output.amount = 1.5f;
+  expectSameResolve(settings);
+  applyAssignment(settings, "inputs.renderScale=0.5");
+  applyAssignment(settings, "inputs.blended=after");
+  applyAssignment(settings, "output.dering=on");
+  applyAssignment(settings, "output.motionBlur=on");
+  expectSameResolve(settings);
+}
+
+INSTANTIATE_TEST_SUITE_P(Choices, EachExportedSharpening,
+                         testing::Range(0, static_cast<int>(Sharpen::Reconstruct) + 1),
+                         [](const auto& row) { return "Choice" + std::to_string(row.param); });
+
+TEST_F(GlslExportTest, BlursAndCoversAsTheInspectorDoes) {
+  for (const char* assignment : {"output.motionBlur=on", "inputs.blended=after"}) {
+    Settings settings = preset("minimal").settings;
+    applyAssignment(settings, assignment);
+    expectSameResolve(settings);
+  }
+}
+
+TEST_F(GlslExportTest, HasOneShaderWhereNothingFollowsTheResolve) {
+  const std::string text = exportedGlsl(preset("balanced").settings, "x");
+  EXPECT_EQ(text.find("TAA_OUTPUT"), std::string::npos);
+  EXPECT_EQ(text.find("output.sharpen"), std::string::npos);
+  EXPECT_NE(text.find("What is shown is o_color"), std::string::npos);
+}
+
+TEST_F(GlslExportTest, TellsOfTheSecondShaderAndItsInputs) {
+  const std::string text = exportedGlsl(preset("hdrp-high").settings, "x");
+  for (const char* words : {"#define TAA_OUTPUT", "u_resolved (8)", "u_color (0): the same as the resolve's.",
+                            "o_output (0)", "output.sharpen=inResolve output.amount=0.5"})
+    EXPECT_NE(text.find(words), std::string::npos) << words;
+  for (const char* word : {"expose", "stage_ends", "settings.", "SettingsBlock", "#line", "kIsSparse"})
+    EXPECT_EQ(text.find(word), std::string::npos) << word;
+  EXPECT_EQ(text.find("u_overlay"), std::string::npos) << "an input that is not needed";
 }
 
 TEST_F(GlslExportTest, LeavesNothingOfTheInspectorInTheText) {

@@ -34,6 +34,29 @@ TEST_F(InspectorTest, OpensASourceAtFrameZeroWithItsOwnCamera) {
   EXPECT_GT(inspector->times().resolve, 0.0);
 }
 
+TEST_F(InspectorTest, TellsOfEachProgramThatItCompilesWhileItOpens) {
+  const auto inspector = opened();
+  std::vector<int> steps;
+  int total = 0;
+  inspector->open("builtin:fan", [&](std::string_view what, int done, int all) {
+    if (what != "Compiling shaders") return true;
+    steps.push_back(done);
+    total = all;
+    return true;
+  });
+  ASSERT_GE(steps.size(), 4u) << "two programs at least, compiled and drawn";
+  for (std::size_t step = 0; step < steps.size(); ++step) EXPECT_EQ(steps[step], static_cast<int>(step));
+  EXPECT_EQ(total, static_cast<int>(steps.size()) + 1) << "the first frame comes after them";
+  inspector->seek(2);
+  for (const int last : {1, total / 2 + 1}) { // among those compiled, and those drawn
+    const auto stops = [last](std::string_view what, int done, int) {
+      return what != "Compiling shaders" || done < last;
+    };
+    EXPECT_THROW(inspector->open("builtin:fan", stops), taa::Cancelled);
+    EXPECT_EQ(inspector->frame(), 2);
+  }
+}
+
 TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
   const auto inspector = opened();
   inspector->seek(2);
@@ -46,7 +69,7 @@ TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
   EXPECT_THROW(inspector->setSize(3, 100), taa::Error);
   EXPECT_THROW(inspector->setSize(1 << 20, 100), taa::Error);
   EXPECT_THROW(inspector->setLanes({}), taa::Error);
-  EXPECT_THROW(inspector->setLanes(std::vector<Settings>(5)), taa::Error);
+  EXPECT_THROW(inspector->setLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
   EXPECT_THROW(inspector->probe(kWidth, 0), taa::Error);
   EXPECT_THROW(inspector->probe(0, -1), taa::Error);
   EXPECT_EQ(inspector->source(), "builtin:fan");

@@ -199,6 +199,27 @@ TEST_F(InspectorTimeTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
   EXPECT_LE(replayed(*inspector, 79), 40);
 }
 
+TEST_F(InspectorTimeTest, SharesTheBudgetSoThatEveryLaneKeepsAsManyFrames) {
+  Settings full; // 24 bytes a pixel instead of 16
+  taa::applyAssignment(full, "history.precision=full");
+  constexpr std::size_t kPixels = std::size_t(kWidth) * kHeight;
+  const auto inspector = opened();
+  inspector->setCheckpointBudget(10 * (16 + 24) * kPixels);
+  inspector->setLanes({Settings{}, full});
+  inspector->seek(40);
+  EXPECT_EQ(inspector->keptFrames().size(), 10u);
+  // Lanes that come take their share from those that are there.
+  inspector->changeLanes({Settings{}, full, full, full});
+  inspector->refine();
+  EXPECT_EQ(inspector->keptFrames().size(), 10u * (16 + 24) / (16 + 3 * 24));
+  inspector->setProfiling(true);
+  inspector->seek(41);
+  const auto profile = inspector->takeProfile();
+  ASSERT_TRUE(profile);
+  EXPECT_LE(profile->checkpointBytes, inspector->checkpointBudget());
+  EXPECT_GE(profile->checkpointBytes, inspector->checkpointBudget() / 2);
+}
+
 TEST_F(InspectorTimeTest, StaysWhereItWasWhenASeekIsCancelled) {
   const auto inspector = opened();
   inspector->watch({IntermediateId::alpha});

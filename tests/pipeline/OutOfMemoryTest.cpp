@@ -176,5 +176,23 @@ TEST_F(OutOfMemoryTest, HoldsNoMoreWhilePlayingThanItSaid) {
   EXPECT_GE(gl::memoryPeak() - others, need / 2) << "what is said is no idle number";
 }
 
+TEST_F(OutOfMemoryTest, HoldsNoMoreForAReferenceThanItSaid) {
+  const std::vector<IntermediateId> rows{IntermediateId::reference, IntermediateId::referenceErrorAbs};
+  inspector_->setSize(640, 360);
+  const auto look = [&] {
+    for (const IntermediateId id : rows) inspector_->picture(id, {}, {}, 8, 8);
+  };
+  inspector_->watch({IntermediateId::output}); // which it is compared with
+  inspector_->seek(1);
+  inspector_->picture(IntermediateId::output, {}, {}, 8, 8);
+  const std::size_t need = memoryNeed({inspector_->settings()}, {640, 360}, rows).reference;
+  gl::resetMemoryPeak();
+  const std::size_t before = gl::memoryPeak();
+  inspector_->refineReference(4);
+  look();
+  EXPECT_LE(gl::memoryPeak() - before, need);
+  EXPECT_GE(gl::memoryPeak() - before, need / 2) << "what is said is no idle number";
+}
+
 } // namespace
 } // namespace taa

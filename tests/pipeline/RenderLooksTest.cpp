@@ -93,15 +93,34 @@ TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
   EXPECT_EQ(recorder.errors.size(), 1u);
 }
 
-TEST_F(RenderLooksTest, CompilesNothingAheadWhileItPlays) {
+TEST_F(RenderLooksTest, CompilesAheadBesideAPlayThatGoesOn) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   thread->setPlaying(true);
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
-  thread->prepare(wanted);
   const std::size_t told = recorder.read([&] { return recorder.statuses.size(); });
+  thread->prepare(wanted);
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() >= told + 3; }));
   thread->setPlaying(false);
+  thread->waitUntilIdle();
+  const taa::test::ShaderFolder folder;
+  folder.write("taa/resolve.frag", "#error no more\n");
+  thread->setSettings(wanted);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderLooksTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
+  taa::Settings wanted, chosen;
+  taa::applyAssignment(wanted, "rectify.method=clamp");
+  taa::applyAssignment(chosen, "rectify.method=none");
+  thread->setPlaying(true);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
+  thread->prepare(wanted);
+  thread->setSettings(chosen);
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  thread->prepare(chosen); // after which the other one is no longer being compiled either
   thread->waitUntilIdle();
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");

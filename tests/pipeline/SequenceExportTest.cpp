@@ -56,10 +56,10 @@ class SequenceExportTest : public test::small::InspectorTest {
     made.target = folder_ / name;
     made.first = 2;
     made.last = 4;
-    made.id = IntermediateId::resolved;
-    made.style = defaultStyle(intermediate(made.id));
-    made.width = kWidth;
-    made.height = kHeight;
+    made.picture.id = IntermediateId::resolved;
+    made.picture.style = defaultStyle(intermediate(made.picture.id));
+    made.picture.width = kWidth;
+    made.picture.height = kHeight;
     made.ids = {IntermediateId::resolved, IntermediateId::alpha};
     return made;
   }
@@ -97,7 +97,7 @@ TEST_F(SequenceExportTest, WritesThePicturesOfTheFramesAndComesBack) {
   inspector->seek(7);
   const Image before = inspector->image(IntermediateId::resolved);
   SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
-  wanted.transform = {{10.0f, 5.0f}, 2.0f};
+  wanted.picture.transform = {{10.0f, 5.0f}, 2.0f};
   exportSequence(*inspector, wanted, {});
   EXPECT_EQ(inspector->frame(), 7);
   EXPECT_TRUE(inspector->isExact());
@@ -105,8 +105,62 @@ TEST_F(SequenceExportTest, WritesThePicturesOfTheFramesAndComesBack) {
   EXPECT_EQ(names(), (std::vector<std::string>{"shot.0002.png", "shot.0003.png", "shot.0004.png"}));
   inspector->seek(3);
   const Picture picture =
-      inspector->picture(wanted.id, wanted.style, wanted.transform, wanted.width, wanted.height);
+      inspector->picture(wanted.picture.id, wanted.picture.style, wanted.picture.transform,
+                         wanted.picture.width, wanted.picture.height);
   EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"), picture.rgba);
+}
+
+TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
+  const auto inspector = opened({Settings{}, test::small::otherSettings()});
+  SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
+  wanted.picture.other.emplace().style = wanted.picture.style;
+  wanted.picture.divider = 20;
+  const auto drawn = [&](const Look& look) {
+    return inspector->picture(look, {}, wanted.picture.style, {}, kWidth, kHeight);
+  };
+  const auto expectFrames = [&](const Look& other) {
+    wanted.picture.showing = Showing::Wipe;
+    exportSequence(*inspector, wanted, {});
+    for (int frame = wanted.first; frame <= wanted.last; ++frame) {
+      inspector->seek(frame);
+      const Look look = otherLook(*wanted.picture.other, frame, inspector->frameCount());
+      EXPECT_EQ(look.lane, other.lane);
+      if (look.frame) inspector->keepAside({*look.frame});
+      const std::vector<std::uint8_t> bytes = pngBytes(sequenceFile(wanted, frame));
+      const Picture first = drawn({wanted.picture.id}), second = drawn(look);
+      EXPECT_NE(first.rgba, second.rgba) << frame;
+      EXPECT_EQ(bytes, wiped(first, second, 20).rgba) << frame;
+      EXPECT_EQ(std::vector(bytes.begin(), bytes.begin() + 20 * 4),
+                std::vector(first.rgba.begin(), first.rgba.begin() + 20 * 4));
+      EXPECT_EQ(std::vector(bytes.begin() + 20 * 4, bytes.begin() + kWidth * 4),
+                std::vector(second.rgba.begin() + 20 * 4, second.rgba.begin() + kWidth * 4));
+    }
+  };
+  wanted.picture.other->lane = 1;
+  expectFrames({.lane = 1});
+  wanted.picture.other->lane = 0;
+  wanted.picture.other->framesBefore = 2;
+  expectFrames({});
+  wanted.picture.other->framesBefore = 0;
+  wanted.picture.other->lane = 1;
+  wanted.picture.showing = Showing::Difference;
+  wanted.picture.style = differenceStyle(intermediate(wanted.picture.id));
+  exportSequence(*inspector, wanted, {});
+  inspector->seek(3);
+  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"),
+            inspector
+                ->picture({wanted.picture.id}, Look{wanted.picture.id, 1}, wanted.picture.style, {}, kWidth,
+                          kHeight)
+                .rgba);
+}
+
+TEST_F(SequenceExportTest, SaysThatWhatItIsComparedWithIsGone) {
+  const auto inspector = opened();
+  SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
+  wanted.picture.other.emplace().lane = 1;
+  wanted.picture.showing = Showing::Other;
+  EXPECT_NE(errorOf(*inspector, wanted).find("no longer there"), std::string::npos);
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(SequenceExportTest, WritesValuesAsParts) {
@@ -118,6 +172,24 @@ TEST_F(SequenceExportTest, WritesValuesAsParts) {
   const Image read =
       readPart(folder_ / "shot.0004.exr", "alpha", channelNames(intermediate(IntermediateId::alpha)));
   EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::alpha)));
+}
+
+TEST_F(SequenceExportTest, PartsOfTheReferenceSayHowManySamplesItHas) {
+  const auto inspector = opened();
+  SequenceRequest wanted = request(SequenceKind::Exr, "shot.exr");
+  wanted.ids = {IntermediateId::output, IntermediateId::reference, IntermediateId::referenceError};
+  wanted.picture.referenceSamples = 5;
+  wanted.last = wanted.first + 1;
+  exportSequence(*inspector, wanted, {});
+  const fs::path path = folder_ / "shot.0003.exr";
+  EXPECT_EQ(readPartAttribute(path, "reference", "taa:referenceSamples"), "5");
+  EXPECT_EQ(readPartAttribute(path, "referenceError", "taa:referenceSamples"), "5");
+  EXPECT_EQ(readPartAttribute(path, "output", "taa:referenceSamples"), "");
+  inspector->seek(3);
+  inspector->refineReference(5);
+  const Image read =
+      readPart(path, "referenceError", channelNames(intermediate(IntermediateId::referenceError)));
+  EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::referenceError)));
 }
 
 TEST_F(SequenceExportTest, WritesAnAnimation) {

@@ -24,7 +24,7 @@ TEST_P(TwinOnScenesTest, AgreesOnWholeFramesWithEveryPreset) {
   TaaPass pass;
   for (const Preset& preset : builtinPresets()) {
     test::Player player(source, camera, kWidth, kHeight, preset.settings);
-    Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
+    Exposure exposure(ExposureLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 12; ++frame) {
       player.step(pass, &exposure);
       if (frame != 0 && frame != 1 && frame != 11) continue; // no history, the least, a usual one
@@ -43,7 +43,7 @@ TEST_P(TwinOnScenesTest, ShowsOnePixelAsItShowsTheWholePicture) {
   TaaPass pass;
   const Settings settings = preset("balanced").settings;
   test::Player player(source, openScene(source).shot.camera, kWidth, kHeight, settings);
-  Exposure whole(allRows(), {0, 0, kWidth, kHeight});
+  Exposure whole(ExposureLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
   for (int frame = 0; frame < 6; ++frame) player.step(pass, &whole);
   for (const gl::Rect& region :
        {gl::Rect{0, 0, 1, 1}, gl::Rect{97, 41, 1, 1}, gl::Rect{kWidth - 9, kHeight - 9, 9, 9}}) {
@@ -75,7 +75,7 @@ TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
     test::Accumulator staring;
     const gl::Rect all{0, 0, kSmallWidth, kSmallHeight};
     Exposure one({IntermediateId::alpha}, all);
-    Exposure everything(allRows(), all);
+    Exposure everything(ExposureLayout(allRows(), rowSources(preset.settings)), all);
     for (int frame = 0; frame < 32; ++frame) {
       player.draw();
       blind.resolve(pass, player.inputs(), preset.settings);
@@ -118,7 +118,7 @@ TEST_F(TwinOnGlassTest, AgreesWithMasksAndOverlay) {
   TaaPass pass;
   for (const Settings& settings : policies()) {
     test::Player player("builtin:glass", "gltf:front", kWidth, kHeight, settings);
-    Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
+    Exposure exposure(ExposureLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 6; ++frame) player.step(pass, &exposure);
     std::vector<Image> pictures;
     for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));

@@ -1,6 +1,7 @@
 // Plays scenes for tests and compares them with the CPU twin.
 #include "tests/support/Frames.h"
 
+#include "core/inspect/TwinInputs.h"
 #include "core/scene/SceneSource.h"
 
 #include <algorithm>
@@ -33,31 +34,7 @@ std::string describe(const Intermediate& row, int x, int y, int channel, float i
 } // namespace
 
 reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous) {
-  reference::Inputs twin;
-  twin.color = inputs.color.download();
-  twin.depth = inputs.depth.download();
-  twin.motion = inputs.motion.download();
-  twin.normal = inputs.normal.download();
-  twin.objectId = inputs.objectId.download();
-  twin.previousDepth = inputs.previousDepth.download();
-  if (inputs.mask) twin.mask = inputs.mask.download();
-  if (inputs.overlay) twin.overlay = inputs.overlay.download();
-  if (previous) {
-    twin.historyColor = previous->color.download();
-    twin.historySurface = previous->surface.download();
-    const auto download = [](const gl::Texture& texture) { return texture ? texture.download() : Image(); };
-    twin.historyObject = download(previous->object);
-    twin.historyNormal = download(previous->normal);
-    twin.historyMotion = download(previous->motion);
-    twin.historyLock = download(previous->lock);
-    twin.historyLumas = download(previous->lumas);
-  }
-  twin.outputPx = inputs.outputPx;
-  twin.frame = inputs.info.frame;
-  twin.stepSeconds = inputs.info.stepSeconds;
-  twin.jitterPx = inputs.block.jitterPx;
-  twin.depthTerms = inputs.block.depthTerms;
-  return twin;
+  return taa::twinInputs(inputs, previous, TwinReading::Whole);
 }
 
 std::string differenceFromTwin(reference::Inputs inputs, const Settings& settings,

@@ -1,9 +1,14 @@
 // The color maps: their known colors, and what makes them fit for data.
 #include "core/inspect/ColorMap.h"
 
+#include "core/ViewRequest.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace {
@@ -24,12 +29,31 @@ void expectNear(const Rgb& color, const std::array<int, 3>& expected, int tolera
     EXPECT_NEAR(bytes(color)[channel], expected[channel], tolerance) << "channel " << channel;
 }
 
-/// OKLab lightness (B. Ottosson, 2020), 0 black to 1 white.
-float lightness(const Rgb& c) {
+/// OKLab (B. Ottosson, 2020): lightness 0 black to 1 white, green to red, blue to yellow.
+Rgb oklab(const Rgb& c) {
   const float l = std::cbrt(0.4122214708f * c[0] + 0.5363325363f * c[1] + 0.0514459929f * c[2]);
   const float m = std::cbrt(0.2119034982f * c[0] + 0.6806995451f * c[1] + 0.1073969566f * c[2]);
   const float s = std::cbrt(0.0883024619f * c[0] + 0.2817188376f * c[1] + 0.6299787005f * c[2]);
-  return 0.2104542553f * l + 0.7936177850f * m - 0.0040720468f * s;
+  return {0.2104542553f * l + 0.7936177850f * m - 0.0040720468f * s,
+          1.9779984951f * l - 2.4285922050f * m + 0.4505937099f * s,
+          0.0259040371f * l + 0.7827717662f * m - 0.8086757660f * s};
+}
+
+float lightness(const Rgb& color) {
+  return oklab(color)[0];
+}
+
+float distance(const Rgb& a, const Rgb& b) {
+  const Rgb from = oklab(a), to = oklab(b);
+  return std::hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
+}
+
+Rgb seen(const std::array<Rgb, 3>& eye, const Rgb& color) {
+  Rgb out{};
+  for (std::size_t row = 0; row < 3; ++row)
+    out[row] =
+        std::clamp(eye[row][0] * color[0] + eye[row][1] * color[1] + eye[row][2] * color[2], 0.0f, 1.0f);
+  return out;
 }
 
 } // namespace
@@ -99,12 +123,36 @@ TEST(ColorMap, TellsCategoriesApartByLightnessToo) {
           << a << " and " << b;
 }
 
+// Every reject reason has a color of its own, for eyes that lack one kind of cones too (the matrices of G. M.
+// Machado and others, 2009, for the whole lack, on linear Rec. 709).
+TEST(ColorMap, TellsReasonsApartForAllEyes) {
+  ASSERT_GE(taa::kCategoryCount, taa::kReasonCount);
+  using Matrix = std::array<Rgb, 3>;
+  constexpr Matrix kEyes[] = {{{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}}},
+                              {{{0.152286f, 1.052583f, -0.204868f},
+                                {0.114503f, 0.786281f, 0.099216f},
+                                {-0.003882f, -0.048116f, 1.051998f}}},
+                              {{{0.367322f, 0.860646f, -0.227968f},
+                                {0.280085f, 0.672501f, 0.047413f},
+                                {-0.011820f, 0.042940f, 0.968881f}}},
+                              {{{1.255528f, -0.076749f, -0.178779f},
+                                {-0.078411f, 0.930809f, 0.147602f},
+                                {0.004733f, 0.691367f, 0.303900f}}}};
+  for (std::size_t eye = 0; eye < std::size(kEyes); ++eye)
+    for (int a = 0; a < taa::kReasonCount; ++a)
+      for (int b = a + 1; b < taa::kReasonCount; ++b)
+        // Of OKLab; 0.02 is about the least that eyes tell apart side by side.
+        EXPECT_GT(distance(seen(kEyes[eye], taa::categoryColor(a)), seen(kEyes[eye], taa::categoryColor(b))),
+                  0.055f)
+            << a << " and " << b << " for eye " << eye;
+}
+
 TEST(ColorMap, KeepsTheFirstCategoryForZero) {
-  EXPECT_EQ(taa::categoryColor(1), taa::categoryColor(8));
-  EXPECT_EQ(taa::categoryColor(7), taa::categoryColor(14));
-  EXPECT_NE(taa::categoryColor(0), taa::categoryColor(8));
+  EXPECT_EQ(taa::categoryColor(1), taa::categoryColor(10));
+  EXPECT_EQ(taa::categoryColor(9), taa::categoryColor(18));
+  EXPECT_NE(taa::categoryColor(0), taa::categoryColor(10));
   EXPECT_EQ(mapColor(ColorMap::Categorical, 0.0f), taa::categoryColor(0));
-  EXPECT_EQ(mapColor(ColorMap::Categorical, 1.0f), taa::categoryColor(7));
+  EXPECT_EQ(mapColor(ColorMap::Categorical, 1.0f), taa::categoryColor(9));
 }
 
 TEST(ColorMap, ClampsWhatLiesOutside) {

@@ -1,6 +1,8 @@
 // Where watched rows go, and the GLSL that puts them there.
 #include "core/taa/ExposureLayout.h"
 
+#include "core/settings/Presets.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -48,11 +50,64 @@ TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
             << taa::intermediate(part.id).name;
       }
   }
-  EXPECT_LE(4 * layout.ofResolve().size(), static_cast<std::size_t>(channels) + 4 * 3) << "three groups";
+  EXPECT_LE(4 * layout.ofResolve().size(), static_cast<std::size_t>(channels) + 4);
   for (const Intermediate& row : kResolveRows) {
     EXPECT_TRUE(layout.holds(row.id));
     EXPECT_EQ(layout.slot(row.id).parts.empty(), false) << row.name;
   }
+}
+
+TEST(ExposureLayout, GivesTheFirstRunTheLatestStages) {
+  const taa::Settings settings;
+  const ExposureLayout layout(allRows(), taa::rowSources(settings));
+  const std::size_t first = taa::kMostTargets - taa::historyTargets(settings);
+  ASSERT_GT(layout.ofResolve().size(), first);
+  for (const ExposedSlot& slot : layout.ofResolve().subspan(first))
+    for (const ExposedSlot::Part& part : slot.parts) {
+      const taa::Stage stage = taa::intermediate(part.id).stage;
+      EXPECT_TRUE(stage == taa::Stage::Inputs || stage == taa::Stage::DilateMotion ||
+                  stage == taa::Stage::Reproject || stage == taa::Stage::FilterCurrent ||
+                  stage == taa::Stage::Neighborhood)
+          << taa::intermediate(part.id).name << ": history is not read again";
+    }
+}
+
+TEST(ExposureLayout, TakesFewRunsForAllRowsOfEveryPreset) {
+  for (const taa::Preset& preset : taa::builtinPresets()) {
+    const ExposureLayout layout(allRows(), taa::rowSources(preset.settings));
+    const std::size_t slots = layout.ofResolve().size() + taa::historyTargets(preset.settings);
+    const std::size_t runs = (slots + taa::kMostTargets - 1) / taa::kMostTargets;
+    EXPECT_LE(runs, preset.id == "balanced" ? 2u : 3u) << preset.id << ": " << slots << " targets";
+    for (const Intermediate& row : kResolveRows)
+      EXPECT_TRUE(layout.held(row.id) || !layout.slot(row.id).parts.empty()) << row.name;
+  }
+}
+
+TEST(ExposureLayout, WritesWhatIsNowhereElse) {
+  using enum IntermediateId;
+  const taa::RowSources sources = taa::rowSources({});
+  const ExposureLayout stored({resolved, historyLength, output}, sources);
+  EXPECT_FALSE(stored.isWritten());
+  EXPECT_FALSE(stored.needsInputs());
+  const ExposureLayout drawn({color, objectClass}, sources);
+  EXPECT_FALSE(drawn.isWritten());
+  EXPECT_TRUE(drawn.needsInputs());
+  EXPECT_EQ(drawn.firstChannel(objectClass), 3);
+  const ExposureLayout off({lock, alphaMotion, alphaNearClamp}, sources);
+  EXPECT_FALSE(off.needsInputs());
+  EXPECT_EQ(off.layers(1), 2) << "one for 0, one for 1";
+  EXPECT_NE(off.slot(lock).constant, off.slot(alphaNearClamp).constant);
+  EXPECT_EQ(&off.slot(lock), &off.slot(alphaMotion));
+}
+
+TEST(ExposureLayout, WritesRowsThatAreEqualOnce) {
+  using enum IntermediateId;
+  const taa::RowSources sources = taa::rowSources({});
+  const ExposureLayout both({alpha, alphaChannels}, sources);
+  EXPECT_EQ(both.ofResolve().size(), 1u);
+  EXPECT_EQ(&both.slot(alpha), &both.slot(alphaChannels));
+  const ExposureLayout one({alpha}, sources);
+  EXPECT_EQ(one.slot(alpha).channels, 1) << "nobody writes the other";
 }
 
 TEST(ExposureLayout, DefinesOneMacroForEveryRow) {

@@ -40,9 +40,15 @@ TEST(MemoryNeed, CountsTheHistoriesThatLivePlayingAtOnce) {
 
 TEST(MemoryNeed, CountsWhatIsWatchedInBothFrames) {
   EXPECT_EQ(needOf({}).exposures, 0u);
-  EXPECT_EQ(needOf({}, {IntermediateId::resolved}).exposures, 2 * 16 * kPixels)
+  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw}).exposures, 2 * 16 * kPixels)
       << "three channels are stored in four";
-  EXPECT_EQ(needOf({}, {IntermediateId::resolved, IntermediateId::alpha}).exposures, 2 * 20 * kPixels);
+  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw, IntermediateId::alpha}).exposures, 2 * 20 * kPixels);
+  EXPECT_EQ(needOf({}, {IntermediateId::resolved, IntermediateId::color}).exposures, 0u)
+      << "what is read in place takes nothing";
+  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}, {IntermediateId::color}).exposures, 2 * 16 * kPixels)
+      << "not of another size";
+  EXPECT_EQ(needOf({}, {IntermediateId::lock, IntermediateId::alphaMotion}).exposures, 2 * 4 * kPixels)
+      << "both are 0: one layer";
 }
 
 TEST(MemoryNeed, CountsSharedInputsOnce) {
@@ -56,8 +62,33 @@ TEST(MemoryNeed, CountsSharedInputsOnce) {
   EXPECT_EQ(memoryNeed({Settings{}, other}, {100, 50}, {}).histories, (2 * 3 + 4) * needOf({}).histories / 7);
 }
 
+// It is drawn at full size in 32-bit floats, lane after lane; rows have 16 or 4 bytes a pixel.
+TEST(MemoryNeed, CountsTheReferenceWhereItIsWatched) {
+  using enum IntermediateId;
+  EXPECT_EQ(needOf({}, {resolved}).reference, 0u);
+  EXPECT_EQ(needOf({}, {IntermediateId::reference, resolved}).reference, (44 + 16) * kPixels);
+  EXPECT_EQ(needOf({}, {IntermediateId::reference, alpha}).exposures, needOf({}, {alpha}).exposures);
+  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}, {referenceError}).reference, (44 + 4) * kPixels);
+  EXPECT_EQ(memoryNeed({Settings{}, Settings{}}, {100, 50}, {referenceError, referenceErrorAbs}).reference,
+            (44 + 2 * (4 + 4)) * kPixels);
+}
+
+TEST(MemoryNeed, IsRefusedInWordsWhereTheReferenceDoesNotFit) {
+  const MemoryNeed need{1u << 20, 1u << 20, 1u << 20, 7u << 20};
+  EXPECT_EQ(
+      memoryRefusal(need, {64, 48}, 9u << 20),
+      "cannot use a picture of 64 × 48 pixels: it takes about 10 MiB of memory (inputs 1 MiB, histories 1 "
+      "MiB, exposures 1 MiB, reference 7 MiB) and 9 MiB are free; choose a smaller size, fewer lanes or "
+      "fewer views");
+  EXPECT_EQ(referenceRefusal(7u << 20, {64, 48}, 7u << 20), "");
+  EXPECT_EQ(
+      referenceRefusal(7u << 20, {64, 48}, 6u << 20),
+      "cannot draw the reference of a picture of 64 × 48 pixels: it takes about 7 MiB of memory and 6 MiB "
+      "are free; choose a smaller size");
+}
+
 TEST(MemoryNeed, IsRefusedInWordsWhereItIsNotThere) {
-  const MemoryNeed need{3u << 20, 5u << 20, std::size_t(2) << 30};
+  const MemoryNeed need{3u << 20, 5u << 20, std::size_t(2) << 30, 0};
   EXPECT_EQ(memoryRefusal(need, {640, 480}, need.total()), "");
   EXPECT_EQ(
       memoryRefusal(need, {640, 480}, need.total() - 1),

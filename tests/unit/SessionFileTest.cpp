@@ -99,7 +99,7 @@ TEST(SessionFile, RefusesByName) {
       {changed("size", {640, 99999}), "\"size\""},
       {changed("settings", {{"weight", {{"minimun", 0.1}}}}), "weight.minimun"},
       {changed("settings", {{"weight", {{"minimum", 7}}}}), "weight.minimum"},
-      {changed("lanes", {1, 2, 3, 4}), "\"lanes\""},
+      {changed("lanes", {1, 2, 3, 4, 5}), "\"lanes\""},
       {changed("lanes", {{{"preset", "x"}, {"settings", nlohmann::json::object()}, {"more", 1}}}),
        "\"more\""},
       {changed("motionModes", {{"floor", "sideways"}}), "sideways"},
@@ -150,20 +150,60 @@ TEST(CommandLine, QuotesForAShell) {
 TEST(CommandLine, SaysWhatDiffersFromAPreset) {
   ViewStyle style = defaultStyle(intermediate(IntermediateId::alpha));
   style.high = 0.5f;
-  EXPECT_EQ(renderCommand(sample(), IntermediateId::alpha, style),
+  EXPECT_EQ(renderCommand(sample(), {IntermediateId::alpha, style}),
             "taa-batch render builtin:fan --size 640x360 --camera orbit --preset fsr2 --set "
             "weight.minimum=0.0625 --motion-mode 'rotor & hub=none' --motion-mode a=b=cameraOnly --frames 31 "
             "--emit alpha --style high=0.5 --format png --out .");
+}
+
+TEST(CommandLine, SaysWhatIsComparedAndHow) {
+  CommandView view{.comparison = {.kind = OtherKind::Preset, .preset = "sharp"}, .showing = Showing::Wipe};
+  view.style = view.otherStyle = defaultStyle(intermediate(view.id));
+  view.divider = 0.25;
+  const auto end = [&] {
+    const std::string line = renderCommand(sample(), view);
+    return line.substr(line.find(" --emit"));
+  };
+  EXPECT_EQ(end(), " --emit resolved --compare preset:sharp --compare-as wipe --divider 0.25 --format png "
+                   "--out .");
+  view.showing = Showing::Difference;
+  view.style = differenceStyle(intermediate(view.id));
+  view.style.outlineObjects = true;
+  EXPECT_EQ(end(), " --emit resolved --style outlines=on --compare preset:sharp --compare-as difference "
+                   "--format png --out .");
+  view.comparison = {.kind = OtherKind::Row, .id = IntermediateId::reference};
+  view.showing = Showing::Other;
+  view.style = view.otherStyle = defaultStyle(intermediate(view.id));
+  view.otherStyle.exposure = 1.0f;
+  view.referenceSamples = 256;
+  EXPECT_EQ(end(), " --emit resolved --compare reference --compare-as other --other-style exposure=1 "
+                   "--reference-samples 256 --format png --out .");
+  view.showing = Showing::First;
+  EXPECT_EQ(end(), " --emit resolved --format png --out .");
 }
 
 TEST(CommandLine, SaysWhereAFlownCameraRestsAndWhatIsHidden) {
   SessionFile session = sample();
   session.track = CameraTrack{"free", 0, {{{1.0f, 2.5f, -3.0f}, 90.0f, -10.0f, 60.0f}}};
   session.filter = {{"the floor"}, {"rotor"}};
-  const std::string line = renderCommand(session, IntermediateId::resolved, {});
+  const std::string line = renderCommand(session, {});
   EXPECT_NE(line.find(" --camera-pose 1,2.5,-3,90,-10,60 --hide 'the floor' --isolate rotor "), line.npos)
       << line;
   EXPECT_EQ(line.find("--camera orbit"), line.npos);
+  EXPECT_FALSE(needsCameraFile(session));
+}
+
+TEST(CommandLine, NamesTheFileOfAFlownPathAndTheSamplesOfAReference) {
+  SessionFile session = sample();
+  session.track = CameraTrack{"Recorded 1", 3, {CameraPose{}, CameraPose{.yaw = 20.0f}}};
+  ASSERT_TRUE(needsCameraFile(session));
+  CommandView view{IntermediateId::referenceError,
+                   defaultStyle(intermediate(IntermediateId::referenceError))};
+  view.referenceSamples = 16;
+  const std::string line = renderCommand(session, view, "/tmp/a b/path.json");
+  EXPECT_NE(line.find(" --camera-path '/tmp/a b/path.json' "), line.npos) << line;
+  EXPECT_NE(line.find(" --emit referenceError --reference-samples 16"), line.npos) << line;
+  EXPECT_EQ(renderCommand(session, {}).find("--reference-samples"), line.npos);
 }
 
 TEST(StyleText, ReadsWhatItWrote) {

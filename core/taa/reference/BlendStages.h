@@ -72,11 +72,18 @@ Blended blend(const Settings& settings, const Mix& mix);
 /// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,
                   const std::array<glm::vec3, 9>& current);
+/// What of it formulas are made of: RCAS's lobe, of nine colors with bounded highlights, and the mean that
+/// sharpening in the resolve keeps away from.
+float rcasLobe(const std::array<glm::vec3, 9>& bounded, float amount);
+glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current);
+/// Each color divided by 1 + its largest channel.
+std::array<glm::vec3, 9> bounded(const std::array<glm::vec3, 9>& colors);
 /// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (§18, 14.4).
 struct Shown {
   float detail = 0.0f; ///< luma that sharpening adds
   float trust = 1.0f;  ///< share of the resolved color
   glm::vec3 color{0.0f};
+  glm::vec3 sharp{0.0f}, fast{0.0f}; ///< sharpened; blurred along its motion, where that is
 };
 Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
 

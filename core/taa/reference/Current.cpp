@@ -90,17 +90,6 @@ glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const 
   return std::fabs(sum) > 1e-4f ? center + difference / sum : center;
 }
 
-glm::vec3 filtered(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Unjitter) return unjitteredColor(inputs, pixel);
-  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
-                       settings.filter == CurrentFilter::CatmullRom ||
-                       settings.filter == CurrentFilter::Lanczos;
-  glm::vec3 color = weighted(inputs, settings, pixel);
-  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
-  return storable(color); // negative weights overshoot both ways
-}
-
 /// The Laplacian of the four around added (18.2): corrected f + s(f − mean₄), or as printed 5s f − s Σ₄.
 glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
                     const glm::vec3& color) {
@@ -161,8 +150,19 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
   return storable(sharpened(inputs, settings, texel, color));
 }
 
+glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
+  if (settings.filter == CurrentFilter::Unjitter) return unjitteredColor(inputs, pixel);
+  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
+                       settings.filter == CurrentFilter::CatmullRom ||
+                       settings.filter == CurrentFilter::Lanczos;
+  glm::vec3 color = weighted(inputs, settings, pixel);
+  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
+  return storable(color); // negative weights overshoot both ways
+}
+
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  return sharpenCurrent(inputs, settings, pixel, filtered(inputs, settings, pixel));
+  return sharpenCurrent(inputs, settings, pixel, unsharpenedCurrent(inputs, settings, pixel));
 }
 
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel) {

@@ -64,7 +64,9 @@ GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, co
     match.normalAgreement = -1.0f;
     for (const glm::vec4& stored : around(inputs, inputs.historyNormal, readPosition)) {
       const float cosine = cosineOf(own.normal, glm::vec3(stored));
-      if (cosine > match.normalAgreement) match.normalAgreement = cosine;
+      if (!(cosine > match.normalAgreement)) continue;
+      match.normalAgreement = cosine;
+      match.normal = glm::vec3(stored);
     }
   }
   const bool comparesMotion =
@@ -73,17 +75,20 @@ GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, co
     match.velocityChange = std::numeric_limits<float>::infinity();
     for (const glm::vec4& stored : around(inputs, inputs.historyMotion, readPosition)) {
       const float change = changeOf(own.motion, glm::vec2(stored), validate.velocity);
-      if (change < match.velocityChange) match.velocityChange = change;
+      if (!(change < match.velocityChange)) continue;
+      match.velocityChange = change;
+      match.motion = glm::vec2(stored);
     }
   }
   return match;
 }
 
-float motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn) {
-  if (settings.divergence == Switch::Off) return 0.0f;
+Divergence motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn) {
+  Divergence result;
+  if (settings.divergence == Switch::Off) return result;
   const auto squared = [](const glm::vec2& v) {
-    const float result = v.x * v.x + v.y * v.y;
-    return result >= 0.0f ? result : 0.0f; // NaN is no motion
+    const float length = v.x * v.x + v.y * v.y;
+    return length >= 0.0f ? length : 0.0f; // NaN is no motion
   };
   const auto motionAt = [&inputs](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToDrawn(place, inputs);
@@ -91,17 +96,19 @@ float motionDivergence(const Inputs& inputs, const WeightSettings& settings, con
     return motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
   };
   const glm::vec2 own = motionAt(drawn);
-  float least = 1.0f, fastest = squared(own);
+  result.fastest = squared(own);
   for (int k = 0; k < 9; ++k) {
     const glm::vec2 other = motionAt(drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
     if (other.x == kNoPreviousPosition) continue;
     const float larger = squared(other) > squared(own) ? squared(other) : squared(own);
     const float along = (other.x * own.x + other.y * own.y) / larger;
-    if (along < least) least = along;
-    if (squared(other) > fastest) fastest = squared(other);
+    if (along < result.least) result.least = along;
+    if (squared(other) > result.fastest) result.fastest = squared(other);
   }
-  if (!(squared(own) > 1e-4f)) return 0.0f;
-  return saturated(1.0f - least) * saturated(std::sqrt(fastest) / settings.divergenceSpeed);
+  if (squared(own) > 1e-4f)
+    result.value =
+        saturated(1.0f - result.least) * saturated(std::sqrt(result.fastest) / settings.divergenceSpeed);
+  return result;
 }
 
 } // namespace taa::reference

@@ -3,7 +3,6 @@
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace taa::reference {
@@ -40,7 +39,7 @@ glm::vec3 bilinear(const Inputs& inputs, const Place& x, const Place& y) {
 
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4) unless
 /// as printed (6.4b), or each corner given to its two neighbors (6.4c).
-glm::vec3 fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
+Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const Place x = placeAt(position.x);
   const Place y = placeAt(position.y);
   const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
@@ -49,123 +48,104 @@ glm::vec3 fiveTaps(const Inputs& inputs, const glm::vec2& position, const Histor
   const float middleY = wy[1] + wy[2];
   const Place x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
   const Place y12{y.texel, wy[2] / middleY};
-  struct Tap {
-    Place x, y;
-    float weight;
-  };
-  constexpr std::size_t kMiddle = 2;
   const bool givesCorners = settings.filter == HistoryFilter::CatmullRom5Corners;
   const float besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
   const float besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
   // HDRP reads the right tap a row higher (D13).
   const Place rightY = settings.filter == HistoryFilter::Cubic5AsPrinted ? Place{y.texel - 1, 0.0f} : y12;
-  const std::array<Tap, 5> taps{{{x12, {y.texel - 1, 0.0f}, besideX * wy[0]},
-                                 {{x.texel - 1, 0.0f}, y12, wx[0] * besideY},
-                                 {x12, y12, middleX * middleY},
-                                 {{x.texel + 2, 0.0f}, rightY, wx[3] * besideY},
-                                 {x12, {y.texel + 2, 0.0f}, besideX * wy[3]}}};
-  std::array<glm::vec3, 5> colors;
-  for (std::size_t i = 0; i < 5; ++i) colors[i] = sanitized(bilinear(inputs, taps[i].x, taps[i].y));
-
-  const glm::vec3& c = colors[kMiddle];
-  float sum = 0.0f;
-  glm::vec3 difference(0.0f);
-  glm::vec3 low = c;
-  glm::vec3 high = c;
-  for (std::size_t i = 0; i < 5; ++i) {
-    sum = sum + taps[i].weight;
-    if (i == kMiddle) continue;
-    difference = difference + (colors[i] - c) * taps[i].weight;
-    low = smaller(low, colors[i]);
-    high = larger(high, colors[i]);
-  }
-  const bool isPrinted = settings.filter == HistoryFilter::CatmullRom5AsPrinted;
-  const glm::vec3 result =
-      isPrinted ? c * sum + difference : c + (givesCorners ? difference : difference / sum);
-  return settings.dering == Switch::On ? clamped(result, low, high) : result;
-}
-
-/// A color of a weighted set, and whether it bounds the result.
-struct Weighted {
-  glm::vec3 color;
-  float weight;
-  bool bounds;
-};
-
-/// Σwc/Σw about `middle`, within the colors that bound it when deringed.
-glm::vec3 weightedMean(std::span<const Weighted> set, const glm::vec3& middle, Switch dering) {
-  float sum = 0.0f;
-  glm::vec3 difference(0.0f);
-  glm::vec3 low = middle;
-  glm::vec3 high = middle;
-  for (const Weighted& one : set) {
-    sum = sum + one.weight;
-    difference = difference + (one.color - middle) * one.weight;
-    if (!one.bounds) continue;
-    low = smaller(low, one.color);
-    high = larger(high, one.color);
-  }
-  const glm::vec3 result = middle + difference / sum;
-  return dering == Switch::On ? clamped(result, low, high) : result;
+  Taps taps;
+  taps.middle = 2;
+  const auto tap = [&](const Place& column, const Place& row, float weight) {
+    taps.add(sanitized(bilinear(inputs, column, row)), weight);
+  };
+  tap(x12, {y.texel - 1, 0.0f}, besideX * wy[0]);
+  tap({x.texel - 1, 0.0f}, y12, wx[0] * besideY);
+  tap(x12, y12, middleX * middleY);
+  tap({x.texel + 2, 0.0f}, rightY, wx[3] * besideY);
+  tap(x12, {y.texel + 2, 0.0f}, besideX * wy[3]);
+  return taps;
 }
 
 /// Nine bilinear taps: equal to sixteen texels (catalogue 6.3).
-glm::vec3 catmullRom9(const Inputs& inputs, const glm::vec2& position, Switch dering) {
+Taps catmullRom9(const Inputs& inputs, const glm::vec2& position) {
   const Place px = placeAt(position.x);
   const Place py = placeAt(position.y);
-  const auto taps = [](const Place& place) {
+  const auto axis = [](const Place& place) {
     const std::array<float, 4> w = catmullRomWeights(place.fraction);
     const float both = w[1] + w[2];
     return std::array<std::pair<Place, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
                                                    {{place.texel, w[2] / both}, both},
                                                    {{place.texel + 2, 0.0f}, w[3]}}};
   };
-  std::array<Weighted, 9> set{};
-  std::size_t k = 0;
-  for (const auto& [y, wy] : taps(py))
-    for (const auto& [x, wx] : taps(px)) set[k++] = {sanitized(bilinear(inputs, x, y)), wx * wy, true};
-  return weightedMean(set, set[4].color, dering);
+  Taps taps;
+  taps.middle = 4;
+  for (const auto& [y, wy] : axis(py))
+    for (const auto& [x, wx] : axis(px)) taps.add(sanitized(bilinear(inputs, x, y)), wx * wy);
+  return taps;
 }
 
 /// Sixteen texels with the kernel's weights (catalogue 6.2, 6.5 to 6.7).
-glm::vec3 sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
+Taps sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const Place x = placeAt(position.x);
   const Place y = placeAt(position.y);
   const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
   const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
   const bool isLanczos = settings.filter == HistoryFilter::Lanczos;
-  std::array<Weighted, 16> set{};
+  Taps taps;
+  taps.middle = 5;
   for (int k = 0; k < 16; ++k) {
     const int i = k % 4, j = k / 4;
     const glm::ivec2 texel = clampedToPicture({x.texel + i - 1, y.texel + j - 1}, inputs);
     const bool isNear = (i == 1 || i == 2) && (j == 1 || j == 2);
-    set[static_cast<std::size_t>(k)] = {sanitized(glm::vec3(inputs.historyColor.texel(texel.x, texel.y))),
-                                        wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)],
-                                        isNear || !isLanczos};
+    taps.add(sanitized(glm::vec3(inputs.historyColor.texel(texel.x, texel.y))),
+             wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)], isNear || !isLanczos);
   }
-  return weightedMean(set, set[5].color, settings.dering);
+  return taps;
+}
+
+/// The four texels of bilinear interpolation, as weights.
+Taps four(const Inputs& inputs, const glm::vec2& position) {
+  const Place x = placeAt(position.x), y = placeAt(position.y);
+  Taps taps;
+  for (int k = 0; k < 4; ++k) {
+    const int i = k % 2, j = k / 2;
+    const glm::ivec2 texel = clampedToPicture({x.texel + i, y.texel + j}, inputs);
+    taps.add(glm::vec3(inputs.historyColor.texel(texel.x, texel.y)),
+             (i == 0 ? 1.0f - x.fraction : x.fraction) * (j == 0 ? 1.0f - y.fraction : y.fraction));
+  }
+  return taps;
+}
+
+/// Σwc/Σw about the middle one, within the colors that bound it when deringed; or Σwc, as some are printed or
+/// meant.
+glm::vec3 meanOf(const Taps& taps, const HistorySettings& settings) {
+  const glm::vec3& middle = taps.each[taps.middle].color;
+  float sum = 0.0f;
+  glm::vec3 difference(0.0f);
+  glm::vec3 low = middle;
+  glm::vec3 high = middle;
+  for (const Taps::Tap& tap : taps.all()) {
+    sum = sum + tap.weight;
+    difference = difference + (tap.color - middle) * tap.weight;
+    if (!tap.bounds) continue;
+    low = smaller(low, tap.color);
+    high = larger(high, tap.color);
+  }
+  glm::vec3 result = middle + difference / sum;
+  if (settings.filter == HistoryFilter::CatmullRom5AsPrinted) result = middle * sum + difference;
+  if (settings.filter == HistoryFilter::CatmullRom5Corners) result = middle + difference;
+  return settings.dering == Switch::On ? clamped(result, low, high) : result;
+}
+
+glm::ivec2 texelAt(const Inputs& inputs, const glm::vec2& positionPx) {
+  return clampedToPicture(
+      {static_cast<int>(std::floor(positionPx.x)), static_cast<int>(std::floor(positionPx.y))}, inputs);
 }
 
 glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
-  switch (settings.filter) {
-  case HistoryFilter::Point: {
-    const glm::ivec2 texel =
-        clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
-    return glm::vec3(inputs.historyColor.texel(texel.x, texel.y));
-  }
-  case HistoryFilter::Bilinear:
-    return bilinearHistory(inputs, q);
-  case HistoryFilter::CatmullRom5:
-  case HistoryFilter::CatmullRom5AsPrinted:
-  case HistoryFilter::CatmullRom5Corners:
-  case HistoryFilter::Cubic5:
-  case HistoryFilter::Cubic5AsPrinted:
-    return fiveTaps(inputs, q, settings);
-  case HistoryFilter::CatmullRom9:
-    return catmullRom9(inputs, q, settings.dering);
-  default:
-    return sixteen(inputs, q, settings);
-  }
+  if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q);
+  const Taps taps = historyTaps(inputs, settings, q);
+  return settings.filter == HistoryFilter::Point ? taps.each[0].color : meanOf(taps, settings);
 }
 
 /// Whether view depth spans more than a share of the farthest among the nine pixels (catalogue 6.8).
@@ -215,6 +195,29 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
   }
 }
 
+Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx) {
+  switch (settings.filter) {
+  case HistoryFilter::Point: {
+    const glm::ivec2 texel = texelAt(inputs, positionPx);
+    Taps one;
+    one.add(glm::vec3(inputs.historyColor.texel(texel.x, texel.y)), 1.0f);
+    return one;
+  }
+  case HistoryFilter::Bilinear:
+    return four(inputs, positionPx);
+  case HistoryFilter::CatmullRom5:
+  case HistoryFilter::CatmullRom5AsPrinted:
+  case HistoryFilter::CatmullRom5Corners:
+  case HistoryFilter::Cubic5:
+  case HistoryFilter::Cubic5AsPrinted:
+    return fiveTaps(inputs, positionPx, settings);
+  case HistoryFilter::CatmullRom9:
+    return catmullRom9(inputs, positionPx);
+  default:
+    return sixteen(inputs, positionPx, settings);
+  }
+}
+
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx) {
   return bilinear(inputs, placeAt(positionPx.x), placeAt(positionPx.y));
 }
@@ -232,8 +235,7 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   result.color =
       storable(result.isEdge ? bilinearHistory(inputs, q)
                              : filtered(inputs, settings, q)); // negative lobes overshoot both ways
-  const glm::ivec2 nearest =
-      clampedToPicture({static_cast<int>(std::floor(q.x)), static_cast<int>(std::floor(q.y))}, inputs);
+  const glm::ivec2 nearest = texelAt(inputs, q);
   result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;
   return result;
 }

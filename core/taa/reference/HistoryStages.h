@@ -61,6 +61,12 @@ struct Held {
   float share = 0.0f; ///< of the correction
   glm::vec2 keptLock{0.0f};
   glm::vec4 keptLumas{0.0f};
+  // What decided it
+  float luma = 0.0f;           ///< mean of 3×3
+  glm::vec2 storedLock{0.0f};  ///< life, luma
+  bool isThin = false;         ///< a ridge of luma
+  bool isChanged = false;      ///< luma is another than when it was locked
+  glm::vec4 storedLumas{0.0f}; ///< of L/(1 + L) 255ths, latest first
 };
 Held holdHistory(const Inputs& inputs, const Settings& settings, const Reprojected& reprojected,
                  const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
@@ -79,11 +85,18 @@ struct GeometryMatch {
   bool isSameObject = true, isSameClass = true;
   float normalAgreement = 1.0f; ///< cosine
   float velocityChange = 0.0f;  ///< px a frame
+  glm::vec3 normal{0.0f};       ///< the stored one that agrees best
+  glm::vec2 motion{0.0f};       ///< px, likewise
 };
 GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, const Geometry& own,
                               const glm::vec2& readPosition);
 /// How far the motion around a render texel parts (catalogue 12.7).
-float motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
+struct Divergence {
+  float least = 1.0f;   ///< part of the longer motion that the other goes along
+  float fastest = 0.0f; ///< speed squared, px² a frame
+  float value = 0.0f;   ///< 0 to 1
+};
+Divergence motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
 
 /// Sum of the depth steps to the neighbors of a render texel, m: its surface's slope.
 float depthSlope(const Inputs& inputs, const glm::ivec2& drawn);

@@ -53,10 +53,13 @@ bool isThin(const Lumas& lumas) {
 
 void updateLock(const Inputs& inputs, float frames, const Lumas& lumas, const glm::vec2& stored,
                 const glm::vec2& next, Held& held) {
+  held.storedLock = stored;
   float life = stored.x;
   float locked = stored.y == 0.0f ? lumas.mean : stored.y;
   const bool isChanged = smallerOf(locked, lumas.mean) < 0.531441f * largerOf(locked, lumas.mean); // 0.9⁶
-  if (isThin(lumas)) {
+  held.isThin = isThin(lumas);
+  held.isChanged = isChanged;
+  if (held.isThin) {
     locked = lumas.mean;
     life = life == 0.0f ? 1.0f : 2.0f;
   } else if (life <= 1.0f) {
@@ -72,6 +75,7 @@ void updateLock(const Inputs& inputs, float frames, const Lumas& lumas, const gl
 
 void updateInstability(const Lumas& lumas, const glm::vec4& stored, float deviation, Held& held) {
   const float now = std::floor((lumas.mean / (1.0f + lumas.mean)) * 255.0f + 0.5f);
+  held.storedLumas = stored;
   held.keptLumas = glm::vec4(now, stored.x, stored.y, stored.z) / 255.0f;
   const float last = now - stored.x;
   if (std::fabs(last) < 1.0f || stored.z == 0.0f) return;
@@ -95,6 +99,7 @@ Held holdHistory(const Inputs& inputs, const Settings& settings, const Reproject
   const bool calms = settings.rectify.instability == Switch::On;
   if (!locks && !calms) return held;
   const Lumas lumas = lumasAround(inputs, drawn);
+  held.luma = lumas.mean;
   const glm::ivec2 texel = clampedToPicture(
       {static_cast<int>(std::floor(readPosition.x)), static_cast<int>(std::floor(readPosition.y))}, inputs);
   if (locks) {

@@ -33,31 +33,14 @@ glm::vec3 byLuma(const Nine& c, float amount) {
 }
 
 glm::vec3 byRcas(const Nine& c, float amount) {
-  Nine t;
-  for (std::size_t k = 0; k < 9; ++k) t[k] = compress(c[k], ToneSpace::MaxChannel);
-  const glm::vec3 low = smaller(smaller(t[1], t[3]), smaller(t[5], t[7]));
-  const glm::vec3 high = larger(larger(t[1], t[3]), larger(t[5], t[7]));
-  float lobe = 0.1875f;
-  for (int i = 0; i < 3; ++i) {
-    const float least = low[i] < t[4][i] ? low[i] : t[4][i];
-    const float most = high[i] > t[4][i] ? high[i] : t[4][i];
-    const float room = high[i] > 0.0f ? least / (4.0f * high[i]) : 0.0f;
-    const float headroom = (1.0f - most) / (4.0f - 4.0f * low[i]);
-    lobe = room < lobe ? room : lobe;
-    lobe = headroom < lobe ? headroom : lobe;
-  }
-  lobe = lobe * saturated(amount);
+  const Nine t = bounded(c);
+  const float lobe = rcasLobe(t, amount);
   const glm::vec3 result = t[4] - (lobe * differences(t, kCross)) / (1.0f - 4.0f * lobe);
   return result == t[4] ? c[4] : decompress(result, ToneSpace::MaxChannel);
 }
 
 glm::vec3 inResolve(const Nine& c, const Nine& current, float amount) {
-  const glm::vec3 center = compress(current[4], ToneSpace::ReinhardLuma);
-  glm::vec3 sum(0.0f);
-  for (const glm::vec3& color : current) sum = sum + (compress(color, ToneSpace::ReinhardLuma) - center);
-  const glm::vec3 mean = center + sum / 9.0f;
-  const glm::vec3 linear = mean == center ? current[4] : decompress(mean, ToneSpace::ReinhardLuma);
-  return c[4] + (3.0f * amount) * larger(c[4] - linear, glm::vec3(0.0f));
+  return c[4] + (3.0f * amount) * larger(c[4] - meanInResolve(current), glm::vec3(0.0f));
 }
 
 glm::vec3 squareRoot(const glm::vec3& x) {
@@ -148,11 +131,41 @@ Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm
   const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs); // render px, as the blur's way
   const glm::vec3 fast =
       blurred(inputs, position, motion * renderRatio(inputs), noiseAt(pixel, inputs.frame));
+  shown.fast = fast;
   shown.color = fast + shown.trust * (sharp.color - fast);
   return shown;
 }
 
 } // namespace
+
+std::array<glm::vec3, 9> bounded(const std::array<glm::vec3, 9>& colors) {
+  Nine result;
+  for (std::size_t k = 0; k < 9; ++k) result[k] = compress(colors[k], ToneSpace::MaxChannel);
+  return result;
+}
+
+float rcasLobe(const std::array<glm::vec3, 9>& t, float amount) {
+  const glm::vec3 low = smaller(smaller(t[1], t[3]), smaller(t[5], t[7]));
+  const glm::vec3 high = larger(larger(t[1], t[3]), larger(t[5], t[7]));
+  float lobe = 0.1875f;
+  for (int i = 0; i < 3; ++i) {
+    const float least = low[i] < t[4][i] ? low[i] : t[4][i];
+    const float most = high[i] > t[4][i] ? high[i] : t[4][i];
+    const float room = high[i] > 0.0f ? least / (4.0f * high[i]) : 0.0f;
+    const float headroom = (1.0f - most) / (4.0f - 4.0f * low[i]);
+    lobe = room < lobe ? room : lobe;
+    lobe = headroom < lobe ? headroom : lobe;
+  }
+  return lobe * saturated(amount);
+}
+
+glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current) {
+  const glm::vec3 center = compress(current[4], ToneSpace::ReinhardLuma);
+  glm::vec3 sum(0.0f);
+  for (const glm::vec3& color : current) sum = sum + (compress(color, ToneSpace::ReinhardLuma) - center);
+  const glm::vec3 mean = center + sum / 9.0f;
+  return mean == center ? current[4] : decompress(mean, ToneSpace::ReinhardLuma);
+}
 
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& c,
                   const std::array<glm::vec3, 9>& current) {
@@ -182,7 +195,7 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
   Shown shown;
   const glm::vec3 sharp = sharpen(settings.output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);
-  shown.color = sharp;
+  shown.color = shown.sharp = sharp;
   if (settings.output.motionBlur == Switch::On)
     shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
   shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);

@@ -160,12 +160,35 @@ glm::vec2 maskAt(const Inputs& inputs, const glm::ivec2& texel) {
 
 namespace {
 
-/// Of the current filter: what it weighs and how much.
-void describeFilter(const Inputs& inputs, const Settings& settings, Details& details) {
-  for (int k = 0; k < 9; ++k)
-    details.filterSamples[static_cast<std::size_t>(k)] =
-        currentColor(inputs, details.texel + glm::ivec2(k % 3 - 1, k / 3 - 1));
-  if (!isUpsampled(settings)) details.filterWeights = currentWeights(settings.current, inputs.jitterPx);
+/// What the filters of this frame and of history weigh and how much.
+void describeTaps(const Inputs& inputs, const Settings& settings, const Place& place,
+                  const HistorySample& history, Details& details) {
+  const bool isSmaller = isUpsampled(settings);
+  details.sampleOffset = place.offset;
+  details.renderRatio = renderRatio(inputs);
+  if (isSmaller)
+    details.upsampleTaps = upsampleTaps(inputs, settings.current.upsample, place);
+  else
+    details.filterWeights = currentWeights(settings.current, inputs.jitterPx);
+  details.unsharpened = isSmaller
+                            ? upsample(inputs, settings.current.upsample, place, details.seen.speed).color
+                            : unsharpenedCurrent(inputs, settings.current, place.texel);
+  if (inputs.historyColor.empty()) return;
+  HistorySettings read = settings.history;
+  if (history.isEdge) read.filter = HistoryFilter::Bilinear;
+  details.historyTaps = historyTaps(inputs, read, history.position);
+}
+
+/// The nine samples around, and what the nine pixels resolved to.
+void describeAround(const Inputs& inputs, const glm::ivec2& pixel, Details& details) {
+  for (int k = 0; k < 9; ++k) {
+    const glm::ivec2 step(k % 3 - 1, k / 3 - 1);
+    const auto place = static_cast<std::size_t>(k);
+    details.filterSamples[place] = currentColor(inputs, details.texel + step);
+    if (inputs.resolved.empty()) continue;
+    const glm::ivec2 at = clampedToPicture(pixel + step, inputs);
+    details.resolvedAround[place] = glm::vec3(inputs.resolved.texel(at.x, at.y));
+  }
 }
 
 PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, Kept* kept,
@@ -226,27 +249,36 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   seen.mask = mask;
   seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
   seen.velocityChange = match.velocityChange;
-  seen.divergence = motionDivergence(inputs, settings.weight, texel);
+  const Divergence divergence = motionDivergence(inputs, settings.weight, texel);
+  seen.divergence = divergence.value;
   const Weights weights = weigh(settings.weight, length, validated.invalid, seen);
   recordWeights(record, weights);
   const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
   recordBlend(record, blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length,
                                        confidence, dilated.motion, p, inputs.frame}));
-  if (!inputs.resolved.empty()) recordOutput(record, showOutput(inputs, settings, p));
+  Shown output;
+  if (!inputs.resolved.empty()) recordOutput(record, output = showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, held);
   if (!details) return record;
   details->texel = texel;
   details->neighborhood = neighborhood;
   details->seen = seen;
-  details->held = held.share;
+  details->held = held;
+  details->geometry = geometry;
+  details->match = match;
+  details->divergence = divergence;
   details->slope = depthSlope(inputs, texel);
   details->isFirst = inputs.historyColor.empty();
   details->depthTerms = inputs.depthTerms;
   details->jitterPx = inputs.jitterPx;
   details->picturePx = {inputs.outputWidth(), inputs.outputHeight()};
   details->readPosition = history.position;
-  describeFilter(inputs, settings, *details);
+  details->shown = output;
+  details->drawnMotion =
+      glm::vec2(inputs.motion.texel(texel.x + dilated.offset.x, texel.y + dilated.offset.y));
+  describeTaps(inputs, settings, place, history, *details);
+  describeAround(inputs, p, *details);
   return record;
 }
 

@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 namespace taa::reference {
 
@@ -37,12 +39,30 @@ struct Reprojected {
 };
 Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm::ivec2& pixel);
 
+/// A weighted set of colors, whose mean a filter is.
+struct Taps {
+  struct Tap {
+    glm::vec3 color{0.0f};
+    float weight = 0.0f;
+    bool bounds = true; ///< the result stays within such ones when deringed
+  };
+  std::array<Tap, 16> each{};
+  std::size_t count = 0;
+  std::size_t middle = 0; ///< the one that others are differences to
+  void add(const glm::vec3& color, float weight, bool bounds = true) {
+    each[count++] = {color, weight, bounds};
+  }
+  std::span<const Tap> all() const { return std::span(each).first(count); }
+};
+
 /// Weights of a cubic's four taps at fraction f of a texel (catalogue 6.2, Catmull-Rom).
 std::array<float, 4> catmullRomWeights(float fraction);
 /// Weights of the four texels of an axis for the filters of sixteen texels (catalogue 6.2, 6.5 to 6.7).
 std::array<float, 4> cubicWeights(const HistorySettings& settings, float fraction);
 /// The stored color at `positionPx` by bilinear interpolation, clamped to the edge.
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx);
+/// The taps that a filter of history takes around a place, which are one for Point and four for Bilinear.
+Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx);
 /// What was accumulated there (catalogue §6).
 struct HistorySample {
   glm::vec3 color{0.0f};
@@ -71,7 +91,9 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
                          const glm::vec3& color);
 /// A bilinear tap where the center of `pixel` landed (catalogue 7.1, 8.8).
 glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel);
-/// This frame's color at the pixel's center (catalogue §7).
+/// This frame's color at the pixel's center (catalogue §7), before it is sharpened.
+glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
+/// And after that.
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 
 } // namespace taa::reference

@@ -74,25 +74,37 @@ Place placeOf(const Inputs& inputs, const glm::ivec2& pixel) {
   return place;
 }
 
-CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& place, float speed) {
-  const glm::vec3 nearest = currentColor(inputs, place.texel);
+Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& place) {
+  Taps taps;
+  if (chosen == UpsampleKernel::SampleWeight) return taps;
   const glm::vec2 ratio = renderRatio(inputs);
-  if (chosen == UpsampleKernel::SampleWeight)
-    return {nearest, nearestConfidence(chosen, place, ratio, speed)};
   const bool isFsr2 = chosen == UpsampleKernel::Fsr2;
   // 4×4 around the center: two samples before it, two behind, on each axis.
   const glm::ivec2 first =
       isFsr2 ? glm::ivec2(place.offset.x > 0.0f ? -2 : -1, place.offset.y > 0.0f ? -2 : -1) : glm::ivec2(-1);
   const int count = isFsr2 ? 4 : 3;
-  float sum = 0.0f;
-  glm::vec3 difference(0.0f);
+  taps.middle = static_cast<std::size_t>(-first.y * count - first.x);
   for (int row = 0; row < count; ++row) {
     for (int column = 0; column < count; ++column) {
       const glm::ivec2 step = first + glm::ivec2(column, row);
-      const float weight = kernel(chosen, place.offset + glm::vec2(step), ratio);
-      sum = sum + weight;
-      difference = difference + weight * (currentColor(inputs, place.texel + step) - nearest);
+      taps.add(currentColor(inputs, place.texel + step),
+               kernel(chosen, place.offset + glm::vec2(step), ratio));
     }
+  }
+  return taps;
+}
+
+CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& place, float speed) {
+  const glm::vec3 nearest = currentColor(inputs, place.texel);
+  const glm::vec2 ratio = renderRatio(inputs);
+  if (chosen == UpsampleKernel::SampleWeight)
+    return {nearest, nearestConfidence(chosen, place, ratio, speed)};
+  float sum = 0.0f;
+  glm::vec3 difference(0.0f);
+  const Taps taps = upsampleTaps(inputs, chosen, place);
+  for (const Taps::Tap& tap : taps.all()) {
+    sum = sum + tap.weight;
+    difference = difference + tap.weight * (tap.color - nearest);
   }
   const bool isWeighed = sum > 1e-4f;
   glm::vec3 color = isWeighed ? nearest + difference / sum : nearest;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/settings/Settings.h"
-#include "core/taa/reference/Reference.h"
+#include "core/taa/reference/SampleStages.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -20,6 +20,9 @@ struct Place {
 };
 Place placeOf(const Inputs& inputs, const glm::ivec2& pixel);
 
+/// The samples that a kernel weighs for that pixel, the nearest in the middle; none where it takes that
+/// alone.
+Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& place);
 /// The color at the center of a pixel from fewer samples (catalogue §22); speed in px of the picture.
 struct CurrentColor {
   glm::vec3 color{0.0f};

@@ -98,6 +98,7 @@ class SlowRenderer final : public Renderer {
   void fillTraces(int, int) override {}
   void setRecording(bool) override {}
   void addCameraTrack(const CameraTrack&) override {}
+  void setFlownCameras(const FlownCameras&) override {}
   void locate(const std::vector<int>&) override {}
 
  private:

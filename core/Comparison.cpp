@@ -1,16 +1,16 @@
-#include "app/views/Comparison.h"
+#include "core/Comparison.h"
 
 #include "core/base/Error.h"
 
 #include <array>
 #include <charconv>
 
-namespace taa::app {
+namespace taa {
 
 namespace {
 
 constexpr std::array<std::string_view, 4> kShowings = {"first", "other", "difference", "wipe"};
-constexpr std::string_view kPreset = "preset:", kFrame = "frame:";
+constexpr std::string_view kPreset = "preset:", kFrame = "frame:", kRow = "row:";
 
 } // namespace
 
@@ -21,7 +21,7 @@ std::string comparisonText(const Comparison& comparison) {
   case OtherKind::Row:
     return std::string(intermediate(comparison.id).name);
   case OtherKind::Preset:
-    return std::string(kPreset) + comparison.preset.toStdString();
+    return std::string(kPreset) + comparison.preset;
   case OtherKind::Frame:
     return std::string(kFrame) + std::to_string(comparison.frame);
   case OtherKind::FramesBefore:
@@ -33,7 +33,7 @@ std::string comparisonText(const Comparison& comparison) {
 Comparison parseComparison(const std::string& text) {
   if (text == "nothing") return {};
   if (text.starts_with(kPreset) && text.size() > kPreset.size())
-    return {.kind = OtherKind::Preset, .preset = QString::fromStdString(text.substr(kPreset.size()))};
+    return {.kind = OtherKind::Preset, .preset = text.substr(kPreset.size())};
   if (text.starts_with(kFrame)) {
     int number = 0;
     const char* end = text.data() + text.size();
@@ -43,11 +43,10 @@ Comparison parseComparison(const std::string& text) {
       if (number < 0) return {.kind = OtherKind::FramesBefore, .frame = -number};
       return {.kind = OtherKind::Frame, .frame = number};
     }
-  } else if (const auto id = findIntermediate(text)) {
+  } else if (const auto id = findIntermediate(text.starts_with(kRow) ? text.substr(kRow.size()) : text)) {
     return {.kind = OtherKind::Row, .id = *id};
   }
-  throw Error("cannot compare with \"" + text +
-              "\": name an intermediate, preset:NAME, frame:N, or frame:-N for N frames before");
+  throw Error("cannot compare with \"" + text + "\": name " + std::string(kComparisonHelp));
 }
 
 std::string_view showingName(Showing showing) {
@@ -61,4 +60,4 @@ Showing showingNamed(std::string_view name) {
               "\": it is wipe, first, other or difference");
 }
 
-} // namespace taa::app
+} // namespace taa

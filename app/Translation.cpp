@@ -1,0 +1,111 @@
+#include "app/Translation.h"
+
+#include "app/Text.h"
+
+#include "core/gl/PassTimer.h"
+#include "core/inspect/Metrics.h"
+#include "core/inspect/Profiler.h"
+#include "core/inspect/Visualizer.h"
+#include "core/inspect/WhatIf.h"
+#include "core/scene/MotionMode.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "core/taa/Intermediates.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStandardPaths>
+#include <QTranslator>
+
+#include <memory>
+
+namespace taa::app {
+
+namespace {
+
+/// Texts in the order they come, without empty ones.
+class Collector {
+ public:
+  template <typename... Texts>
+  void add(const Texts&... texts) {
+    (addOne(texts), ...);
+  }
+  QStringList take() {
+    texts_.removeDuplicates();
+    return std::move(texts_);
+  }
+
+ private:
+  void addOne(std::string_view text) {
+    if (!text.empty()) texts_ << qtext(text);
+  }
+  QStringList texts_;
+};
+
+void addParameters(Collector& texts) {
+  for (const Parameter& row : parameters()) {
+    texts.add(row.label, row.unit, row.tooltip, row.formula, row.source);
+    for (const Choice& choice : row.choices) texts.add(choice.label, choice.explanation);
+  }
+}
+
+void addRows(Collector& texts) {
+  for (const Intermediate& row : kIntermediates) texts.add(row.label, row.unit, row.description);
+  const int last = static_cast<int>(intermediate(IntermediateId::rejectReason).high);
+  for (int reason = 0; reason <= last; ++reason) texts.add(rejectReasonText(reason));
+}
+
+/// What `text` says of each value of an enumeration.
+template <typename Enum, typename Text>
+void addEach(Collector& texts, Enum last, Text text) {
+  for (int value = 0; value <= static_cast<int>(last); ++value) texts.add(text(static_cast<Enum>(value)));
+}
+
+void addLists(Collector& texts) {
+  for (const FigureInfo& figure : kFigures) texts.add(figure.label, figure.unit, figure.description);
+  for (const MotionModeInfo& mode : kMotionModes) texts.add(mode.label);
+  addEach(texts, ColorMap::Categorical, colorMapName);
+  addEach(texts, WhatIfGroup::Preset, whatIfGroupLabel);
+  addEach(texts, gl::TimingMethod::Finish, timingWords);
+}
+
+} // namespace
+
+QStringList tableTexts() {
+  Collector texts;
+  for (const StageInfo& stage : kStages) texts.add(stage.label, stage.description);
+  addParameters(texts);
+  addRows(texts);
+  addLists(texts);
+  for (const Preset& preset : builtinPresets()) texts.add(preset.label, preset.description);
+  for (const BuiltinScene& scene : builtinScenes()) texts.add(scene.label, scene.description);
+  return texts.take();
+}
+
+QString tableTextLines() {
+  QString lines;
+  for (QString text : tableTexts()) {
+    text.replace(u'\\', QStringLiteral("\\\\")).replace(u'"', QStringLiteral("\\\""));
+    text.replace(u'\n', QStringLiteral("\\n"));
+    lines += QStringLiteral("QT_TRANSLATE_NOOP(\"tables\", \"%1\")\n").arg(text);
+  }
+  return lines;
+}
+
+QStringList translationFolders() {
+  QStringList folders{QCoreApplication::applicationDirPath()};
+  folders << QStandardPaths::standardLocations(QStandardPaths::AppDataLocation);
+  for (QString& folder : folders) folder += QStringLiteral("/translations");
+  return folders;
+}
+
+bool installTranslation(QCoreApplication& application, const QLocale& locale, const QStringList& folders) {
+  auto translator = std::make_unique<QTranslator>(&application);
+  for (const QString& folder : folders)
+    if (translator->load(locale, QStringLiteral("taa-inspector"), QStringLiteral("_"), folder))
+      return QCoreApplication::installTranslator(translator.release());
+  return false;
+}
+
+} // namespace taa::app

@@ -1,0 +1,12 @@
+// What can be laid over a picture.
+#pragma once
+
+#include <cstdint>
+
+namespace taa::app {
+
+/// Besides the marks of what is no color.
+enum class Overlay : std::uint8_t { Clipped, Rejected, Outlines, Arrows, Grid, WholeLegend };
+inline constexpr int kOverlayCount = 6;
+
+} // namespace taa::app

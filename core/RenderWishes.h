@@ -1,0 +1,47 @@
+// What the render thread is asked for.
+#pragma once
+
+#include "core/RenderThread.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+/// What is asked for and not yet taken up; the last wish of a kind wins, steps add up.
+struct Wishes {
+  bool reload = false, cancel = false, measureStages = false;
+  std::optional<std::string> source, camera;
+  std::optional<glm::ivec2> size;
+  std::optional<std::vector<MotionOverride>> motionModes;
+  std::optional<Settings> settings, prepared;
+  std::optional<bool> looping, playing;
+  std::optional<int> frame; ///< to go to, before the steps
+  int steps = 0;
+  std::optional<std::vector<ViewRequest>> views;
+  std::optional<PinWish> pins;
+  std::optional<std::size_t> checkpointBudget;
+  std::optional<bool> profiling;
+  std::optional<glm::ivec2> thumbnails;
+  std::optional<Playback> playback;
+  std::optional<int> referenceSamples;
+  std::optional<std::vector<Figure>> figures;
+  std::optional<std::vector<Settings>> otherLanes;
+  std::optional<SequenceRequest> exported;
+  SceneWishes scene;
+  std::optional<bool> tracing;
+  std::optional<std::pair<int, int>> fillTraces; ///< first and last frame
+
+  bool isEmpty() const;
+  /// Whether going to a frame is of no use any more once these are taken up.
+  bool endReplay() const;
+};
+
+// Questions for RenderWorker's `pending`.
+bool isAny(const Wishes& wishes);
+bool endsReplay(const Wishes& wishes);
+
+} // namespace taa

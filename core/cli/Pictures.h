@@ -1,0 +1,37 @@
+// The pictures that taa-batch render draws: of rows, in their styles, beside what they are compared with.
+#pragma once
+
+#include "core/Comparison.h"
+#include "core/ShownPicture.h"
+#include "core/cli/Shot.h"
+
+#include <vector>
+
+namespace taa::cli {
+
+class Pictures {
+ public:
+  /// Throws UsageError where --compare and its like make no sense.
+  Pictures(const RenderArguments& arguments, const std::vector<IntermediateId>& ids);
+
+  bool compares() const { return static_cast<bool>(comparison_); }
+  bool showsReference() const { return showsReference_; }
+  /// Lanes that have pictures of their own; the one that is compared with has none.
+  int laneCount(const Inspector& inspector) const { return compares() ? 1 : inspector.laneCount(); }
+  /// Adds the lane that is compared with. Throws UsageError where there are several already.
+  void addLane(ShotPlan& plan) const;
+  /// What a view at 1:1 shows.
+  Picture draw(Inspector& inspector, IntermediateId id, int lane, const Progress& progress) const;
+
+ private:
+  void check(const std::vector<IntermediateId>& ids) const;
+  ViewStyle styled(ViewStyle style, const std::vector<std::string>& assignments) const;
+  IntermediateId otherId(IntermediateId id) const;
+
+  const RenderArguments& arguments_;
+  Comparison comparison_;
+  Showing showing_ = Showing::First;
+  bool showsReference_ = false;
+};
+
+} // namespace taa::cli

@@ -1,0 +1,204 @@
+// Stories of stages 3 and 4: the taps that history and this frame's color are means of.
+#include "core/inspect/StoryText.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/reference/Color.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace taa::story {
+
+std::string choiceLabel(std::string_view path, const Settings& settings) {
+  const Parameter& row = parameter(path);
+  return std::string(row.choices[static_cast<std::size_t>(row.get(settings))].label);
+}
+
+std::string weightedMean(const Teller& t, std::span<const float> weights, std::span<const float> values,
+                         bool isDivided) {
+  std::string sum, total;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    if (weights[k] == 0.0f) continue;
+    const std::string weight = t.number(weights[k]);
+    sum += (sum.empty() ? "" : " + ") + weight + " × " + t.number(values[k]);
+    total += (total.empty() ? "" : " + ") + weight;
+  }
+  return isDivided ? "(" + sum + ") / (" + total + ")" : sum;
+}
+
+namespace {
+
+/// Weights and reds of taps, and the range of those that bound the result.
+struct Reds {
+  std::vector<float> weights, values;
+  float low = 0.0f, high = 0.0f;
+  float sum = 0.0f;
+};
+
+Reds redsOf(const reference::Taps& taps) {
+  Reds reds;
+  reds.low = reds.high = taps.each[taps.middle].color.x;
+  for (const reference::Taps::Tap& tap : taps.all()) {
+    reds.weights.push_back(tap.weight);
+    reds.values.push_back(tap.color.x);
+    reds.sum += tap.weight;
+    if (!tap.bounds) continue;
+    reds.low = std::fmin(reds.low, tap.color.x);
+    reds.high = std::fmax(reds.high, tap.color.x);
+  }
+  return reds;
+}
+
+std::string clamped(const Teller& t, const std::string& text, float low, float high) {
+  return call("clamp", {text, t.number(low), t.number(high)});
+}
+
+std::string ending(const Teller& t, Id id) {
+  return " = " + t.number(t.color(id).x);
+}
+
+RowStory rawStory(const Teller& t) {
+  const HistorySettings& history = t.settings().history;
+  const glm::vec2 at = t.details().readPosition;
+  const glm::vec2 fraction = (at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f));
+  const bool isEdge = t.value(Id::depthEdge) != 0.0f;
+  const reference::Taps& taps = t.details().historyTaps;
+  std::string words =
+      (isEdge ? "Bilinear, for depth has an edge," : choiceLabel("history.filter", t.settings())) + " at " +
+      t.tuple(at) + ", " + t.tuple(fraction) + " of a texel from the one before";
+  if (taps.count == 0) return {words, "", ""};
+  words += taps.count == 1 ? ": one tap" : ": " + std::to_string(taps.count) + " taps";
+  if (taps.count == 1) return {words, t.equals(t.tuple(taps.each[0].color), Id::historyRaw), ""};
+  const Reds reds = redsOf(taps);
+  words += ", their weights are " + t.number(reds.sum) + " together";
+  const bool isPlain = isEdge || history.filter == HistoryFilter::Bilinear;
+  const bool isDivided = !isPlain && history.filter != HistoryFilter::CatmullRom5AsPrinted &&
+                         history.filter != HistoryFilter::CatmullRom5Corners;
+  std::string text = weightedMean(t, reds.weights, reds.values, isDivided);
+  if (!isPlain && isOn(history.dering)) text = clamped(t, text, reds.low, reds.high);
+  if (!isPlain) text = call("max", {text, "0"});
+  return {words, text + ending(t, Id::historyRaw), "R"};
+}
+
+RowStory historyStory(Id id, const Teller& t) {
+  if (t.details().isFirst) return {"there is no history yet", "", ""};
+  if (id == Id::depthEdge)
+    return {!isOn(t.settings().history.bilinearAtEdges) ? "not asked for"
+            : t.value(id) != 0.0f                       ? "an edge in depth: read by one bilinear tap"
+                                                        : "no edge in depth: the filter is used",
+            "", ""};
+  if (id == Id::historyRawLength)
+    return {"as many frames' worth of samples were stored around " + t.tuple(t.details().readPosition), "",
+            ""};
+  return rawStory(t);
+}
+
+/// Of the nine samples as they count, luma weighting put in.
+reference::Taps currentTaps(const Teller& t) {
+  reference::Taps taps;
+  taps.middle = 4;
+  const bool byLuma = isOn(t.settings().current.lumaWeighted);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const glm::vec3& color = t.details().filterSamples[k];
+    const float weight = t.details().filterWeights[k];
+    taps.add(color, byLuma ? weight / (1.0f + reference::luma(color)) : weight);
+  }
+  return taps;
+}
+
+/// A bilinear tap where the pixel's center landed.
+std::string unjitterText(const Teller& t) {
+  const glm::vec2 jitter = t.details().jitterPx;
+  const int dx = jitter.x < 0.0f ? -1 : 1, dy = jitter.y < 0.0f ? -1 : 1;
+  const float fx = std::fabs(jitter.x), fy = std::fabs(jitter.y);
+  const auto red = [&](int x, int y) {
+    return t.details().filterSamples[static_cast<std::size_t>(4 + x + 3 * y)].x;
+  };
+  const std::array weights{(1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy};
+  const std::array values{red(0, 0), red(dx, 0), red(0, dy), red(dx, dy)};
+  return weightedMean(t, weights, values, false);
+}
+
+/// The color before it is sharpened: words, and what its red is.
+RowStory filteredStory(const Teller& t) {
+  const CurrentSettings& current = t.settings().current;
+  const std::array<glm::vec3, 9>& nine = t.details().filterSamples;
+  if (isUpsampled(t.settings())) {
+    const std::string kernel = choiceLabel("current.upsample", t.settings());
+    const reference::Taps& taps = t.details().upsampleTaps;
+    const Reds reds = redsOf(taps);
+    if (taps.count == 0 || !(reds.sum > 1e-4f))
+      return {kernel + ": the nearest sample, " + t.tuple(t.details().sampleOffset) + " px from the center",
+              t.number(nine[4].x), "R"};
+    std::string text = weightedMean(t, reds.weights, reds.values);
+    float low = nine[4].x, high = nine[4].x;
+    for (const glm::vec3& sample : nine) low = std::fmin(low, sample.x), high = std::fmax(high, sample.x);
+    if (current.upsample != UpsampleKernel::Hdrp) text = clamped(t, text, low, high);
+    return {kernel + " over " + std::to_string(taps.count) + " samples of what was drawn smaller",
+            call("max", {text, "0"}), "R"};
+  }
+  const std::string filter = choiceLabel("current.filter", t.settings());
+  if (current.filter == CurrentFilter::Center) return {"the sample as it is", t.number(nine[4].x), "R"};
+  if (current.filter == CurrentFilter::Unjitter)
+    return {"read where the pixel's center landed", unjitterText(t), "R"};
+  const Reds reds = redsOf(currentTaps(t));
+  std::string mean = weightedMean(t, reds.weights, reds.values);
+  const bool rings = current.filter == CurrentFilter::Mitchell ||
+                     current.filter == CurrentFilter::CatmullRom || current.filter == CurrentFilter::Lanczos;
+  if (rings && isOn(current.dering)) mean = clamped(t, mean, reds.low, reds.high);
+  return {filter + " over the nine samples", call("max", {mean, "0"}), "R"};
+}
+
+RowStory currentStory(const Teller& t) {
+  const CurrentSettings& current = t.settings().current;
+  RowStory story = filteredStory(t);
+  if (current.sharpen != CurrentSharpen::None) {
+    const std::string f = t.number(t.details().unsharpened.x), s = t.number(current.sharpenAmount);
+    std::string four;
+    for (const std::size_t k : {1u, 3u, 5u, 7u})
+      four += (four.empty() ? "" : " + ") + t.number(t.details().filterSamples[k].x);
+    const bool isPrinted = current.sharpen == CurrentSharpen::LaplacianAsPrinted;
+    story.words += ", then sharpened by the four around";
+    story.formula = call("max", {isPrinted ? "5 × " + s + " × " + f + " − " + s + " × (" + four + ")"
+                                           : f + " − " + s + " × ((" + four + ") / 4 − " + f + ")",
+                                 "0"});
+  }
+  story.formula += ending(t, Id::currentFiltered);
+  return story;
+}
+
+RowStory confidenceStory(const Teller& t) {
+  if (!isUpsampled(t.settings())) return {"drawn at full size", "", ""};
+  const glm::vec2 d = t.details().sampleOffset, ratio = t.details().renderRatio;
+  const UpsampleKernel kernel = t.settings().current.upsample;
+  const std::string where = t.tuple(d) + " px from the pixel's center";
+  if (kernel == UpsampleKernel::Hdrp)
+    return {(t.value(Id::sampleConfidence) > 0.0f ? "the nearest sample lies in the pixel: "
+                                                  : "no sample lies in the pixel: the nearest is ") +
+                where,
+            "", ""};
+  if (kernel == UpsampleKernel::SampleWeight) {
+    const std::string near = "1 − (" + t.number(d.x * d.x) + " / " + t.number(ratio.x) + " + " +
+                             t.number(d.y * d.y) + " / " + t.number(ratio.y) + ")";
+    return {"how near the nearest sample lies, " + where + ", or all of it where it moves",
+            t.equals(call("max", {call("clamp", {near, "0", "1"}), call("smooth", {t.number(Id::speed)})}),
+                     Id::sampleConfidence),
+            ""};
+  }
+  std::string sum;
+  for (const reference::Taps::Tap& tap : t.details().upsampleTaps.all())
+    if (tap.weight != 0.0f) sum += (sum.empty() ? "" : " + ") + t.number(tap.weight);
+  if (sum.empty()) return {"no sample is near enough", "", ""};
+  return {"what the samples weigh together, the nearest " + where,
+          t.equals(call("clamp", {sum, "0", "1"}), Id::sampleConfidence), ""};
+}
+
+} // namespace
+
+RowStory filterStory(Id id, const Teller& t) {
+  if (id == Id::currentFiltered) return currentStory(t);
+  return id == Id::sampleConfidence ? confidenceStory(t) : historyStory(id, t);
+}
+
+} // namespace taa::story

@@ -1,0 +1,176 @@
+// Stories of stage 10 and of the reference: what is shown of the mix, and how far it is from what it should
+// be.
+#include "core/inspect/StoryText.h"
+
+#include "core/taa/reference/Color.h"
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+namespace taa::story {
+
+namespace {
+
+/// Reds of the nine resolved colors, as sums of some of them.
+struct Around {
+  const Teller& t;
+
+  float red(std::size_t k) const { return t.details().resolvedAround[k].x; }
+  std::string text(std::size_t k) const { return t.number(red(k)); }
+  std::string sum(std::initializer_list<std::size_t> places) const {
+    std::string text_;
+    for (const std::size_t k : places) text_ += (text_.empty() ? "" : " + ") + text(k);
+    return "(" + text_ + ")";
+  }
+  std::string cross() const { return sum({1, 3, 5, 7}); }
+  std::string corners() const { return sum({0, 2, 6, 8}); }
+  std::string all() const { return sum({0, 1, 2, 3, 4, 5, 6, 7, 8}); }
+};
+
+std::string lumaRatioText(const Around& a, const std::string& k) {
+  const auto& nine = a.t.details().resolvedAround;
+  const float center = reference::luma(nine[4]);
+  if (!(center > 1e-6f)) return a.text(4);
+  std::string sum;
+  for (const glm::vec3& color : nine) sum += (sum.empty() ? "" : " + ") + a.t.number(reference::luma(color));
+  const std::string own = a.t.number(center);
+  return a.text(4) + " × (1 − " + k + " × ((" + sum + ") / 9 − " + own + ") / " + own + ")";
+}
+
+std::string logarithmText(const Around& a, float amount) {
+  const auto mean = [&](std::size_t one, std::size_t other) {
+    return "√((1 + " + a.text(one) + ") × (1 + " + a.text(other) + "))";
+  };
+  const std::string center = "(1 + " + a.text(4) + ")";
+  const std::string power = a.t.number(std::floor(amount * 256.0f + 0.5f) / 256.0f);
+  return a.text(4) + " + " + center + " × ((" + center + " / √(" + mean(1, 7) + " × " + mean(3, 5) + "))^" +
+         power + " − 1)";
+}
+
+/// Red of the sharpened color. RCAS sharpens with bounded highlights: its last factor takes that back.
+std::string sharpenText(const Teller& t) {
+  const OutputSettings& output = t.settings().output;
+  const Around a{t};
+  const std::string c = a.text(4), k = t.number(output.amount);
+  switch (output.sharpen) {
+  case Sharpen::None:
+    return c;
+  case Sharpen::LumaRatio:
+    return lumaRatioText(a, k);
+  case Sharpen::Laplacian:
+    return c + " − " + k + " × (" + a.cross() + " / 4 − " + c + ")";
+  case Sharpen::Unsharp:
+    return c + " − " + k + " × (" + a.all() + " / 9 − " + c + ")";
+  case Sharpen::Rcas: {
+    const auto bounded = reference::bounded(t.details().resolvedAround);
+    const float lobe = reference::rcasLobe(bounded, output.amount);
+    const glm::vec3 sum = bounded[1] + bounded[3] + bounded[5] + bounded[7];
+    const glm::vec3 sharp = (bounded[4] - lobe * sum) / (1.0f - 4.0f * lobe);
+    const std::string l = t.number(lobe);
+    std::string reds;
+    for (const std::size_t place : {1u, 3u, 5u, 7u})
+      reds += (reds.empty() ? "" : " + ") + t.number(bounded[place].x);
+    return "(" + t.number(bounded[4].x) + " − " + l + " × (" + reds + ")) / (1 − 4 × " + l + ") / (1 − " +
+           t.number(std::fmax(sharp.x, std::fmax(sharp.y, sharp.z))) + ")";
+  }
+  case Sharpen::InResolve: {
+    const float mean = reference::meanInResolve(t.details().filterSamples).x;
+    return c + " + 3 × " + k + " × " + call("max", {c + " − " + t.number(mean), "0"});
+  }
+  case Sharpen::Logarithm:
+    return logarithmText(a, output.amount);
+  case Sharpen::Reconstruct: {
+    const std::string b = t.number(output.amount / 6.0f);
+    return c + " + " + b + "^2 × (" + a.corners() + " − 4 × " + c + ") − " + b + " × (1 + 2 × " + b +
+           ") × (" + a.cross() + " − 4 × " + c + ")";
+  }
+  }
+  return {};
+}
+
+/// Where nothing but sharpening was done.
+RowStory sharpStory(const Teller& t) {
+  const OutputSettings& output = t.settings().output;
+  const std::string words = "the resolved color sharpened: " + choiceLabel("output.sharpen", t.settings());
+  std::string text = sharpenText(t);
+  if (isOn(output.dering)) {
+    float low = t.details().resolvedAround[0].x, high = low;
+    for (const glm::vec3& color : t.details().resolvedAround)
+      low = std::fmin(low, color.x), high = std::fmax(high, color.x);
+    text = call("clamp", {text, t.number(low), t.number(high)});
+  }
+  return {words, call("max", {text, "0"}) + " = " + t.number(t.color(Id::output).x), "R"};
+}
+
+RowStory shownStory(const Teller& t) {
+  const OutputSettings& output = t.settings().output;
+  const bool isCovered = t.value(Id::overlayAlpha) > 0.0f || t.color(Id::overlay) != glm::vec3(0.0f);
+  const bool isBlurred = t.value(Id::blurTrust) < 1.0f;
+  if (!isCovered && !isBlurred) {
+    if (output.sharpen != Sharpen::None) return sharpStory(t);
+    return {"the resolved color as it is", t.equals(t.tuple(Id::resolved), Id::output), ""};
+  }
+  const reference::Shown& shown = t.details().shown;
+  std::string words = output.sharpen == Sharpen::None ? "the resolved color" : "the sharpened color";
+  std::string text = t.tuple(shown.sharp);
+  if (isBlurred) {
+    const std::string fast = t.tuple(shown.fast);
+    text = fast + " + " + t.number(Id::blurTrust) + " × (" + text + " − " + fast + ")";
+    words +=
+        ", " + t.percent(1.0 - static_cast<double>(t.value(Id::blurTrust))) + " blurred along its motion";
+  }
+  if (isCovered) {
+    text = "(" + text + ") × (1 − " + t.number(Id::overlayAlpha) + ") + " + t.tuple(Id::overlay);
+    words += ", the overlay over it";
+  }
+  return {words, t.equals(text, Id::output), ""};
+}
+
+RowStory detailStory(const Teller& t) {
+  if (t.settings().output.sharpen == Sharpen::None) return {"not asked for", "", ""};
+  const float sharp = reference::luma(t.details().shown.sharp);
+  const float before = reference::luma(t.details().resolvedAround[4]);
+  return {std::string(t.value(Id::sharpenDetail) >= 0 ? "made brighter" : "made darker") +
+              ": luma of the sharpened color less that of the resolved one",
+          t.equals(t.number(sharp) + " − " + t.number(before), Id::sharpenDetail), ""};
+}
+
+RowStory trustStory(const Teller& t) {
+  if (!isOn(t.settings().output.motionBlur)) return {"not asked for", "", ""};
+  if (t.value(Id::speed) >= kNoPreviousPosition) return {"the motion is not known", "", ""};
+  return {"fast surfaces are blurred along their motion",
+          t.equals("1 − clamp((" + t.number(Id::speed) + " − 2) / 13, 0, 1)", Id::blurTrust), ""};
+}
+
+RowStory errorStory(Id id, const Teller& t) {
+  if (!reference::hasValue(t.probed.record, Id::reference)) return {"there is no reference yet", "", ""};
+  const glm::vec3 is = t.color(Id::output), should = t.color(Id::reference);
+  switch (id) {
+  case Id::reference:
+    return {"the mean of the reference's samples of this instant", "", ""};
+  case Id::referenceError: {
+    const std::string words = t.value(id) > 0   ? "too bright"
+                              : t.value(id) < 0 ? "too dark"
+                                                : "as it should be";
+    return {words + ": luma of the output less luma of the reference",
+            t.equals(t.number(reference::luma(is)) + " − " + t.number(reference::luma(should)), id), ""};
+  }
+  default: {
+    std::array<std::string, 3> channels;
+    for (int i = 0; i < 3; ++i)
+      channels[static_cast<std::size_t>(i)] = "|" + t.number(is[i]) + " − " + t.number(should[i]) + "|";
+    return {"the largest difference of red, green and blue", t.equals(call("max", channels), id), ""};
+  }
+  }
+}
+
+} // namespace
+
+RowStory outputStory(Id id, const Teller& t) {
+  if (isOfReference(id)) return errorStory(id, t);
+  if (id == Id::sharpenDetail) return detailStory(t);
+  return id == Id::blurTrust ? trustStory(t) : shownStory(t);
+}
+
+} // namespace taa::story

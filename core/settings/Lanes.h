@@ -1,0 +1,9 @@
+// How many settings are resolved beside one another.
+#pragma once
+
+namespace taa {
+
+/// The settings in force, and for each of four views others to compare them with.
+inline constexpr int kMostLanes = 5;
+
+} // namespace taa

@@ -1,0 +1,6733 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history rejected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history counts less: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history kept, pulled %1 of the way into the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history kept as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, for its luma comes and goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no previous position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(%1 + 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 1: the current frame alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max(%1, %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and %1 by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and %1 by its change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and %1 by divergence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> by the frame&apos;s time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ %1 × (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max(%1, %2 by mask)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, at least %1 when rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, of channels %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N = %1 → </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharpened: %1 brighter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharpened: %1 darker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 motion blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hidden by the overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves rigidly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no previous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pixel itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a neighbor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keeps history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not clipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one bilinear tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 masked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not masked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sky, or not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes back %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comes and goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now N = %1 frames of samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt; 0.1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 · %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is rejected in this picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>range %1 … %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the values: this minus other, the channel that differs most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the values: this minus other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= %1 %2 or more, shorter in proportion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>= still: less than %1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrows point to the neighbor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrows point where it moves to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dashes: between objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not drawn yet: comes while paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples · RMSE %2 · PSNR %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ChannelButtons</name>
+    <message>
+        <source>Channels: a click shows or hides one, a right click shows it alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ColorSpacePage</name>
+    <message>
+        <source>RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YCoCg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the color space plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag to turn, double-click to turn back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>highlights bounded, as the box has them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scene-linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ColorSpaceView</name>
+    <message>
+        <source>Color space plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resolved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no values to plot in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min-max box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>variance box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>final box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clip ray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rectified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::CurveChart</name>
+    <message>
+        <source>Click to go there; drag or turn the wheel to zoom, double-click to see all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Exports</name>
+    <message numerus="yes">
+        <source>Exported %n frame(s), the first into %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The export ended early; none of its files were left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part of this view is on its way: pause, or try again when it is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the view with its legend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GLSL (*.frag *.glsl)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied the picture of view %1, %2×%3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export resolve and output as GLSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::FigureTable</name>
+    <message>
+        <source>Table: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::FlightBar</name>
+    <message>
+        <source>Flying the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the pose of each frame as a camera (Ctrl+Shift+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the camera that was left (Backspace)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the flight and stay here (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  W A S D Q E: move   drag: look   wheel: %2 a second   Shift: faster   Ctrl: slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::GlslWindow</name>
+    <message>
+        <source>GLSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program of these settings, as it is compiled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file that Export GLSL writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find; Enter goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find in the text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It follows the settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Built in. Start with --shaders FOLDER to edit a copy of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 - it is read anew when it is saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::JitterPanel</name>
+    <message>
+        <source>Index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disks: samples, with areas as their weights; ringed: this frame&apos;s. + middle of the samples, × with their weights: where the picture&apos;s content lies. The grid has as many cells as there are samples, or a few less. Click a sample to go to the frame that took it last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, index %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights as measured at %1 over %2 frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights by the settings, where nothing moves or changes, over %1 frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective samples: %1 of frames, %2 of the %3 places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Covers %1 % of %2×%2 cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle %1 px, with weights %2 px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::JitterView</name>
+    <message>
+        <source>Samples of the jitter pattern in a pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::LowerArea</name>
+    <message>
+        <source>Pages of the lower area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the lower area</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::MainWindow</name>
+    <message>
+        <source>Profiler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 - TAA Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step back with the comma key.  Right-click a pixel to see every value at it.  Press ? for all keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not a file on this machine; save it first, then open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with another preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same in another frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This frame, kept while others are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another frame…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with frame (0 to %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  difference </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  other </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a scene or a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenes and sessions (*.gltf *.glb *.taa.json);;glTF 2.0 scenes (*.gltf *.glb);;Sessions (*.taa.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the mark at frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to pixel (x, y)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to frame (0 to %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Render size (width × height, px)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width and height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes %1 of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save these settings as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom at the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show more of one side; a double click puts it in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the other side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe a pixel; it stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the probe by 1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the probe by 10 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag, Up, Down, wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change it (Shift: finer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click its label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the preset&apos;s value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the pipeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show an intermediate in the other view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pipeline or scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pipeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the flown camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera paths (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the flown camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recorded camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag the divider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold Shift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right click, drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+arrows</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Menus</name>
+    <message>
+        <source>One view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys act on view %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare with…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the frame &amp;before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the &amp;preset as it was chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With &amp;nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This side, the &amp;other, their difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Divider between both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divider to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divider to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divider to the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark NaN red, infinite green, negative blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo change of settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy probed value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy &amp;all probed values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the probe as &amp;Markdown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the probe as &amp;JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the &amp;picture of the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy it with its le&amp;gend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as &amp;command line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy profile as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy profile as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Search settings and intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View as PNG…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View with its &amp;legend as PNG…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Range of frames…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;rame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step &amp;forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ten back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ten forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go to frame…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start again at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed and &amp;range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;igure under the timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop what is under way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Motion of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Render si&amp;ze</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for &amp;kept frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 GiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reference of parameters and intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About TAA Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About TAA Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA Inspector %1
+
+Steps temporal anti-aliasing frame by frame and shows everything it computes.
+
+Driver: %2
+Qt %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profiler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots of the probes over frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jitter pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights and effective samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add a plot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fill in the frames that were not shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show all frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy values as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve values as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pipeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;My presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None saved yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare, rename, delete presets…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a preset &amp;file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Unfold all stages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fold all stages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure what each stage costs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reload &amp;shaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read &amp;GLSL of the stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export GLSL…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;error against it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the &amp;absolute error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples in a pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;rames per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shot&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat from &amp;here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat &amp;up to here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat the &amp;whole shot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mark this frame, or take its mark away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name the mark…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous mark or cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt mark or cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pr&amp;obe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go to pixel…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove &amp;all probes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pin another under the mouse or beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previo&amp;us probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the &amp;surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Color space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;What if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color space p&amp;lot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;RGB or YCoCg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fly the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Record a flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back to the scene&apos;s camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the flown camera…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a recorded &amp;camera…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;name the flown camera…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete the flown camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Objects in place of the pipeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Search objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hide or show the selected object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Isolate the selected object, or show all again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Probe the selected object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Motion of the selected object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;all objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the &amp;recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Intermediate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next number of views: one, two, four</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Look at the same place in all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Arrangement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;One to one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pipeline panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures in the headings of stages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>O&amp;verlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whichever is larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One above the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brighter by half a stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Darker by half a stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Normalize: fit the range to the visible values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normalize always</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Histogram of the visible values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next color &amp;map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::MessagesBar</name>
+    <message>
+        <source>
+and %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+The shaders from before stay in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaders compile again and are in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shaders were read anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::OverflowPopup</name>
+    <message>
+        <source>More about this view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ParameterRow</name>
+    <message>
+        <source>range %1 to %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>default %1%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::PinBar</name>
+    <message>
+        <source>Probe %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe %1 (J: the next one); Shift+right click pins another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the probe follows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stays on this pixel of the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stays on the point of the surface that is here now, wherever it goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::PipelinePanel</name>
+    <message>
+        <source>changed nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 follow a neighbor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all on the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no history yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pulled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preset these settings started from; * when some were changed since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare presets, rename and delete your own (Ctrl+D)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search settings and intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved from the window.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+The picture: %2. Click it to show it in the active view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::PlotsPanel</name>
+    <message>
+        <source>Right-click a pixel: its values over frames are drawn here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots of the probes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a plot…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot another intermediate (Shift+F6)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the frames that were not shown yet, in the background while nothing plays (Ctrl+F6). The stop button ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all frames (Ctrl+0)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy or save the values as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plot an intermediate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames known at probe %3 · × history rejected there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save values as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV files (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::PresetsDialog</name>
+    <message>
+        <source>Presets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings that differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the present settings as a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename this preset of yours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete this preset of yours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply this value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change only the selected setting to the preset&apos;s value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Apply preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change all settings to the preset&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (mine)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 differs from the present settings in %n value(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is what is set now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the present settings as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New name of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete a preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete the preset %1? Its file goes, too: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ProbeModel</name>
+    <message>
+        <source>no reference drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ProbePanel</name>
+    <message>
+        <source>Right-click a pixel to see every value at it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages of the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy every value, exact (Ctrl+Shift+C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the probe (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>resolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel and its neighbors: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every intermediate at the pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(%1, %2)  frame %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is behind something here: these are the values of what hides it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is not drawn in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is off screen in this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a row to read what happened there; Enter shows it in the active view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ProfileChart</name>
+    <message>
+        <source>Times of the passes over the last frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames before the last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ProfilerPanel</name>
+    <message>
+        <source>Pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resource</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MiB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passes, from the next frame on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages of the resolve, when measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory on the GPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure stages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolves the frame on show again and again with programs that end after each stage (Shift+F11). The stop button ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy all figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passes of frame %1, median of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of it kept histories</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw and stores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages at frame %1, %2×%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::RangeDialog</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export a range of frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG pictures, one for each frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animated GIF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EXR values, one file for each frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole picture, pixel for pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the active view shows, as large as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Into</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last frame is before the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No values are chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no picture yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name of a file is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 is not there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be written into %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 frames of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files: %1, the first %2. They appear when all of them are made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of frame %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n frame(s) before</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 They show both sides, with the divider where it is: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 They show the difference of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 They show the other side: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export into</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::RangeHistogram</name>
+    <message>
+        <source>Histogram of the visible values and the range they are drawn in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible values, counted on a logarithmic scale. Drag an end of the range; Left and Right move the low end, with Shift the high end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The visible values are being counted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ReferenceDialog</name>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find in this page; Enter goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find in this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters and intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ScenePanel</name>
+    <message>
+        <source>Filter objects by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw only the selected object and what is below it, or all again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the probe on the selected object and show it in the active view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw all objects again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select an object, or right-click a pixel of it in a view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: not drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: draws nothing itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: %1 pixels around (%2, %3), framed in the views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: not seen on frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide or show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isolate, or show all again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the probe on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::SceneTreeModel</name>
+    <message>
+        <source>%1 (light)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (camera)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>
+%n object(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Hidden with what it belongs to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Not drawn: others are isolated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unchecked objects are not drawn; isolated ones are bold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion that an object is given, whatever moves it. Click it to change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Screenshot</name>
+    <message>
+        <source>The picture did not get ready within %1 s. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write %1: check that its folder exists and can be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Session</name>
+    <message>
+        <source>about %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::SessionKeeper</name>
+    <message>
+        <source>Save the session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions (*.taa.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA Inspector ended without being closed. What was open on %1 has been kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::SourceText</name>
+    <message>
+        <source>Text of the shader</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::StatusLine</name>
+    <message>
+        <source>rendered at %1 × %2 · </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1 until %2 is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history from old settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of the last frame: drawing the scene, and the resolve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the picture is exactly what these settings give from frame 0 on. After a change the old history is used until it has been made anew, and on the way to a frame the nearest one that was kept is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>software renderer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scene %1 ms · resolve %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history from these settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Strip</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Swatches</name>
+    <message>
+        <source>Neighborhood: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut: history starts anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 not known yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or drag to go to a frame; the wheel steps. Drag the brackets to repeat a part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::TimelinePanel</name>
+    <message>
+        <source>First frame (Home)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One frame back (,)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One frame on (.)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame (End)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start again at the end (Ctrl+L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast it plays (Ctrl+[ slower, Ctrl+] faster)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames shown a second at speed 1; the shot&apos;s own time stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shot: %1 fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shot&apos;s fps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a frame (G)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place in the jitter pattern, and the displacement of the picture in px (x right, y down)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter %1 of %2 (%3, %4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No figure under the ruler</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ViewHeader</name>
+    <message>
+        <source>Value drawn as the low end of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value drawn as the high end of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>EV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure in stops, before the range (E, Shift+E)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the range to the visible values (N); right click: always</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show it as it opened (R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color map (M)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with another intermediate, preset or frame (C)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Histogram of the visible values (H)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What lies over the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of both sides is shown (O; Shift+O: divider; hold Shift: the other one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of both sides is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Screen pixels for each pixel; a click changes between fit (F) and one to one (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intermediate on show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low end of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High end of the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure in stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fit · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of both sides is shown (O); they have no difference: one has more channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More about this view, which has no room here</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::ViewPanel</name>
+    <message>
+        <source>View %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hatch what lies outside the range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint by the reason of rejection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows over vectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid between large pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark NaN red, infinite green, negative blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole legend also where the picture is low</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::Viewport</name>
+    <message>
+        <source>%1 · only the frame on show has a reference: go to that frame to see its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · comes when it is paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · on its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · frame %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · stays until it is paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · not exact yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1  −  %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⋯ overlays</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::WeightsPanel</name>
+    <message>
+        <source>Weight in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Effective samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1, %2 after history started. By the settings, where nothing moves or changes: α = %3, %4 effective samples now, %5 at last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured over %1 frames at %2: α = %3, %4 effective samples. Where the surface moves, its history came from other pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A probe adds what its pixel measured in the frames that were shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::WhatIfPage</name>
+    <message>
+        <source>%1: resolved %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel under other choices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This frame again on the history it had, one choice replaced. ▸ is in force. * uses jitter and inputs as they are now, or misses what this history does not keep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::WorkBar</name>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tables</name>
+    <message>
+        <source>Jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves the picture by a part of a pixel, a different one each frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the renderer draws for this frame: color, depth, motion, normal, object id.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dilate motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chooses the neighbor whose motion this pixel follows, so that silhouettes move with what is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reproject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds where this pixel&apos;s surface was in the previous frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sample history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads the accumulated picture at that place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rebuilds the color at the pixel&apos;s center from the jittered samples around it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neighborhood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures the colors around the pixel and bounds them by a box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectify history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulls history that lies outside the box back to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Validate history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to something else: off the screen, or behind what is now in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decides α, how much the current frame counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixes current and history into the resolved picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown of the resolved picture: sharpened, or blurred where it moves fast. Never goes into history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same instant, supersampled: what the output should be, and how far it is from it. Drawn while somebody looks at it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pattern of sub-pixel offsets the picture is drawn with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>j = (Φ₂(i) − ½, Φ₃(i) − ½)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §2.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No jitter: the picture stays aliased (catalogue J0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Always (½, ½): a shift, no pattern (catalogue J0, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two points on the diagonal (catalogue J1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uniform 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The centers of four quarters, in raster order (catalogue J2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Helix 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same four, each step across the center (catalogue J3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double helix 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same four in an order of eight (catalogue J4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skew butterfly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two far points and two near ones (catalogue J5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rotated grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RGSS: four points, each alone in its row and column (catalogue J6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poisson 10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ten points of a disc of radius ¼ px, none near another (catalogue J7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pentagram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five points of a star, each step across it (catalogue J8).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Halton</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Halton(2, 3): low discrepancy, the usual choice (catalogue J9).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roberts&apos; plastic number sequence: evenly spread at any length (catalogue J11).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hammersley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact in x, radical inverse in y; wants its period known (catalogue J12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gradient noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interleaved gradient noise along time: x and y hang together, so it covers badly (catalogue J13).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MSAA 8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard pattern of 8×MSAA; its mean is exactly 0 (catalogue J14).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue noise 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sixteen points, each alone in its row and column (catalogue J15).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hashed random points: what the others are measured against (catalogue J16).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames until the pattern repeats. Longer covers the pixel better and converges slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>i = first + n mod P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue J9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index of the sequence at frame 0. Index 0 is the corner (−½, −½).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of the offsets. 0 turns anti-aliasing off, less than 1 flickers less and aliases more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>j·s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Storage of color and motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>16-bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half floats, as engines store it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>32-bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full floats, for reference runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose motion the motion vectors hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v = π(Xₜ) − π(Xₜ₋₁)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each object&apos;s own motion, the camera&apos;s included (catalogue 3.2 to 3.7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera from depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera motion only, reprojected from depth (catalogue 3.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera, raw position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the pixel&apos;s center instead of where its sample lies: the jitter leaks into the motion, so that it is j instead of 0 where nothing moves (catalogue 3.1a, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera, jitter subtracted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both frames with their jitter, whose difference is subtracted again in the same unit (catalogue 3.1b).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera, one matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One matrix from picture to picture, as if samples lay in the pixels&apos; centers: off by the jitter times the slope of the parallax (catalogue 3.1c, FSR, Filament).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera, jitter subtracted, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: the difference in normalized device coordinates is taken for one in texture coordinates, twice too long and upside down, and half of the jitter is subtracted (catalogue §26, D5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mip bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to the level of detail of textures. Below 0 they are sharper: accumulated samples carry more detail. Drawn at a render scale r, textures want log₂ r besides; FSR2 takes log₂ r − 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>λ + b, b ≥ −½ log₂ N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 19.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unjitter textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads textures at the pixel&apos;s center instead of at the jittered sample: they stand still, and are not anti-aliased.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uv + ∂uv/∂x·jx + ∂uv/∂y·jy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 19.2, Raptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transparency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How materials with alpha blending are drawn: as surfaces, or blended over them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c = a·cs + (1 − a)·c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §21</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid where alpha is at least ½.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dithered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn in as many of sixteen frames as alpha says, in a 4×4 pattern that changes: accumulation makes it transparent (catalogue 20.7, 21.6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blended before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blended over the opaque picture before the resolve, back to front; motion, depth and id stay those of what is behind, so that what moves smears (catalogue 21.2, most engines).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before, with motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As before, and the surface in front writes its motion where that comes from objects: it is sharp, and what is behind it follows the wrong motion (catalogue 21.3, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blended after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawn without jitter into a layer that is laid over the output: no smear and no anti-aliasing (catalogue 21.1, Bevy, Unity).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the scene marks what has no motion of its own or was blended in, for the resolve to treat otherwise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reactive = min(0.9, 5·max|c − c opaque|)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 21.4, 21.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mask is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Responsive where a material says so: screens, flip-books, particles (catalogue 21.4, UE4, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>And reactive by the opacity of what was blended in; of several the largest (catalogue 21.5, FSR2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>And reactive by what blending changed: five times the largest difference of the tone-mapped channels, at most 0.9 (catalogue 21.5, FSR2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Render scale r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws fewer pixels than the picture has, ⌈r·W⌉ × ⌈r·H⌉; accumulation fills the rest. Wants a jitter period near 8/r² and a mip bias of log₂ r, less 1 in FSR2: both stay yours to choose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>xᵢ = r·xₒ, P ≈ 8/r²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §22</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is added to the shaded color, against banding where history has few bits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c + (u − ½)·A/255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.1, 20.2, Raptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors as they were shaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines (catalogue 20.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blue noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tile of 32×32 by void-and-cluster, moved on by the golden ratio in each of 256 frames: no low frequencies in space, evenly spread in time (catalogue 20.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amount A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of 8 bits that the noise is wide; twice as many when triangular. What falls below 0 is 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sum of two noises less 1, from −1 to 1: its variance, 1/6, is the same for every color.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u₀ + u₁ − 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.3, Raptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose motion vector a pixel follows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v(argmin z over 3×3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s own motion (catalogue 4.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest 3×3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of the nearest surface among nine (catalogue 4.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the pixel and its four neighbors (catalogue 4.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the pixel and its four diagonal neighbors (catalogue 4.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest × at 2 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wider; misses what is one pixel thin (catalogue 4.4, Karis 2014).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest 3×3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fastest of nine; needs no depth, and fast backgrounds bleed (catalogue 4.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fastest of five (catalogue 4.6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest 3×3, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: where all nine are sky the motion of pixel (0, 0) is taken, because the search starts from there and finds nothing nearer (catalogue §26, D4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest ×, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in HDRP: with each offset the depth of another tap is kept, so that later taps are compared with the wrong one, and a farther surface may win (catalogue §26, D13).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How history is read between its pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest texel: no blur, but half a pixel of error (catalogue 6.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One tap; blurs a little in every moving frame (catalogue 6.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five taps, normalized; stays sharp (catalogue 6.4, Jimenez 2016).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine bilinear taps: the same as sixteen (catalogue 6.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All sixteen texels; reproduces parabolas (catalogue 6.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sixteen texels with a sharpness to choose (catalogue 6.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mitchell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B = C = ⅓: a little blur, little ringing (catalogue 6.6, Mitchell and Netravali 1988).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lanczos 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The polynomial form of FSR2 and Filament (catalogue 6.7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom 5, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Bevy: not divided by the sum of its weights, so that moving pictures darken (catalogue 6.4b, D15).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom 5, corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each corner taken for the mean of the two taps beside it, so that the weights sum to 1 by themselves (catalogue 6.4c, Intel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubic 5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five taps of the cubic of a sharpness, normalized (catalogue 6.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubic 5, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in HDRP: the right tap is read in the row above, at its corner, so that steps to the right bend (catalogue §26, D13).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpness c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpness of the cubic: 0.5 is Catmull-Rom, HDRP uses 0.35; only 0.5 keeps ramps straight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>w₀ = −cf³ + 2cf² − cf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 6.5, HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deringing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the filtered value within the values it was made from: no dark or bright halos.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamp(h, min taps, max taps)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 6.9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bilinear at edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One bilinear tap where depth has an edge: no ringing of one surface into the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max z − min z &gt; e·max z over 3×3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 6.8, Intel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range of view depth over 3×3 that is an edge, relative to the farthest. Intel has 0.002 of its far plane, which depends on where that is; the sky is infinitely far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>e</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 6.8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Storage of the accumulated color. 16 bits are rounded to nearest; small differences stop counting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 1.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>8-bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiples of 1/255 from 0 to 1, as Playdead stores it: the average stops half a step over α before its goal (catalogue 1.6, 20.6). Kept in 32-bit floats here, which hold them exactly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10-bit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiples of 1/1023, likewise (catalogue 1.6, 20.6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dither</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounds up or down at random before the store, by a hash of pixel, frame and channel that has nothing to do with the jitter: the mean no longer stops short of its goal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⌊x/LSB + u⌋·LSB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 14.7, 20.6, Playdead, UE4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the color at the pixel&apos;s center is made from the jittered samples. Below a render scale of 1 the upsampling kernel does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Σ w(‖o − j‖) c / Σ w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s own sample (catalogue 7.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples weighted by their distance to the pixel&apos;s center, jitter included (catalogue 7.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unjitter tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One bilinear tap where the pixel&apos;s center landed (catalogue 7.1, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4-2-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights 4, 2 and 1 of sixteen, whatever the jitter (catalogue 7.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All nine alike: blurs (catalogue 7.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubic of the distance, B = C = ⅓ (catalogue 7.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Catmull-Rom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cubic of the distance, sharper (catalogue 7.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blackman-Harris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window itself over 3 px (catalogue 7.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separable, jitter included, as in Filament (catalogue 7.6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: the weight is the distance, so the pixel itself counts nothing and its ring is averaged (catalogue §26, D2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mitchell, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: of twice the distance and without jitter, so all neighbors weigh 0 or less than nothing and the filter does nothing (catalogue §26, D3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blackman-Harris, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: of twice the distance, which makes it nearly a box of five (catalogue §26, D3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variance σ²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>px²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the Gaussian. 0.22 is close to Blackman-Harris 3.3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>w = exp(−d²/2σ²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 7.4, Karis 2014</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jitter-aware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures distances to where the jittered samples lie; off: to the pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d = ‖o − j‖</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 7.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bright samples count less, so that a highlight does not flicker with its sample.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>w/(1 + L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 7.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the filtered color within the nine samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamp(s, min c, max c)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 7.6, Filament</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpens this frame&apos;s color before it is blended: what is added goes into history and is added again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>f + s(f − mean₄)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 18.2, source 002</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As filtered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laplacian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minus the mean of the four around: constants keep their brightness (catalogue 18.2, corrected).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laplacian, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in source 002: what is flat becomes s times as bright, so only s = 1 keeps brightness, which is 4 of the corrected one (catalogue 18.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the difference to the four around is added. 0 adds nothing; as printed 0 is black.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s; as printed max(0, 5s f − s Σ₄)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upsampling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the color at a pixel&apos;s center is made from the fewer samples of a render scale below 1, and what they say of it: the confidence κ, a factor on α.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d = k + ½ − j − r·xₒ, α·κ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest sample alone; it counts the less the farther it lies: κ = max(sat(1 − ‖d‖²/r), smoothstep(‖v‖)), d in render px, v in px of the picture (catalogue 22.1, Donut).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine samples by the separable Lanczos 2 of their distance in px of the picture, κ = Σw; bounded by the nine (catalogue 22.2, Filament).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one lies inside the pixel, else 0: HDRP&apos;s box, not its Gaussian (catalogue 22.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FSR2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sixteen samples by the radial Lanczos 2 of their distance times min(1/r, 1.99), bounded by the nearest nine. κ = Σw, 0 where that is negative: the 1/12 of FSR2 is the floor of α here (catalogue 22.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of the box that history must lie in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y = R/4 + G/2 + B/4, Co = R/2 − B/2, Cg = −R/4 + G/2 − B/4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box in red, green, blue (catalogue 9.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YCoCg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box in luma and chroma, tighter around the colors (catalogue 9.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YCoCg lifting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same axes by lifting steps, chroma twice as large (catalogue 9.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YCbCr</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rec. 709 luma and two differences (catalogue 9.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether highlights are compressed before the box is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c / (1 + L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 9.5, 15.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box of scene-linear colors; a highlight opens it wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reinhard luma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box of colors divided by 1 + luma; highlights stay bounded (catalogue 15.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reinhard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each channel by itself: bounded, and hues shift (catalogue 15.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors divided by 1 + their largest channel (catalogue 15.4, Filament).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples around the pixel that the box is made from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five samples: tighter box, more flicker (catalogue 8.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3×3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine samples (catalogue 8.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel and its diagonals (catalogue 8.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middle between the bounds of nine and of five (catalogue 8.4, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alternating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>+ in even frames, × in odd ones (catalogue 8.6, Intel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unjitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the samples where the pixels&apos; centers landed, each by a bilinear tap: the box stands still while the jitter moves, and is smaller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c(p + o + j)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 8.8, source 002, Playdead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moment weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What each sample counts for mean and deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>μ = Σwc/Σw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every sample counts alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exp(−¾ r²): near samples count more (catalogue 10.7, DiligentFX).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the box is made from the samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>μ ± γσ ∩ [min, max]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Min-max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the smallest to the largest sample (catalogue 10.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean ± γ deviations (catalogue 10.2, Salvi 2016).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variance box inside the min-max box (catalogue 10.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half the width of the variance box, in deviations. Less ghosts less, more flickers less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>μ ± γσ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.2, Salvi 2016</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tightens the box where things move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ = lerp(γ moving, γ, (1 − ‖v‖/v₀)²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.8, Intel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ at full speed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion a frame from which on γ is that of motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v₀</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ by contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widens the box where current and history differ in luma, so that what flickers settles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ + A·smoothstep(0.05, 0.55, |Ls − Lh|/max)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.11, 17.5, HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Growth A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most that contrast adds to γ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relax by mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Widens the box and takes less of the current frame where the mask is set, so that what would be clamped away accumulates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ·(1 + 1.5m), α/(1 + 0.5m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.10, 13.18, Donut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chroma shrink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chroma may differ from the pixel by an eighth of the luma range: no colored ghosts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>extent = (Ymax − Ymin)/8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.6, Playdead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Include filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grows the box to hold the filtered current color, the target of clip to filtered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lo = min(lo, s), hi = max(hi, s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How history outside the box is pulled back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>h + t·(target − h)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History is taken as it is: everything ghosts (catalogue 11.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest point of the box (catalogue 11.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip towards the middle of the box (catalogue 11.2, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip towards the filtered current color (catalogue 11.3, Karis 2014).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shrink axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards the mean, one axis after the other (catalogue 11.5, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamp, then clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamp to the min-max box, then clip to the center of this one (catalogue 10.5, Raptor).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ray to current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the ray to the current color, unless the box is hit too late (catalogue 11.4, DiligentFX).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To filtered, hull</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, which no box and no γ widens (catalogue 10.12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamp and forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearest point of the box, and history that was moved counts as no more than 1.6 frames, a tenth of what FSR2 can accumulate (catalogue 11.7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Farthest hit T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hits farther along the ray than this many times the way to the current color do not count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>t ≤ T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 11.4, DiligentFX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relax at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Applies only a part of the correction where little moves, against flicker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lerp(h, rectified, κ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 11.6, 17.1, Filament</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the correction that is applied where nothing moves. 0 freezes changes of light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 17.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rest ends at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion a frame from which on all of the correction is applied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ = κ min + (1 − κ min)·min(1, (‖v‖/θ)²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thin features keep their history: a pixel brighter or darker than all neighbors that are unlike it, and part of no even 2×2, is locked. A lock is made by a second such frame, and dies when history is rejected, when the mean luma of 3×3 changes to less than 0.531 of what it was, or before it leaves the picture. FSR2 compares sixth roots of luma with 1.05 and 0.9: the same as luma with 1.34 and 0.531, which is exact; its mean is that of a coarse mip. Locked ghosts stay.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max/min &lt; 1.05⁶; h + max(lock, instability)·(h₀ − h)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 17.3, FSR2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock lasts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames until a lock that is not made anew is gone. FSR2 takes w/(P·0.74/12) off in each frame, w being the weight of its samples, whose mean is 0.74/12: 1/P.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>life − 1/P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma instability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels whose luma comes and goes keep their history: where one of four past lumas is nearer to this one than the last is, not across it, and the box is not small. Luma is the mean of 3×3 as L/(1 + L) in 255 steps. An exact return counts too, which FSR2&apos;s comparison of signs misses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>least |L − L′ᵢ| &lt; |L − L′₁| and min(1, σ/0.1)⁶ &gt; 1/255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 17.4, FSR2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happens where the previous position lies outside the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>q ∉ [0, W] × [0, H] ⇒ α = 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Border pixels streak into the picture (catalogue 5.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outside the picture there is no history (catalogue 5.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With margin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half a pixel earlier, so that no filter reads beyond (catalogue 5.3, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One-sided, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the first listing of source 002: only the left edge is tested, the others streak (catalogue 5.7, D9).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to a surface at another depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|z − z′| &gt; τ·z ⇒ α = 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth tolerance τ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference that still counts as the same surface, relative to the expected depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|z − z′| / z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slope allowance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps along a receding surface whose change of depth is allowed on top of τ: jitter and dilation move samples so far. With 0 grazing ground never accumulates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>τ + px·(|∂z/∂x| + |∂z/∂y|) / z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.1, slope term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects the history of what moves faster than a limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‖v‖ &gt; v max ⇒ α = 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion a frame that still keeps its history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.6, Intel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to another object: none of the four texels around the history position has its number. History keeps the number of each pixel&apos;s dilated sample. Blind to what hides a part of itself: use it with depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>id ≠ id′ of all four ⇒ reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.3, sources 000 and 004</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to another class of objects, as an engine&apos;s stencil marks them: sky, still, moving as a whole, deforming.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class ≠ class′ of all four ⇒ reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.2, sources 000 and 003</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history of a surface that faced another way, by the best of four. World space: what turns by itself is rejected too; normal maps need a low limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>n·n′ &lt; cos θ ⇒ reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.4, source 004</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least cos θ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least cosine between the normals of now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cos θ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history, the more the faster, that moved otherwise a frame ago: what was hidden then was hidden by something that moves otherwise. The best of four counts; points without a previous position change nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α ≥ min(1, (‖v − v′‖ − θ)·k)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.5, Godot, HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion may change as it likes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the difference: ‖v − v′‖ (catalogue 12.5, CryEngine 3, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference of the lengths: |‖v‖ − ‖v′‖|; a turn is no change (catalogue 12.5, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change allowed θ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of motion a frame that rejects nothing. Godot: 2.5 px; too little turns accumulation off wherever something moves. HDRP: 0.0159 of the picture, 20 px of 1280.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>θ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.5, Godot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejected for each px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of history that is lost for each px of change beyond θ. Godot multiplies velocities by the size of the picture first, so that its 0.01 is for each px: all is lost at 102.5 px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejected history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What becomes of history that depth, speed, object, class, normal or velocity reject.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 1, N = 1, or α ≥ α soft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §12, source 000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 1 and N = 1: the history is dropped (catalogue §12, hard).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raise α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The history stays, and α is at least a value of choice; only what is off the screen or has no history starts anew (catalogue §12, soft).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raised α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least weight of the current frame where history is rejected and stays. HDRP: 0.97.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α soft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the weight of the current frame comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §13</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same α everywhere (catalogue 13.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(N+1): the exact mean until the floor is reached (catalogue 13.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of the current frame where its luma differs from history: against ghosts (catalogue 13.10, Lottes).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less of it where the box is large against the pixel&apos;s luma (catalogue 13.14).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More history far away; none for the sky (catalogue 13.8).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma difference, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: the weights are swapped, so that equal luma takes only the current frame and nothing is averaged (catalogue 13.12, D1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contrast, by channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each of red, green and blue by its own contrast, as Raptor&apos;s weights are vectors; N counts with the α of luma (catalogue 13.14, 14.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 over a confidence that grows by 10 in each frame without motion and is 1 with it, between two limits. Wants N counted likewise (catalogue §16, Bevy).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the current frame. 0.1 averages about 19 frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N∞ = (2 − α)/α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.1, Yang et al. 2020</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least that calming and 1/(N+1) leave of α; a source that is smaller by itself stays. 0 never forgets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = max(α base · calm, α min)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.3, §13</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α where current and history differ most in luma; the most α that confidence leaves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = most + u²·(least − most)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.10, Playdead: 0.12</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fewest α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α where they are the same; the least that confidence leaves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u = 1 − |Ls − Lh|/max(Ls, Lh, 0.2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.10, Playdead: 0.03</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm luma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less of the current frame where luma differs, against flicker. Can hold on to old history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α·(1 − |Ls − Lh|/(0.001 + max))²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.11, Filament, Godot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the difference of luma is measured against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the larger luma: |Ls − Lh|/(0.001 + max) (catalogue 13.11, Filament).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of lumas after c/(1 + c), against 1.001: dark differences count for little (catalogue 13.11, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm near clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less of the current frame where history is near a wall of the box, against flicker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α·d/(d + hi − lo)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.13, Karis 2014</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calm contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less of the current frame where the box is large against history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α/(1 + (hi − lo)/Lh)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.15, HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sample distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Less of the current frame the farther the jitter took its sample from the pixel&apos;s center.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α·w(‖j‖)/w(0)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 7.7, 13.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sample counts alike wherever in the pixel it lies. Below a render scale of 1 κ weighs its distance, whatever is chosen here (catalogue §22).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exp(−‖j‖²/2σ²) with σ² = 0.22 px² (catalogue 7.7, 7.4, source 004).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parabola, at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 − ‖j‖², and 1 from a motion of 1 px on: max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²) (catalogue 13.6, Donut).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of the current frame where things move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 − (1 − α)(1 − α motion)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.4 to 13.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion does not matter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‖v‖/v₀ (catalogue 13.6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Squared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(‖v‖/v₀)² with pixels (catalogue 13.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Squared, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in source 000: the square of a length in fractions of the picture, which stays near 0 (catalogue 13.4, D11).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α grows to 2α at v₀ and no further (catalogue 13.6, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α + ‖v‖/v₀, up to 1: v₀ is 1/k of the picture&apos;s width, 19.2 px of 1920 for k = 100, 1.92 px for k = 1000 (catalogue 13.5, source 002).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full α at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion a frame from which on only the current frame counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α by mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of the current frame where the mask is set.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max(α, α mask)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.18, 21.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask does not matter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Responsive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least α mask times the larger of both masks (catalogue 21.4, UE4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reactive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At least the reactive mask itself (catalogue 13.18, FSR2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exclude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the current frame where the responsive mask is set (catalogue 21.4, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least weight of the current frame where the mask is 1. UE4 and HDRP take 0.2 to 0.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α mask = α·max(reactive, responsive)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 21.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α by velocity change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of the current frame where a surface moves otherwise than what history shows did a frame ago. Steady motion keeps its history, which α by motion does not. Measured as validate.velocity says, as a vector when that is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 − (1 − α)(1 − min(1, ‖v − v′‖/v₁))</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.7, CryEngine 3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full α at change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of motion a frame from which on only the current frame counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v₁</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.7</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α by divergence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More of the current frame where the pixel and one of its eight neighbors move apart: there something is uncovered. Needs nothing of the past. FSR2 divides by the square of the fastest so far; here by that of the faster of the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(1 − min v·v₀/max(‖v‖, ‖v₀‖)²)·min(1, fastest/v₂)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 12.7, FSR2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full divergence at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion a frame from which on divergence counts fully. FSR2: 1 % of the picture, 12.8 px of 1280.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v₂</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes α that of the time a frame takes, so that a ghost fades alike at any frame rate. The exponent is rounded to eighths, 1/8 to 8: whole powers and square roots have the same bits everywhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α′ = 1 − (1 − α)^(Δt/Δt₀)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.19</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meant for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame rate at which α is taken as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Δt₀ = 1/rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone weighting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether bright colors count less, so that single highlights do not flicker.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>w = 1/(1 + L)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §15, Karis 2014</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain blend: a firefly counts as much as it shines (catalogue 15.0).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colors weighted by 1/(1 + luma) (catalogue 15.1, Karis 2014).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixed after c/(1 + c), each channel by itself (catalogue 15.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixed after c/(1 + largest channel) (catalogue 15.4, Filament).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: the luma of the compressed color, so that weights only span 1 to ½ and fireflies stay (catalogue §26, D19).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a pixel shows whose history was rejected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 5.2, 5.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels without history show the filtered current color (catalogue 5.2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blurred</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They show the mean of the pixel and its diagonals (catalogue 5.6, 7.8, Intel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How N grows from frame to frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N = 1/(α² + (1 − α)²/N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §16, source 004</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse of the variance that is left (catalogue §16, eq. 2.4 corrected).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N + 1, as if every frame counted alike (catalogue §16, eq. 2.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Variance, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in source 004: without the inverse, so that N falls to 0.618 (catalogue §26, D12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N + 10 where nothing moves, else 1: the count that α from confidence goes by (catalogue §16, Bevy).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As if every α were the mean&apos;s, so that after motion the count starts low again: w′ = 1/(2 − w) of history&apos;s weight (catalogue §16, Intel, MiniEngine, DiligentFX).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpens what is shown against the blur of averaging. History is written before, so nothing adds up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c + k(c − mean)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §18</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is resolved is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma minus the mean luma of nine, hue kept; black stays black (catalogue 18.1, Raptor).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minus the mean of the four around: c + k(c − mean₄) (catalogue 18.3, HDRP&apos;s pass after).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsharp mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minus the mean of all nine: c + k(c − mean₉) (catalogue 18.3, source 000).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RCAS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As strong as no channel leaves 0 to 1, of colors divided by 1 + their largest channel, because it expects those; amounts above 1 count as 1 (catalogue 18.5, FSR 1, URP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the resolve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>c + 3k max(0, c − mean of this frame&apos;s nine samples over 1 + luma): only brightens (catalogue 18.6, HDRP).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logarithm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laplacian of log₂(1 + c), as (1 + c)((1 + c)/geometric mean₄)ᵏ − 1 with k in steps of 1/256 (catalogue 18.7, Intel, MiniEngine).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resampled by the cubic of Mitchell and Netravali with B = −k: at k = 0 Catmull-Rom, which changes nothing at a pixel&apos;s center (catalogue 18.4, source 000).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How strongly. 0 changes nothing; constants stay what they are whatever it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §18; Raptor: 0.1, HDRP and Intel: 0.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the sharpened color within the nine it stands among: no halos, and no peak above its neighbors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamp(s, min₉ c, max₉ c)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 18.3, HDRP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows this frame blurred along its motion where that is fast, because the resolved color is not to be trusted there: none of it to 2 px a frame, all from 15 px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of 7 taps along ½v; trust = 1 − sat((‖v‖ − 2)/13)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 14.4, Playdead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This frame&apos;s jittered samples, scene-linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device depth: reversed, 0 is the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance along the view axis; 0 stands for the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the surface came from, render px: current minus previous position, jitter removed; 65504 where there is no previous.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shading normal in world space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the drawn object; 0 is the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask of what was blended into the color; 0 where none is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask of materials that change without motion: screens, flip-books, particles; 0 where none is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is laid over the output, without jitter, times its opacity; 0 where nothing is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overlay opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the output the overlay hides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dilated offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step to the neighbor whose motion is used, render px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dilated depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device depth of that neighbor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dilated motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of that neighbor, from here on in px of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where this pixel was in the previous frame: pixel center minus dilated motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 where the history position lies inside the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the dilated motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The accumulated color at the history position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History length before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N at the history position: how many frames&apos; worth of samples it holds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 where history was read by one bilinear tap because of an edge in depth; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current filtered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This frame&apos;s color at the pixel&apos;s center.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much this frame&apos;s samples say about the pixel, a factor on α; 1 when drawn at full size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean of the neighborhood, box space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the neighborhood, box space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest of each channel, box space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest of each channel, box space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviations from the mean to the wall of the box, after motion and contrast.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box minimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower corner of the box history must lie in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper corner of the box history must lie in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History rectified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History after it was pulled into the box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clip amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far history was pulled towards its target: 0 kept, 1 all the way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectify strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the correction that is applied.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the correction a lock takes back; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock life</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2: locked in this frame; less than 1 does nothing, 0: no lock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 where luma comes and goes, which takes back all of the correction; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History length kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N after rectification: less than before only where that forgets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View depth this surface had in the previous frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth stored with the history, the best match of the four texels around; 0: the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth mismatch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative difference of expected and stored depth; above what is allowed history is rejected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History object id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object stored with the history: that of this pixel when it is one of the four texels around, else the nearest one; 0: the sky, or not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal agreement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cosine between the normals of now and then, the best of four; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of motion since the previous frame, the smallest of four; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α of the chosen source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least α may be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α calm luma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α where luma differs from history; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α calm near clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α by the distance of history to the box&apos;s walls; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α calm contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α by the size of the box; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α relax</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α where the mask is set; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α sample distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α by how far the sample is from the pixel&apos;s center; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What motion adds to α; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α velocity change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a change of motion adds to α; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α divergence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What motion that parts adds to α; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α by frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α after motion, for the time this frame took; unchanged when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least that the mask asks of α; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α invalid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least α where history was rejected: 1 where it is dropped, 0 where it was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the current frame: base times the calming factors, at least the floor, what motion adds joined, for the frame&apos;s time, times κ, at least α mask and α invalid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α of channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the current frame in red, green and blue: α in each, unless its source has three.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone weight current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(1+luma) of the current color, 1 without tone weighting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone weight history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(1+luma) of the rectified history, 1 without tone weighting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the current color after tone weighting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N after this frame: samples&apos; worth of averaging in this pixel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The output of TAA, which is the next frame&apos;s history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma that sharpening adds to the resolved color; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blur trust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the resolved color in what is shown; the rest is this frame blurred along its motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown: the resolved color sharpened, or blurred where it moves fast, and the overlay over it; the same as resolved when all are off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same instant drawn many times over the pixel&apos;s square, without mip bias and noise, at full size: the mean, scene-linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Absolute error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest difference of output and reference in red, green or blue, scene-linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no previous position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too fast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean weight of the current frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of pixels whose history was rejected; all of them where history starts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of pixels whose history was pulled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean clip amount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far history was pulled towards its target, the mean over all pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean history length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean number of samples that a pixel holds after the frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root of the mean squared difference of output and reference as they are shown: clamped to 0…1, sRGB, over red, green and blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PSNR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak signal to noise of output against reference as they are shown, −20 log₁₀ RMSE: the peak is 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE, scene-linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As RMSE, but scene-linear and not clamped: bright highlights count for what they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Per object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Viridis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inferno</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diverging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cyclic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Categorical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rectification</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timed by timer queries of the GPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>timed by the wall clock with glFinish around each pass, because this driver&apos;s timer queries lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recommended set: sharp history, a tight box in compressed YCoCg, clip to filtered, depth rejection, α by history length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Minimal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least that can be called TAA: jitter, motion, bilinear history, a min-max clamp in RGB and a constant α of 0.1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps detail first: sixteen-texel Catmull-Rom history, the bare center sample and a tight box; highlights flicker more than with Balanced.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flickers least: a wide luma-weighted Gaussian, a box that grows where luma flickers, half of the correction at rest and a floor of 0.05 for α; ghosts stay a little longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unrectified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History is believed as it is: nothing is clamped or rejected but what is off the screen. Every ghost shows; a place to start teaching.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exact mean of all frames since the start in 32-bit floats: on a still camera and scene it converges to the supersampled picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bevy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest × at 2 px, the five-tap Catmull-Rom that is not divided by its weights, colors over their largest channel, mean ± σ in YCoCg, clip to the center. α is 1 over a confidence that grows by 10 a still frame, from 0.1 to 0.015; there it is read where the pixel is, here where it was. Its jitter table starts at the center, here Halton at 1. Mip bias −1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DiligentFX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five-tap Catmull-Rom, moments in RGB after c/(1 + c), γ from 2.5 at rest to 0.75, the ray to the current color unless it is hit beyond 10, depth test, N to 16 and less with speed. Its full speed is 1/256 of the picture&apos;s height, here 2.8 px as at 720 lines. Its depth test takes the best of nine; here one depth with an allowance for slopes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Falcor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest motion of nine, nine-tap Catmull-Rom, mean ± σ in YCoCg, clamp, α 0.1 that falls near the walls of the box. Its samples are those of whoever calls it; here Halton 16.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filament</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Google Filament&apos;s defaults: camera motion by one matrix from the center depth, deringed five-tap Catmull-Rom history and Lanczos input, a rounded box in RGB compressed by the largest channel, clip to the filtered color, α 0.12. Mip bias −1. There a filtered color outside the box is clamped to it; here the box grows to hold it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Godot 4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine-tap Catmull-Rom, Reinhard, luma-weighted moments, the box shrunk axis by axis, N counted to 16, α lowered where luma differs. N is reset by a change of velocity beyond 2.5 px; there the one texel at the history position is compared and the reset added to α, here the best of four, as the least α. Its full speed is 128/1080 of the picture, here 128 px at any size; its γ falls beyond 1188 lines, here it does not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Low: bilinear history clamped to five samples in RGB, α 0.125. Its closest of five pairs depths with the wrong offsets (D13), as here. Sharpened in the resolve, 0.5; there the mean is of five, here of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP Medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Medium, its default. A five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box whose γ grows with contrast and shrinks to 0.75 at 50 px, clip to the center, α 0.125 that doubles at 50 px. Sharpened in the resolve, 0.5; there the mean is of five, here of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP High</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality High: nine samples and a jitter-aware Gaussian. A five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box whose γ grows with contrast and shrinks to 0.75 at 50 px, clip to the center, α 0.125 that doubles at 50 px. There γ is also scaled by speed, 0.8 to 2.25 times, which is left out. Sharpened in the resolve, 0.5. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intel TAA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shader&apos;s defaults: fastest motion of nine, γ from 2 at rest to 0.75 at 128 px, history that counts less with speed and not at all beyond 128 px, a blurred restart. There the YCoCg box becomes an RGB box before the clamp; here the clamp is in YCoCg. The five history taps guess the corners. There depth may differ by 0.001; here the tolerance is relative. Sharpened in logarithms, 0.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MiniEngine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Microsoft&apos;s sample: camera motion by one matrix, closest of five, a min-max box of a cross in RGB, clip to the center, a depth test, history that counts less with speed and not at all beyond 64 px. The depth tolerance is relative. Its history taps weighted before they are filtered, its seven taps shared by two pixels and its box that widens where little moves are left out. Sharpened in logarithms, 0.5.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NVIDIA Donut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 8×MSAA pattern, the fastest motion of nine, nine-tap Catmull-Rom, a clamp to mean ± σ, α 0.1; its relax mask, which the user draws there, is that of the materials. There everything happens in PQ with 10000 nits, here after c/(1 + c). α falls with the distance of the sample where little moves, and below a render scale of 1 its trust in the nearest sample is the confidence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Playdead INSIDE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Component defaults of Playdead&apos;s Temporal Reprojection: rounded min-max box in RGB, clip to the center, α from the luma difference within 0.03 to 0.12. The history has 8 bits, as there, with its noise of ±1/510. There the picture is tone-mapped before; here it is scene-linear, so highlights end at 1 and shadows have few steps. Pixels faster than 2 px are shown with motion blur, from 15 px alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raptor, chapter 11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The defaults as shipped, defects included: jitter of period 2, camera motion only, in the wrong unit and upside down (D5), closest depth that takes pixel (0, 0) before the sky, a Mitchell filter that does nothing, and an α whose weights are swapped so that equal colors are not averaged. Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UE4, Karis 2014</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The talk&apos;s choices: depth-closest × at 2 px, a Blackman-Harris 3.3 (the Gaussian of variance 0.22 next to it), a rounded box in YCoCg that holds the filtered color, clip to it, α 0.04 less near the box, luma weights. What is blended comes before the resolve without motion; responsive materials keep α of 0.25 or more. Known from the slides and from peers that cite them; Epic&apos;s source was not consulted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URP Very Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Very Low: bilinear history, a clamp to five samples in RGB, no dilation and no test at the border. Its motion vectors are those of the camera and of moving objects, as here; low-precision targets are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URP Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Low: as Very Low, with the closest of five depths and history rejected outside the picture. Its motion vectors are those of the camera and of moving objects, as here; low-precision targets are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URP Medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Medium: a variance box of γ 0.9 inside min-max in YCoCg, clamped. Its motion vectors are those of the camera and of moving objects, as here; the rest is as there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URP High</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality High, its default: as Medium, with five-tap Catmull-Rom history. Its motion vectors are those of the camera and of moving objects, as here; contrast-adaptive sharpening (RCAS) is off there too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URP Very High</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Very High: as High, with a jitter-aware Gaussian and clip to the center. Its motion vectors are those of the camera and of moving objects, as here; its mean is taken with the filtered center, here with the sample.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FSR 2 at 1:1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AMD&apos;s FidelityFX Super Resolution 2 where it does not enlarge: Lanczos for history and samples, variance inside min-max in YCoCg, a clamp that forgets, taken back by locks and luma instability where the mask is not reactive, α by the mask it makes itself and by divergence. It accumulates a weight of 1, about 16 frames; below a render scale of 1 its own kernel enlarges. There the history that fast pixels keep shrinks, divergence feeds the mask, shading changes are seen in a coarse mip and the samples of the box are weighted; exposure and sharpening are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, Unity blog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blog&apos;s recommendation: Halton 16, closest of nine, five-tap Catmull-Rom, a luma-weighted Gaussian, variance box of γ 1.25 in YCoCg, clip to filtered, history weight 0.9, luma weights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, simplest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chapter&apos;s simplest mode: the pixel&apos;s own motion, bilinear history, α 0.1 and nothing that holds history back: everything ghosts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, final listing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest of ×, history in 32-bit floats, the current color where the pixel&apos;s center landed, a min-max box in YCoCg around the same place, clip to its center, α 0.05 that reaches 1 at about 1 px of motion (1000 times the motion in fractions of a picture 1000 px wide). Its optional Laplacian has strength 1, the only one that keeps brightness, and is of the samples around the pixel, not of RGB in YCoCg cut at 0; its tone mapping, which it does not fix, is luma weighting here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, booklet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accumulation only: random jitter, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fan spins in its wire guard before bricks and small bright lights: ghosting, thin wires, HDR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera passes pickets, wires and a net, far to near: sub-pixel detail and disocclusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disocclusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boards slide before a detailed wall and uncover it: ghosts, and pixels that have no history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera cuts every second, and a ball is teleported without a cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines one pixel and half a pixel wide at every slope, some nearly level, of known coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fine print, checkers, a zone plate and a ticker: what the history filter blurs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fireflies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sparks smaller than a pixel, a thousand times as bright as white: tone weights and boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lamps switch on and off: the history&apos;s geometry is right and its shading wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foliage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grass and leaves sway in the vertex shader: motion of vertex animation, alpha masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gallery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crowd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Six hundred things, a million triangles: small, thin and far ones that spin, walk and run</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

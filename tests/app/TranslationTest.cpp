@@ -1,0 +1,133 @@
+// The window in another language: a made-up one, whose texts are those of the program in brackets.
+#include "app/Translation.h"
+#include "app/Dialogs.h"
+#include "app/panels/PipelinePanel.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include <map>
+#include <set>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+/// Puts every text in brackets, and remembers which were asked for.
+class Brackets final : public QTranslator {
+ public:
+  QString translate(const char* context, const char* text, const char*, int) const override {
+    if (*text == '\0') return {};
+    // Qt's own texts are translated by Qt.
+    const QString where = QString::fromUtf8(context);
+    if (!where.startsWith("taa::app") && where != "QObject" && where != "tables") return {};
+    asked[where].insert(QString::fromUtf8(text));
+    return QStringLiteral("⟦%1⟧").arg(QString::fromUtf8(text));
+  }
+  bool isEmpty() const override { return false; }
+
+  mutable std::map<QString, std::set<QString>> asked; ///< by context
+};
+
+struct Translated {
+  Brackets brackets;
+  Translated() { QCoreApplication::installTranslator(&brackets); }
+  ~Translated() { QCoreApplication::removeTranslator(&brackets); }
+};
+
+class TranslatedWindow : protected Translated, public taa::app::test::FakeWindow {};
+
+/// Context and source of every message of the template.
+std::map<QString, std::set<QString>> readTemplate() {
+  QFile file(QStringLiteral(TAA_SOURCE_DIR "/resources/translations/taa-inspector.ts"));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+  std::map<QString, std::set<QString>> messages;
+  QXmlStreamReader reader(&file);
+  QString context;
+  while (!reader.atEnd()) {
+    reader.readNext();
+    if (!reader.isStartElement()) continue;
+    if (reader.name() == QLatin1String("name")) context = reader.readElementText();
+    if (reader.name() == QLatin1String("source")) messages[context].insert(reader.readElementText());
+  }
+  EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+  return messages;
+}
+
+/// Whether the text has words in it that are not in brackets, nor names of files, parameters and the like.
+bool isUntranslated(QString text) {
+  static const QRegularExpression kId(QStringLiteral("<code>.*</code>|builtin:\\w+ · \\w+"));
+  static const QRegularExpression kTag(QStringLiteral("<[^>]*>")), kWord(QStringLiteral("\\p{L}{3}"));
+  static const QRegularExpression kTranslated(QStringLiteral("⟦[^⟦⟧]*⟧"));
+  text.remove(kId).remove(kTag);
+  for (qsizetype before = -1; before != text.size();) { // texts within texts
+    before = text.size();
+    text.remove(kTranslated);
+  }
+  return kWord.match(text).hasMatch();
+}
+
+/// What the scene calls its cameras and objects.
+const QStringList kNames{"still", "pan", "floor", "rotor && hub"};
+
+QStringList untranslated(const QWidget& window) {
+  QStringList found;
+  const auto look = [&](const QObject* of, const char* what, const QString& text) {
+    if (isUntranslated(text) && !kNames.contains(text))
+      found
+          << QStringLiteral("%1 %2 %3: %4").arg(of->metaObject()->className(), of->objectName(), what, text);
+  };
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    look(widget, "tool tip", widget->toolTip());
+    // The buttons that scroll a row of tabs are Qt's.
+    if (qobject_cast<const QTabBar*>(widget->parent()) == nullptr)
+      look(widget, "accessible name", widget->accessibleName());
+    look(widget, "accessible description", widget->accessibleDescription());
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) look(widget, "text", label->text());
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+      look(widget, "text", button->text());
+  }
+  for (const QAction* action : window.findChildren<QAction*>()) look(action, "text", action->text());
+  return found;
+}
+
+} // namespace
+
+TEST_F(TranslatedWindow, ShowsNoTextThatIsNotTranslated) {
+  EXPECT_EQ(untranslated(window).join('\n').toStdString(), "");
+}
+
+TEST_F(TranslatedWindow, AsksForNothingThatIsNotInTheTemplate) {
+  auto messages = readTemplate();
+  for (const std::string& name : dialogNames()) openDialog(window, name);
+  settle();
+  ASSERT_GT(brackets.asked.size(), 20u);
+  for (const auto& [context, texts] : brackets.asked)
+    for (const QString& text : texts)
+      EXPECT_TRUE(messages[context].contains(text)) << context.toStdString() << ": \"" << text.toStdString()
+                                                    << "\" (app/translations writes the template)";
+}
+
+TEST(Translation, TheTemplateHoldsEveryTextOfTheTables) {
+  const auto messages = readTemplate();
+  const QStringList texts = tableTexts();
+  ASSERT_GT(texts.size(), 500);
+  EXPECT_EQ(messages.at("tables"), std::set<QString>(texts.begin(), texts.end()))
+      << "app/translations writes the template";
+}
+
+TEST(Translation, IsNotInUseWhereTheFolderHasNone) {
+  const QTemporaryDir folder;
+  EXPECT_FALSE(installTranslation(*QCoreApplication::instance(), QLocale("de_DE"), {folder.path()}));
+}
