@@ -13,6 +13,8 @@ void RenderWorker::reloadShaders() {
     ++subject_;
     statusChanged_ = true;
     refinementStopped_ = false;
+    // First: who hears that they are in use must know that the picture on show is not theirs yet.
+    if (isOpen() && !inspector_.isExact()) sendStatus();
   } catch (const std::exception& failed) {
     error = failed.what();
   }

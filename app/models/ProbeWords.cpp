@@ -193,7 +193,7 @@ QStringList probeSummary(const reference::PixelRecord& record, const Settings& s
   const QString story = motionLine(record) + QStringLiteral(", ") + historyLine(record);
   const QString length = lengthText(reference::at(record, Id::historyLength).x);
   return QStringList{story.left(1).toUpper() + story.mid(1), alphaLine(record, settings),
-                     QObject::tr("Now N = %1 frames of samples").arg(length)} +
+                     QObject::tr("Frames of samples now: N = %1").arg(length)} +
          outputLines(record, settings.output);
 }
 

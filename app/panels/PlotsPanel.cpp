@@ -252,7 +252,7 @@ void PlotsPanel::refresh() {
     charts_[row]->setCurves(plotCurves(rows_[row], traces));
   }
   fill_->setVisible(!pins_.empty());
-  summary_->setText(active ? tr("%1 of %2 frames known at probe %3 · × history rejected there")
+  summary_->setText(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
                                  .arg(active->samples().size())
                                  .arg(frameCount_)
                                  .arg(active_ + 1)

@@ -89,10 +89,10 @@ void WeightsPanel::refresh() {
     samples.push_back({name, measuredColor, Qt::SolidLine,
                        from(history().frame - static_cast<int>(measured.size()) + 1,
                             effectiveSamplesOver(history().measured))});
-    lines << tr("Measured over %1 frames at %2: α = %3, %4 effective samples. Where the surface moves, its "
+    lines << tr("Measured at %1: α = %2, %3 effective samples of frames: %4. Where the surface moves, its "
                 "history came from other pixels.")
-                 .arg(measured.size())
-                 .arg(history().place, number(history().measured.back()), number(effectiveSamples(measured)));
+                 .arg(history().place, number(history().measured.back()), number(effectiveSamples(measured)))
+                 .arg(measured.size());
   } else {
     lines << tr("A probe adds what its pixel measured in the frames that were shown.");
   }

@@ -176,7 +176,7 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const QString first = QString::fromStdString(sequenceFile(wanted, wanted.first).filename().string());
   QString text =
       kind() == SequenceKind::Gif
-          ? tr("%1: %2 frames of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).")
+          ? tr("%1, frames: %2, of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).")
                 .arg(first)
                 .arg(count)
                 .arg(wanted.picture.width)

@@ -211,6 +211,30 @@ TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
   EXPECT_TRUE(recorder.errors.empty());
 }
 
+// Who hears that shaders were read anew may look at once: the picture on show is not theirs yet.
+TEST_F(RenderThreadTest, TellsThatThePictureIsNotExactBeforeNewShadersAreInUse) {
+  std::vector<bool> wereExact;
+  taa::RenderListener listener = recorder.listener();
+  listener.onShaders = [&](const std::string& error) {
+    recorder.read([&] {
+      wereExact.push_back(recorder.statuses.back().exact);
+      return wereExact.size();
+    });
+    EXPECT_EQ(error, "");
+  };
+  thread = std::make_unique<RenderThread>(listener);
+  thread->setSize(kWidth, kHeight);
+  thread->open("builtin:fan");
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->seek(4);
+  thread->waitUntilIdle();
+  ASSERT_TRUE(recorder.statuses.back().exact);
+  thread->reloadShaders();
+  thread->waitUntilIdle();
+  EXPECT_EQ(wereExact, std::vector<bool>{false});
+  EXPECT_TRUE(recorder.statuses.back().exact) << "replayed with them";
+}
+
 TEST_F(RenderThreadTest, EndsAtOnceInTheMiddleOfWork) {
   bool isWorking = false;
   recorder.onWork = [&](const taa::Work& work) {

@@ -1,0 +1,69 @@
+// Sentences of the core in the user's language: each is written where it is said, and known by all who ask.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+/// An English text as a template argument, with places %1 … %9 for what is put into it.
+template <std::size_t kSize>
+struct Sentence {
+  std::array<char, kSize> text{};
+
+  // Not explicit: it is written as a string.
+  consteval Sentence(const char (&from)[kSize]) { std::copy_n(from, kSize, text.begin()); }
+
+  /// The highest n of its places.
+  constexpr std::size_t places() const {
+    std::size_t most = 0;
+    for (std::size_t i = 0; i + 1 < kSize; ++i)
+      if (text[i] == '%' && text[i + 1] >= '1' && text[i + 1] <= '9')
+        most = std::max(most, static_cast<std::size_t>(text[i + 1] - '0'));
+    return most;
+  }
+};
+
+/// Another language's text for an English one, with the same places; the English one where it has none.
+using Translate = std::string (*)(const char* text);
+
+/// How everything is said from now on; as it is written without this. Before there is a second thread.
+void setTranslate(Translate translate);
+
+/// Every text that say() is called with anywhere in the program, sorted, each once.
+std::vector<std::string> allSentences();
+
+namespace saying {
+
+/// Keeps a text for allSentences().
+bool remember(const char* text);
+
+/// The text, translated, with `arguments` at its places.
+std::string fill(const char* text, const std::vector<std::string>& arguments);
+
+inline std::string argument(std::string_view text) {
+  return std::string(text);
+}
+std::string argument(std::integral auto number) {
+  return std::to_string(number);
+}
+
+template <Sentence kText>
+inline const bool kIsRemembered = remember(kText.text.data());
+
+} // namespace saying
+
+/// say<"%1 has no camera called %2">(file, name): texts and whole numbers; one for each place.
+template <Sentence kText, typename... Arguments>
+std::string say(const Arguments&... arguments) {
+  static_assert(sizeof...(arguments) == kText.places(), "a text has one place for each argument");
+  static_cast<void>(saying::kIsRemembered<kText>);
+  return saying::fill(kText.text.data(), {saying::argument(arguments)...});
+}
+
+} // namespace taa
