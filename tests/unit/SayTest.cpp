@@ -44,5 +44,7 @@ TEST(Say, EveryTextIsKnownBeforeItIsSaid) {
   const std::vector<std::string> texts = taa::allSentences();
   EXPECT_TRUE(std::ranges::is_sorted(texts));
   EXPECT_EQ(std::ranges::count(texts, "this one is not said: %1"), 1);
-  if (texts.empty()) EXPECT_EQ(say<"this one is not said: %1">(1), "");
+  if (texts.empty()) {
+    EXPECT_EQ(say<"this one is not said: %1">(1), "");
+  }
 }
