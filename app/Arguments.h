@@ -37,8 +37,8 @@ struct Arguments {
   std::string dialog;                  ///< of dialogNames(), in a picture of the window; empty: none
   std::optional<CameraTrack> track;    ///< looked through
   ObjectFilter filter;
-  bool tableTexts = false; ///< print the texts of the tables for lupdate, and end
-  bool timing = false;     ///< say on stderr when the first picture was there
+  bool coreTexts = false; ///< print the texts of the tables for lupdate, and end
+  bool timing = false;    ///< say on stderr when the first picture was there
 };
 
 /// What to do instead of running, with the exit code: help, version, a usage error.

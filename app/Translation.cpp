@@ -2,6 +2,7 @@
 
 #include "app/Text.h"
 
+#include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
 #include "core/inspect/Metrics.h"
 #include "core/inspect/Profiler.h"
@@ -70,6 +71,16 @@ void addLists(Collector& texts) {
   addEach(texts, gl::TimingMethod::Finish, timingWords);
 }
 
+QString linesOf(const char* context, const QStringList& texts) {
+  QString lines;
+  for (QString text : texts) {
+    text.replace(u'\\', QStringLiteral("\\\\")).replace(u'"', QStringLiteral("\\\""));
+    text.replace(u'\n', QStringLiteral("\\n"));
+    lines += QStringLiteral("QT_TRANSLATE_NOOP(\"%1\", \"%2\")\n").arg(QLatin1String(context), text);
+  }
+  return lines;
+}
+
 } // namespace
 
 QStringList tableTexts() {
@@ -83,14 +94,14 @@ QStringList tableTexts() {
   return texts.take();
 }
 
-QString tableTextLines() {
-  QString lines;
-  for (QString text : tableTexts()) {
-    text.replace(u'\\', QStringLiteral("\\\\")).replace(u'"', QStringLiteral("\\\""));
-    text.replace(u'\n', QStringLiteral("\\n"));
-    lines += QStringLiteral("QT_TRANSLATE_NOOP(\"tables\", \"%1\")\n").arg(text);
-  }
-  return lines;
+QStringList sentenceTexts() {
+  QStringList texts;
+  for (const std::string& text : allSentences()) texts << QString::fromStdString(text);
+  return texts;
+}
+
+QString coreTextLines() {
+  return linesOf("tables", tableTexts()) + linesOf("sentences", sentenceTexts());
 }
 
 QStringList translationFolders() {
@@ -100,11 +111,17 @@ QStringList translationFolders() {
   return folders;
 }
 
+void translateSentences() {
+  setTranslate([](const char* text) { return QCoreApplication::translate("sentences", text).toStdString(); });
+}
+
 bool installTranslation(QCoreApplication& application, const QLocale& locale, const QStringList& folders) {
   auto translator = std::make_unique<QTranslator>(&application);
   for (const QString& folder : folders)
-    if (translator->load(locale, QStringLiteral("taa-inspector"), QStringLiteral("_"), folder))
+    if (translator->load(locale, QStringLiteral("taa-inspector"), QStringLiteral("_"), folder)) {
+      translateSentences();
       return QCoreApplication::installTranslator(translator.release());
+    }
   return false;
 }
 

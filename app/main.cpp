@@ -192,8 +192,8 @@ int main(int argc, char** argv) {
     chooseShaders(arguments);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("TAA Inspector"));
-    if (arguments.tableTexts) {
-      std::fputs(tableTextLines().toUtf8().constData(), stdout);
+    if (arguments.coreTexts) {
+      std::fputs(coreTextLines().toUtf8().constData(), stdout);
       return 0;
     }
     // A picture of the window reads the same whoever takes it.

@@ -1,11 +1,14 @@
 // The window in another language: a made-up one, whose texts are those of the program in brackets.
 #include "app/Translation.h"
 #include "app/Dialogs.h"
+#include "app/Text.h"
 #include "app/panels/PipelinePanel.h"
+#include "core/base/Say.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QDataStream>
 #include <QFile>
 #include <QLabel>
 #include <QLocale>
@@ -18,6 +21,7 @@
 
 #include <map>
 #include <set>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;
@@ -31,7 +35,8 @@ class Brackets final : public QTranslator {
     if (*text == '\0') return {};
     // Qt's own texts are translated by Qt.
     const QString where = QString::fromUtf8(context);
-    if (!where.startsWith("taa::app") && where != "QObject" && where != "tables") return {};
+    if (!where.startsWith("taa::app") && where != "QObject" && where != "tables" && where != "sentences")
+      return {};
     asked[where].insert(QString::fromUtf8(text));
     return QStringLiteral("⟦%1⟧").arg(QString::fromUtf8(text));
   }
@@ -42,8 +47,14 @@ class Brackets final : public QTranslator {
 
 struct Translated {
   Brackets brackets;
-  Translated() { QCoreApplication::installTranslator(&brackets); }
-  ~Translated() { QCoreApplication::removeTranslator(&brackets); }
+  Translated() {
+    QCoreApplication::installTranslator(&brackets);
+    translateSentences();
+  }
+  ~Translated() {
+    setTranslate(nullptr);
+    QCoreApplication::removeTranslator(&brackets);
+  }
 };
 
 class TranslatedWindow : protected Translated, public taa::app::test::FakeWindow {};
@@ -102,6 +113,58 @@ QStringList untranslated(const QWidget& window) {
   return found;
 }
 
+struct Message {
+  const char *context, *text, *translation;
+};
+
+/// The hash by which a .qm file is searched (that of ELF symbols), of a text without a comment.
+quint32 hashOf(const QByteArray& text) {
+  quint32 hash = 0;
+  for (const char c : text) {
+    hash = (hash << 4) + static_cast<quint8>(c);
+    const quint32 high = hash & 0xf0000000;
+    if (high != 0) hash ^= high >> 24;
+    hash &= ~high;
+  }
+  return hash == 0 ? 1 : hash;
+}
+
+/// What lrelease, which is not everywhere where this runs, makes of these messages.
+void writeQm(const QString& path, const std::vector<Message>& messages) {
+  enum Tag : quint8 {
+    kEnd = 1,
+    kTranslation = 3,
+    kSource = 6,
+    kContext = 7,
+    kHashes = 0x42,
+    kMessages = 0x69
+  };
+  std::map<quint32, quint32> offsets;
+  QByteArray texts, hashes, file;
+  QDataStream textStream(&texts, QIODevice::WriteOnly), hashStream(&hashes, QIODevice::WriteOnly);
+  const auto put = [&](Tag tag, const QByteArray& text) {
+    textStream << static_cast<quint8>(tag) << static_cast<quint32>(text.size());
+    textStream.writeRawData(text.constData(), static_cast<int>(text.size()));
+  };
+  for (const Message& message : messages) {
+    offsets[hashOf(message.text)] = static_cast<quint32>(texts.size());
+    QByteArray wide;
+    QDataStream wideStream(&wide, QIODevice::WriteOnly);
+    for (const QChar c : QString::fromUtf8(message.translation)) wideStream << c.unicode();
+    put(kTranslation, wide);
+    put(kSource, message.text);
+    put(kContext, message.context);
+    textStream << static_cast<quint8>(kEnd);
+  }
+  for (const auto& [hash, offset] : offsets) hashStream << hash << offset;
+  QDataStream fileStream(&file, QIODevice::WriteOnly);
+  for (const quint32 word : {0x3cb86418u, 0xcaef9c95u, 0xcd211cbfu, 0x60a1bdddu}) fileStream << word;
+  fileStream << static_cast<quint8>(kHashes) << hashes << static_cast<quint8>(kMessages) << texts;
+  QFile out(path);
+  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(file);
+}
+
 } // namespace
 
 TEST_F(TranslatedWindow, ShowsNoTextThatIsNotTranslated) {
@@ -125,6 +188,28 @@ TEST(Translation, TheTemplateHoldsEveryTextOfTheTables) {
   ASSERT_GT(texts.size(), 500);
   EXPECT_EQ(messages.at("tables"), std::set<QString>(texts.begin(), texts.end()))
       << "app/translations writes the template";
+}
+
+TEST(Translation, TheTemplateHoldsEverySentenceOfTheCore) {
+  const auto messages = readTemplate();
+  const QStringList texts = sentenceTexts();
+  ASSERT_GT(texts.size(), 200);
+  EXPECT_EQ(messages.at("sentences"), std::set<QString>(texts.begin(), texts.end()))
+      << "app/translations writes the template";
+}
+
+TEST(Translation, ComesFromTheFileOfTheLocale) {
+  const QTemporaryDir folder;
+  writeQm(folder.filePath(QStringLiteral("taa-inspector_de.qm")),
+          {{"tables", "Motion", "Bewegung"}, {"sentences", "Going to frame %1", "Weiter zu Bild %1"}});
+  QCoreApplication& application = *QCoreApplication::instance();
+  ASSERT_TRUE(installTranslation(application, QLocale("de_DE"), {folder.path()}));
+  EXPECT_EQ(tableText("Motion"), QStringLiteral("Bewegung"));
+  EXPECT_EQ(tableText("Depth"), QStringLiteral("Depth")) << "what the file lacks";
+  EXPECT_EQ(say<"Going to frame %1">(8), "Weiter zu Bild 8");
+  setTranslate(nullptr);
+  delete application.findChild<QTranslator*>();
+  EXPECT_EQ(tableText("Motion"), QStringLiteral("Motion"));
 }
 
 TEST(Translation, IsNotInUseWhereTheFolderHasNone) {
