@@ -1,5 +1,6 @@
 #include "core/ProbeReport.h"
 
+#include "core/base/Say.h"
 #include "core/io/FrameJson.h"
 
 #include <array>
@@ -37,10 +38,9 @@ ordered_json whatIfJson(const WhatIfRow& row) {
 }
 
 std::string placeText(const ProbeReport& report, const LaneFacts& lane) {
-  return "pixel " + std::to_string(report.pixel.x) + " " + std::to_string(report.pixel.y) + " frame " +
-         std::to_string(lane.info.frame) + " of " + report.shot.source + ", camera " + report.shot.camera +
-         ", " + std::to_string(report.shot.width) + "x" + std::to_string(report.shot.height) + ", preset " +
-         lane.preset;
+  return say<"pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8">(
+      report.pixel.x, report.pixel.y, lane.info.frame, report.shot.source, report.shot.camera,
+      report.shot.width, report.shot.height, lane.preset);
 }
 
 /// Rows of a stage; `tell` gets each.
@@ -104,7 +104,7 @@ std::string probeText(const ProbeReport& report) {
 std::string probeMarkdown(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
-    text += (text.empty() ? "" : "\n") + ("Probe: " + placeText(report, lane.lane)) +
+    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) +
             "\n\n| Stage | Intermediate | Value | Unit |\n|---|---|---|---|\n";
     forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
       text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +

@@ -1,5 +1,6 @@
 #include "core/inspect/ProbeStory.h"
 
+#include "core/base/Say.h"
 #include "core/inspect/StoryText.h"
 #include "core/scene/ObjectClass.h"
 #include "core/taa/reference/Color.h"
@@ -67,19 +68,27 @@ bool isOn(Switch value) {
 namespace {
 
 std::string depthWords(float depth) {
-  return depth == 0.0f ? "nothing was drawn here: the sky" : "";
+  return depth == 0.0f ? say<"nothing was drawn here: the sky">()
+                       : say<"1 at the near plane, 0 in the distance">();
+}
+
+std::string motionWords(const Teller& t) {
+  if (t.value(Id::motion) >= kNoPreviousPosition) return say<"the surface was behind the previous camera">();
+  const glm::vec2 motion = t.pair(Id::motion);
+  return motion == glm::vec2(0.0f) ? say<"the surface stayed where it was">()
+                                   : say<"the surface came from %1 px from here">(t.tuple(-motion));
 }
 
 std::string objectWords(const Teller& t) {
   switch (static_cast<ObjectClass>(static_cast<int>(t.value(Id::objectClass)))) {
   case ObjectClass::Still:
-    return "an object that stands still";
+    return say<"an object that stands still">();
   case ObjectClass::Moving:
-    return "an object that moves rigidly";
+    return say<"an object that moves rigidly">();
   case ObjectClass::Deforming:
-    return "an object that deforms";
+    return say<"an object that deforms">();
   default:
-    return "the sky";
+    return say<"the sky">();
   }
 }
 
@@ -88,53 +97,45 @@ RowStory viewDepthStory(const Teller& t) {
   if (depth == 0.0f) return {depthWords(depth), "", ""};
   const glm::vec4& p = t.details().depthTerms;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  return {"distance along the view axis",
+  return {say<"distance along the view axis">(),
           t.equals("(" + n(depth) + " × " + n(p.x) + " − " + n(p.y) + ") / (" + n(depth) + " × " + n(p.z) +
                        " − " + n(p.w) + ")",
                    Id::depthView),
           ""};
 }
 
+/// Of inputs that are read as they are.
+std::string readWords(Id id, const Teller& t) {
+  switch (id) {
+  case Id::color:
+    return say<"the sample of this frame, taken %1 px from the pixel's center">(
+        t.tuple(-t.details().jitterPx));
+  case Id::depth:
+    return depthWords(t.value(id));
+  case Id::motion:
+    return motionWords(t);
+  case Id::normal:
+    return t.color(id) == glm::vec3(0.0f) ? say<"the sky has none">()
+                                          : say<"the way the surface faces, in the world">();
+  case Id::objectId:
+  case Id::objectClass:
+    return objectWords(t);
+  case Id::reactive:
+    return t.value(id) > 0 ? say<"%1 was blended in">(t.percent(id)) : say<"nothing was blended in">();
+  case Id::responsive:
+    return t.value(id) > 0 ? say<"a material that changes without motion">()
+                           : say<"no material that changes without motion">();
+  default:
+    return t.value(Id::overlayAlpha) > 0
+               ? say<"%1 of the output is hidden by it">(t.percent(Id::overlayAlpha))
+               : say<"nothing is laid over the output here">();
+  }
+}
+
 } // namespace
 
 RowStory inputStory(Id id, const Teller& t) {
-  switch (id) {
-  case Id::color:
-    return {"the sample of this frame, taken " + t.tuple(-t.details().jitterPx) +
-                " px from the pixel's center",
-            "", ""};
-  case Id::depth: {
-    const std::string sky = depthWords(t.value(id));
-    return {sky.empty() ? "1 at the near plane, 0 in the distance" : sky, "", ""};
-  }
-  case Id::depthView:
-    return viewDepthStory(t);
-  case Id::motion:
-    return {t.value(id) >= kNoPreviousPosition ? "the surface was behind the previous camera"
-            : t.pair(id) == glm::vec2(0.0f)
-                ? "the surface stayed where it was"
-                : "the surface came from " + t.tuple(-t.pair(id)) + " px from here",
-            "", ""};
-  case Id::normal:
-    return {t.color(id) == glm::vec3(0.0f) ? "the sky has none" : "the way the surface faces, in the world",
-            "", ""};
-  case Id::objectId:
-  case Id::objectClass:
-    return {objectWords(t), "", ""};
-  case Id::reactive:
-    return {t.value(id) > 0 ? t.percent(static_cast<double>(t.value(id))) + " was blended in"
-                            : "nothing was blended in",
-            "", ""};
-  case Id::responsive:
-    return {t.value(id) > 0 ? "a material that changes without motion"
-                            : "no material that changes without motion",
-            "", ""};
-  default:
-    return {t.value(Id::overlayAlpha) > 0
-                ? t.percent(static_cast<double>(t.value(Id::overlayAlpha))) + " of the output is hidden by it"
-                : "nothing is laid over the output here",
-            "", ""};
-  }
+  return id == Id::depthView ? viewDepthStory(t) : RowStory{readWords(id, t), "", ""};
 }
 
 } // namespace story

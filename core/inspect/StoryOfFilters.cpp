@@ -1,6 +1,7 @@
 // Stories of stages 3 and 4: the taps that history and this frame's color are means of.
 #include "core/inspect/StoryText.h"
 
+#include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/reference/Color.h"
 
@@ -58,20 +59,29 @@ std::string ending(const Teller& t, Id id) {
   return " = " + t.number(t.color(id).x);
 }
 
+/// By what history is read, and where.
+std::string readWords(const Teller& t, bool isEdge) {
+  const glm::vec2 at = t.details().readPosition;
+  const std::string fraction =
+      t.tuple((at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f)));
+  if (isEdge)
+    return say<"Bilinear, for depth has an edge, at %1, %2 of a texel from the one before">(t.tuple(at),
+                                                                                            fraction);
+  return say<"%1 at %2, %3 of a texel from the one before">(choiceLabel("history.filter", t.settings()),
+                                                            t.tuple(at), fraction);
+}
+
 RowStory rawStory(const Teller& t) {
   const HistorySettings& history = t.settings().history;
-  const glm::vec2 at = t.details().readPosition;
-  const glm::vec2 fraction = (at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f));
   const bool isEdge = t.value(Id::depthEdge) != 0.0f;
   const reference::Taps& taps = t.details().historyTaps;
-  std::string words =
-      (isEdge ? "Bilinear, for depth has an edge," : choiceLabel("history.filter", t.settings())) + " at " +
-      t.tuple(at) + ", " + t.tuple(fraction) + " of a texel from the one before";
-  if (taps.count == 0) return {words, "", ""};
-  words += taps.count == 1 ? ": one tap" : ": " + std::to_string(taps.count) + " taps";
-  if (taps.count == 1) return {words, t.equals(t.tuple(taps.each[0].color), Id::historyRaw), ""};
+  const std::string read = readWords(t, isEdge);
+  if (taps.count == 0) return {read, "", ""};
+  if (taps.count == 1)
+    return {say<"%1: one tap">(read), t.equals(t.tuple(taps.each[0].color), Id::historyRaw), ""};
   const Reds reds = redsOf(taps);
-  words += ", their weights are " + t.number(reds.sum) + " together";
+  const std::string words =
+      say<"%1: %2 taps, their weights are %3 together">(read, taps.count, t.number(reds.sum));
   const bool isPlain = isEdge || history.filter == HistoryFilter::Bilinear;
   const bool isDivided = !isPlain && history.filter != HistoryFilter::CatmullRom5AsPrinted &&
                          history.filter != HistoryFilter::CatmullRom5Corners;
@@ -81,16 +91,18 @@ RowStory rawStory(const Teller& t) {
   return {words, text + ending(t, Id::historyRaw), "R"};
 }
 
+std::string edgeWords(const Teller& t) {
+  if (!isOn(t.settings().history.bilinearAtEdges)) return say<"not asked for">();
+  return t.value(Id::depthEdge) != 0.0f ? say<"an edge in depth: read by one bilinear tap">()
+                                        : say<"no edge in depth: the filter is used">();
+}
+
 RowStory historyStory(Id id, const Teller& t) {
-  if (t.details().isFirst) return {"there is no history yet", "", ""};
-  if (id == Id::depthEdge)
-    return {!isOn(t.settings().history.bilinearAtEdges) ? "not asked for"
-            : t.value(id) != 0.0f                       ? "an edge in depth: read by one bilinear tap"
-                                                        : "no edge in depth: the filter is used",
-            "", ""};
+  if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
+  if (id == Id::depthEdge) return {edgeWords(t), "", ""};
   if (id == Id::historyRawLength)
-    return {"as many frames' worth of samples were stored around " + t.tuple(t.details().readPosition), "",
-            ""};
+    return {say<"as many frames' worth of samples were stored around %1">(t.tuple(t.details().readPosition)),
+            "", ""};
   return rawStory(t);
 }
 
@@ -129,25 +141,26 @@ RowStory filteredStory(const Teller& t) {
     const reference::Taps& taps = t.details().upsampleTaps;
     const Reds reds = redsOf(taps);
     if (taps.count == 0 || !(reds.sum > 1e-4f))
-      return {kernel + ": the nearest sample, " + t.tuple(t.details().sampleOffset) + " px from the center",
+      return {say<"%1: the nearest sample, %2 px from the center">(kernel, t.tuple(t.details().sampleOffset)),
               t.number(nine[4].x), "R"};
     std::string text = weightedMean(t, reds.weights, reds.values);
     float low = nine[4].x, high = nine[4].x;
     for (const glm::vec3& sample : nine) low = std::fmin(low, sample.x), high = std::fmax(high, sample.x);
     if (current.upsample != UpsampleKernel::Hdrp) text = clamped(t, text, low, high);
-    return {kernel + " over " + std::to_string(taps.count) + " samples of what was drawn smaller",
-            call("max", {text, "0"}), "R"};
+    return {say<"%1 over %2 samples of what was drawn smaller">(kernel, taps.count), call("max", {text, "0"}),
+            "R"};
   }
   const std::string filter = choiceLabel("current.filter", t.settings());
-  if (current.filter == CurrentFilter::Center) return {"the sample as it is", t.number(nine[4].x), "R"};
+  if (current.filter == CurrentFilter::Center)
+    return {say<"the sample as it is">(), t.number(nine[4].x), "R"};
   if (current.filter == CurrentFilter::Unjitter)
-    return {"read where the pixel's center landed", unjitterText(t), "R"};
+    return {say<"read where the pixel's center landed">(), unjitterText(t), "R"};
   const Reds reds = redsOf(currentTaps(t));
   std::string mean = weightedMean(t, reds.weights, reds.values);
   const bool rings = current.filter == CurrentFilter::Mitchell ||
                      current.filter == CurrentFilter::CatmullRom || current.filter == CurrentFilter::Lanczos;
   if (rings && isOn(current.dering)) mean = clamped(t, mean, reds.low, reds.high);
-  return {filter + " over the nine samples", call("max", {mean, "0"}), "R"};
+  return {say<"%1 over the nine samples">(filter), call("max", {mean, "0"}), "R"};
 }
 
 RowStory currentStory(const Teller& t) {
@@ -159,7 +172,7 @@ RowStory currentStory(const Teller& t) {
     for (const std::size_t k : {1u, 3u, 5u, 7u})
       four += (four.empty() ? "" : " + ") + t.number(t.details().filterSamples[k].x);
     const bool isPrinted = current.sharpen == CurrentSharpen::LaplacianAsPrinted;
-    story.words += ", then sharpened by the four around";
+    story.words = say<"%1, then sharpened by the four around">(story.words);
     story.formula = call("max", {isPrinted ? "5 × " + s + " × " + f + " − " + s + " × (" + four + ")"
                                            : f + " − " + s + " × ((" + four + ") / 4 − " + f + ")",
                                  "0"});
@@ -169,19 +182,20 @@ RowStory currentStory(const Teller& t) {
 }
 
 RowStory confidenceStory(const Teller& t) {
-  if (!isUpsampled(t.settings())) return {"drawn at full size", "", ""};
+  if (!isUpsampled(t.settings())) return {say<"drawn at full size">(), "", ""};
   const glm::vec2 d = t.details().sampleOffset, ratio = t.details().renderRatio;
   const UpsampleKernel kernel = t.settings().current.upsample;
-  const std::string where = t.tuple(d) + " px from the pixel's center";
+  const std::string at = t.tuple(d);
   if (kernel == UpsampleKernel::Hdrp)
-    return {(t.value(Id::sampleConfidence) > 0.0f ? "the nearest sample lies in the pixel: "
-                                                  : "no sample lies in the pixel: the nearest is ") +
-                where,
+    return {t.value(Id::sampleConfidence) > 0.0f
+                ? say<"the nearest sample lies in the pixel: %1 px from the pixel's center">(at)
+                : say<"no sample lies in the pixel: the nearest is %1 px from the pixel's center">(at),
             "", ""};
   if (kernel == UpsampleKernel::SampleWeight) {
     const std::string near = "1 − (" + t.number(d.x * d.x) + " / " + t.number(ratio.x) + " + " +
                              t.number(d.y * d.y) + " / " + t.number(ratio.y) + ")";
-    return {"how near the nearest sample lies, " + where + ", or all of it where it moves",
+    return {say<"how near the nearest sample lies, %1 px from the pixel's center, "
+                "or all of it where it moves">(at),
             t.equals(call("max", {call("clamp", {near, "0", "1"}), call("smooth", {t.number(Id::speed)})}),
                      Id::sampleConfidence),
             ""};
@@ -189,8 +203,8 @@ RowStory confidenceStory(const Teller& t) {
   std::string sum;
   for (const reference::Taps::Tap& tap : t.details().upsampleTaps.all())
     if (tap.weight != 0.0f) sum += (sum.empty() ? "" : " + ") + t.number(tap.weight);
-  if (sum.empty()) return {"no sample is near enough", "", ""};
-  return {"what the samples weigh together, the nearest " + where,
+  if (sum.empty()) return {say<"no sample is near enough">(), "", ""};
+  return {say<"what the samples weigh together, the nearest %1 px from the pixel's center">(at),
           t.equals(call("clamp", {sum, "0", "1"}), Id::sampleConfidence), ""};
 }
 

@@ -1,7 +1,7 @@
 // Stories of stages 6 and 7: history brought into the box, and whether it belongs to the surface at all.
 #include "core/inspect/StoryText.h"
 
-#include "core/settings/Parameters.h"
+#include "core/base/Say.h"
 #include "core/taa/reference/Color.h"
 
 #include <glm/common.hpp>
@@ -110,25 +110,26 @@ std::string wayText(const Teller& t, const Clip& clip) {
   return "";
 }
 
-/// What of the correction is applied, in words; empty: all of it.
-std::string partWords(const Teller& t) {
-  std::string words;
-  if (isOn(t.settings().rectify.relaxAtRest))
-    words += ", of which " + t.percent(static_cast<double>(t.value(Id::rectifyStrength))) + " are applied";
-  if (t.details().held.share > 0.0f)
-    words += ", and " + t.percent(static_cast<double>(t.details().held.share)) + " of that are taken back";
-  return words;
+/// How far history was pulled, and how much of that holds.
+std::string pulledWords(const Teller& t) {
+  const std::string amount = t.percent(Id::clipAmount), applied = t.percent(Id::rectifyStrength);
+  const std::string held = t.percent(static_cast<double>(t.details().held.share));
+  const bool isRelaxed = isOn(t.settings().rectify.relaxAtRest), isHeld = t.details().held.share > 0.0f;
+  if (isRelaxed && isHeld)
+    return say<"pulled %1 of the way into the box, of which %2 are applied, and %3 of that are taken back">(
+        amount, applied, held);
+  if (isRelaxed) return say<"pulled %1 of the way into the box, of which %2 are applied">(amount, applied);
+  if (isHeld) return say<"pulled %1 of the way into the box, and %2 of that are taken back">(amount, held);
+  return say<"pulled %1 of the way into the box">(amount);
 }
 
 RowStory rectifiedStory(const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
-  if (t.details().isFirst) return {"there is no history yet", "", ""};
-  if (rectify.method == RectifyMethod::None) return {"history is taken as it is", "", ""};
+  if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
+  if (rectify.method == RectifyMethod::None) return {say<"history is taken as it is">(), "", ""};
   const Clip clip = clipOf(t);
-  if (!clip.result.moved) return {"history lies inside the box: kept as it is", "", ""};
-  const float amount = t.value(Id::clipAmount);
-  const std::string words =
-      "pulled " + t.percent(static_cast<double>(amount)) + " of the way into the box" + partWords(t);
+  if (!clip.result.moved) return {say<"history lies inside the box: kept as it is">(), "", ""};
+  const std::string words = pulledWords(t);
   if (isOn(rectify.relaxAtRest) || t.details().held.share > 0.0f) {
     const std::string raw = t.tuple(Id::historyRaw);
     const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
@@ -140,7 +141,7 @@ RowStory rectifiedStory(const Teller& t) {
   }
   const std::string way = wayText(t, clip);
   if (way.empty()) return {words, "", ""};
-  return {words, way + " = " + t.tuple(clip.moved), "in box space"};
+  return {words, way + " = " + t.tuple(clip.moved), say<"in box space">()};
 }
 
 /// The way of h against that to `target`.
@@ -188,14 +189,12 @@ std::string amountText(const Teller& t, const Clip& clip) {
 }
 
 RowStory clipStory(const Teller& t) {
-  if (!isMoved(t)) return {"nothing is rectified", "", ""};
+  if (!isMoved(t)) return {say<"nothing is rectified">(), "", ""};
   const Clip clip = clipOf(t);
-  if (!clip.result.moved) return {"history lies inside the box", "", ""};
+  if (!clip.result.moved) return {say<"history lies inside the box">(), "", ""};
   std::string text = amountText(t, clip);
-  const std::string words =
-      "history was pulled " + t.percent(static_cast<double>(t.value(Id::clipAmount))) + " of the way: " +
-      std::string(
-          parameter("rectify.method").choices[static_cast<std::size_t>(t.settings().rectify.method)].label);
+  const std::string words = say<"history was pulled %1 of the way: %2">(
+      t.percent(Id::clipAmount), choiceLabel("rectify.method", t.settings()));
   if (text.empty()) return {words, "", ""};
   if (isOn(t.settings().rectify.relaxAtRest)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
   if (t.details().held.share > 0.0f)
@@ -205,10 +204,10 @@ RowStory clipStory(const Teller& t) {
 
 RowStory strengthStory(const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
-  if (rectify.method == RectifyMethod::None) return {"nothing is rectified", "", ""};
-  if (!isOn(rectify.relaxAtRest)) return {"all of the correction is applied", "", ""};
+  if (rectify.method == RectifyMethod::None) return {say<"nothing is rectified">(), "", ""};
+  if (!isOn(rectify.relaxAtRest)) return {say<"all of the correction is applied">(), "", ""};
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  return {"less is applied where little moves",
+  return {say<"less is applied where little moves">(),
           t.equals(n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) + ") × clamp((" +
                        t.number(Id::speed) + " / " + n(rectify.restSpeed) + ")^2, 0, 1)",
                    Id::rectifyStrength),
@@ -218,11 +217,11 @@ RowStory strengthStory(const Teller& t) {
 RowStory keptLengthStory(const Teller& t) {
   const float before = t.value(Id::historyRawLength), kept = t.value(Id::historyKeptLength);
   if (before == kept)
-    return {"as long as before", t.equals(t.number(Id::historyRawLength), Id::historyKeptLength), ""};
+    return {say<"as long as before">(), t.equals(t.number(Id::historyRawLength), Id::historyKeptLength), ""};
   const std::string forgotten = call("min", {t.number(Id::historyRawLength), t.number(1.6216216)});
   const std::string held = t.number(static_cast<double>(t.details().held.share));
   return {
-      "clamped history forgets",
+      say<"clamped history forgets">(),
       t.equals(forgotten + " + " + held + " × (" + t.number(Id::historyRawLength) + " − " + forgotten + ")",
                Id::historyKeptLength),
       ""};
@@ -230,11 +229,11 @@ RowStory keptLengthStory(const Teller& t) {
 
 RowStory mismatchStory(const Teller& t) {
   const float expected = t.value(Id::depthExpected), stored = t.value(Id::historyDepth);
-  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+  if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
   if (expected == 0.0f || stored == 0.0f)
-    return {expected == stored ? "the sky, as before" : "the sky against a surface", "", ""};
+    return {expected == stored ? say<"the sky, as before">() : say<"the sky against a surface">(), "", ""};
   const bool isMore = t.value(Id::depthMismatch) > t.value(Id::depthAllowed);
-  return {isMore ? "more than is allowed: another surface" : "no more than is allowed",
+  return {isMore ? say<"more than is allowed: another surface">() : say<"no more than is allowed">(),
           t.equals("|" + t.number(Id::depthExpected) + " − " + t.number(Id::historyDepth) + "| / " +
                        t.number(Id::depthExpected),
                    Id::depthMismatch),
@@ -249,65 +248,65 @@ RowStory allowedStory(const Teller& t) {
   if (hasSlope)
     text += " + " + n(validate.slopeAllowance) + " × " + n(t.details().slope) + " / " +
             t.number(Id::depthExpected);
-  return {hasSlope ? "the tolerance, and more for the surface's slope" : "the tolerance",
+  return {hasSlope ? say<"the tolerance, and more for the surface's slope">() : say<"the tolerance">(),
           t.equals(text, Id::depthAllowed), ""};
+}
+
+/// `reason` is what the table calls it.
+std::string rejectedWords(const Teller& t, const std::string& reason) {
+  switch (static_cast<reference::RejectReason>(static_cast<int>(t.value(Id::rejectReason)))) {
+  case reference::RejectReason::Depth:
+    return say<"rejected: %1, %2 off where %3 is allowed">(reason, t.number(Id::depthMismatch),
+                                                           t.number(Id::depthAllowed));
+  case reference::RejectReason::OffScreen:
+    return say<"rejected: %1, at %2">(reason, t.tuple(t.pair(Id::historyPosition)));
+  case reference::RejectReason::Speed:
+    return say<"rejected: %1, %2 px where %3 are allowed">(reason, t.number(Id::speed),
+                                                           t.number(t.settings().validate.speedLimit));
+  case reference::RejectReason::Object:
+    return say<"rejected: %1, %2 was here">(reason, t.number(Id::historyObjectId));
+  case reference::RejectReason::Normal:
+    return say<"rejected: %1, cosine %2">(reason, t.number(Id::normalAgreement));
+  case reference::RejectReason::Velocity:
+    return say<"rejected: %1, it changed by %2 px">(reason, t.number(Id::velocityChange));
+  default:
+    return say<"rejected: %1">(reason);
+  }
 }
 
 RowStory reasonStory(const Teller& t) {
   const int reason = static_cast<int>(t.value(Id::rejectReason));
-  std::string words = reason == 0 ? "all tests passed" : "rejected: " + std::string(rejectReasonText(reason));
-  switch (static_cast<reference::RejectReason>(reason)) {
-  case reference::RejectReason::Depth:
-    words += ", " + t.number(Id::depthMismatch) + " off where " + t.number(Id::depthAllowed) + " is allowed";
-    break;
-  case reference::RejectReason::OffScreen:
-    words += ", at " + t.tuple(t.pair(Id::historyPosition));
-    break;
-  case reference::RejectReason::Speed:
-    words += ", " + t.number(Id::speed) + " px where " +
-             t.number(static_cast<double>(t.settings().validate.speedLimit)) + " are allowed";
-    break;
-  case reference::RejectReason::Object:
-    words += ", " + t.number(Id::historyObjectId) + " was here";
-    break;
-  case reference::RejectReason::Normal:
-    words += ", cosine " + t.number(Id::normalAgreement);
-    break;
-  case reference::RejectReason::Velocity:
-    words += ", it changed by " + t.number(Id::velocityChange) + " px";
-    break;
-  default:
-    break;
-  }
-  return {words, "", ""};
+  if (reason == 0) return {say<"all tests passed">(), "", ""};
+  return {rejectedWords(t, std::string(rejectReasonText(reason))), "", ""};
 }
 
 RowStory normalStory(const Teller& t) {
-  if (!isOn(t.settings().validate.normal)) return {"not asked for", "", ""};
-  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+  if (!isOn(t.settings().validate.normal)) return {say<"not asked for">(), "", ""};
+  if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
   const glm::vec3 now = t.details().geometry.normal, then = t.details().match.normal;
-  if (now == then && now == glm::vec3(0.0f)) return {"the sky, as before", "", ""};
+  if (now == then && now == glm::vec3(0.0f)) return {say<"the sky, as before">(), "", ""};
   if (then == glm::vec3(0.0f) && t.value(Id::normalAgreement) == 1.0f)
-    return {"history keeps no normals yet", "", ""};
+    return {say<"history keeps no normals yet">(), "", ""};
   const double cosine = std::fmax(-1.0, std::fmin(1.0, static_cast<double>(t.value(Id::normalAgreement))));
   std::string dot;
   for (int i = 0; i < 3; ++i) dot += (i == 0 ? "" : " + ") + t.number(now[i]) + " × " + t.number(then[i]);
-  return {"the surface turned by " + t.number(std::acos(cosine) * 57.29577951) + " degrees",
+  return {say<"the surface turned by %1 degrees">(t.number(std::acos(cosine) * 57.29577951)),
           t.equals(dot, Id::normalAgreement), ""};
 }
 
 RowStory velocityStory(const Teller& t) {
   const VelocityTest test = t.settings().validate.velocity;
   if (test == VelocityTest::None && !isOn(t.settings().weight.velocityChange))
-    return {"not asked for", "", ""};
-  if (t.details().isFirst) return {"there is no history to compare with", "", ""};
+    return {say<"not asked for">(), "", ""};
+  if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
   const glm::vec2 now = t.details().geometry.motion, then = t.details().match.motion;
   if (now.x >= kNoPreviousPosition || then.x >= kNoPreviousPosition)
-    return {"there is no motion to compare", "", ""};
+    return {say<"there is no motion to compare">(), "", ""};
   if (t.value(Id::velocityChange) == 0.0f && then == glm::vec2(0.0f) && now != then)
-    return {"history keeps no motion yet", "", ""};
-  const std::string words = t.value(Id::velocityChange) == 0.0f ? "its motion is the same as a frame ago"
-                                                                : "its motion is another than a frame ago";
+    return {say<"history keeps no motion yet">(), "", ""};
+  const std::string words = t.value(Id::velocityChange) == 0.0f
+                                ? say<"its motion is the same as a frame ago">()
+                                : say<"its motion is another than a frame ago">();
   const std::string text =
       test == VelocityTest::Length
           ? "|" + call("length", {t.tuple(now)}) + " − " + call("length", {t.tuple(then)}) + "|"
@@ -337,21 +336,21 @@ RowStory rectifyStory(Id id, const Teller& t) {
 RowStory validateStory(Id id, const Teller& t) {
   switch (id) {
   case Id::depthExpected:
-    return {t.value(id) == 0.0f ? "the sky, or nothing before"
-                                : "where the surface was in the previous frame",
+    return {t.value(id) == 0.0f ? say<"the sky, or nothing before">()
+                                : say<"where the surface was in the previous frame">(),
             "", ""};
   case Id::historyDepth:
-    return {t.details().isFirst ? "there is no history yet"
-                                : "of the four stored around, the one that fits best",
+    return {t.details().isFirst ? say<"there is no history yet">()
+                                : say<"of the four stored around, the one that fits best">(),
             "", ""};
   case Id::depthMismatch:
     return mismatchStory(t);
   case Id::depthAllowed:
     return allowedStory(t);
   case Id::historyObjectId:
-    return {t.value(id) == 0.0f                    ? "the sky, or not kept"
-            : t.value(id) == t.value(Id::objectId) ? "the same object"
-                                                   : "another object than now",
+    return {t.value(id) == 0.0f                    ? say<"the sky, or not kept">()
+            : t.value(id) == t.value(Id::objectId) ? say<"the same object">()
+                                                   : say<"another object than now">(),
             "", ""};
   case Id::normalAgreement:
     return normalStory(t);

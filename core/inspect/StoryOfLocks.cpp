@@ -1,6 +1,8 @@
 // Stories of what takes a correction of history back: locks of thin features, and luma that comes and goes.
 #include "core/inspect/StoryText.h"
 
+#include "core/base/Say.h"
+
 #include <cmath>
 
 namespace taa::story {
@@ -9,14 +11,16 @@ namespace {
 
 std::string lifeWords(const Teller& t) {
   const reference::Held& held = t.details().held;
-  const std::string before = held.storedLock.x > 0.0f
-                                 ? ", the lock before had a life of " + t.number(held.storedLock.x)
-                                 : ", no lock before";
-  const std::string luma = "mean luma " + t.number(held.luma);
+  const std::string luma = t.number(held.luma), life = t.number(held.storedLock.x);
+  const bool hadLock = held.storedLock.x > 0.0f;
   if (held.isChanged)
-    return luma + " is another than the " + t.number(held.storedLock.y) + " it was locked at: no lock";
-  if (held.isThin) return "a thin feature, " + luma + before;
-  return "no thin feature, " + luma + before;
+    return say<"mean luma %1 is another than the %2 it was locked at: no lock">(luma,
+                                                                                t.number(held.storedLock.y));
+  if (held.isThin)
+    return hadLock ? say<"a thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
+                   : say<"a thin feature, mean luma %1, no lock before">(luma);
+  return hadLock ? say<"no thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
+                 : say<"no thin feature, mean luma %1, no lock before">(luma);
 }
 
 /// The life that the rule gives, from the one before.
@@ -29,12 +33,12 @@ std::string lifeText(const Teller& t) {
 
 RowStory instabilityStory(const Teller& t) {
   const reference::Held& held = t.details().held;
-  const float now = std::round(held.keptLumas.x * 255.0f);
-  std::string lumas = t.number(now) + " of 255";
-  for (int k = 0; k < 4; ++k) lumas += (k == 0 ? ", before " : ", ") + t.number(held.storedLumas[k]);
-  return {(t.value(Id::instability) > 0 ? "luma comes and goes, history is kept: "
-                                        : "luma does not come and go: ") +
-              lumas,
+  const std::string now = t.number(std::round(held.keptLumas.x * 255.0f));
+  std::string before;
+  for (int k = 0; k < 4; ++k) before += (k == 0 ? "" : ", ") + t.number(held.storedLumas[k]);
+  return {t.value(Id::instability) > 0
+              ? say<"luma comes and goes, history is kept: %1 of 255, before %2">(now, before)
+              : say<"luma does not come and go: %1 of 255, before %2">(now, before),
           "", ""};
 }
 
@@ -43,10 +47,10 @@ RowStory instabilityStory(const Teller& t) {
 RowStory lockStory(Id id, const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
   const bool isLock = id == Id::lock || id == Id::lockLife;
-  if (!isOn(isLock ? rectify.locks : rectify.instability)) return {"not asked for", "", ""};
+  if (!isOn(isLock ? rectify.locks : rectify.instability)) return {say<"not asked for">(), "", ""};
   if (id == Id::instability) return instabilityStory(t);
   if (id == Id::lockLife) return {lifeWords(t), t.equals(lifeText(t), id), ""};
-  return {t.value(id) > 0 ? "a thin feature keeps its history" : "no lock holds history",
+  return {t.value(id) > 0 ? say<"a thin feature keeps its history">() : say<"no lock holds history">(),
           t.equals("clamp(4 × clamp(" + t.number(Id::lockLife) + " − 1, 0, 1), 0, 1)", id), ""};
 }
 

@@ -2,6 +2,7 @@
 // be.
 #include "core/inspect/StoryText.h"
 
+#include "core/base/Say.h"
 #include "core/taa/reference/Color.h"
 
 #include <array>
@@ -92,7 +93,8 @@ std::string sharpenText(const Teller& t) {
 /// Where nothing but sharpening was done.
 RowStory sharpStory(const Teller& t) {
   const OutputSettings& output = t.settings().output;
-  const std::string words = "the resolved color sharpened: " + choiceLabel("output.sharpen", t.settings());
+  const std::string words =
+      say<"the resolved color sharpened: %1">(choiceLabel("output.sharpen", t.settings()));
   std::string text = sharpenText(t);
   if (isOn(output.dering)) {
     float low = t.details().resolvedAround[0].x, high = low;
@@ -109,58 +111,62 @@ RowStory shownStory(const Teller& t) {
   const bool isBlurred = t.value(Id::blurTrust) < 1.0f;
   if (!isCovered && !isBlurred) {
     if (output.sharpen != Sharpen::None) return sharpStory(t);
-    return {"the resolved color as it is", t.equals(t.tuple(Id::resolved), Id::output), ""};
+    return {say<"the resolved color as it is">(), t.equals(t.tuple(Id::resolved), Id::output), ""};
   }
   const reference::Shown& shown = t.details().shown;
-  std::string words = output.sharpen == Sharpen::None ? "the resolved color" : "the sharpened color";
+  std::string words =
+      output.sharpen == Sharpen::None ? say<"the resolved color">() : say<"the sharpened color">();
   std::string text = t.tuple(shown.sharp);
   if (isBlurred) {
     const std::string fast = t.tuple(shown.fast);
     text = fast + " + " + t.number(Id::blurTrust) + " × (" + text + " − " + fast + ")";
-    words +=
-        ", " + t.percent(1.0 - static_cast<double>(t.value(Id::blurTrust))) + " blurred along its motion";
+    const std::string share = t.percent(1.0 - static_cast<double>(t.value(Id::blurTrust)));
+    words = say<"%1, %2 blurred along its motion">(words, share);
   }
   if (isCovered) {
     text = "(" + text + ") × (1 − " + t.number(Id::overlayAlpha) + ") + " + t.tuple(Id::overlay);
-    words += ", the overlay over it";
+    words = say<"%1, the overlay over it">(words);
   }
   return {words, t.equals(text, Id::output), ""};
 }
 
 RowStory detailStory(const Teller& t) {
-  if (t.settings().output.sharpen == Sharpen::None) return {"not asked for", "", ""};
+  if (t.settings().output.sharpen == Sharpen::None) return {say<"not asked for">(), "", ""};
   const float sharp = reference::luma(t.details().shown.sharp);
   const float before = reference::luma(t.details().resolvedAround[4]);
-  return {std::string(t.value(Id::sharpenDetail) >= 0 ? "made brighter" : "made darker") +
-              ": luma of the sharpened color less that of the resolved one",
+  return {t.value(Id::sharpenDetail) >= 0
+              ? say<"made brighter: luma of the sharpened color less that of the resolved one">()
+              : say<"made darker: luma of the sharpened color less that of the resolved one">(),
           t.equals(t.number(sharp) + " − " + t.number(before), Id::sharpenDetail), ""};
 }
 
 RowStory trustStory(const Teller& t) {
-  if (!isOn(t.settings().output.motionBlur)) return {"not asked for", "", ""};
-  if (t.value(Id::speed) >= kNoPreviousPosition) return {"the motion is not known", "", ""};
-  return {"fast surfaces are blurred along their motion",
+  if (!isOn(t.settings().output.motionBlur)) return {say<"not asked for">(), "", ""};
+  if (t.value(Id::speed) >= kNoPreviousPosition) return {say<"the motion is not known">(), "", ""};
+  return {say<"fast surfaces are blurred along their motion">(),
           t.equals("1 − clamp((" + t.number(Id::speed) + " − 2) / 13, 0, 1)", Id::blurTrust), ""};
 }
 
 RowStory errorStory(Id id, const Teller& t) {
-  if (!reference::hasValue(t.probed.record, Id::reference)) return {"there is no reference yet", "", ""};
+  if (!reference::hasValue(t.probed.record, Id::reference))
+    return {say<"there is no reference yet">(), "", ""};
   const glm::vec3 is = t.color(Id::output), should = t.color(Id::reference);
   switch (id) {
   case Id::reference:
-    return {"the mean of the reference's samples of this instant", "", ""};
+    return {say<"the mean of the reference's samples of this instant">(), "", ""};
   case Id::referenceError: {
-    const std::string words = t.value(id) > 0   ? "too bright"
-                              : t.value(id) < 0 ? "too dark"
-                                                : "as it should be";
-    return {words + ": luma of the output less luma of the reference",
-            t.equals(t.number(reference::luma(is)) + " − " + t.number(reference::luma(should)), id), ""};
+    const std::string words =
+        t.value(id) > 0   ? say<"too bright: luma of the output less luma of the reference">()
+        : t.value(id) < 0 ? say<"too dark: luma of the output less luma of the reference">()
+                          : say<"as it should be: luma of the output less luma of the reference">();
+    return {words, t.equals(t.number(reference::luma(is)) + " − " + t.number(reference::luma(should)), id),
+            ""};
   }
   default: {
     std::array<std::string, 3> channels;
     for (int i = 0; i < 3; ++i)
       channels[static_cast<std::size_t>(i)] = "|" + t.number(is[i]) + " − " + t.number(should[i]) + "|";
-    return {"the largest difference of red, green and blue", t.equals(call("max", channels), id), ""};
+    return {say<"the largest difference of red, green and blue">(), t.equals(call("max", channels), id), ""};
   }
   }
 }

@@ -1,6 +1,7 @@
 // Stories of stages 1, 2 and 5: whose motion, where from, and the box.
 #include "core/inspect/StoryText.h"
 
+#include "core/base/Say.h"
 #include "core/taa/reference/Color.h"
 
 #include <array>
@@ -11,37 +12,47 @@ namespace taa::story {
 
 namespace {
 
+/// Whose motion, that of the neighbor at `offset` or, if that is zero, the pixel's own.
+std::string motionWords(const Teller& t, const glm::vec2& offset) {
+  const bool isOwn = offset == glm::vec2(0.0f);
+  if (isUpsampled(t.settings()))
+    return isOwn ? say<"motion of the pixel itself, in px of the picture">()
+                 : say<"motion of the neighbor at %1, in px of the picture">(t.tuple(offset));
+  return isOwn ? say<"motion of the pixel itself">() : say<"motion of the neighbor at %1">(t.tuple(offset));
+}
+
 RowStory dilateStory(Id id, const Teller& t) {
   const glm::vec2 offset = t.pair(Id::dilatedOffset);
   const bool isOwn = offset == glm::vec2(0.0f);
   if (id == Id::dilatedOffset)
-    return {isOwn ? "the pixel's own motion is used"
-                  : "the motion of the neighbor at " + t.tuple(offset) +
-                        " is used: " + choiceLabel("dilate.method", t.settings()),
+    return {isOwn ? say<"the pixel's own motion is used">()
+                  : say<"the motion of the neighbor at %1 is used: %2">(
+                        t.tuple(offset), choiceLabel("dilate.method", t.settings())),
             "", ""};
-  const std::string whose = isOwn ? "of the pixel itself" : "of the neighbor at " + t.tuple(offset);
   if (id == Id::dilatedMotion && t.value(id) >= kNoPreviousPosition)
-    return {"the surface was behind the previous camera", "", ""};
-  if (id == Id::dilatedDepth) return {"depth " + whose, "", ""};
-  if (!isUpsampled(t.settings())) return {"motion " + whose, "", ""};
-  return {"motion " + whose + ", in px of the picture",
+    return {say<"the surface was behind the previous camera">(), "", ""};
+  if (id == Id::dilatedDepth)
+    return {isOwn ? say<"depth of the pixel itself">() : say<"depth of the neighbor at %1">(t.tuple(offset)),
+            "", ""};
+  if (!isUpsampled(t.settings())) return {motionWords(t, offset), "", ""};
+  return {motionWords(t, offset),
           t.equals(t.tuple(t.details().drawnMotion) + " / " + t.tuple(t.details().renderRatio), id), ""};
 }
 
 RowStory reprojectStory(Id id, const Teller& t) {
   const glm::vec2 motion = t.pair(Id::dilatedMotion), center = glm::vec2(t.probed.pixel) + 0.5f;
-  if (motion.x >= kNoPreviousPosition) return {"there is no previous position", "", ""};
+  if (motion.x >= kNoPreviousPosition) return {say<"there is no previous position">(), "", ""};
   if (id == Id::historyPosition)
-    return {"the pixel's center less the motion", t.equals(t.tuple(center) + " − " + t.tuple(motion), id),
-            ""};
+    return {say<"the pixel's center less the motion">(),
+            t.equals(t.tuple(center) + " − " + t.tuple(motion), id), ""};
   if (id == Id::onScreen) {
     const glm::ivec2& size = t.details().picturePx;
-    const std::string picture = std::to_string(size.x) + " × " + std::to_string(size.y) + " px";
-    return {t.tuple(t.pair(Id::historyPosition)) + " lies " + (t.value(id) != 0.0f ? "inside " : "outside ") +
-                picture,
+    const std::string position = t.tuple(t.pair(Id::historyPosition));
+    return {t.value(id) != 0.0f ? say<"%1 lies inside %2 × %3 px">(position, size.x, size.y)
+                                : say<"%1 lies outside %2 × %3 px">(position, size.x, size.y),
             "", ""};
   }
-  return {"length of the motion", t.equals(call("length", {t.tuple(motion)}), id), ""};
+  return {say<"length of the motion">(), t.equals(call("length", {t.tuple(motion)}), id), ""};
 }
 
 /// The samples a shape takes, as numbers of the 3×3.
@@ -116,6 +127,23 @@ std::string deviationText(const Teller& t, const Set& set) {
   return "√((" + sum + ") / " + (set.isEqual ? std::to_string(set.values.size()) : "(" + total + ")") + ")";
 }
 
+/// Of `count` samples; where `isRounded`, of the cross among them as well.
+std::string momentWords(Id id, std::size_t count, bool isRounded) {
+  switch (id) {
+  case Id::neighborhoodMean:
+    return isRounded ? say<"mean of the %1 samples and of the cross">(count)
+                     : say<"mean of the %1 samples">(count);
+  case Id::neighborhoodDeviation:
+    return say<"spread of the %1 samples about their mean">(count);
+  case Id::neighborhoodMin:
+    return isRounded ? say<"smallest of the %1 samples and of the cross">(count)
+                     : say<"smallest of the %1 samples">(count);
+  default:
+    return isRounded ? say<"largest of the %1 samples and of the cross">(count)
+                     : say<"largest of the %1 samples">(count);
+  }
+}
+
 RowStory momentStory(Id id, const Teller& t) {
   const std::vector<std::size_t> chosen = setOf(t);
   const Set set = samplesOf(t, chosen), five = samplesOf(t, setOf(true, false));
@@ -124,26 +152,23 @@ RowStory momentStory(Id id, const Teller& t) {
     return isRounded ? "(" + all + " + " + cross + ") / 2" : all;
   };
   const auto first = [&](Id row) { return " = " + t.number(static_cast<double>(t.color(row).x)); };
-  const std::string of = std::to_string(chosen.size()) + " samples" + (isRounded ? " and of the cross" : "");
+  const std::string words = momentWords(id, chosen.size(), isRounded);
   if (id == Id::neighborhoodMean)
-    return {"mean of the " + of, rounded(meanText(t, set), meanText(t, five)) + first(id), t.channelName(0)};
-  if (id == Id::neighborhoodDeviation)
-    return {"spread of the " + std::to_string(chosen.size()) + " samples about their mean",
-            deviationText(t, set) + first(id), t.channelName(0)};
+    return {words, rounded(meanText(t, set), meanText(t, five)) + first(id), t.channelName(0)};
+  if (id == Id::neighborhoodDeviation) return {words, deviationText(t, set) + first(id), t.channelName(0)};
   const std::string function = id == Id::neighborhoodMin ? "min" : "max";
-  const auto extreme = [&](const Set& of_) { return function + "(" + list(t, of_.values, ", ") + ")"; };
-  return {(function == "min" ? "smallest of the " : "largest of the ") + of,
-          rounded(extreme(set), extreme(five)) + first(id), t.channelName(0)};
+  const auto extreme = [&](const Set& of) { return function + "(" + list(t, of.values, ", ") + ")"; };
+  return {words, rounded(extreme(set), extreme(five)) + first(id), t.channelName(0)};
 }
 
 RowStory gammaStory(const Teller& t) {
   const NeighborhoodSettings& chosen = t.settings().neighborhood;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  std::string text = n(chosen.gamma), words = "as chosen";
+  std::string text = n(chosen.gamma), words = say<"as chosen">();
   if (isOn(chosen.motionGamma)) {
     text = n(chosen.gammaMoving) + " + (" + text + " − " + n(chosen.gammaMoving) + ") × clamp(1 − " +
            t.number(Id::speed) + " / " + n(chosen.gammaSpeed) + ", 0, 1)^2";
-    words = "smaller by motion";
+    words = say<"smaller by motion">();
   }
   if (isOn(chosen.contrastGamma) && !t.details().isFirst) {
     const SpaceSettings& space = t.settings().space;
@@ -155,14 +180,25 @@ RowStory gammaStory(const Teller& t) {
                                             n(mean) + " − " + n(half), n(mean) + " + " + n(half)});
     text += " + " + n(chosen.contrastGrowth) + " × smooth((|" + current + " − " + past + "| / " +
             call("max", {current, past, "0.15"}) + " − 0.05) / 0.5)";
-    words += ", larger by contrast";
+    words = say<"%1, larger by contrast">(words);
   }
   if (isOn(chosen.maskRelax)) {
     text =
         "(" + text + ") × (1 + 1.5 × " + n(std::fmax(t.value(Id::reactive), t.value(Id::responsive))) + ")";
-    words += ", wider by the mask";
+    words = say<"%1, wider by the mask">(words);
   }
   return {words, t.equals(text, Id::boxGamma), ""};
+}
+
+/// What walls of the box are made of.
+std::string wallWords(const NeighborhoodSettings& chosen, bool isShrunk) {
+  std::string words = say<"extreme of the samples">();
+  if (chosen.box == BoxKind::Variance) words = say<"γ deviations from the mean">();
+  if (chosen.box == BoxKind::Intersection)
+    words = say<"the narrower of the samples' extreme and γ deviations">();
+  if (isOn(chosen.includeFiltered)) words = say<"%1, wide enough for the filtered color">(words);
+  if (isShrunk) words = say<"%1; chroma an eighth of the luma range around the pixel">(words);
+  return words;
 }
 
 RowStory wallStory(Id id, const Teller& t) {
@@ -175,18 +211,11 @@ RowStory wallStory(Id id, const Teller& t) {
   };
   const std::string moments = text(t.color(Id::neighborhoodMean)) + (isLow ? " − " : " + ") +
                               t.number(Id::boxGamma) + " × " + text(t.color(Id::neighborhoodDeviation));
-  std::string wall = text(t.color(extreme)), words = "extreme of the samples";
-  if (chosen.box == BoxKind::Variance) wall = moments, words = "γ deviations from the mean";
-  if (chosen.box == BoxKind::Intersection) {
-    wall = call(isLow ? "max" : "min", {wall, moments});
-    words = "the narrower of the samples' extreme and γ deviations";
-  }
-  if (isOn(chosen.includeFiltered)) {
+  std::string wall = chosen.box == BoxKind::Variance ? moments : text(t.color(extreme));
+  if (chosen.box == BoxKind::Intersection) wall = call(isLow ? "max" : "min", {wall, moments});
+  if (isOn(chosen.includeFiltered))
     wall = call(isLow ? "min" : "max", {wall, text(t.box(t.color(Id::currentFiltered)))});
-    words += ", wide enough for the filtered color";
-  }
-  if (isShrunk) words += "; chroma an eighth of the luma range around the pixel";
-  return {words, wall + " = " + text(t.color(id)), isShrunk ? t.channelName(0) : ""};
+  return {wallWords(chosen, isShrunk), wall + " = " + text(t.color(id)), isShrunk ? t.channelName(0) : ""};
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // Stories of stage 8: how the weight of the current frame came about.
 #include "core/inspect/StoryText.h"
 
-#include "core/settings/Parameters.h"
+#include "core/base/Say.h"
 #include "core/taa/reference/Color.h"
 
 #include <cmath>
@@ -44,23 +44,18 @@ std::string baseText(const Teller& t) {
   return {};
 }
 
-std::string sourceLabel(const Teller& t) {
-  const Parameter& row = parameter("weight.source");
-  return std::string(row.choices[static_cast<std::size_t>(t.settings().weight.source)].label);
-}
-
 RowStory floorStory(const Teller& t) {
   const std::string minimum = t.number(static_cast<double>(t.settings().weight.minimum));
   if (t.settings().weight.source == AlphaSource::HistoryLength)
-    return {"as chosen", t.equals(minimum, Id::alphaFloor), ""};
-  return {"no more than the source's own",
+    return {say<"as chosen">(), t.equals(minimum, Id::alphaFloor), ""};
+  return {say<"no more than the source's own">(),
           t.equals(call("min", {t.number(Id::alphaBase), minimum}), Id::alphaFloor), ""};
 }
 
 RowStory flickerStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const reference::Seen& seen = t.details().seen;
-  if (!isOn(weight.lumaFlicker) || !seen.hasHistory) return {"not asked for, or no history", "", ""};
+  if (!isOn(weight.lumaFlicker) || !seen.hasHistory) return {say<"not asked for, or no history">(), "", ""};
   const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
   const std::string now =
       t.number(static_cast<double>(isCompressed ? seen.compressedCurrent : seen.lumaCurrent));
@@ -68,21 +63,21 @@ RowStory flickerStory(const Teller& t) {
       t.number(static_cast<double>(isCompressed ? seen.compressedHistory : seen.lumaHistory));
   const std::string most =
       isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
-  return {"less where luma differs from history",
+  return {say<"less where luma differs from history">(),
           t.equals("(1 − |" + now + " − " + then + "| / " + most + ")^2", Id::alphaLumaFlicker), ""};
 }
 
 RowStory clampStory(const Teller& t) {
   const reference::Seen& seen = t.details().seen;
   if (!isOn(t.settings().weight.nearClamp) || !seen.hasHistory)
-    return {"not asked for, or no history", "", ""};
+    return {say<"not asked for, or no history">(), "", ""};
   const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
   const float past = seen.boxHistoryRaw;
   const float wall = std::fmin(std::fabs(past - seen.boxLow), std::fabs(past - seen.boxHigh));
-  if (!(wall + width > 0.0f)) return {"the box has no width", "", ""};
+  if (!(wall + width > 0.0f)) return {say<"the box has no width">(), "", ""};
   const std::string far = t.number(static_cast<double>(wall));
   return {
-      "less where history is near a wall of the box",
+      say<"less where history is near a wall of the box">(),
       t.equals(far + " / (" + far + " + " + t.number(static_cast<double>(width)) + ")", Id::alphaNearClamp),
       ""};
 }
@@ -90,10 +85,10 @@ RowStory clampStory(const Teller& t) {
 RowStory contrastStory(const Teller& t) {
   const reference::Seen& seen = t.details().seen;
   if (!isOn(t.settings().weight.historyContrast) || !seen.hasHistory)
-    return {"not asked for, or no history", "", ""};
-  if (!(seen.boxHistory > 0.0f)) return {"history is black", "", ""};
+    return {say<"not asked for, or no history">(), "", ""};
+  if (!(seen.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
   const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
-  return {"less where the box is large against history",
+  return {say<"less where the box is large against history">(),
           t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
                        t.number(static_cast<double>(seen.boxHistory)) + ")",
                    Id::alphaHistoryContrast),
@@ -106,12 +101,12 @@ RowStory sampleDistanceStory(const Teller& t) {
                               t.number(static_cast<double>(jitter.y)) + ")^2";
   switch (t.settings().weight.sampleDistance) {
   case SampleDistance::None:
-    return {"not asked for", "", ""};
+    return {say<"not asked for">(), "", ""};
   case SampleDistance::Gaussian:
-    return {"less the farther the sample is from the center",
+    return {say<"less the farther the sample is from the center">(),
             t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
   case SampleDistance::Parabola:
-    return {"less the farther the sample is from the center, unless it moves",
+    return {say<"less the farther the sample is from the center, unless it moves">(),
             t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",
                                   call("max", {"1 − (" + squared + ")", "0"})}),
                      Id::alphaSampleDistance),
@@ -148,10 +143,10 @@ RowStory motionStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const std::string x =
       "clamp(" + t.number(Id::speed) + " / " + t.number(static_cast<double>(weight.motionSpeed)) + ", 0, 1)";
-  const std::string words = "motion of " + t.number(Id::speed) + " px";
+  const std::string words = say<"motion of %1 px">(t.number(Id::speed));
   switch (weight.motion) {
   case MotionAlpha::None:
-    return {"not asked for", "", ""};
+    return {say<"not asked for">(), "", ""};
   case MotionAlpha::Linear:
   case MotionAlpha::Added:
     return {words, t.equals(x, Id::alphaMotion), ""};
@@ -159,7 +154,7 @@ RowStory motionStory(const Teller& t) {
     return {words, t.equals(x + "^2", Id::alphaMotion), ""};
   case MotionAlpha::SquaredAsPrinted: {
     const glm::vec2 uv = t.details().seen.motionUv;
-    return {words + ", as fractions of the picture",
+    return {say<"motion of %1 px, as fractions of the picture">(t.number(Id::speed)),
             t.equals("clamp((" + t.number(static_cast<double>(uv.x)) + ")^2 + (" +
                          t.number(static_cast<double>(uv.y)) + ")^2, 0, 1)",
                      Id::alphaMotion),
@@ -167,7 +162,7 @@ RowStory motionStory(const Teller& t) {
   }
   case MotionAlpha::Doubled: {
     const std::string alpha = t.number(static_cast<double>(calmed(t)));
-    return {words + " doubles α at most",
+    return {say<"motion of %1 px doubles α at most">(t.number(Id::speed)),
             t.equals(x + " × (" + call("min", {"2 × " + alpha, "1"}) + " − " + alpha + ")", Id::alphaMotion),
             ""};
   }
@@ -201,8 +196,8 @@ double frames(const Teller& t) {
 RowStory frameRateStory(const Teller& t) {
   const std::string joined = joinedText(t, false);
   if (!isOn(t.settings().weight.frameRate) || frames(t) == 1.0)
-    return {"as long as the frame it is meant for", t.equals(joined, Id::alphaFrameRate), ""};
-  return {"for a frame that takes as long as " + t.number(frames(t)),
+    return {say<"as long as the frame it is meant for">(), t.equals(joined, Id::alphaFrameRate), ""};
+  return {say<"for a frame that takes as long as %1">(t.number(frames(t))),
           t.equals("1 − (1 − (" + joined + "))^" + t.number(frames(t)), Id::alphaFrameRate), ""};
 }
 
@@ -210,26 +205,27 @@ RowStory maskStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   switch (weight.mask) {
   case MaskAlpha::Off:
-    return {"not asked for", "", ""};
+    return {say<"not asked for">(), "", ""};
   case MaskAlpha::Responsive:
-    return {"the mask asks for more",
+    return {say<"the mask asks for more">(),
             t.equals(t.number(static_cast<double>(weight.maskAlpha)) + " × " +
                          call("max", {t.number(Id::reactive), t.number(Id::responsive)}),
                      Id::alphaMask),
             ""};
   case MaskAlpha::Reactive:
-    return {"as much as was blended in", t.equals(t.number(Id::reactive), Id::alphaMask), ""};
+    return {say<"as much as was blended in">(), t.equals(t.number(Id::reactive), Id::alphaMask), ""};
   case MaskAlpha::Exclude:
-    return {t.value(Id::alphaMask) > 0 ? "the mask leaves history out" : "not masked", "", ""};
+    return {t.value(Id::alphaMask) > 0 ? say<"the mask leaves history out">() : say<"not masked">(), "", ""};
   }
   return {};
 }
 
 RowStory divergenceStory(const Teller& t) {
-  if (!isOn(t.settings().weight.divergence)) return {"not asked for", "", ""};
-  if (t.value(Id::alphaDivergence) == 0.0f) return {"neighbors move along, or the pixel rests", "", ""};
+  if (!isOn(t.settings().weight.divergence)) return {say<"not asked for">(), "", ""};
+  if (t.value(Id::alphaDivergence) == 0.0f)
+    return {say<"neighbors move along, or the pixel rests">(), "", ""};
   const reference::Divergence& d = t.details().divergence;
-  return {"a neighbor goes only " + t.percent(static_cast<double>(d.least)) + " along",
+  return {say<"a neighbor goes only %1 along">(t.percent(static_cast<double>(d.least))),
           t.equals("clamp(1 − " + t.number(d.least) + ", 0, 1) × clamp(√(" + t.number(d.fastest) + ") / " +
                        t.number(t.settings().weight.divergenceSpeed) + ", 0, 1)",
                    Id::alphaDivergence),
@@ -238,8 +234,8 @@ RowStory divergenceStory(const Teller& t) {
 
 RowStory invalidStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
-  if (invalid == 0.0f) return {"history was kept", "", ""};
-  const std::string words = invalid < 1.0f ? "history counts less" : "history was dropped";
+  if (invalid == 0.0f) return {say<"history was kept">(), "", ""};
+  const std::string words = invalid < 1.0f ? say<"history counts less">() : say<"history was dropped">();
   const ValidateSettings& validate = t.settings().validate;
   const auto reason = static_cast<reference::RejectReason>(static_cast<int>(t.value(Id::rejectReason)));
   const bool isSoft = validate.action == RejectAction::RaiseAlpha && reason >= reference::RejectReason::Depth;
@@ -264,8 +260,10 @@ std::string alphaText(const Teller& t, bool withBase) {
 /// Red with a base of its own: the same terms, but those that look at α itself.
 RowStory channelsStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
-  if (weight.source != AlphaSource::ContrastPerChannel) return {"α in each, " + t.number(Id::alpha), "", ""};
-  if (t.value(Id::alphaInvalid) >= 1.0f) return {"history was rejected: the current frame alone", "", ""};
+  if (weight.source != AlphaSource::ContrastPerChannel)
+    return {say<"α in each, %1">(t.number(Id::alpha)), "", ""};
+  if (t.value(Id::alphaInvalid) >= 1.0f)
+    return {say<"history was rejected: the current frame alone">(), "", ""};
   const float contrast = t.details().seen.contrast.x;
   reference::PixelRecord record = t.probed.record;
   const auto set = [&](Id id, float value) { reference::at(record, id).x = value; };
@@ -278,24 +276,26 @@ RowStory channelsStory(const Teller& t) {
     set(Id::alphaMotion, reference::saturated(t.value(Id::speed) / weight.motionSpeed) *
                              (std::fmin(2.0f * alpha, 1.0f) - alpha));
   }
-  const std::string words = "of each channel's own contrast, red's is " + t.number(contrast) + ": base " +
-                            teller.number(Id::alphaBase);
+  const std::string words = say<"of each channel's own contrast, red's is %1: base %2">(
+      t.number(contrast), teller.number(Id::alphaBase));
   if (isOn(weight.frameRate) && frames(t) != 1.0) return {words, "", ""};
   return {words, alphaText(teller, false) + " = " + t.number(t.color(Id::alphaChannels).x), "R"};
 }
 
 RowStory alphaStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
-  if (invalid >= 1.0f) return {"history was rejected: the current frame alone", t.equals("1", Id::alpha), ""};
-  std::string words = t.percent(static_cast<double>(t.value(Id::alpha))) + " current, by " + sourceLabel(t);
-  if (t.value(Id::alphaMotion) > 0) words += "; raised by motion of " + t.number(Id::speed) + " px";
-  if (invalid > 0) words += "; raised where history was rejected";
+  if (invalid >= 1.0f)
+    return {say<"history was rejected: the current frame alone">(), t.equals("1", Id::alpha), ""};
+  std::string words =
+      say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
+  if (t.value(Id::alphaMotion) > 0) words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
+  if (invalid > 0) words = say<"%1; raised where history was rejected">(words);
   return {words, t.equals(alphaText(t, true), Id::alpha), ""};
 }
 
 RowStory changeStory(const Teller& t) {
-  if (!isOn(t.settings().weight.velocityChange)) return {"not asked for", "", ""};
-  return {"its motion changed by " + t.number(Id::velocityChange) + " px",
+  if (!isOn(t.settings().weight.velocityChange)) return {say<"not asked for">(), "", ""};
+  return {say<"its motion changed by %1 px">(t.number(Id::velocityChange)),
           t.equals("clamp(" + t.number(Id::velocityChange) + " / " +
                        t.number(static_cast<double>(t.settings().weight.velocityChangeSpeed)) + ", 0, 1)",
                    Id::alphaVelocityChange),
@@ -307,7 +307,7 @@ RowStory changeStory(const Teller& t) {
 RowStory weightStory(Id id, const Teller& t) {
   switch (id) {
   case Id::alphaBase:
-    return {sourceLabel(t), t.equals(baseText(t), id), ""};
+    return {choiceLabel("weight.source", t.settings()), t.equals(baseText(t), id), ""};
   case Id::alphaFloor:
     return floorStory(t);
   case Id::alphaLumaFlicker:
@@ -317,7 +317,7 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alphaHistoryContrast:
     return contrastStory(t);
   case Id::alphaRelax:
-    return {"less where the mask relaxes the box",
+    return {say<"less where the mask relaxes the box">(),
             t.equals("1 / (1 + 0.5 × " + t.number(static_cast<double>(t.details().seen.relax)) + ")", id),
             ""};
   case Id::alphaSampleDistance:

@@ -51,8 +51,6 @@ std::string weightedMean(const Teller& teller, std::span<const float> weights, s
                          bool isDivided = true);
 /// Label of the choice that the settings have.
 std::string choiceLabel(std::string_view path, const Settings& settings);
-/// Of the color divided by one more than its channel, or than its largest channel.
-inline constexpr const char* kBoundedRed = "R, its highlights bounded";
 bool isOn(Switch value);
 
 // By stages; each tells nothing of rows of others.
