@@ -112,7 +112,10 @@ QStringList translationFolders() {
 }
 
 void translateSentences() {
-  setTranslate([](const char* text) { return QCoreApplication::translate("sentences", text).toStdString(); });
+  setTranslate([](const char* text) {
+    const std::string sentence = QCoreApplication::translate("sentences", text).toStdString();
+    return sentence != text ? sentence : QCoreApplication::translate("tables", text).toStdString();
+  });
 }
 
 bool installTranslation(QCoreApplication& application, const QLocale& locale, const QStringList& folders) {

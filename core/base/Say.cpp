@@ -23,6 +23,11 @@ void setTranslate(Translate translate) {
   translation() = translate;
 }
 
+std::string sayLabel(std::string_view label) {
+  const std::string text(label);
+  return translation() ? translation()(text.c_str()) : text;
+}
+
 std::vector<std::string> allSentences() {
   return {known().begin(), known().end()};
 }

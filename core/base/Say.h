@@ -35,6 +35,9 @@ using Translate = std::string (*)(const char* text);
 /// How everything is said from now on; as it is written without this. Before there is a second thread.
 void setTranslate(Translate translate);
 
+/// A label or other text of the tables within a sentence, in its language.
+std::string sayLabel(std::string_view label);
+
 /// Every text that say() is called with anywhere in the program, sorted, each once.
 std::vector<std::string> allSentences();
 

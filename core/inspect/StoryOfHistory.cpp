@@ -277,7 +277,7 @@ std::string rejectedWords(const Teller& t, const std::string& reason) {
 RowStory reasonStory(const Teller& t) {
   const int reason = static_cast<int>(t.value(Id::rejectReason));
   if (reason == 0) return {say<"all tests passed">(), "", ""};
-  return {rejectedWords(t, std::string(rejectReasonText(reason))), "", ""};
+  return {rejectedWords(t, sayLabel(rejectReasonText(reason))), "", ""};
 }
 
 RowStory normalStory(const Teller& t) {

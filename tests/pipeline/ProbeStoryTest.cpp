@@ -438,7 +438,6 @@ TEST_F(ProbeStoryTest, EveryWordIsSaidInTheLanguageThatIsSet) {
     const ProbedPixel probed{record, details, inspector->settings(), inspector->info(), {30, 11}};
     const Bracketed language; // of the stories only: nothing is drawn meanwhile
     for (const Intermediate& row : kIntermediates) {
-      if (row.id == IntermediateId::alphaBase) continue; // its words are a label of the table
       const RowStory story = storyOf(row.id, probed);
       const std::string where = preset.id + " " + std::string(row.name) + ": ";
       EXPECT_TRUE(story.words.starts_with("⟦")) << where << story.words;

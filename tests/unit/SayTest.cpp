@@ -35,6 +35,12 @@ TEST(Say, SaysItInTheLanguageThatIsSet) {
   EXPECT_EQ(say<"abc %1">("x"), "1% cba x");
 }
 
+TEST(Say, LabelsAreTextsOfTheLanguageToo) {
+  EXPECT_EQ(taa::sayLabel("Catmull-Rom 5"), "Catmull-Rom 5");
+  const Language brackets([](const char* text) { return "[" + std::string(text) + "]"; });
+  EXPECT_EQ(say<"by %1">(taa::sayLabel("Equal")), "[by [Equal]]");
+}
+
 TEST(Say, ATranslationThatAsksForMoreGetsNothing) {
   const Language wrong([](const char*) { return std::string("%1 %2 %9 %0 %"); });
   EXPECT_EQ(say<"only %1">("one"), "one %2 %9 %0 %");
