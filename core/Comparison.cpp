@@ -1,6 +1,7 @@
 #include "core/Comparison.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <array>
 #include <charconv>
@@ -46,7 +47,7 @@ Comparison parseComparison(const std::string& text) {
   } else if (const auto id = findIntermediate(text.starts_with(kRow) ? text.substr(kRow.size()) : text)) {
     return {.kind = OtherKind::Row, .id = *id};
   }
-  throw Error("cannot compare with \"" + text + "\": name " + std::string(kComparisonHelp));
+  throw Error(say<"cannot compare with \"%1\": name %2">(text, say<kComparisonHelp>()));
 }
 
 std::string_view showingName(Showing showing) {
@@ -56,8 +57,7 @@ std::string_view showingName(Showing showing) {
 Showing showingNamed(std::string_view name) {
   for (std::size_t index = 0; index < kShowings.size(); ++index)
     if (kShowings[index] == name) return static_cast<Showing>(index);
-  throw Error("there is no way to compare \"" + std::string(name) +
-              "\": it is wipe, first, other or difference");
+  throw Error(say<"there is no way to compare \"%1\": it is wipe, first, other or difference">(name));
 }
 
 } // namespace taa

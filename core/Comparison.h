@@ -26,7 +26,7 @@ std::string comparisonText(const Comparison& comparison);
 /// Also understands "row:resolved". Throws Error saying what there is. The preset is not looked for.
 Comparison parseComparison(const std::string& text);
 /// What comparisons can be said with, for a help text.
-inline constexpr std::string_view kComparisonHelp =
+inline constexpr char kComparisonHelp[] =
     "an intermediate (reference is one), preset:NAME, frame:N, or frame:-N for N frames before";
 
 /// What of both sides is seen.

@@ -1,6 +1,7 @@
 #include "core/InspectedShot.h"
 
 #include "core/InspectorParts.h"
+#include "core/base/Say.h"
 #include "core/inspect/MemoryNeed.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
@@ -14,18 +15,14 @@ namespace taa {
 
 namespace {
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + " × " + std::to_string(height);
-}
-
 /// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
 /// counted on: it goes only when the new is there.
 void checkSize(int width, int height, const std::vector<Settings>& lanes,
                const std::vector<IntermediateId>& watched, const gl::Driver& driver) {
   const int most = driver.maxTextureSize;
   if (width < 4 || height < 4 || width > most || height > most)
-    throw Error("cannot use a picture of " + sizeText(width, height) + " pixels: this driver allows 4 to " +
-                std::to_string(most) + " a side");
+    throw Error(say<"cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side">(
+        width, height, most));
   // Asked before anything is allocated: a software driver does not run out of memory, its process is killed.
   const std::optional<std::size_t> available = gl::availableMemory(driver);
   if (!available) return;
@@ -93,8 +90,7 @@ int InspectedShot::height() const {
 
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMostLanes)
-    throw Error("cannot run " + std::to_string(lanes.size()) + " lanes: there are one to " +
-                std::to_string(kMostLanes));
+    throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMostLanes));
   checkSize(width(), height(), lanes, parts_->watched(), driver());
 }
 
@@ -142,8 +138,7 @@ FrameInfo InspectedShot::info(int lane) const {
 
 void InspectedShot::seek(int frame, const Progress& progress) {
   if (frame < 0 || frame >= frameCount())
-    throw Error("there is no frame " + std::to_string(frame) + ": the shot has frames 0 to " +
-                std::to_string(frameCount() - 1));
+    throw Error(say<"there is no frame %1: the shot has frames 0 to %2">(frame, frameCount() - 1));
   if (frame == this->frame() && parts_->isExact()) return;
   parts_->goTo(frame, progress);
 }

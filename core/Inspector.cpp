@@ -1,6 +1,7 @@
 #include "core/Inspector.h"
 
 #include "core/InspectorParts.h"
+#include "core/base/Say.h"
 #include "core/inspect/Probe.h"
 
 #include <algorithm>
@@ -51,8 +52,7 @@ PixelRecord Inspector::probe(int x, int y, int lane) {
 
 std::vector<PixelRecord> Inspector::probeAround(int x, int y, int radius, int lane) {
   if (x < 0 || y < 0 || x >= width() || y >= height())
-    throw Error("pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") lies outside the picture of " +
-                std::to_string(width()) + " × " + std::to_string(height()) + " pixels");
+    throw Error(say<"pixel (%1, %2) lies outside the picture of %3 × %4 pixels">(x, y, width(), height()));
   const int left = std::max(0, x - radius), top = std::max(0, y - radius);
   const int right = std::min(width() - 1, x + radius), bottom = std::min(height() - 1, y + radius);
   const gl::Rect region{left, top, right - left + 1, bottom - top + 1};

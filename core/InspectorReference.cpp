@@ -1,5 +1,6 @@
 // The supersampled picture of the frame on show, and the rows that compare with it.
 #include "core/InspectorParts.h"
+#include "core/base/Say.h"
 #include "core/inspect/MemoryNeed.h"
 
 namespace taa {
@@ -30,8 +31,7 @@ ReferenceRows* InspectedShot::Parts::referenceRows(int index) {
 
 ReferenceRows& InspectedShot::Parts::requiredReferenceRows(int index) {
   if (ReferenceRows* rows = referenceRows(index)) return *rows;
-  throw Error("there is no reference of frame " + std::to_string(shown.frame) +
-              " yet: it has to be drawn first");
+  throw Error(say<"there is no reference of frame %1 yet: it has to be drawn first">(shown.frame));
 }
 
 void InspectedShot::Parts::forgetReferences() {

@@ -1,6 +1,7 @@
 // What of the scene is drawn and from where: cameras, flown ones too, motion modes, hidden objects.
 #include "core/InspectorParts.h"
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <cassert>
@@ -63,7 +64,7 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
   assert(parts_->isOpen());
   checkCameraTrack(track);
   if (std::ranges::count(cameraNames(scene()), track.name) > 0)
-    throw Error("the scene has a camera called \"" + track.name + "\" already; give the path another name");
+    throw Error(say<"the scene has a camera called \"%1\" already; give the path another name">(track.name));
   Subject next = parts_->subject;
   const CameraTrackHandle old = next.track();
   const auto made = std::make_shared<const CameraTrack>(std::move(track));
@@ -86,12 +87,12 @@ void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
   for (const CameraTrack& track : cameras.tracks) {
     checkCameraTrack(track);
     if (std::ranges::count(names, track.name) > 0)
-      throw Error("there is a camera called \"" + track.name + "\" already; give the path another name");
+      throw Error(say<"there is a camera called \"%1\" already; give the path another name">(track.name));
     names.push_back(track.name);
     next.tracks.push_back(std::make_shared<const CameraTrack>(track));
   }
   if (std::ranges::count(names, cameras.camera) == 0)
-    throw Error("there is no camera called \"" + cameras.camera + "\"");
+    throw Error(say<"there is no camera called \"%1\"">(cameras.camera));
   next.camera = cameras.camera;
   const CameraTrackHandle now = next.track(), old = parts_->subject.track();
   const bool isSame = now && old ? now->firstFrame == old->firstFrame && now->poses == old->poses

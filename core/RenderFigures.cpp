@@ -1,5 +1,6 @@
 // What the render thread does for figures of frames: of each one on show, and of the others in idle time.
 #include "core/RenderWorker.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <utility>
@@ -84,7 +85,8 @@ void RenderWorker::fillFigures(int frame) {
   const auto done = std::ranges::count_if(
       figures_.known, [from = first, to = last](int known) { return known >= from && known <= to; });
   figures_.isTold = true;
-  if (listener_.onWork) listener_.onWork({"Measuring the frames", static_cast<int>(done), last - first + 1});
+  if (listener_.onWork)
+    listener_.onWork({say<"Measuring the frames">(), static_cast<int>(done), last - first + 1});
   const auto stops = [this](std::string_view, int, int) {
     const auto thumbnail = thumbnailDueAt(); // it comes first, too
     return !ends_ && !pending_(isAny) && !(thumbnail && *thumbnail <= Clock::now());

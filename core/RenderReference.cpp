@@ -1,5 +1,6 @@
 // What the render thread does for the reference in idle time.
 #include "core/RenderWorker.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 
@@ -46,7 +47,7 @@ std::optional<int> RenderWorker::laneOfReference() const {
 // Until the next picture that is shown, or a wish.
 void RenderWorker::refineReference(int lane) {
   const auto told = [this](std::string_view, int done, int) {
-    if (listener_.onWork) listener_.onWork({"Drawing the reference", done, reference_.goal});
+    if (listener_.onWork) listener_.onWork({say<"Drawing the reference">(), done, reference_.goal});
     return !ends_ && !pending_(isAny);
   };
   const int goal = nextShown(inspector_.referenceSamples(lane), reference_.goal);

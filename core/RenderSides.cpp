@@ -2,6 +2,7 @@
 #include "core/RenderWorker.h"
 
 #include "core/ShownPicture.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ void RenderWorker::makeAside() {
   bool isCancelled = false;
   const bool isDone = attempt([&] {
     try {
-      inspector_.keepAside(frames, progress("Drawing the frame to compare with", endsReplay));
+      inspector_.keepAside(frames, progress(say<"Drawing the frame to compare with">(), endsReplay));
     } catch (const Cancelled&) {
       isCancelled = true;
     }

@@ -1,5 +1,6 @@
 #include "core/RenderWorker.h"
 
+#include "core/base/Say.h"
 #include "core/render/Jitter.h"
 #include "core/settings/Parameters.h"
 
@@ -141,13 +142,13 @@ void RenderWorker::work() {
   if (!isOpen()) return;
   if (goal_ && goNear()) return;
   if (goal_)
-    replay(*goal_, "Going to frame " + std::to_string(*goal_));
+    replay(*goal_, say<"Going to frame %1">(*goal_));
   else if (measuring_ && !needsRefinement() && !needsAside())
     measureStages();
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
-    replay(inspector_.frame(), "Replaying with the new settings");
+    replay(inspector_.frame(), say<"Replaying with the new settings">());
   else if (needsAside())
     makeAside();
   else if (wantsToFillTraces())

@@ -3,6 +3,7 @@
 #include "core/FrameExport.h"
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
 
@@ -26,7 +27,7 @@ class Workshop {
       : folder_(fs::absolute(target).parent_path() / (".taa-export." + std::to_string(::getpid()))) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) throw Error("cannot write " + target.string() + ": " + error.message());
+    if (error) throw Error(say<"cannot write %1: %2">(target.string(), error.message()));
   }
   ~Workshop() {
     std::error_code ignored;
@@ -96,20 +97,20 @@ void makeFiles(Inspector& inspector, const SequenceRequest& request, const Works
                                       request.picture.height, request.framesPerSecond);
   const int count = request.last - request.first + 1;
   for (int frame = request.first; frame <= request.last; ++frame) {
-    const auto tell = [&] { return !progress || progress("Exporting", frame - request.first, count); };
+    const auto tell = [&] { return !progress || progress(say<"Exporting">(), frame - request.first, count); };
     if (!tell()) throw Cancelled();
     const Progress stop = [&](std::string_view, int, int) { return tell(); };
     inspector.seek(frame, stop); // to the first one it may be long
     writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get(), stop);
   }
-  report(progress, "Exporting", count, count);
+  report(progress, say<"Exporting">(), count, count);
   if (gif) gif->finish();
 }
 
 void moveIntoPlace(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
-  if (error) throw Error("cannot write " + to.string() + ": " + error.message());
+  if (error) throw Error(say<"cannot write %1: %2">(to.string(), error.message()));
 }
 
 } // namespace

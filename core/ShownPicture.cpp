@@ -2,6 +2,7 @@
 
 #include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,20 +16,20 @@ void makeReference(Inspector& inspector, const PictureRequest& request, const Lo
                    const Progress& progress) {
   if (!isOfReference(look.id)) return;
   if (look.frame)
-    throw Error("there is no reference of frame " + std::to_string(*look.frame) + " while frame " +
-                std::to_string(inspector.frame()) + " is shown");
+    throw Error(
+        say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame, inspector.frame()));
   inspector.refineReference(request.referenceSamples, progress, look.lane);
 }
 
 void checkSides(const Inspector& inspector, const PictureRequest& request) {
   const int lanes = inspector.laneCount();
   if (request.lane >= lanes || (showsOther(request) && request.other->lane >= lanes))
-    throw Error("the settings that are compared with are no longer there");
+    throw Error(say<"the settings that are compared with are no longer there">());
   const bool isDifference = showsOther(request) && request.showing == Showing::Difference;
   const int channels = intermediate(request.id).channels;
   if (isDifference && intermediate(request.other->id).channels != channels)
-    throw Error("there is no difference between " + std::string(intermediate(request.id).name) + " and " +
-                std::string(intermediate(request.other->id).name) + ": one has more channels");
+    throw Error(say<"there is no difference between %1 and %2: one has more channels">(
+        intermediate(request.id).name, intermediate(request.other->id).name));
 }
 
 } // namespace

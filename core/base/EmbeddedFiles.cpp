@@ -1,6 +1,7 @@
 #include "core/base/EmbeddedFiles.h"
 
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -25,7 +26,7 @@ std::string embeddedText(std::string_view path) {
     return readFile(std::string(folder) + "/" + std::string(path.substr(kShaders.size())));
   for (const EmbeddedFile& file : detail::embeddedFiles())
     if (file.path == path) return std::string(file.bytes);
-  throw Error("there is no built-in file \"" + std::string(path) + "\"");
+  throw Error(say<"there is no built-in file \"%1\"">(path));
 }
 
 std::shared_ptr<const ShaderTexts> readShaders() {
@@ -39,7 +40,7 @@ std::shared_ptr<const ShaderTexts> readShaders() {
     const std::filesystem::path below = file->path().lexically_relative(folder);
     (*texts)[std::string(kShaders) + below.generic_string()] = readFile(file->path());
   }
-  if (error) throw Error("cannot read the shaders in " + std::string(folder) + ": " + error.message());
+  if (error) throw Error(say<"cannot read the shaders in %1: %2">(folder, error.message()));
   return texts;
 }
 

@@ -1,5 +1,7 @@
 #include "core/base/Files.h"
 
+#include "core/base/Say.h"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,16 +15,16 @@ namespace fs = std::filesystem;
 
 std::string readFile(const fs::path& path, std::uintmax_t maxBytes) {
   std::error_code error;
-  if (fs::is_directory(path, error)) throw Error("cannot read " + path.string() + ": it is a folder");
+  if (fs::is_directory(path, error)) throw Error(say<"cannot read %1: it is a folder">(path.string()));
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw Error("cannot open " + path.string() + ": " + std::strerror(errno));
+  if (!in) throw Error(say<"cannot open %1: %2">(path.string(), std::strerror(errno)));
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > maxBytes)
-    throw Error("cannot read " + path.string() + ": it has " + std::to_string(size) +
-                " bytes, more than the " + std::to_string(maxBytes) + " allowed");
+    throw Error(
+        say<"cannot read %1: it has %2 bytes, more than the %3 allowed">(path.string(), size, maxBytes));
   std::ostringstream out;
   out << in.rdbuf();
-  if (in.bad()) throw Error("cannot read " + path.string() + ": " + std::strerror(errno));
+  if (in.bad()) throw Error(say<"cannot read %1: %2">(path.string(), std::strerror(errno)));
   return std::move(out).str();
 }
 
@@ -42,17 +44,18 @@ void writeAtomically(const fs::path& path, const std::function<void(const fs::pa
   if (error) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
-    throw Error("cannot write " + path.string() + ": " + error.message());
+    throw Error(say<"cannot write %1: %2">(path.string(), error.message()));
   }
 }
 
 void writeFile(const fs::path& path, std::string_view bytes) {
   writeAtomically(path, [&](const fs::path& temporary) {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    if (!out) throw Error("cannot write " + path.string() + ": " + std::strerror(errno));
+    const auto fail = [&] { throw Error(say<"cannot write %1: %2">(path.string(), std::strerror(errno))); };
+    if (!out) fail();
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     out.flush();
-    if (!out) throw Error("cannot write " + path.string() + ": " + std::strerror(errno));
+    if (!out) fail();
   });
 }
 

@@ -1,5 +1,6 @@
 #include "core/gl/Buffer.h"
 
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 
 #include <epoxy/gl.h>
@@ -10,7 +11,7 @@ namespace taa::gl {
 
 Buffer::Buffer(std::size_t bytes, const void* data, const std::string& label) : bytes_(bytes) {
   assert(bytes > 0);
-  const std::string what = "cannot allocate " + label + " of " + std::to_string(bytes) + " bytes";
+  const std::string what = say<"cannot allocate %1 of %2 bytes">(label, bytes);
   allocation_ = Allocation(StorageKind::Buffer, label, bytes, what);
   glCreateBuffers(1, &id_);
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/FreeMemory.h"
+#include "core/base/Say.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -39,14 +40,13 @@ EGLDisplay openDisplay() {
   }
   EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (initialize(display)) return display;
-  throw Error(
-      "cannot open a GL display: EGL offers neither a device nor a surfaceless platform; install a GL driver "
-      "(on Debian: libegl-mesa0 and libgl1-mesa-dri)");
+  throw Error(say<"cannot open a GL display: EGL offers neither a device nor a surfaceless platform; install "
+                  "a GL driver (on Debian: libegl-mesa0 and libgl1-mesa-dri)">());
 }
 
 EGLContext makeContext(EGLDisplay display) {
   if (!eglBindAPI(EGL_OPENGL_API))
-    throw Error("cannot use OpenGL: this EGL offers OpenGL ES only; install a desktop GL driver");
+    throw Error(say<"cannot use OpenGL: this EGL offers OpenGL ES only; install a desktop GL driver">());
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                4,
                                EGL_CONTEXT_MINOR_VERSION,
@@ -58,8 +58,8 @@ EGLContext makeContext(EGLDisplay display) {
                                EGL_NONE};
   EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (context == EGL_NO_CONTEXT)
-    throw Error("cannot make an OpenGL 4.5 core context: the GL driver is too old; update it or set "
-                "LIBGL_ALWAYS_SOFTWARE=1");
+    throw Error(say<"cannot make an OpenGL 4.5 core context: the GL driver is too old; update it or set "
+                    "LIBGL_ALWAYS_SOFTWARE=1">());
   return context;
 }
 
@@ -83,7 +83,8 @@ Context::Context() : handles_(std::make_unique<Handles>()) {
   handles_->context = makeContext(handles_->display);
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
     eglDestroyContext(handles_->display, handles_->context);
-    throw Error("cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it");
+    throw Error(
+        say<"cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it">());
   }
   driver_ = describeDriver();
   glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
@@ -143,11 +144,11 @@ void checkErrors(const std::string& what) {
     if (worst != GL_OUT_OF_MEMORY) worst = error;
   if (worst == GL_NO_ERROR) return;
   if (worst == GL_OUT_OF_MEMORY) throwOutOfMemory(what);
-  throw Error(what + ": GL reports error " + std::to_string(worst));
+  throw Error(say<"%1: GL reports error %2">(what, worst));
 }
 
 void throwOutOfMemory(const std::string& what) {
-  throw Error(what + ": the GL driver is out of memory; use a smaller size or fewer lanes");
+  throw Error(say<"%1: the GL driver is out of memory; use a smaller size or fewer lanes">(what));
 }
 
 } // namespace taa::gl

@@ -2,6 +2,7 @@
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/gl/ProgramBinaries.h"
 #include "core/gl/ShaderStripper.h"
 
@@ -51,7 +52,7 @@ void ShaderSource::append(const std::string& path, const std::string& includedFr
     source = embeddedText("shaders/" + path);
   } catch (const Error& error) {
     if (includedFrom.empty()) throw;
-    throw Error(includedFrom + ": cannot include \"" + path + "\": " + error.what());
+    throw Error(say<"%1: cannot include \"%2\": %3">(includedFrom, path, error.what()));
   }
   static const std::regex kInclude(R"re(^\s*#\s*include\s+"([^"]+)"\s*$)re");
   text_ += lineDirective(1, number);
@@ -112,15 +113,15 @@ struct Shader {
     if (compiled) return;
     const std::string log = source.readableLog(shaderLog(id));
     glDeleteShader(id);
-    throw Error("cannot compile shaders/" + source.path() + ":\n" + log);
+    throw Error(say<"cannot compile %1:\n%2">("shaders/" + source.path(), log));
   }
   ~Shader() { glDeleteShader(id); }
   Shader(const Shader&) = delete;
   Shader& operator=(const Shader&) = delete;
 };
 
-// One shader, or two: a single one links into a program for a pipeline.
-void link(GLuint program, GLuint vertex, GLuint fragment, const std::string& what) {
+// One shader, or two: a single one links into a program for a pipeline. What the driver says where it cannot.
+std::optional<std::string> link(GLuint program, GLuint vertex, GLuint fragment) {
   glProgramParameteri(program, GL_PROGRAM_SEPARABLE, vertex && fragment ? GL_FALSE : GL_TRUE);
   for (const GLuint shader : {vertex, fragment})
     if (shader) glAttachShader(program, shader);
@@ -129,10 +130,10 @@ void link(GLuint program, GLuint vertex, GLuint fragment, const std::string& wha
     if (shader) glDetachShader(program, shader);
   GLint linked = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return;
+  if (linked) return {};
   char log[4096] = "";
   glGetProgramInfoLog(program, sizeof(log), nullptr, log);
-  throw Error("cannot link " + what + ":\n" + log);
+  return log;
 }
 
 /// The programs of the current context's driver on disk; nothing where it gives none away.
@@ -169,7 +170,8 @@ struct Program::VertexStage {
   explicit VertexStage(const ShaderSource& source) {
     try {
       const Shader shader(GL_VERTEX_SHADER, source);
-      link(id, shader.id, 0, "shaders/" + source.path());
+      if (const auto log = link(id, shader.id, 0))
+        throw Error(say<"cannot link %1:\n%2">("shaders/" + source.path(), *log));
     } catch (...) {
       glDeleteProgram(id);
       throw;
@@ -227,8 +229,9 @@ void Program::make(const ShaderSource& vertex, const ShaderSource& fragment) {
   const Shader fragmentShader(GL_FRAGMENT_SHADER, fragment);
   std::optional<Shader> vertexShader;
   if (!vertexStage_) vertexShader.emplace(GL_VERTEX_SHADER, vertex);
-  link(id_, vertexShader ? vertexShader->id : 0, fragmentShader.id,
-       "shaders/" + vertex.path() + " with shaders/" + fragment.path());
+  if (const auto log = link(id_, vertexShader ? vertexShader->id : 0, fragmentShader.id))
+    throw Error(
+        say<"cannot link %1 with %2:\n%3">("shaders/" + vertex.path(), "shaders/" + fragment.path(), *log));
   if (!kept) return;
   if (const ProgramBinary binary = binaryOf(id_); !binary.bytes.empty()) kept->keep(source, binary);
 }

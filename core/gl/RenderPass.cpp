@@ -1,6 +1,7 @@
 #include "core/gl/RenderPass.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
 
 #include <epoxy/gl.h>
@@ -69,7 +70,7 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
   glDeleteFramebuffers(1, &id_);
   id_ = 0;
-  throw Error("cannot draw into " + label + ": GL reports framebuffer status " + std::to_string(status));
+  throw Error(say<"cannot draw into %1: GL reports framebuffer status %2">(label, status));
 }
 
 Framebuffer::Framebuffer(int width, int height, const std::string& label) : width_(width), height_(height) {

@@ -1,6 +1,7 @@
 #include "core/gl/Texture.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 
 #include <epoxy/gl.h>
@@ -92,10 +93,10 @@ Texture::Texture(const TextureSize& size, Format format, const std::string& labe
     : size_(size), format_(format) {
   assert(size.width > 0 && size.height > 0);
   size_.levels = levelCount(size);
-  const std::string what = "cannot allocate " + label + " of " + std::to_string(size.width) + " x " +
-                           std::to_string(size.height) +
-                           (size.layers > 0 ? " x " + std::to_string(size.layers) : "") + " texels (" +
-                           std::to_string(textureBytes(size_, format) >> 20) + " MiB)";
+  const std::string texels = std::to_string(size.width) + " x " + std::to_string(size.height) +
+                             (size.layers > 0 ? " x " + std::to_string(size.layers) : "");
+  const std::string what =
+      say<"cannot allocate %1 of %2 texels (%3 MiB)">(label, texels, textureBytes(size_, format) >> 20);
   allocation_ = Allocation(StorageKind::Texture, label, textureBytes(size_, format), what);
   glCreateTextures(size.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id_);
   const GLenum internalFormat = info(format).internalFormat;

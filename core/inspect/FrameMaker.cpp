@@ -1,5 +1,6 @@
 #include "core/inspect/FrameMaker.h"
 
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "core/gl/PassTimer.h"
 #include "core/settings/Parameters.h"
@@ -181,7 +182,7 @@ void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame&
   }
   gl::finish();
   next.resolveMs = millisecondsSince(drawn);
-  gl::checkErrors("cannot make frame " + std::to_string(step.frame));
+  gl::checkErrors(say<"cannot make frame %1">(step.frame));
 }
 
 ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
@@ -200,7 +201,7 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
   next.sceneMs = next.resolveMs = 0.0;
   arrange(subject, {}, next);
   for (step.frame = begin; step.frame <= frame; ++step.frame) {
-    report(progress, "Replaying frames", step.frame - begin, frame - begin + 1);
+    report(progress, say<"Replaying frames">(), step.frame - begin, frame - begin + 1);
     step.exposes = step.frame == frame;
     for (std::size_t lane = 0; lane < lanes; ++lane) step.active[lane] = step.frame >= first[lane];
     make(subject, step, next);

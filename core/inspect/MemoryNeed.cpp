@@ -1,5 +1,6 @@
 #include "core/inspect/MemoryNeed.h"
 
+#include "core/base/Say.h"
 #include "core/inspect/References.h"
 #include "core/render/SceneRenderer.h"
 #include "core/settings/Parameters.h"
@@ -81,17 +82,24 @@ std::string bytesText(std::size_t bytes) {
 
 std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available) {
   if (need.total() <= available) return "";
-  const std::string reference = need.reference > 0 ? ", reference " + bytesText(need.reference) : "";
-  return "cannot use a picture of " + sizeText(picturePx) + " pixels: it takes about " +
-         bytesText(need.total()) + " of memory (inputs " + bytesText(need.inputs) + ", histories " +
-         bytesText(need.histories) + ", exposures " + bytesText(need.exposures) + reference + ") and " +
-         bytesText(available) + " are free; choose a smaller size, fewer lanes or fewer views";
+  const std::string size = sizeText(picturePx), total = bytesText(need.total()), left = bytesText(available);
+  const std::string inputs = bytesText(need.inputs), histories = bytesText(need.histories);
+  const std::string exposures = bytesText(need.exposures);
+  if (need.reference > 0)
+    return say<
+        "cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, "
+        "exposures %5, reference %6) and %7 are free; choose a smaller size, fewer lanes or fewer views">(
+        size, total, inputs, histories, exposures, bytesText(need.reference), left);
+  return say<"cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, "
+             "exposures %5) and %6 are free; choose a smaller size, fewer lanes or fewer views">(
+      size, total, inputs, histories, exposures, left);
 }
 
 std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std::size_t available) {
   if (bytes <= available) return "";
-  return "cannot draw the reference of a picture of " + sizeText(picturePx) + " pixels: it takes about " +
-         bytesText(bytes) + " of memory and " + bytesText(available) + " are free; choose a smaller size";
+  return say<
+      "cannot draw the reference of a picture of %1 pixels: it takes about %2 of memory and %3 are free; "
+      "choose a smaller size">(sizeText(picturePx), bytesText(bytes), bytesText(available));
 }
 
 } // namespace taa

@@ -1,7 +1,11 @@
 #include "core/inspect/ReferencePage.h"
 
+#include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/Intermediates.h"
+
+#include <string>
+#include <vector>
 
 namespace taa {
 
@@ -56,6 +60,12 @@ std::string intermediateHtml(const Intermediate& row) {
 
 constexpr std::string_view kTable = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
 
+std::string headHtml(const std::vector<std::string>& columns) {
+  std::string text = "<tr>";
+  for (const std::string& column : columns) text += "<th align=\"left\">" + escaped(column) + "</th>";
+  return text + "</tr>\n";
+}
+
 std::string stageHtml(const StageInfo& stage) {
   std::string parametersText, intermediatesText;
   for (const Parameter& row : parameters())
@@ -65,15 +75,11 @@ std::string stageHtml(const StageInfo& stage) {
   std::string text = "<h2>" + escaped(stage.label) + "</h2>\n<p>" + escaped(stage.description) + "</p>\n";
   if (!parametersText.empty())
     text += std::string(kTable) +
-            "<tr><th align=\"left\">Parameter</th><th align=\"left\">What it does</th><th "
-            "align=\"left\">Range</th>"
-            "<th align=\"left\">Default</th></tr>\n" +
+            headHtml({say<"Parameter">(), say<"What it does">(), say<"Range">(), say<"Default">()}) +
             parametersText + "</table>\n";
   if (!intermediatesText.empty())
     text += std::string(kTable) +
-            "<tr><th align=\"left\">Intermediate</th><th align=\"left\">What it is</th><th "
-            "align=\"left\">Channels</th>"
-            "<th align=\"left\">Unit</th></tr>\n" +
+            headHtml({say<"Intermediate">(), say<"What it is">(), say<"Channels">(), say<"Unit">()}) +
             intermediatesText + "</table>\n";
   return text;
 }
@@ -82,9 +88,11 @@ std::string stageHtml(const StageInfo& stage) {
 
 std::string referencePageHtml() {
   std::string text =
-      "<h1>Reference</h1>\n<p>Each frame goes through these stages from top to bottom. Parameters can be "
-      "set in the pipeline panel, in presets, and by <code>--set path=value</code>; intermediates can be "
-      "viewed, probed and exported.</p>\n";
+      "<h1>" + escaped(say<"Reference">()) + "</h1>\n<p>" +
+      say<"Each frame goes through these stages from top to bottom. Parameters can be set in the pipeline "
+          "panel, in presets, and by %1; intermediates can be viewed, probed and exported.">(
+          "<code>--set path=value</code>") +
+      "</p>\n";
   for (const StageInfo& stage : kStages) text += stageHtml(stage);
   return text;
 }

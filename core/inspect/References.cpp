@@ -1,5 +1,6 @@
 #include "core/inspect/References.h"
 
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "core/render/ReferencePoints.h"
 
@@ -55,8 +56,8 @@ ReferencePicture& References::use(const ReferenceSubject& subject) {
 void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
                         const Progress& progress) {
   if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
-    throw Error("a reference cannot have " + std::to_string(samples) + " samples: it has " +
-                std::to_string(kLeastReferenceSamples) + " to " + std::to_string(kMostReferenceSamples));
+    throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kLeastReferenceSamples,
+                                                                           kMostReferenceSamples));
   ReferencePicture& picture = use(subject);
   if (picture.samples > samples) picture = {subject, 0, {}};
   if (picture.sums.empty()) {
@@ -67,10 +68,10 @@ void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject
   while (picture.samples < samples) {
     request.jitterPx = referencePointPx(picture.samples);
     renderer.draw(request, subject.frame, drawn_);
-    gl::checkErrors("drawing the reference of frame " + std::to_string(subject.frame));
+    gl::checkErrors(say<"drawing the reference of frame %1">(subject.frame));
     add(drawn_.color.download(), picture.sums);
     ++picture.samples;
-    report(progress, "Reference", picture.samples, samples);
+    report(progress, say<"Reference">(), picture.samples, samples);
   }
   drawn_ = {};
 }

@@ -2,6 +2,7 @@
 #include "core/inspect/StageMeter.h"
 
 #include "core/base/Median.h"
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ StageCosts StageMeter::measure(TaaPass& pass, const ResolvedFrame& frame, const 
   }
   StageCosts costs = result(frame);
   forget(pass);
-  gl::checkErrors("cannot measure the stages");
+  gl::checkErrors(say<"cannot measure the stages">());
   return costs;
 }
 

@@ -2,6 +2,7 @@
 #include "core/inspect/StyleText.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <array>
@@ -52,20 +53,20 @@ std::string channelsText(const ViewStyle& style) {
 }
 
 [[noreturn]] void refuse(std::string_view assignment, const std::string& expected) {
-  throw Error("cannot read the style \"" + std::string(assignment) + "\": " + expected);
+  throw Error(say<"cannot read the style \"%1\": %2">(assignment, expected));
 }
 
 float readNumber(std::string_view value, std::string_view assignment) {
   float read = 0.0f;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), read);
   if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(read))
-    refuse(assignment, "expected a number");
+    refuse(assignment, say<"expected a number">());
   return read;
 }
 
 void applyChannels(ViewStyle& style, std::string_view value, std::string_view assignment) {
   if (value != "none" && (value.empty() || value.find_first_not_of("rgb") != value.npos))
-    refuse(assignment, "channels are letters of rgb, or none");
+    refuse(assignment, say<"channels are letters of rgb, or none">());
   for (const ChannelKey& channel : kChannels)
     style.*channel.field = value != "none" && value.find(channel.letter) != value.npos;
 }
@@ -97,17 +98,17 @@ void applyStyle(ViewStyle& style, std::string_view assignment) {
     }
   for (const SwitchKey& choice : kSwitches)
     if (key == choice.key) {
-      if (value != "on" && value != "off") refuse(assignment, "expected on or off");
+      if (value != "on" && value != "off") refuse(assignment, say<"expected on or off">());
       style.*choice.field = value == "on";
       return;
     }
   if (key == "channels") return applyChannels(style, value, assignment);
   if (key != "map")
-    refuse(assignment, "write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "
-                       "arrows (on or off), = and a value");
+    refuse(assignment, say<"write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "
+                           "arrows (on or off), = and a value">());
   const auto found = std::ranges::find(kMaps, value);
   if (found == kMaps.end())
-    refuse(assignment, "there are gray, viridis, inferno, diverging, cyclic and categorical");
+    refuse(assignment, say<"there are gray, viridis, inferno, diverging, cyclic and categorical">());
   style.map = static_cast<ColorMap>(found - kMaps.begin());
 }
 

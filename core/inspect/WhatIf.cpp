@@ -1,5 +1,6 @@
 #include "core/inspect/WhatIf.h"
 
+#include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/History.h"
@@ -45,11 +46,11 @@ std::string missingOf(const Settings& wanted, const Settings& present) {
 }
 
 std::string noteOf(const Settings& preset, const Settings& used, const Settings& present) {
-  std::string note;
-  if (!sameInputs(preset, used)) note = "jitter and inputs as now";
+  const bool isChanged = !sameInputs(preset, used);
   const std::string missing = missingOf(used, present);
-  if (!missing.empty()) note += (note.empty() ? "" : "; ") + ("history keeps no " + missing);
-  return note;
+  if (missing.empty()) return isChanged ? say<"jitter and inputs as now">() : "";
+  if (isChanged) return say<"jitter and inputs as now; history keeps no %1">(missing);
+  return say<"history keeps no %1">(missing);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/io/CameraTrackJson.h"
 
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/io/FrameJson.h"
 
 #include <array>
@@ -51,7 +52,7 @@ CameraPose parseCameraPose(const std::string& text) {
     numbers.push_back(number);
   }
   if (!isRight || numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
-    throw Error("\"" + text + "\" is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10");
+    throw Error(say<"\"%1\" is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10">(text));
   CameraPose pose = poseFrom(numbers);
   checkCameraTrack({kFreeCamera, 0, {pose}});
   return pose;
@@ -75,13 +76,14 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
     for (const ordered_json& row : json.at("poses")) {
       const auto numbers = row.get<std::vector<float>>();
       if (numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
-        throw Error("a pose is [x, y, z, yaw, pitch, fov]");
+        throw Error(say<"a pose is [x, y, z, yaw, pitch, fov]">());
       track.poses.push_back(poseFrom(numbers));
     }
     checkCameraTrack(track);
     return track;
   } catch (const nlohmann::json::exception&) {
-    throw Error("a camera path is {\"name\", \"firstFrame\", \"poses\": [[x, y, z, yaw, pitch, fov], ...]}");
+    throw Error(
+        say<"a camera path is {\"name\", \"firstFrame\", \"poses\": [[x, y, z, yaw, pitch, fov], ...]}">());
   }
 }
 
@@ -91,7 +93,7 @@ CameraTrack readCameraTrack(const std::filesystem::path& path) {
   try {
     return cameraTrackFrom(json);
   } catch (const Error& error) {
-    throw Error("cannot read the camera path " + path.string() + ": " + error.what());
+    throw Error(say<"cannot read the camera path %1: %2">(path.string(), error.what()));
   }
 }
 

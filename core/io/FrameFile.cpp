@@ -1,6 +1,7 @@
 #include "core/io/FrameFile.h"
 
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 
 #include <OpenImageIO/imageio.h>
@@ -58,7 +59,7 @@ OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm:
 }
 
 void require(bool done, const OIIO::ImageOutput& output, const std::filesystem::path& path) {
-  if (!done) throw Error("cannot write " + path.string() + ": " + output.geterror());
+  if (!done) throw Error(say<"cannot write %1: %2">(path.string(), output.geterror()));
 }
 
 struct OpenPart {
@@ -69,7 +70,7 @@ struct OpenPart {
 
 std::unique_ptr<OIIO::ImageInput> openFile(const std::filesystem::path& path) {
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string());
-  if (!input) throw Error("cannot open " + path.string() + ": " + OIIO::geterror());
+  if (!input) throw Error(say<"cannot open %1: %2">(path.string(), OIIO::geterror()));
   return input;
 }
 
@@ -96,7 +97,7 @@ OpenPart openPart(const std::filesystem::path& path, const std::string& part) {
   const std::vector<std::string> names = namesIn(*open.input);
   const auto found = std::ranges::find(names, part);
   if (found == names.end())
-    throw Error(path.string() + " has no part \"" + part + "\"; it has " + joined(names));
+    throw Error(say<"%1 has no part \"%2\"; it has %3">(path.string(), part, joined(names)));
   open.index = static_cast<int>(found - names.begin());
   open.spec = open.input->spec(open.index);
   return open;
@@ -120,7 +121,7 @@ void writeParts(const std::filesystem::path& path, const FrameFile& frame, const
   for (const FramePart& part : frame.parts) specs.push_back(specOf(frame, part, sizePx));
   writeAtomically(path, [&](const std::filesystem::path& temporary) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("openexr");
-    if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without OpenEXR");
+    if (!output) throw Error(say<"cannot write %1: OpenImageIO was built without OpenEXR">(path.string()));
     require(output->open(temporary.string(), static_cast<int>(specs.size()), specs.data()), *output, path);
     for (std::size_t index = 0; index < specs.size(); ++index) {
       if (index > 0)
@@ -161,13 +162,13 @@ Image readPart(const std::filesystem::path& path, const std::string& part,
   const int inFile = open.spec.nchannels;
   std::vector<float> all(static_cast<std::size_t>(open.spec.width) * open.spec.height * inFile);
   if (!open.input->read_image(open.index, 0, 0, inFile, OIIO::TypeFloat, all.data()))
-    throw Error("cannot read part \"" + part + "\" of " + path.string() + ": " + open.input->geterror());
+    throw Error(say<"cannot read part \"%1\" of %2: %3">(part, path.string(), open.input->geterror()));
   Image image(open.spec.width, open.spec.height, static_cast<int>(channels.size()));
   for (std::size_t channel = 0; channel < channels.size(); ++channel) {
     const int from = open.spec.channelindex(channels[channel]);
     if (from < 0)
-      throw Error("part \"" + part + "\" of " + path.string() + " has no channel \"" + channels[channel] +
-                  "\"; it has " + joined(open.spec.channelnames));
+      throw Error(say<"part \"%1\" of %2 has no channel \"%3\"; it has %4">(
+          part, path.string(), channels[channel], joined(open.spec.channelnames)));
     for (std::size_t pixel = 0; pixel < all.size() / inFile; ++pixel)
       image.pixels[pixel * channels.size() + channel] = all[pixel * inFile + from];
   }

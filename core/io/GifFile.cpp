@@ -3,6 +3,7 @@
 #include "core/io/GifFile.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -31,7 +32,7 @@ struct GifWriter::Parts {
   std::vector<std::uint8_t> opaque;
 
   [[noreturn]] void fail(const std::string& why) const {
-    throw Error("cannot write " + shown.string() + ": " + why);
+    throw Error(say<"cannot write %1: %2">(shown.string(), why));
   }
 };
 
@@ -44,7 +45,7 @@ GifWriter::GifWriter(const fs::path& path, const fs::path& shown, int width, int
   // A little faster than meant: the writer cuts 100 / rate to a whole number.
   parts_->spec.attribute("FramesPerSecond", 100.0f / (static_cast<float>(gifDelay(framesPerSecond)) + 0.25f));
   parts_->output = OIIO::ImageOutput::create("gif");
-  if (!parts_->output) parts_->fail("OpenImageIO was built without GIF");
+  if (!parts_->output) parts_->fail(say<"OpenImageIO was built without GIF">());
   // Its own words about a file that cannot be made leave the reason out.
   const std::ofstream probe(path, std::ios::binary);
   if (!probe) parts_->fail(std::strerror(errno));
@@ -75,7 +76,7 @@ void GifWriter::finish() {
   constexpr char kTrailer = 0x3B;
   const auto input = OIIO::ImageInput::open(parts_->path.string());
   if (file.get() != kTrailer || !input || !input->seek_subimage(parts_->pictures - 1, 0))
-    parts_->fail("not all of it could be stored; is the disk full?");
+    parts_->fail(say<"not all of it could be stored; is the disk full?">());
 }
 
 } // namespace taa

@@ -1,6 +1,7 @@
 #include "core/io/PictureFile.h"
 
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -19,10 +20,10 @@ void writePng(const std::filesystem::path& path, int width, int height, std::spa
   // Packed in memory, because the packer does not notice a full disk.
   OIIO::Filesystem::IOVecOutput packed;
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-  if (!output) throw Error("cannot write " + path.string() + ": OpenImageIO was built without PNG");
+  if (!output) throw Error(say<"cannot write %1: OpenImageIO was built without PNG">(path.string()));
   if (!output->set_ioproxy(&packed) || !output->open(path.string(), spec) ||
       !output->write_image(OIIO::TypeUInt8, rgba.data()) || !output->close())
-    throw Error("cannot write " + path.string() + ": " + output->geterror());
+    throw Error(say<"cannot write %1: %2">(path.string(), output->geterror()));
   const std::vector<unsigned char>& bytes = packed.buffer();
   writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
@@ -28,30 +29,36 @@ constexpr std::size_t kLongest = 4096, kMostModes = 4096;
 constexpr std::size_t kMostFurtherLanes = kMostLanes - 1;
 constexpr int kMostFrame = 1'000'000, kMostSide = 32768, kLeastSide = 4, kMostMiB = 1 << 20;
 
-void checkKeys(const json& object, const std::string& what, std::initializer_list<std::string_view> known) {
-  if (!object.is_object()) throw Error(what + " is not an object");
-  for (const auto& [key, value] : object.items())
-    if (std::ranges::find(known, key) == known.end())
-      throw Error("there is no field \"" + key.substr(0, 100) + "\" in " + what);
+enum class Part { Session, Lane };
+
+void checkKeys(const json& object, Part part, std::initializer_list<std::string_view> known) {
+  const bool isLane = part == Part::Lane;
+  if (!object.is_object())
+    throw Error(isLane ? say<"a lane is not an object">() : say<"the session is not an object">());
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    const std::string shown = key.substr(0, 100);
+    throw Error(isLane ? say<"there is no field \"%1\" in a lane">(shown)
+                       : say<"there is no field \"%1\" in the session">(shown));
+  }
 }
 
 const json& field(const json& object, const char* key) {
   const auto found = object.find(key);
-  if (found == object.end()) throw Error(std::string("the field \"") + key + "\" is missing");
+  if (found == object.end()) throw Error(say<"the field \"%1\" is missing">(key));
   return *found;
 }
 
 std::string textOf(const json& value, const char* key) {
-  if (!value.is_string()) throw Error(std::string("\"") + key + "\" is not text");
+  if (!value.is_string()) throw Error(say<"\"%1\" is not text">(key));
   std::string text = value.get<std::string>();
-  if (text.size() > kLongest) throw Error(std::string("\"") + key + "\" is too long");
+  if (text.size() > kLongest) throw Error(say<"\"%1\" is too long">(key));
   return text;
 }
 
 int numberOf(const json& value, const char* key, int least, int most) {
   const auto refuse = [&] {
-    throw Error(std::string("\"") + key + "\" wants a whole number from " + std::to_string(least) + " to " +
-                std::to_string(most));
+    throw Error(say<"\"%1\" wants a whole number from %2 to %3">(key, least, most));
   };
   if (!value.is_number_integer()) refuse();
   const double number = value.get<double>(); // whatever its size
@@ -90,8 +97,7 @@ void laneToJson(const SessionLane& lane, ordered_json& object) {
 std::vector<std::string> namesFromJson(const json& object, const char* key) {
   const json list = object.value(key, json::array());
   if (!list.is_array() || list.size() > kMostModes)
-    throw Error(std::string("\"") + key + "\" is not a list of at most " + std::to_string(kMostModes) +
-                " names");
+    throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMostModes));
   std::vector<std::string> names;
   for (const json& name : list) names.push_back(textOf(name, key));
   return names;
@@ -99,7 +105,7 @@ std::vector<std::string> namesFromJson(const json& object, const char* key) {
 
 std::vector<MotionOverride> modesFromJson(const json& object) {
   if (!object.is_object() || object.size() > kMostModes)
-    throw Error("\"motionModes\" is not an object of at most " + std::to_string(kMostModes) + " names");
+    throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMostModes));
   std::vector<MotionOverride> modes;
   for (const auto& [node, mode] : object.items())
     modes.push_back(parseMotionOverride(node.substr(0, kLongest) + "=" + textOf(mode, "motionModes")));
@@ -108,32 +114,31 @@ std::vector<MotionOverride> modesFromJson(const json& object) {
 
 json parsed(const std::string& text) {
   return json::parse(text, [](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepest) throw Error("it is nested deeper than " + std::to_string(kDeepest) + " levels");
+    if (depth > kDeepest) throw Error(say<"it is nested deeper than %1 levels">(kDeepest));
     return true;
   });
 }
 
 SessionFile sessionFromJson(const json& object) {
-  checkKeys(object, "the session",
+  checkKeys(object, Part::Session,
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
              "track", "hidden", "isolated", "motionModes", "checkpointsMiB", "window"});
   if (const json& format = field(object, "format"); format != kFormat)
-    throw Error("its format is " + format.dump().substr(0, 20) + ", this program reads " +
-                std::to_string(kFormat));
+    throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kFormat));
   SessionFile session;
   session.source = textOf(field(object, "source"), "source");
   session.camera = textOf(object.value("camera", json("")), "camera");
   session.frame = numberOf(field(object, "frame"), "frame", 0, kMostFrame);
   const json& size = field(object, "size");
-  if (!size.is_array() || size.size() != 2) throw Error("\"size\" wants [width, height]");
+  if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
   session.size = {numberOf(size[0], "size", kLeastSide, kMostSide),
                   numberOf(size[1], "size", kLeastSide, kMostSide)};
   session.settings = laneFromJson(object);
   const json lanes = object.value("lanes", json::array());
   if (!lanes.is_array() || lanes.size() > kMostFurtherLanes)
-    throw Error("\"lanes\" is not a list of at most " + std::to_string(kMostFurtherLanes));
+    throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMostFurtherLanes));
   for (const json& lane : lanes) {
-    checkKeys(lane, "a lane", {"preset", "presetSettings", "settings"});
+    checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane));
   }
   if (const auto track = object.find("track"); track != object.end())
@@ -143,7 +148,7 @@ SessionFile sessionFromJson(const json& object) {
   session.checkpointsMiB =
       numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMostMiB);
   const json window = object.value("window", json::object());
-  if (!window.is_object()) throw Error("\"window\" is not an object");
+  if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
   session.window = window.dump();
   return session;
 }
@@ -162,9 +167,9 @@ SessionFile sessionFromText(const std::string& text, const std::string& place) {
   try {
     return sessionFromJson(parsed(text));
   } catch (const json::exception& error) {
-    throw Error("cannot open the session " + place + ": " + error.what());
+    throw Error(say<"cannot open the session %1: %2">(place, error.what()));
   } catch (const Error& error) {
-    throw Error("cannot open the session " + place + ": " + error.what());
+    throw Error(say<"cannot open the session %1: %2">(place, error.what()));
   }
 }
 

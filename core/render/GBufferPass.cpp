@@ -1,5 +1,6 @@
 #include "core/render/GBufferPass.h"
 
+#include "core/base/Say.h"
 #include "core/scene/Deform.h"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -254,7 +255,8 @@ void GBufferPass::keepOneOfEach() {
 void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
   std::set<Variant> variants;
   for (const Item& item : items_) variants.insert(item.variant);
-  report(warmUp, "Compiling shaders", static_cast<int>(done), static_cast<int>(2 * variants.size() + 1));
+  report(warmUp, say<"Compiling shaders">(), static_cast<int>(done),
+         static_cast<int>(2 * variants.size() + 1));
 }
 
 void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const Progress& warmUp) {

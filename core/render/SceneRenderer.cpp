@@ -1,5 +1,6 @@
 #include "core/render/SceneRenderer.h"
 
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "core/render/CameraMotionPass.h"
 #include "core/render/GBufferPass.h"
@@ -92,7 +93,7 @@ struct SceneRenderer::Parts {
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
     : parts_(std::make_unique<Parts>(std::move(scene), progress)) {
-  gl::checkErrors("uploading the scene");
+  gl::checkErrors(say<"uploading the scene">());
 }
 
 SceneRenderer::~SceneRenderer() = default;

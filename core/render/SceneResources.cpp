@@ -1,5 +1,6 @@
 #include "core/render/SceneResources.h"
 
+#include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "shaders/shared/MaterialBlock.h"
 
@@ -138,7 +139,8 @@ void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) 
   meshes_.resize(scene.meshes.size());
   deformations_.resize(scene.meshes.size());
   for (std::size_t index = 0; index < scene.meshes.size(); ++index) {
-    report(progress, "Uploading meshes", static_cast<int>(index), static_cast<int>(scene.meshes.size()));
+    report(progress, say<"Uploading meshes">(), static_cast<int>(index),
+           static_cast<int>(scene.meshes.size()));
     for (const Primitive& primitive : scene.meshes[index].primitives) {
       deformations_[index].push_back(
           {influenceBuffer(primitive), deltaBuffer(primitive), cacheBuffer(primitive)});
@@ -162,11 +164,11 @@ void SceneResources::uploadTextures(const Scene& scene, const Progress& progress
   const int total = static_cast<int>(textures_.size());
   for (auto& [key, texture] : textures_) {
     const SceneImage& image = scene.images[static_cast<std::size_t>(key.first)];
-    report(progress, "Uploading textures", done, total);
+    report(progress, say<"Uploading textures">(), done, total);
     texture = gl::Texture({image.width, image.height, 0, 0},
                           key.second ? gl::Format::SRGBA8 : gl::Format::RGBA8, "texture: " + image.name);
     texture.uploadBytes(image.rgba);
-    report(progress, "Making mip levels", done, total);
+    report(progress, say<"Making mip levels">(), done, total);
     texture.generateMipmaps();
     gl::finish();
     ++done;

@@ -1,5 +1,6 @@
 // Camera paths of any scene: still, pan, orbit and dolly fitted to its bounds, and the cameras it brings.
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/Pose.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -196,8 +197,9 @@ CameraState cameraAt(const Scene& scene, const std::string& name, double time, f
     if (scenePathName(scene, i) == name) return sceneCameraAt(scene, scene.cameras[i], time, usedAspect);
   std::string known;
   for (const std::string& other : cameraNames(scene)) known += (known.empty() ? "" : ", ") + other;
-  throw Error("there is no camera \"" + name + "\" in " + (scene.name.empty() ? "this scene" : scene.name) +
-              "; choose one of: " + known);
+  if (scene.name.empty())
+    throw Error(say<"there is no camera \"%1\" in this scene; choose one of: %2">(name, known));
+  throw Error(say<"there is no camera \"%1\" in %2; choose one of: %3">(name, scene.name, known));
 }
 
 glm::mat4 perspectiveReversed(float fovY, float aspect, float nearPlane) {

@@ -1,6 +1,7 @@
 #include "core/scene/CameraTrack.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
@@ -99,19 +100,17 @@ CameraPose poseOf(const CameraState& camera) {
 }
 
 void checkCameraTrack(const CameraTrack& track) {
-  const std::string who = "the camera path \"" + track.name + "\" ";
-  if (track.name.empty()) throw Error("a camera path needs a name");
-  if (track.poses.empty()) throw Error(who + "has no pose");
-  if (track.firstFrame < 0) throw Error(who + "begins at a frame before 0");
+  if (track.name.empty()) throw Error(say<"a camera path needs a name">());
+  if (track.poses.empty()) throw Error(say<"the camera path \"%1\" has no pose">(track.name));
+  if (track.firstFrame < 0) throw Error(say<"the camera path \"%1\" begins at a frame before 0">(track.name));
   for (std::size_t i = 0; i < track.poses.size(); ++i) {
     const CameraPose& pose = track.poses[i];
     bool isRight = isIn(pose.yaw, -36000.0f, 36000.0f) && isIn(pose.pitch, -kMostPitch, kMostPitch) &&
                    isIn(pose.fovY, kLeastFov, kMostFov);
     for (int axis = 0; axis < 3; ++axis) isRight = isRight && isIn(pose.position[axis], -kFarAway, kFarAway);
     if (!isRight)
-      throw Error(who + "has a pose " + std::to_string(i) +
-                  " that is out of range: positions within a million units, pitch within 89 degrees, field "
-                  "of view 1 to 160 degrees");
+      throw Error(say<"the camera path \"%1\" has a pose %2 that is out of range: positions within a million "
+                      "units, pitch within 89 degrees, field of view 1 to 160 degrees">(track.name, i));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "core/scene/GltfAccessor.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <tiny_gltf.h>
 
@@ -51,7 +52,7 @@ float component(const unsigned char* from, int type, bool normalized) {
   case TINYGLTF_COMPONENT_TYPE_FLOAT:
     return load<float>(from);
   default:
-    throw Error("component type " + std::to_string(type) + " cannot be read");
+    throw Error(say<"component type %1 cannot be read">(type));
   }
 }
 
@@ -64,7 +65,7 @@ std::uint32_t unsignedComponent(const unsigned char* from, int type) {
   case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
     return load<std::uint32_t>(from);
   default:
-    throw Error("indices must be unsigned integers");
+    throw Error(say<"indices must be unsigned integers">());
   }
 }
 
@@ -102,8 +103,7 @@ std::vector<T> readElements(const tinygltf::Model& model, const tinygltf::Access
   const auto target = [&](std::size_t i) -> std::size_t {
     const std::uint32_t element = unsignedComponent(where.data + i * where.stride, indices.componentType);
     if (element >= accessor.count)
-      throw Error("sparse index " + std::to_string(element) + " is out of range; there are " +
-                  std::to_string(accessor.count) + " elements");
+      throw Error(say<"sparse index %1 is out of range; there are %2 elements">(element, accessor.count));
     return element;
   };
   copyElements(values, components, static_cast<std::size_t>(accessor.sparse.count),
@@ -142,7 +142,7 @@ AccessorValues readAccessor(const tinygltf::Model& model, int accessor) {
     const tinygltf::Accessor& source = model.accessors.at(static_cast<std::size_t>(accessor));
     const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
     if (source.type == TINYGLTF_TYPE_MAT2 || source.type == TINYGLTF_TYPE_MAT3 || components < 1)
-      throw Error("its type cannot be used here");
+      throw Error(say<"its type cannot be used here">());
     return AccessorValues{components, readElements<float>(model, source, static_cast<std::size_t>(components),
                                                           [&](const unsigned char* from) {
                                                             return component(from, source.componentType,
@@ -154,7 +154,7 @@ AccessorValues readAccessor(const tinygltf::Model& model, int accessor) {
 std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor) {
   return atAccessor(accessor, [&] {
     const tinygltf::Accessor& source = model.accessors.at(static_cast<std::size_t>(accessor));
-    if (source.type != TINYGLTF_TYPE_SCALAR) throw Error("indices must be scalars");
+    if (source.type != TINYGLTF_TYPE_SCALAR) throw Error(say<"indices must be scalars">());
     return readElements<std::uint32_t>(model, source, 1, [&](const unsigned char* from) {
       return unsignedComponent(from, source.componentType);
     });

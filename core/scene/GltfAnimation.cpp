@@ -1,6 +1,7 @@
 #include "core/scene/GltfAnimation.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfAccessor.h"
 #include "core/scene/GltfContext.h"
 
@@ -28,16 +29,17 @@ Interpolation interpolationOf(const std::string& name) {
   if (name == "STEP") return Interpolation::Step;
   if (name == "CUBICSPLINE") return Interpolation::CubicSpline;
   if (name.empty() || name == "LINEAR") return Interpolation::Linear;
-  throw Error("interpolation \"" + name + "\" does not exist");
+  throw Error(say<"%1 does not exist">("interpolation \"" + name + "\""));
 }
 
 /// Keys whose time does not rise are dropped.
 void fillKeys(GltfContext& context, const AccessorValues& times, const AccessorValues& values,
               AnimationChannel& channel) {
   const std::size_t perKey = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
+  bool dropsKeys = false;
   for (std::size_t key = 0; key < times.count(); ++key) {
     if (!channel.times.empty() && times.values[key] <= channel.times.back()) {
-      context.warn("Animation keys whose time does not rise are left out.");
+      dropsKeys = true;
       continue;
     }
     channel.times.push_back(times.values[key]);
@@ -49,6 +51,7 @@ void fillKeys(GltfContext& context, const AccessorValues& times, const AccessorV
     }
     for (std::size_t i = 0; i < perKey; ++i) channel.values.push_back(values.at(perKey * key + i));
   }
+  if (dropsKeys) context.warn(say<"Animation keys whose time does not rise are left out.">());
   if (channel.path != AnimationPath::Rotation || perKey != 1) return;
   for (glm::vec4& value : channel.values) {
     const float length = glm::length(value);
@@ -61,15 +64,14 @@ void readSampler(GltfContext& context, const tinygltf::AnimationSampler& sampler
   const AccessorValues times = readAccessor(context.model, sampler.input),
                        values = readAccessor(context.model, sampler.output);
   const std::size_t perKey = channel.interpolation == Interpolation::CubicSpline ? 3 : 1;
-  if (times.components != 1) throw Error("its times are not single numbers");
+  if (times.components != 1) throw Error(say<"its times are not single numbers">());
   const bool isWeights = channel.path == AnimationPath::Weights;
   if (values.components != (isWeights ? 1 : channel.path == AnimationPath::Rotation ? 4 : 3))
-    throw Error("its values have " + std::to_string(values.components) + " components");
+    throw Error(say<"its values have %1 components">(values.components));
   if (values.count() !=
       perKey * times.count() * (isWeights ? static_cast<std::size_t>(channel.weightCount) : 1))
-    throw Error("it has " + std::to_string(values.count()) + " values for " + std::to_string(times.count()) +
-                " times");
-  if (!times.isFinite() || !values.isFinite()) throw Error("a key is not a finite number");
+    throw Error(say<"it has %1 values for %2 times">(values.count(), times.count()));
+  if (!times.isFinite() || !values.isFinite()) throw Error(say<"a key is not a finite number">());
   fillKeys(context, times, values, channel);
 }
 
@@ -78,7 +80,7 @@ std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf
                                             const tinygltf::AnimationChannel& source) {
   const std::optional<AnimationPath> path = pathOf(source.target_path);
   if (!path) {
-    context.warn("Animation of \"" + source.target_path + "\" is not shown yet.");
+    context.warn(say<"Animation of \"%1\" is not shown yet.">(source.target_path));
     return std::nullopt;
   }
   AnimationChannel channel;
@@ -92,7 +94,7 @@ std::optional<AnimationChannel> readChannel(GltfContext& context, const tinygltf
     for (const Primitive& primitive : context.scene.meshes[static_cast<std::size_t>(node.mesh)].primitives)
       channel.weightCount = std::max(channel.weightCount, static_cast<int>(primitive.targets.size()));
   } else if (node.hasMatrix) {
-    context.warn("An animation of a node that has a matrix is left out.");
+    context.warn(say<"An animation of a node that has a matrix is left out.">());
     return std::nullopt;
   }
   readSampler(context, animation.samplers.at(static_cast<std::size_t>(source.sampler)), channel);
@@ -111,7 +113,7 @@ void addGltfAnimations(GltfContext& context) {
         std::optional<AnimationChannel> channel = readChannel(context, source, source.channels[c]);
         if (!channel) continue;
         keys += channel->values.size() + channel->weights.size();
-        if (keys > kMaxKeys) throw Error("there are more than " + std::to_string(kMaxKeys) + " keys");
+        if (keys > kMaxKeys) throw Error(say<"there are more than %1 keys">(kMaxKeys));
         animation.duration = std::max(animation.duration, channel->times.back());
         animation.channels.push_back(std::move(*channel));
       } catch (const Error& error) {
@@ -120,8 +122,8 @@ void addGltfAnimations(GltfContext& context) {
     if (!animation.channels.empty()) context.scene.animations.push_back(std::move(animation));
   }
   if (context.scene.animations.size() > 1)
-    context.warn("The file has " + std::to_string(context.scene.animations.size()) +
-                 " animations; the first, \"" + context.scene.animations.front().name + "\", plays.");
+    context.warn(say<"The file has %1 animations; the first, \"%2\", plays.">(
+        context.scene.animations.size(), context.scene.animations.front().name));
 }
 
 } // namespace taa

@@ -1,5 +1,6 @@
 // Whether the parts of a glTF file fit together: data inside buffers, nodes in trees, channels with samplers.
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfDocument.h"
 
 #include <algorithm>
@@ -23,10 +24,6 @@ std::string placeOf(std::string_view list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]: ";
 }
 
-std::string number(std::uint64_t value) {
-  return std::to_string(value);
-}
-
 /// The list `name`, empty when it is absent.
 const json& listOf(const json& object, const char* name) {
   static const json kEmpty = json::array();
@@ -46,7 +43,7 @@ std::uint64_t dataUriBytes(const std::string& uri) {
   std::string_view data(uri);
   const auto prefix = std::ranges::find_if(
       kPrefixes, [&](std::string_view candidate) { return data.starts_with(candidate); });
-  if (prefix == kPrefixes.end()) throw Error("its data URI is not base64 of a buffer, PNG or JPEG");
+  if (prefix == kPrefixes.end()) throw Error(say<"its data URI is not base64 of a buffer, PNG or JPEG">());
   data.remove_prefix(prefix->size());
   const std::size_t end = std::min(data.find('='), data.size());
   const auto isBase64 = [](char c) {
@@ -54,7 +51,7 @@ std::uint64_t dataUriBytes(const std::string& uri) {
   };
   if (!std::all_of(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(end), isBase64) ||
       data.find_first_not_of('=', end) != std::string_view::npos || end % 4 == 1)
-    throw Error("its data URI is not valid base64");
+    throw Error(say<"its data URI is not valid base64">());
   return end / 4 * 3 + (end % 4 == 0 ? 0 : end % 4 - 1);
 }
 
@@ -62,7 +59,8 @@ std::uint64_t dataUriBytes(const std::string& uri) {
 std::uint64_t bufferBytes(const GltfDocument& document, const json& buffer, std::size_t index) {
   const auto uri = buffer.find("uri");
   if (uri == buffer.end()) {
-    if (!document.isBinary || index != 0) throw Error("it has no uri and there is no binary chunk for it");
+    if (!document.isBinary || index != 0)
+      throw Error(say<"it has no uri and there is no binary chunk for it">());
     return document.binary.size();
   }
   const std::string text = uri->get<std::string>();
@@ -78,10 +76,9 @@ void checkBuffers(GltfDocument& document) {
       const std::uint64_t declared = countOf(buffers[i], "byteLength"),
                           there = bufferBytes(document, buffers[i], i);
       if (there < declared)
-        throw Error("byteLength is " + number(declared) + " where there are " + number(there) + " bytes");
+        throw Error(say<"%1 is %2 where there are %3 bytes">("byteLength", declared, there));
       total += there;
-      if (total > kMaxBufferBytes)
-        throw Error("the buffers have more than " + number(kMaxBufferBytes) + " bytes");
+      if (total > kMaxBufferBytes) throw Error(say<"the buffers have more than %1 bytes">(kMaxBufferBytes));
       buffers[i]["byteLength"] = there; // may be longer by padding; tinygltf wants it exact
     } catch (const Error& error) {
       throw Error(placeOf("buffers", i) + error.what());
@@ -96,11 +93,12 @@ void checkViews(const json& root) {
     const std::uint64_t holds =
         root["buffers"][view["buffer"].get<std::size_t>()]["byteLength"].get<std::uint64_t>();
     if (offset + length > holds)
-      throw Error(placeOf("bufferViews", i) + number(length) + " bytes from byte " + number(offset) +
-                  " on reach past the " + number(holds) + " bytes of its buffer");
+      throw Error(
+          placeOf("bufferViews", i) +
+          say<"%1 bytes from byte %2 on reach past the %3 bytes of its buffer">(length, offset, holds));
     const std::uint64_t stride = countOf(view, "byteStride");
     if (stride != 0 && (stride < 4 || stride > 252 || stride % 4 != 0))
-      throw Error(placeOf("bufferViews", i) + "byteStride " + number(stride) + " is none of 4, 8, … 252");
+      throw Error(placeOf("bufferViews", i) + say<"%1 %2 is none of 4, 8, … 252">("byteStride", stride));
   }
 }
 
@@ -116,7 +114,7 @@ std::uint64_t componentBytes(const json& object) {
   case 5126:
     return 4;
   default:
-    throw Error("componentType " + object["componentType"].dump() + " does not exist");
+    throw Error(say<"%1 does not exist">("componentType " + object["componentType"].dump()));
   }
 }
 
@@ -125,7 +123,7 @@ std::uint64_t elementBytes(const json& accessor) {
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
   const std::string type = accessor["type"].get<std::string>();
   const auto found = std::ranges::find(kTypes, type, &std::pair<std::string_view, std::uint64_t>::first);
-  if (found == kTypes.end()) throw Error("type \"" + type + "\" does not exist");
+  if (found == kTypes.end()) throw Error(say<"%1 does not exist">("type \"" + type + "\""));
   return found->second * componentBytes(accessor);
 }
 
@@ -136,20 +134,19 @@ void checkSpan(const json& root, const json& reference, std::uint64_t count, std
                       holds = countOf(view, "byteLength");
   const std::uint64_t end = countOf(reference, "byteOffset") + stride * (count - 1) + bytes;
   if (end > holds)
-    throw Error(number(count) + " elements of " + number(bytes) + " bytes need " + number(end) +
-                " bytes; its bufferView has " + number(holds));
+    throw Error(
+        say<"%1 elements of %2 bytes need %3 bytes; its %4 has %5">(count, bytes, end, "bufferView", holds));
 }
 
 void checkAccessor(const json& root, const json& accessor) {
   const std::uint64_t count = countOf(accessor, "count"), bytes = elementBytes(accessor);
   if (count > kMaxElements)
-    throw Error("count " + number(count) + " is more than the " + number(kMaxElements) +
-                " that can be opened");
+    throw Error(say<"%1 %2 is more than the %3 that can be opened">("count", count, kMaxElements));
   if (accessor.contains("bufferView")) checkSpan(root, accessor, count, bytes);
   if (!accessor.contains("sparse")) return;
   const json& sparse = accessor["sparse"];
   const std::uint64_t changed = countOf(sparse, "count");
-  if (changed > count) throw Error("sparse: " + number(changed) + " elements of " + number(count));
+  if (changed > count) throw Error("sparse: " + say<"%1 elements of %2">(changed, count));
   checkSpan(root, sparse["indices"], changed, componentBytes(sparse["indices"]));
   checkSpan(root, sparse["values"], changed, bytes);
 }
@@ -166,7 +163,7 @@ void checkAccessors(const json& root) {
     for (const json& primitive : meshes[i]["primitives"])
       if (primitive.contains("indices") &&
           !accessors[primitive["indices"].get<std::size_t>()].contains("bufferView"))
-        throw Error(placeOf("meshes", i) + "the accessor of its indices has no bufferView");
+        throw Error(placeOf("meshes", i) + say<"the accessor of its indices has no %1">("bufferView"));
 }
 
 void checkImages(const GltfDocument& document) {
@@ -175,16 +172,15 @@ void checkImages(const GltfDocument& document) {
   for (std::size_t i = 0; i < images.size(); ++i) try {
       const auto uri = images[i].find("uri");
       if ((uri == images[i].end()) != images[i].contains("bufferView"))
-        throw Error("it must have either a uri or a bufferView");
+        throw Error(say<"it must have either a uri or a bufferView">());
       if (uri == images[i].end()) continue;
       const std::string text = uri->get<std::string>();
       const std::uint64_t bytes = text.starts_with("data:")
                                       ? dataUriBytes(text)
                                       : std::filesystem::file_size(resolveGltfUri(document.folder, text));
       total += bytes;
-      if (bytes == 0) throw Error("it is empty");
-      if (total > kMaxImageBytes)
-        throw Error("the images have more than " + number(kMaxImageBytes) + " bytes");
+      if (bytes == 0) throw Error(say<"it is empty">());
+      if (total > kMaxImageBytes) throw Error(say<"the images have more than %1 bytes">(kMaxImageBytes));
     } catch (const Error& error) {
       throw Error(placeOf("images", i) + error.what());
     }
@@ -197,8 +193,8 @@ std::vector<int> parentsOf(const json& nodes) {
     for (const json& child : listOf(nodes[i], "children")) {
       int& parent = parents[child.get<std::size_t>()];
       if (parent >= 0)
-        throw Error(placeOf("nodes", child.get<std::size_t>()) + "it is a child of both nodes[" +
-                    std::to_string(parent) + "] and nodes[" + std::to_string(i) + "]");
+        throw Error(placeOf("nodes", child.get<std::size_t>()) +
+                    say<"it is a child of both nodes[%1] and nodes[%2]">(parent, i));
       parent = static_cast<int>(i);
     }
   std::vector<int> walk(nodes.size(), -1); // the walk up, named by its start, that has passed a node
@@ -207,7 +203,7 @@ std::vector<int> parentsOf(const json& nodes) {
       int& passed = walk[static_cast<std::size_t>(at)];
       if (passed == static_cast<int>(i))
         throw Error(placeOf("nodes", static_cast<std::size_t>(at)) +
-                    "it is its own ancestor: the nodes form a cycle");
+                    say<"it is its own ancestor: the nodes form a cycle">());
       if (passed >= 0) break; // an earlier walk found the end from here
       passed = static_cast<int>(i);
     }
@@ -221,10 +217,9 @@ void checkScenes(const json& root, const std::vector<int>& parents) {
     for (const json& node : listOf(scenes[i], "nodes")) {
       const std::size_t index = node.get<std::size_t>();
       if (parents[index] >= 0)
-        throw Error(placeOf("scenes", i) + "nodes[" + std::to_string(index) + "] is the child of nodes[" +
-                    std::to_string(parents[index]) + "], not a root");
-      if (listed[index])
-        throw Error(placeOf("scenes", i) + "it lists nodes[" + std::to_string(index) + "] twice");
+        throw Error(placeOf("scenes", i) +
+                    say<"nodes[%1] is the child of nodes[%2], not a root">(index, parents[index]));
+      if (listed[index]) throw Error(placeOf("scenes", i) + say<"it lists nodes[%1] twice">(index));
       listed[index] = true;
     }
   }
@@ -235,8 +230,9 @@ void checkAnimations(const json& root) {
   for (std::size_t i = 0; i < animations.size(); ++i)
     for (const json& channel : animations[i]["channels"])
       if (channel["sampler"].get<std::uint64_t>() >= animations[i]["samplers"].size())
-        throw Error(placeOf("animations", i) + "a channel asks for samplers[" + channel["sampler"].dump() +
-                    "]; there are " + std::to_string(animations[i]["samplers"].size()));
+        throw Error(placeOf("animations", i) +
+                    say<"a channel asks for samplers[%1]; there are %2">(channel["sampler"].dump(),
+                                                                         animations[i]["samplers"].size()));
 }
 
 /// Removes extras and unknown extensions at every level.

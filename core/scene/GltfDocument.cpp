@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <array>
@@ -39,62 +40,60 @@ struct Chunks {
 
 Chunks splitBinary(const std::string& bytes) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
-  if (bytes.size() < kHeader)
-    throw Error("header: the file ends after " + std::to_string(bytes.size()) + " bytes");
+  if (bytes.size() < kHeader) throw Error(say<"header: the file ends after %1 bytes">(bytes.size()));
   const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
   if (version != 2)
-    throw Error("header: it is binary glTF " + std::to_string(version) +
-                "; only glTF 2.0 can be opened, export it anew");
+    throw Error(say<"header: it is binary glTF %1; only glTF 2.0 can be opened, export it anew">(version));
   if (length > bytes.size())
-    throw Error("header: the file has " + std::to_string(bytes.size()) + " bytes where it says " +
-                std::to_string(length));
+    throw Error(say<"header: the file has %1 bytes where it says %2">(bytes.size(), length));
   Chunks chunks;
   int index = 0;
   for (std::size_t at = kHeader; at + kChunkHeader <= length; ++index) {
     const std::size_t size = word(bytes, at);
     const std::uint32_t type = word(bytes, at + 4);
     if (size > length - at - kChunkHeader)
-      throw Error("chunk " + std::to_string(index) + ": its " + std::to_string(size) +
-                  " bytes reach past the end of the file");
+      throw Error(say<"chunk %1: its %2 bytes reach past the end of the file">(index, size));
     if ((index == 0) != (type == kJsonChunk))
-      throw Error("chunk " + std::to_string(index) + ": the first chunk, and only that, must be JSON");
+      throw Error(say<"chunk %1: the first chunk, and only that, must be JSON">(index));
     if (index == 0) chunks.json = bytes.substr(at + kChunkHeader, size);
     if (index == 1 && type == kBinaryChunk) chunks.binary = bytes.substr(at + kChunkHeader, size);
     at += kChunkHeader + size;
   }
-  if (index == 0) throw Error("header: there is no chunk with JSON");
+  if (index == 0) throw Error(say<"header: there is no chunk with JSON">());
   return chunks;
 }
 
 json parseJson(const std::string& text) {
   if (text.size() > kMaxJsonBytes)
-    throw Error("JSON: " + std::to_string(text.size()) + " bytes are more than can be opened");
+    throw Error(say<"JSON: %1 bytes are more than can be opened">(text.size()));
   try {
     return json::parse(text, [](int depth, json::parse_event_t, const json&) {
-      if (depth > kMaxDepth) throw Error("JSON: nested deeper than " + std::to_string(kMaxDepth) + " levels");
+      if (depth > kMaxDepth) throw Error(say<"JSON: nested deeper than %1 levels">(kMaxDepth));
       return true;
     });
   } catch (const json::exception& exception) {
     std::string reason = exception.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
     if (const std::size_t end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
-    throw Error("it is not glTF: " + reason);
+    throw Error(say<"it is not glTF: %1">(reason));
   }
 }
 
 void checkVersionText(const json& version, const std::string& place) {
-  if (!version.is_string()) throw Error(place + ": missing or not a text");
+  if (!version.is_string()) throw Error(place + ": " + say<"missing or not a text">());
   const std::string text = version.get<std::string>();
   if (!text.starts_with("2."))
-    throw Error(place + ": it is glTF " + text + "; only glTF 2.0 can be opened, export it anew");
+    throw Error(place + ": " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(text));
 }
 
 void checkVersion(const json& root) {
-  if (!root.is_object()) throw Error("JSON: the file holds no object");
+  if (!root.is_object()) throw Error(say<"JSON: the file holds no object">());
   const auto asset = root.find("asset");
   const bool isOld = asset == root.end() &&
                      (root.contains("techniques") || (root.contains("nodes") && root["nodes"].is_object()));
-  if (isOld) throw Error("asset: it is glTF 1.0; only glTF 2.0 can be opened, export it anew");
-  if (asset == root.end() || !asset->is_object()) throw Error("asset: missing; it is not a glTF file");
+  if (isOld)
+    throw Error("asset: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">("1.0"));
+  if (asset == root.end() || !asset->is_object())
+    throw Error("asset: " + say<"missing; it is not a glTF file">());
   checkVersionText(asset->value("version", json()), "asset.version");
   if (asset->contains("minVersion")) checkVersionText((*asset)["minVersion"], "asset.minVersion");
 }
@@ -102,12 +101,13 @@ void checkVersion(const json& root) {
 void checkExtensions(const json& root) {
   const auto required = root.find("extensionsRequired");
   if (required == root.end()) return;
-  if (!required->is_array()) throw Error("extensionsRequired: not a list");
+  if (!required->is_array()) throw Error("extensionsRequired: " + say<"not a list">());
   for (const json& name : *required) {
-    if (!name.is_string()) throw Error("extensionsRequired: not a list of texts");
+    if (!name.is_string()) throw Error("extensionsRequired: " + say<"not a list of texts">());
     if (!isKnownGltfExtension(name.get<std::string>()))
-      throw Error("extensionsRequired: it needs the extension " + name.get<std::string>() +
-                  ", which is not supported; export it without");
+      throw Error("extensionsRequired: " +
+                  say<"it needs the extension %1, which is not supported; export it without">(
+                      name.get<std::string>()));
   }
 }
 
@@ -135,9 +135,9 @@ bool isKnownGltfExtension(const std::string& name) {
 std::string readGltfFile(const fs::path& file, std::uintmax_t maxBytes) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw Error("there is no such file");
-  if (fs::is_directory(status)) throw Error("it is a folder");
-  if (!fs::is_regular_file(status)) throw Error("it is not a regular file");
+  if (!fs::exists(status)) throw Error(say<"there is no such file">());
+  if (fs::is_directory(status)) throw Error(say<"it is a folder">());
+  if (!fs::is_regular_file(status)) throw Error(say<"it is not a regular file">());
   try {
     return readFile(file, maxBytes);
   } catch (const Error& failure) { // "cannot read FILE: reason"
@@ -154,10 +154,10 @@ fs::path resolveGltfUri(const fs::path& folder, const std::string& uri) {
   const fs::path path(name);
   if (name.empty() || hasScheme || hasOddCharacter || path.is_absolute() ||
       std::ranges::find(path, fs::path("..")) != path.end())
-    throw Error("\"" + name + "\" is not a file below the folder of the scene; only such files are opened");
+    throw Error(say<"\"%1\" is not a file below the folder of the scene; only such files are opened">(name));
   fs::path file = folder / path;
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw Error("there is no file \"" + name + "\" beside it");
+  if (!fs::is_regular_file(file, error)) throw Error(say<"there is no file \"%1\" beside it">(name));
   return file;
 }
 

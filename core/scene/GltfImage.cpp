@@ -1,6 +1,7 @@
 #include "core/scene/GltfImage.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <tiny_gltf.h>
 
@@ -50,23 +51,22 @@ Size sizeOf(Bytes bytes) {
   if (startsWith(bytes, kPng))
     return bytes.size() < 24 ? Size{} : Size{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
   if (startsWith(bytes, kJpeg)) return jpegSize(bytes);
-  throw Error("it is neither PNG nor JPEG");
+  throw Error(say<"it is neither PNG nor JPEG">());
 }
 
 } // namespace
 
 SceneImage decodeImage(Bytes bytes) {
   const Size size = sizeOf(bytes);
-  if (size.width == 0 || size.height == 0) throw Error("its picture is damaged: it has no size");
+  if (size.width == 0 || size.height == 0) throw Error(say<"its picture is damaged: it has no size">());
   if (size.width > kMaxSide || size.height > kMaxSide || size.width * size.height > kMaxPixels)
-    throw Error("its picture of " + std::to_string(size.width) + "×" + std::to_string(size.height) +
-                " pixels is too large");
+    throw Error(say<"its picture of %1×%2 pixels is too large">(size.width, size.height));
   tinygltf::Image decoded;
   std::string error, warning;
   if (!tinygltf::LoadImageData(&decoded, 0, &error, &warning, 0, 0, bytes.data(),
                                static_cast<int>(bytes.size()), nullptr) ||
       decoded.width <= 0 || decoded.height <= 0 || decoded.component != 4)
-    throw Error("its picture is damaged and cannot be decoded");
+    throw Error(say<"its picture is damaged and cannot be decoded">());
   SceneImage image;
   image.width = decoded.width;
   image.height = decoded.height;

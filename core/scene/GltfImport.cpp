@@ -1,6 +1,7 @@
 #include "core/scene/GltfImport.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfDocument.h"
 
 #include <tiny_gltf.h>
@@ -62,7 +63,7 @@ void importGltf(const GltfDocument& document, tinygltf::Model& model) {
     good = parser.LoadASCIIFromString(&model, &error, &warning, json.data(),
                                       static_cast<unsigned>(json.size()), folder);
   }
-  if (!good) throw Error("tinygltf: " + (error.empty() ? "it cannot be read" : firstLine(error)));
+  if (!good) throw Error("tinygltf: " + (error.empty() ? say<"it cannot be read">() : firstLine(error)));
 }
 
 } // namespace taa

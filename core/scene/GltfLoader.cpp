@@ -1,5 +1,6 @@
 #include "core/scene/GltfLoader.h"
 
+#include "core/base/Say.h"
 #include "core/scene/Geometry.h"
 #include "core/scene/GltfAnimation.h"
 #include "core/scene/GltfContext.h"
@@ -22,19 +23,19 @@ namespace {
 void warnOfExtensions(GltfContext& context) {
   for (const std::string& extension : context.model.extensionsUsed)
     if (!isKnownGltfExtension(extension))
-      context.warn("The file uses " + extension + ", which is not shown.");
+      context.warn(say<"The file uses %1, which is not shown.">(extension));
 }
 
 void setBounds(Scene& scene) {
   constexpr float kFarthest = 1e15f; // farther out, products of coordinates leave the range of a float
   const Bounds bounds = restBounds(scene);
   if (bounds.isEmpty()) {
-    scene.warnings.emplace_back("The file has nothing to draw.");
+    scene.warnings.push_back(say<"The file has nothing to draw.">());
     return;
   }
   for (int axis = 0; axis < 3; ++axis) // written so that NaN fails too
     if (!(bounds.min[axis] >= -kFarthest && bounds.max[axis] <= kFarthest))
-      throw Error("bounds: the scene reaches to infinity");
+      throw Error(say<"bounds: the scene reaches to infinity">());
   scene.bounds = bounds;
 }
 
@@ -52,7 +53,7 @@ Shot shotOf(const Scene& scene) {
 }
 
 Scene build(const std::filesystem::path& file, const Progress& progress) {
-  report(progress, "Reading the file", 0, 1);
+  report(progress, say<"Reading the file">(), 0, 1);
   GltfDocument document = readGltfDocument(file);
   checkGltfTypes(document.json);
   checkGltfData(document);
@@ -65,7 +66,7 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   GltfContext context{model, scene, {}};
   warnOfExtensions(context);
   addGltfMaterials(context, progress);
-  report(progress, "Building meshes", 0, 1);
+  report(progress, say<"Building meshes">(), 0, 1);
   addGltfNodes(context);
   checkRestTransforms(context);
   addGltfMeshes(context);
@@ -73,23 +74,22 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   setBounds(scene);
   scene.shot = shotOf(scene);
   scene.sky.sunEnabled = scene.lights.empty();
-  report(progress, "Building meshes", 1, 1);
+  report(progress, say<"Building meshes">(), 1, 1);
   return scene;
 }
 
 } // namespace
 
 Scene loadGltf(const std::filesystem::path& file, const Progress& progress) {
-  const std::string failed = "cannot open " + file.string() + ": ";
   try {
     return build(file, progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(failed + "memory: it needs more than there is");
+    throw Error(say<"cannot open %1: memory: it needs more than there is">(file.string()));
   } catch (
       const std::exception& exception) { // our own Error, and whatever a library or the file system throws
-    throw Error(failed + exception.what());
+    throw Error(say<"cannot open %1: %2">(file.string(), exception.what()));
   }
 }
 

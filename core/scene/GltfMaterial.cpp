@@ -1,6 +1,7 @@
 #include "core/scene/GltfMaterial.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfContext.h"
 #include "core/scene/GltfImage.h"
 
@@ -135,7 +136,8 @@ class MaterialReader {
     if (info.index < 0) return slot;
     const tinygltf::Texture& texture = context_.model.textures.at(static_cast<std::size_t>(info.index));
     if (texture.source < 0) {
-      context_.warn("A texture has its picture only in a format that is not supported; it is left out.");
+      context_.warn(
+          say<"A texture has its picture only in a format that is not supported; it is left out.">());
       return slot;
     }
     slot.image = image(static_cast<std::size_t>(texture.source));
@@ -147,7 +149,7 @@ class MaterialReader {
       if (transform->Has("texCoord")) slot.uvSet = transform->Get("texCoord").GetNumberAsInt();
     }
     if (slot.uvSet > 1) {
-      context_.warn("A texture asks for a third set of texture coordinates; the first is used.");
+      context_.warn(say<"A texture asks for a third set of texture coordinates; the first is used.">());
       slot.uvSet = 0;
     }
     return slot;
@@ -157,14 +159,13 @@ class MaterialReader {
   int image(std::size_t source) {
     int& index = sceneImage_[source];
     if (index >= 0) return index;
-    report(progress_, "Decoding images", static_cast<int>(context_.scene.images.size()),
+    report(progress_, say<"Decoding images">(), static_cast<int>(context_.scene.images.size()),
            static_cast<int>(sceneImage_.size()));
     const tinygltf::Image& encoded = context_.model.images[source];
     try {
       SceneImage decoded = decodeImage(encoded.image);
       pixels_ += decoded.rgba.size() / 4;
-      if (pixels_ > kMaxPixels)
-        throw Error("with it the images have more than " + std::to_string(kMaxPixels) + " pixels");
+      if (pixels_ > kMaxPixels) throw Error(say<"with it the images have more than %1 pixels">(kMaxPixels));
       decoded.name = encoded.name.empty() ? encoded.uri : encoded.name;
       context_.scene.images.push_back(std::move(decoded));
     } catch (const Error& error) {

@@ -1,6 +1,7 @@
 #include "core/scene/GltfMesh.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfAccessor.h"
 #include "core/scene/GltfContext.h"
 #include "core/scene/GltfPrimitive.h"
@@ -48,7 +49,7 @@ class MeshAdder {
     for (std::size_t i = 0; i < source.primitives.size(); ++i) try {
         Primitive primitive = readPrimitive(context_, source.primitives[i]);
         if (primitive.indices.empty())
-          context_.warn("A part of the mesh \"" + source.name + "\" has nothing to draw.");
+          context_.warn(say<"A part of the mesh \"%1\" has nothing to draw.">(source.name));
         else
           mesh.primitives.push_back(std::move(primitive));
       } catch (const Error& error) {
@@ -76,7 +77,7 @@ class MeshAdder {
     std::vector<float>& all = context_.scene.morphWeights;
     const std::size_t first = all.size();
     if (first + count > kMaxWeights)
-      throw Error("the scene has more than " + std::to_string(kMaxWeights) + " morph weights");
+      throw Error(say<"the scene has more than %1 morph weights">(kMaxWeights));
     for (std::size_t i = 0; i < count; ++i)
       all.push_back(i < weights.size() ? static_cast<float>(weights[i]) : 0.0f);
     return static_cast<int>(first);
@@ -87,12 +88,11 @@ class MeshAdder {
     if (sceneSkin_[skinIndex] != kNotBuilt) return sceneSkin_[skinIndex];
     Skin skin = readSkin(skinIndex);
     if (skin.joints.empty()) {
-      context_.warn("A skin whose joints are not in the scene is left out.");
+      context_.warn(say<"A skin whose joints are not in the scene is left out.">());
       return sceneSkin_[skinIndex] = -1;
     }
     joints_ += skin.joints.size();
-    if (joints_ > kMaxJoints)
-      throw Error("the scene's skins have more than " + std::to_string(kMaxJoints) + " joints");
+    if (joints_ > kMaxJoints) throw Error(say<"the scene's skins have more than %1 joints">(kMaxJoints));
     context_.scene.skins.push_back(std::move(skin));
     return sceneSkin_[skinIndex] = static_cast<int>(context_.scene.skins.size()) - 1;
   }
@@ -104,8 +104,8 @@ class MeshAdder {
       inverseBinds = readAccessor(context_.model, source.inverseBindMatrices);
       if (inverseBinds.components != 16 || inverseBinds.count() < source.joints.size() ||
           !inverseBinds.isFinite())
-        throw Error(gltfPlace("skins", skinIndex) +
-                    ": inverseBindMatrices are not a finite 4×4 matrix for each joint");
+        throw Error(gltfPlace("skins", skinIndex) + ": " +
+                    say<"%1 are not a finite 4×4 matrix for each joint">("inverseBindMatrices"));
     }
     Skin skin;
     for (std::size_t i = 0; i < source.joints.size(); ++i) {
@@ -128,9 +128,9 @@ class MeshAdder {
         for (int joint = 0; joint < 4; ++joint)
           if (!(influence.joints[joint] < static_cast<float>(count)))
             throw Error(gltfPlace("meshes", sourceMesh) + "." + gltfPlace("primitives", i) +
-                        ".attributes.JOINTS_0: joint " +
-                        std::to_string(static_cast<long long>(influence.joints[joint])) +
-                        " is out of range; the skin has " + std::to_string(count));
+                        ".attributes.JOINTS_0: " +
+                        say<"joint %1 is out of range; the skin has %2">(
+                            static_cast<long long>(influence.joints[joint]), count));
   }
 
   void addInstances(const tinygltf::Value& attributes, std::size_t sourceNode, int mesh) {
@@ -139,7 +139,7 @@ class MeshAdder {
         if (!attributes.Has(name)) return AccessorValues{};
         AccessorValues values = readAccessor(context_.model, attributes.Get(name).GetNumberAsInt());
         if (values.components != components || !values.isFinite())
-          throw Error(std::string(name) + " does not hold finite vectors of " + std::to_string(components));
+          throw Error(say<"%1 does not hold finite vectors of %2">(name, components));
         return values;
       };
       addInstances(read("TRANSLATION", 3), read("ROTATION", 4), read("SCALE", 3),
@@ -154,12 +154,11 @@ class MeshAdder {
     std::size_t count = 0;
     for (const AccessorValues* values : {&translations, &rotations, &scales}) {
       if (values->components == 0) continue;
-      if (count != 0 && values->count() != count) throw Error("its attributes have different counts");
+      if (count != 0 && values->count() != count) throw Error(say<"its attributes have different counts">());
       count = values->count();
     }
     instances_ += count;
-    if (instances_ > kMaxInstances)
-      throw Error("there are more than " + std::to_string(kMaxInstances) + " instances");
+    if (instances_ > kMaxInstances) throw Error(say<"there are more than %1 instances">(kMaxInstances));
     for (std::size_t i = 0; i < count; ++i) {
       Node node;
       node.name = context_.scene.nodes[static_cast<std::size_t>(parent)].name;

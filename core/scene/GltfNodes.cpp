@@ -1,6 +1,7 @@
 #include "core/scene/GltfNodes.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfContext.h"
 #include "core/scene/Pose.h"
 
@@ -68,7 +69,7 @@ void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex
   else if (source.type == "spot")
     light.kind = LightKind::Spot;
   else if (source.type != "directional")
-    return context.warn("A light of the unknown type \"" + source.type + "\" is left out.");
+    return context.warn(say<"A light of the unknown type \"%1\" is left out.">(source.type));
   light.color = glm::max(vectorOr(source.color, glm::vec3(1.0f)), glm::vec3(0.0f));
   light.intensity = std::max(toFloat(source.intensity), 0.0f);
   light.range = std::max(toFloat(source.range), 0.0f);
@@ -86,8 +87,7 @@ std::vector<int> rootsOf(GltfContext& context) {
   if (!model.scenes.empty()) {
     const std::size_t chosen = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
     if (model.scenes.size() > 1)
-      context.warn("The file has " + std::to_string(model.scenes.size()) + " scenes; scenes[" +
-                   std::to_string(chosen) + "] is shown.");
+      context.warn(say<"The file has %1 scenes; scenes[%2] is shown.">(model.scenes.size(), chosen));
     return model.scenes.at(chosen).nodes;
   }
   std::vector<bool> isChild(model.nodes.size(), false);
@@ -103,7 +103,7 @@ void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
   const tinygltf::Node& source = context.model.nodes[sourceIndex];
   const int index = static_cast<int>(context.scene.nodes.size());
   if (context.scene.nodes.size() >= kMaxNodes)
-    throw Error("nodes: more than " + std::to_string(kMaxNodes) + " are drawn");
+    throw Error("nodes: " + say<"more than %1 are drawn">(kMaxNodes));
   context.sceneNode[sourceIndex] = index;
   Node node;
   node.name = source.name;
@@ -149,7 +149,7 @@ void checkRestTransforms(const GltfContext& context) {
     const glm::mat4& transform = transforms[static_cast<std::size_t>(context.sceneNode[source])];
     for (int i = 0; i < 16; ++i)
       if (!std::isfinite(transform[i / 4][i % 4]))
-        throw Error(gltfPlace("nodes", source) + ": its transform is not finite");
+        throw Error(gltfPlace("nodes", source) + ": " + say<"its transform is not finite">());
   }
 }
 

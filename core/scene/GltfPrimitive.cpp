@@ -1,6 +1,7 @@
 #include "core/scene/GltfPrimitive.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/Geometry.h"
 #include "core/scene/GltfAccessor.h"
 #include "core/scene/GltfContext.h"
@@ -32,11 +33,10 @@ class AttributeReader {
     AccessorValues values = readAccessor(context_.model, found->second);
     const std::string place = std::string("attributes.") + name + ": ";
     if (values.components < minComponents || values.components > maxComponents)
-      throw Error(place + "it has " + std::to_string(values.components) + " components");
+      throw Error(place + say<"it has %1 components">(values.components));
     if (count_ == 0) count_ = values.count();
     if (values.count() != count_)
-      throw Error(place + "it has " + std::to_string(values.count()) + " elements where POSITION has " +
-                  std::to_string(count_));
+      throw Error(place + say<"it has %1 elements where POSITION has %2">(values.count(), count_));
     return values;
   }
 
@@ -44,7 +44,7 @@ class AttributeReader {
   std::optional<AccessorValues> readTame(const char* name, int minComponents, int maxComponents) {
     std::optional<AccessorValues> values = read(name, minComponents, maxComponents);
     if (values && !values->isFinite()) {
-      context_.warn(std::string("Values of ") + name + " that are not numbers are taken for 0.");
+      context_.warn(say<"Values of %1 that are not numbers are taken for 0.">(name));
       for (float& value : values->values) value = std::isfinite(value) ? value : 0.0f;
     }
     return values;
@@ -69,10 +69,10 @@ struct Given {
 void readPositions(GltfContext& context, AttributeReader& attributes, Primitive& primitive) {
   const std::optional<AccessorValues> positions = attributes.read("POSITION", 3, 3);
   if (!positions) return;
-  if (!positions->isFinite()) throw Error("attributes.POSITION: a position is not a finite number");
+  if (!positions->isFinite())
+    throw Error("attributes.POSITION: " + say<"a position is not a finite number">());
   context.vertices += positions->count();
-  if (context.vertices > kMaxVertices)
-    throw Error("the scene has more than " + std::to_string(kMaxVertices) + " vertices");
+  if (context.vertices > kMaxVertices) throw Error(say<"the scene has more than %1 vertices">(kMaxVertices));
   primitive.vertices.resize(positions->count());
   for (std::size_t i = 0; i < primitive.vertices.size(); ++i)
     primitive.vertices[i].position = glm::vec3(positions->at(i));
@@ -134,8 +134,8 @@ void readDeltas(GltfContext& context, const std::map<std::string, int>& target, 
   if (found == target.end()) return;
   const AccessorValues values = readAccessor(context.model, found->second);
   if (values.components != 3 || values.count() != deltas.size() || !values.isFinite())
-    throw Error(std::string(name) + ": it is not a finite vector of 3 for each of the " +
-                std::to_string(deltas.size()) + " vertices");
+    throw Error(name +
+                (": " + say<"it is not a finite vector of 3 for each of the %1 vertices">(deltas.size())));
   for (std::size_t i = 0; i < deltas.size(); ++i) deltas[i].*member = glm::vec3(values.at(i));
 }
 
@@ -143,11 +143,11 @@ void readTargets(GltfContext& context, const tinygltf::Primitive& source, Primit
   // As vec4 for position, normal and tangent in one storage block, which every driver lets have 128 MiB.
   constexpr std::size_t kMaxDeltas = (std::size_t(128) << 20) / 48;
   if (source.targets.size() * primitive.vertices.size() > kMaxDeltas)
-    throw Error("targets: they have more than " + std::to_string(kMaxDeltas) + " vertices together");
+    throw Error("targets: " + say<"they have more than %1 vertices together">(kMaxDeltas));
   for (std::size_t i = 0; i < source.targets.size(); ++i) try {
       context.vertices += primitive.vertices.size();
       if (context.vertices > kMaxVertices)
-        throw Error("the scene has more than " + std::to_string(kMaxVertices) + " vertices and morph deltas");
+        throw Error(say<"the scene has more than %1 vertices and morph deltas">(kMaxVertices));
       std::vector<MorphDelta>& deltas = primitive.targets.emplace_back(primitive.vertices.size());
       readDeltas(context, source.targets[i], "POSITION", &MorphDelta::position, deltas);
       readDeltas(context, source.targets[i], "NORMAL", &MorphDelta::normal, deltas);
@@ -183,8 +183,7 @@ std::vector<std::uint32_t> readVertexOrder(const GltfContext& context, const tin
   std::vector<std::uint32_t> order = readIndices(context.model, source.indices);
   for (const std::uint32_t index : order)
     if (index >= vertexCount)
-      throw Error("indices: vertex " + std::to_string(index) + " is out of range; there are " +
-                  std::to_string(vertexCount));
+      throw Error("indices: " + say<"vertex %1 is out of range; there are %2">(index, vertexCount));
   return order;
 }
 
@@ -218,7 +217,7 @@ void unroll(const std::vector<std::uint32_t>& order, int mode, Primitive& primit
     for (std::size_t i = 0; i + 2 < n; ++i) add({i + 1, i + 2, 0});
     break;
   default:
-    throw Error("mode: " + std::to_string(mode) + " does not exist");
+    throw Error("mode: " + say<"%1 does not exist">(mode));
   }
 }
 
@@ -227,7 +226,7 @@ void complete(GltfContext& context, const Given& given, Primitive& primitive) {
   if (!given.normals) {
     context.vertices += primitive.indices.size(); // flat triangles share no vertices
     if (context.vertices > kMaxVertices)
-      throw Error("the scene has more than " + std::to_string(kMaxVertices) + " vertices");
+      throw Error(say<"the scene has more than %1 vertices">(kMaxVertices));
     makeFlatNormals(primitive);
   }
   const TextureSlot& normalMap =
@@ -250,8 +249,7 @@ Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source)
   readVelocities(attributes, primitive);
   const std::vector<std::uint32_t> order = readVertexOrder(context, source, primitive.vertices.size());
   context.indices += 3 * order.size();
-  if (context.indices > kMaxIndices)
-    throw Error("the scene has more than " + std::to_string(kMaxIndices) + " indices");
+  if (context.indices > kMaxIndices) throw Error(say<"the scene has more than %1 indices">(kMaxIndices));
   unroll(order, source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode, primitive);
   complete(context, given, primitive);
   finishVelocities(primitive);

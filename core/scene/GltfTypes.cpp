@@ -1,5 +1,6 @@
 // The table of glTF's properties that are read here: what type each has and what list each index points into.
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/GltfDocument.h"
 
 #include <cmath>
@@ -221,7 +222,7 @@ class TypeCheck {
     if (path.empty()) return checkValue(value);
     const std::string_view step = takeStep(path);
     if (step == "[]") {
-      if (!value.is_array()) place_.fail("not a list");
+      if (!value.is_array()) place_.fail(say<"not a list">());
       for (std::size_t i = 0; i < value.size(); ++i) {
         place_.enter(i);
         walk(value[i], path);
@@ -229,7 +230,7 @@ class TypeCheck {
       }
       return;
     }
-    if (!value.is_object()) place_.fail("not an object");
+    if (!value.is_object()) place_.fail(say<"not an object">());
     if (step == "*") {
       for (auto member = value.begin(); member != value.end(); ++member)
         enterMember(member.key(), *member, path);
@@ -239,7 +240,7 @@ class TypeCheck {
     if (member != value.end()) return enterMember(step, *member, path);
     if (rule_->required && path.empty()) {
       place_.enter(step);
-      place_.fail("missing");
+      place_.fail(say<"missing">());
     }
   }
 
@@ -252,47 +253,48 @@ class TypeCheck {
   void checkValue(const json& value) {
     if (rule_->size == 0) return checkSingle(value);
     if (!value.is_array() || value.size() != rule_->size)
-      place_.fail("not a list of " + std::to_string(rule_->size) + " numbers");
+      place_.fail(say<"not a list of %1 numbers">(rule_->size));
     for (const json& element : value) checkSingle(element);
   }
 
   void checkSingle(const json& value) const {
     switch (rule_->kind) {
     case Kind::Object:
-      return expect(value.is_object(), "not an object");
+      return expect(value.is_object(), say<"not an object">);
     case Kind::List:
-      return expect(value.is_array() && !value.empty(), "not a list, or empty");
+      return expect(value.is_array() && !value.empty(), say<"not a list, or empty">);
     case Kind::Text:
-      return expect(value.is_string(), "not a text");
+      return expect(value.is_string(), say<"not a text">);
     case Kind::Boolean:
-      return expect(value.is_boolean(), "neither true nor false");
+      return expect(value.is_boolean(), say<"neither true nor false">);
     case Kind::Number:
-      expect(value.is_number(), "not a number");
-      return expect(std::abs(value.get<double>()) <= std::numeric_limits<float>::max(), "too large a number");
+      expect(value.is_number(), say<"not a number">);
+      return expect(std::abs(value.get<double>()) <= std::numeric_limits<float>::max(),
+                    say<"too large a number">);
     case Kind::Integer:
       return expectInteger(value, std::numeric_limits<int>::max());
     case Kind::Count:
       return expectInteger(value, kMaxCount);
     case Kind::Positive:
       expectInteger(value, kMaxCount);
-      return expect(value.get<std::uint64_t>() > 0, "it is 0");
+      return expect(value.get<std::uint64_t>() > 0, say<"it is 0">);
     case Kind::Index:
       break;
     }
     expectInteger(value, kMaxCount);
-    expect(value.get<std::uint64_t>() < listSize_, "there is no " + std::string(rule_->list) + "[" +
-                                                       value.dump() + "]; there are " +
-                                                       std::to_string(listSize_));
+    if (value.get<std::uint64_t>() >= listSize_)
+      place_.fail(say<"there is no %1[%2]; there are %3">(rule_->list, value.dump(), listSize_));
   }
 
   void expectInteger(const json& value, std::uint64_t max) const {
-    expect(value.is_number_integer(), "not a whole number");
-    expect(value.is_number_unsigned() && value.get<std::uint64_t>() <= max,
-           value.dump() + " is out of range");
+    expect(value.is_number_integer(), say<"not a whole number">);
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > max)
+      place_.fail(say<"%1 is out of range">(value.dump()));
   }
 
-  void expect(bool holds, const std::string& reason) const {
-    if (!holds) place_.fail(reason);
+  // The reason is put into words only where it is needed: files have many values.
+  void expect(bool holds, std::string (*reason)()) const {
+    if (!holds) place_.fail(reason());
   }
 
   static constexpr std::uint64_t kMaxCount = std::numeric_limits<int>::max(); // what tinygltf can hold

@@ -1,6 +1,7 @@
 #include "core/scene/MotionMode.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/Scene.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ MotionOverride parseMotionOverride(const std::string& text) {
   const std::string_view id = equals == std::string::npos ? "" : std::string_view(text).substr(equals + 1);
   const auto mode = std::ranges::find(kMotionModes, id, &MotionModeInfo::id);
   if (equals == 0 || mode == kMotionModes.end())
-    throw Error("\"" + text + "\" is not NODE=MODE; modes are perObject, cameraOnly and none");
+    throw Error(say<"\"%1\" is not NODE=MODE; modes are perObject, cameraOnly and none">(text));
   return {text.substr(0, equals), static_cast<MotionMode>(mode - kMotionModes.begin())};
 }
 
@@ -50,9 +51,11 @@ void checkMotionOverrides(const Scene& scene, const std::vector<MotionOverride>&
     std::string known;
     for (std::size_t i = 0; i < std::min(names.size(), kMostNamesInMessage); ++i)
       known += (i == 0 ? "" : ", ") + names[i];
-    if (names.size() > kMostNamesInMessage) known += " and more";
-    throw Error("no object is called \"" + replaced.node + "\"; there are " +
-                (known.empty() ? "none with a name" : known));
+    if (names.size() > kMostNamesInMessage)
+      throw Error(say<"no object is called \"%1\"; there are %2 and more">(replaced.node, known));
+    if (known.empty())
+      throw Error(say<"no object is called \"%1\"; there are none with a name">(replaced.node));
+    throw Error(say<"no object is called \"%1\"; there are %2">(replaced.node, known));
   }
 }
 

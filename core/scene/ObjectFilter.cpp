@@ -1,6 +1,7 @@
 #include "core/scene/ObjectFilter.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/Scene.h"
 #include "core/scene/SceneOutline.h"
 
@@ -19,16 +20,18 @@ Names asSet(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-std::string knownNames(const Scene& scene) {
+std::string unknownObject(const std::string& name, const Scene& scene) {
   std::string known;
   Names told;
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
     const std::string key = nodeKey(scene, node);
     if (!told.insert(key).second) continue;
-    if (told.size() > kMostNamesInMessage) return known + " and more";
+    if (told.size() > kMostNamesInMessage)
+      return say<"no object is called \"%1\"; there are %2 and more">(name, known);
     known += (known.empty() ? "" : ", ") + key;
   }
-  return known.empty() ? "none" : known;
+  if (known.empty()) return say<"no object is called \"%1\"; there are none">(name);
+  return say<"no object is called \"%1\"; there are %2">(name, known);
 }
 
 /// Of a tree that is given by its keys and parents, parents first.
@@ -74,8 +77,7 @@ void checkObjectFilter(const Scene& scene, const ObjectFilter& filter) {
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) keys.insert(nodeKey(scene, node));
   for (const std::vector<std::string>* names : {&filter.hidden, &filter.isolated})
     for (const std::string& name : *names)
-      if (!keys.contains(name))
-        throw Error("no object is called \"" + name + "\"; there are " + knownNames(scene));
+      if (!keys.contains(name)) throw Error(unknownObject(name, scene));
 }
 
 } // namespace taa

@@ -1,6 +1,7 @@
 #include "core/scene/SceneSource.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/scene/BuiltinScenes.h"
 #include "core/scene/GltfLoader.h"
 
@@ -26,7 +27,7 @@ Scene makeBuiltin(const std::string& source) {
     if (scene.id == id) return kMakers[i]();
     known += (known.empty() ? "" : ", ") + std::string(kBuiltinPrefix) + scene.id;
   }
-  throw Error("there is no built-in scene \"" + std::string(id) + "\"; there are " + known);
+  throw Error(say<"there is no built-in scene \"%1\"; there are %2">(id, known));
 }
 
 } // namespace
@@ -59,9 +60,9 @@ const std::vector<BuiltinScene>& builtinScenes() {
 
 Scene openScene(const std::string& source, const Progress& progress) {
   if (!source.starts_with(kBuiltinPrefix)) return loadGltf(source, progress);
-  report(progress, "Opening the scene", 0, 1);
+  report(progress, say<"Opening the scene">(), 0, 1);
   Scene scene = makeBuiltin(source);
-  report(progress, "Opening the scene", 1, 1);
+  report(progress, say<"Opening the scene">(), 1, 1);
   return scene;
 }
 

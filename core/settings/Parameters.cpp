@@ -1,6 +1,7 @@
 #include "core/settings/Parameters.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <nlohmann/json.hpp>
 
@@ -30,37 +31,30 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string nearestPaths(std::string_view path) {
+/// The refusal of a path that no parameter has, with the three that are spelled most like it.
+std::string unknownPath(std::string_view path) {
   std::vector<std::pair<std::size_t, std::string_view>> ranked;
   for (const Parameter& row : parameters()) ranked.emplace_back(editDistance(path, row.path), row.path);
   std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
-  std::string text;
-  for (std::size_t i = 0; i < 3; ++i)
-    text += (i == 0 ? "" : i == 1 ? ", " : " or ") + std::string(ranked[i].second);
-  return text;
+  return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(path, ranked[0].second,
+                                                                       ranked[1].second, ranked[2].second);
 }
 
-std::string allowedText(const Parameter& row) {
-  switch (row.kind) {
-  case ParameterKind::Choice: {
-    std::string text = "one of ";
-    for (const Choice& choice : row.choices)
-      text += (&choice == row.choices.data() ? "" : ", ") + std::string(choice.id);
-    return text;
-  }
-  case ParameterKind::Toggle:
-    return "on or off";
-  case ParameterKind::Integer:
-    return "an integer from " + valueText(row, row.minimum) + " to " + valueText(row, row.maximum);
-  case ParameterKind::Number:
-    return "a number from " + valueText(row, row.minimum) + " to " + valueText(row, row.maximum);
-  }
-  return {};
+std::string idsOf(const Parameter& row) {
+  std::string ids;
+  for (const Choice& choice : row.choices) ids += (ids.empty() ? "" : ", ") + std::string(choice.id);
+  return ids;
 }
 
 [[noreturn]] void refuse(const Parameter& row, std::string_view text) {
-  throw Error("cannot set " + std::string(row.path) + " to \"" + std::string(text) + "\": give " +
-              allowedText(row));
+  if (row.kind == ParameterKind::Choice)
+    throw Error(say<"cannot set %1 to \"%2\": give one of %3">(row.path, text, idsOf(row)));
+  if (row.kind == ParameterKind::Toggle)
+    throw Error(say<"cannot set %1 to \"%2\": give on or off">(row.path, text));
+  const std::string least = valueText(row, row.minimum), most = valueText(row, row.maximum);
+  if (row.kind == ParameterKind::Integer)
+    throw Error(say<"cannot set %1 to \"%2\": give an integer from %3 to %4">(row.path, text, least, most));
+  throw Error(say<"cannot set %1 to \"%2\": give a number from %3 to %4">(row.path, text, least, most));
 }
 
 // Index of the choice, or −1.
@@ -126,8 +120,7 @@ double valueFromJson(const Parameter& row, const nlohmann::json& json) {
 const Parameter& parameter(std::string_view path) {
   const auto rows = parameters();
   const auto found = std::ranges::find(rows, path, &Parameter::path);
-  if (found == rows.end())
-    throw Error("there is no parameter \"" + std::string(path) + "\"; near it are " + nearestPaths(path));
+  if (found == rows.end()) throw Error(unknownPath(path));
   return *found;
 }
 
@@ -184,8 +177,7 @@ double parseValue(const Parameter& row, std::string_view text) {
 void applyAssignment(Settings& settings, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
-    throw Error("cannot read \"" + std::string(assignment) +
-                "\": write path=value, for example rectify.method=clamp");
+    throw Error(say<"cannot read \"%1\": write path=value, for example rectify.method=clamp">(assignment));
   const Parameter& row = parameter(assignment.substr(0, equals));
   row.set(settings, parseValue(row, assignment.substr(equals + 1)));
 }
@@ -209,11 +201,11 @@ nlohmann::json toJson(const Settings& settings) {
 }
 
 void fromJson(const nlohmann::json& json, Settings& settings) {
-  if (!json.is_object()) throw Error("cannot read settings: expected an object of groups");
+  if (!json.is_object()) throw Error(say<"cannot read settings: expected an object of groups">());
   Settings changed = settings;
   for (const auto& [group, rows] : json.items()) {
     if (!rows.is_object())
-      throw Error("cannot read settings: \"" + group + "\" is not a group of parameters");
+      throw Error(say<"cannot read settings: \"%1\" is not a group of parameters">(group));
     for (const auto& [name, value] : rows.items()) {
       const Parameter& row = parameter(group + "." + name);
       row.set(changed, valueFromJson(row, value));

@@ -2,6 +2,7 @@
 
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/settings/Parameters.h"
 
 #include <nlohmann/json.hpp>
@@ -39,8 +40,8 @@ Preset preset(const std::string& idOrPath) {
     known += (known.empty() ? "" : ", ") + row.id;
   }
   if (idOrPath.ends_with(".json")) return presetFromText(readFile(idOrPath, 1 << 20), idOrPath);
-  throw Error("there is no preset \"" + idOrPath + "\"; there are " + known +
-              ", or give a file that ends in .json");
+  throw Error(
+      say<"there is no preset \"%1\"; there are %2, or give a file that ends in .json">(idOrPath, known));
 }
 
 Preset presetFromText(const std::string& text, const std::string& place) {
@@ -48,10 +49,9 @@ Preset presetFromText(const std::string& text, const std::string& place) {
     const nlohmann::json json = nlohmann::json::parse(text);
     for (const auto& [key, value] : json.items())
       if (std::ranges::find(kFields, key) == std::end(kFields))
-        throw Error("there is no preset field \"" + key + "\"");
+        throw Error(say<"there is no preset field \"%1\"">(key));
     if (json.at("format") != kFormat)
-      throw Error("its format is " + json.at("format").dump() + ", this program reads " +
-                  std::to_string(kFormat));
+      throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kFormat));
     Preset row{json.at("id"),
                json.at("label"),
                json.value("group", ""),
@@ -61,9 +61,9 @@ Preset presetFromText(const std::string& text, const std::string& place) {
     fromJson(json.at("settings"), row.settings);
     return row;
   } catch (const nlohmann::json::exception& error) {
-    throw Error("cannot read preset " + place + ": " + error.what());
+    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
   } catch (const Error& error) {
-    throw Error("cannot read preset " + place + ": " + error.what());
+    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
   }
 }
 

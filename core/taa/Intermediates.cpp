@@ -1,6 +1,7 @@
 #include "core/taa/Intermediates.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,7 +18,7 @@ IntermediateId intermediateNamed(std::string_view name) {
   if (const auto id = findIntermediate(name)) return *id;
   std::string all;
   for (const Intermediate& row : kIntermediates) all += (all.empty() ? "" : ", ") + std::string(row.name);
-  throw Error("no intermediate is called \"" + std::string(name) + "\"; there are " + all);
+  throw Error(say<"no intermediate is called \"%1\"; there are %2">(name, all));
 }
 
 std::vector<IntermediateId> allRows() {
