@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 #include "app/widgets/OfferBar.h"
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <QBoxLayout>
 #include <QDateTime>
@@ -59,8 +60,8 @@ bool SessionKeeper::restore(const QString& path) {
     SessionFile file = readSession(path.toStdString());
     const QString source = QString::fromStdString(file.source);
     if (isFile(source) && !QFileInfo::exists(source))
-      throw Error("cannot open the session " + path.toStdString() + ": its scene " + file.source +
-                  " is not there any more");
+      throw Error(say<"cannot open the session %1: its scene %2 is not there any more">(path.toStdString(),
+                                                                                        file.source));
     window_.session().restore(file);
     window_.setState(windowState(file));
     restoring_ = std::move(file);

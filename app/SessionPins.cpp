@@ -2,6 +2,7 @@
 #include "app/Session.h"
 
 #include "core/base/Error.h"
+#include "core/base/Say.h"
 
 #include <glm/common.hpp>
 
@@ -49,7 +50,7 @@ void Session::movePick(int dx, int dy) {
 
 void Session::addPin(glm::ivec2 pixel, Follow follow) {
   if (pins_.count() >= kMostPins)
-    return guarded([] { throw Error("there are nine probes already; remove one to pin another"); });
+    return guarded([] { throw Error(say<"there are nine probes already; remove one to pin another">()); });
   if (pins_.add({inPicture(pixel), follow, status_.info.frame, {}})) sendPins();
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Say.h"
 #include "core/settings/Presets.h"
 
 #include <QDir>
@@ -51,11 +52,11 @@ std::vector<UserPreset> userPresets(const QString& folder) {
 
 QString saveUserPreset(const QString& folder, const QString& label, const Settings& settings) {
   const QString id = idOf(label);
-  if (id.isEmpty()) throw Error("cannot save the preset: its name needs a letter or a digit");
+  if (id.isEmpty()) throw Error(say<"cannot save the preset: its name needs a letter or a digit">());
   if (std::ranges::count(builtinPresets(), id.toStdString(), &Preset::id) > 0)
-    throw Error("cannot save the preset: \"" + id.toStdString() + "\" is a built-in one; give another name");
+    throw Error(say<"cannot save the preset: \"%1\" is a built-in one; give another name">(id.toStdString()));
   if (!QDir().mkpath(folder))
-    throw Error("cannot save the preset: the folder " + folder.toStdString() + " cannot be made");
+    throw Error(say<"cannot save the preset: the folder %1 cannot be made">(folder.toStdString()));
   const QString path = QDir(folder).filePath(id + QStringLiteral(".json"));
   const Preset row{id.toStdString(), label.trimmed().toStdString(), "", 0, "Saved from the window.",
                    settings};
@@ -68,8 +69,8 @@ QString renameUserPreset(const QString& path, const QString& label) {
   const QString wanted = old.dir().filePath(idOf(label) + QStringLiteral(".json"));
   const bool isSameFile = QFileInfo(wanted) == old;
   if (!isSameFile && QFileInfo::exists(wanted))
-    throw Error("cannot rename the preset: there is one called " + label.trimmed().toStdString() +
-                " already");
+    throw Error(
+        say<"cannot rename the preset: there is one called %1 already">(label.trimmed().toStdString()));
   const QString made = saveUserPreset(old.path(), label, preset(path.toStdString()).settings);
   if (!isSameFile) deleteUserPreset(path);
   return made;
@@ -78,7 +79,7 @@ QString renameUserPreset(const QString& path, const QString& label) {
 void deleteUserPreset(const QString& path) {
   QFile file(path);
   if (!file.remove())
-    throw Error("cannot delete " + path.toStdString() + ": " + file.errorString().toStdString());
+    throw Error(say<"cannot delete %1: %2">(path.toStdString(), file.errorString().toStdString()));
 }
 
 } // namespace taa::app

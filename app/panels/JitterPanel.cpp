@@ -94,10 +94,9 @@ void JitterPanel::refresh() {
   title_->setText(
       tr("%1, index %2 of %3").arg(tableText(row.choices[choice].label)).arg(current).arg(period));
   QStringList lines;
-  lines << (isMeasured
-                ? tr("Weights as measured at %1. Frames: %2.").arg(history().place).arg(weights.size())
-                : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
-                      .arg(weights.size()));
+  lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(history().place).arg(weights.size())
+                       : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
+                             .arg(weights.size()));
   lines << tr("Effective samples: %1 of frames, %2 of the %3 places.")
                .arg(shortText(effectiveSamples(weights), 3), shortText(pattern.effective, 3))
                .arg(period);

@@ -50,8 +50,9 @@ double finite(const QJsonValue& value, double otherwise) {
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
-constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
-constexpr int kValueColumn = 19;   ///< characters
+constexpr std::size_t kMiddle = 4;      ///< of the 3×3 records
+constexpr int kValueColumn = 19;        ///< characters
+constexpr int kCellMargins = 4 * kUnit; ///< beside the text of a cell: the style sheet's, and the style's own
 
 } // namespace
 
@@ -200,19 +201,21 @@ void ProbePanel::makeTable() {
 
 void ProbePanel::fitColumns() {
   const QFontMetrics small(secondaryFont()), digits(numberFont());
-  int name = 0;
-  for (const Intermediate& row : kIntermediates)
+  int name = 0, unit = 0;
+  for (const Intermediate& row : kIntermediates) {
     name = std::max(name, small.horizontalAdvance(tableText(row.label)));
-  const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + 2 * kUnit;
-  const int unitWidth = small.horizontalAdvance(QStringLiteral("frames")) + 2 * kUnit;
+    unit = std::max(unit, small.horizontalAdvance(tableText(row.unit)));
+  }
+  const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kCellMargins;
+  const int unitWidth = unit + kCellMargins;
   const int room = width() - table_->verticalScrollBar()->sizeHint().width() - valueWidth - unitWidth;
-  const int nameWidth = std::min(room, name + table_->indentation() + 3 * kUnit);
+  const int nameWidth = std::min(room, name + table_->indentation() + kCellMargins);
   table_->setColumnWidth(ProbeModel::Name, nameWidth);
   table_->setColumnWidth(ProbeModel::Value, valueWidth);
   table_->setColumnWidth(ProbeModel::Unit, unitWidth);
   table_->setColumnHidden(ProbeModel::Meaning,
                           room - nameWidth <
-                              small.horizontalAdvance(QStringLiteral("the pixel itself")) + 2 * kUnit);
+                              small.horizontalAdvance(QObject::tr("the pixel itself")) + kCellMargins);
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {

@@ -31,30 +31,35 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+/// A text of the tables, in the user's language.
+std::string shown(std::string_view text) {
+  return escaped(sayLabel(text));
+}
+
 std::string rangeText(const Parameter& row) {
-  if (row.kind == ParameterKind::Toggle) return "on, off";
+  if (row.kind == ParameterKind::Toggle) return say<"on, off">();
   if (row.kind != ParameterKind::Choice)
     return valueText(row, row.minimum) + " … " + valueText(row, row.maximum) +
-           (row.unit.empty() ? "" : " " + std::string(row.unit));
+           (row.unit.empty() ? "" : " " + sayLabel(row.unit));
   std::string text;
   for (const Choice& choice : row.choices)
-    text += (text.empty() ? "" : "<br>") + escaped(choice.id) + ": " + escaped(choice.explanation);
+    text += (text.empty() ? "" : "<br>") + escaped(choice.id) + ": " + shown(choice.explanation);
   return text;
 }
 
 std::string parameterHtml(const Parameter& row) {
-  std::string text = "<tr><td><b>" + escaped(row.label) + "</b><br><code>" + escaped(row.path) +
-                     "</code></td><td>" + escaped(row.tooltip);
-  if (!row.formula.empty()) text += "<br><i>" + escaped(row.formula) + "</i>";
-  return text + "<br>" + escaped(row.source) + "</td><td>" + rangeText(row) + "</td><td>" +
+  std::string text = "<tr><td><b>" + shown(row.label) + "</b><br><code>" + escaped(row.path) +
+                     "</code></td><td>" + shown(row.tooltip);
+  if (!row.formula.empty()) text += "<br><i>" + shown(row.formula) + "</i>";
+  return text + "<br>" + shown(row.source) + "</td><td>" + rangeText(row) + "</td><td>" +
          escaped(valueText(row, row.defaultValue())) + "</td></tr>\n";
 }
 
 std::string intermediateHtml(const Intermediate& row) {
   std::string channels;
   for (const std::string& name : channelNames(row)) channels += (channels.empty() ? "" : ", ") + name;
-  return "<tr><td><b>" + escaped(row.label) + "</b><br><code>" + std::string(row.name) + "</code></td><td>" +
-         escaped(row.description) + "</td><td>" + escaped(channels) + "</td><td>" + escaped(row.unit) +
+  return "<tr><td><b>" + shown(row.label) + "</b><br><code>" + std::string(row.name) + "</code></td><td>" +
+         shown(row.description) + "</td><td>" + escaped(channels) + "</td><td>" + shown(row.unit) +
          "</td></tr>\n";
 }
 
@@ -72,7 +77,7 @@ std::string stageHtml(const StageInfo& stage) {
     if (row.stage == stage.stage) parametersText += parameterHtml(row);
   for (const Intermediate& row : kIntermediates)
     if (row.stage == stage.stage) intermediatesText += intermediateHtml(row);
-  std::string text = "<h2>" + escaped(stage.label) + "</h2>\n<p>" + escaped(stage.description) + "</p>\n";
+  std::string text = "<h2>" + shown(stage.label) + "</h2>\n<p>" + shown(stage.description) + "</p>\n";
   if (!parametersText.empty())
     text += std::string(kTable) +
             headHtml({say<"Parameter">(), say<"What it does">(), say<"Range">(), say<"Default">()}) +

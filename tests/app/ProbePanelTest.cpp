@@ -6,6 +6,8 @@
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
+#include <QStyle>
+#include <QStyleOptionViewItem>
 #include <QTreeView>
 
 #include <map>
@@ -227,4 +229,32 @@ TEST_F(ProbeTable, GoesAwayWithEscape) {
   EXPECT_FALSE(session.pick());
   EXPECT_TRUE(renderer->pins.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
+}
+
+// In a panel as wide as a large window has it, names and units are there to their last letter.
+TEST_F(ProbeTable, HasRoomForNamesAndUnits) {
+  window.resize(1920, 1080);
+  settle();
+  auto* table = window.findChild<QTreeView*>();
+  for (QTreeView* view : window.findChildren<QTreeView*>())
+    if (dynamic_cast<const ProbeModel*>(view->model())) table = view;
+  const auto* model = dynamic_cast<const ProbeModel*>(table->model());
+  ASSERT_NE(model, nullptr);
+  for (const Intermediate& row : kIntermediates)
+    for (const int column : {ProbeModel::Name, ProbeModel::Unit}) {
+      const QModelIndex index = model->indexOf(row.id, column);
+      QStyleOptionViewItem option;
+      option.initFrom(table);
+      option.widget = table;
+      option.font = model->data(index, Qt::FontRole).value<QFont>();
+      option.fontMetrics = QFontMetrics(option.font);
+      option.text = model->data(index, Qt::DisplayRole).toString();
+      option.features = QStyleOptionViewItem::HasDisplay;
+      const int indent = column == ProbeModel::Name ? table->indentation() : 0;
+      option.rect = QRect(0, 0, table->columnWidth(column) - indent, 40);
+      const int margins = 2 * (table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &option, table) + 1);
+      const QRect room = table->style()->subElementRect(QStyle::SE_ItemViewItemText, &option, table);
+      EXPECT_LE(option.fontMetrics.horizontalAdvance(option.text), room.width() - margins)
+          << row.name << " " << column;
+    }
 }
