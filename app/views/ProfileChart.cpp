@@ -17,6 +17,8 @@ namespace taa::app {
 
 namespace {
 
+constexpr int kHeightOfTitle = 140; ///< of a chart that has room for the title of its horizontal axis
+
 /// The next of 1, 2, 5 times a power of ten, so that the scale does not jump with each frame.
 double roundedUp(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-3))));
@@ -43,6 +45,7 @@ ProfileChart::ProfileChart(QWidget* parent)
   frames_->setTickCount(4);
   frames_->setLabelFormat(QStringLiteral("%.0f"));
   frames_->setTitleText(tr("frames before the last"));
+  frames_->setTruncateLabels(false);
   times_->setTickCount(3);
   times_->setLabelFormat(QStringLiteral("%g"));
   times_->setTitleText(tr("ms"));
@@ -115,6 +118,12 @@ void ProfileChart::applyColors() {
     axis->setLinePen(QPen(colors.line));
     axis->setGridLinePen(QPen(colors.line));
   }
+}
+
+// Qt Charts shortens the labels of an axis to dots where its title leaves them too little height.
+void ProfileChart::resizeEvent(QResizeEvent* event) {
+  frames_->setTitleVisible(height() >= kHeightOfTitle);
+  QChartView::resizeEvent(event);
 }
 
 void ProfileChart::changeEvent(QEvent* event) {

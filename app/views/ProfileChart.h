@@ -23,6 +23,7 @@ class ProfileChart : public QChartView {
   QSize sizeHint() const override { return {300, 160}; }
 
  protected:
+  void resizeEvent(QResizeEvent*) override;
   void changeEvent(QEvent*) override;
 
  private:

@@ -13,6 +13,8 @@
 #include <QAreaSeries>
 #include <QChart>
 #include <QClipboard>
+#include <QGraphicsScene>
+#include <QGraphicsTextItem>
 #include <QLineSeries>
 #include <QMenu>
 #include <QPushButton>
@@ -85,6 +87,21 @@ TEST_F(Profiler, StacksThePassesOverTime) {
   const auto* resolve = qobject_cast<QAreaSeries*>(series[1]);
   EXPECT_EQ(resolve->lowerSeries()->points(), (QList<QPointF>{{-2, 1}, {-1, 1}, {-1, 3}, {0, 3}}));
   EXPECT_EQ(resolve->upperSeries()->points(), (QList<QPointF>{{-2, 3}, {-1, 3}, {-1, 8}, {0, 8}}));
+}
+
+TEST_F(Profiler, AnAxisIsReadableInALowWindow) {
+  open();
+  for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080)}) {
+    window.resize(size);
+    settle();
+    int labels = 0;
+    for (const QGraphicsItem* item : window.profiler()->findChild<ProfileChart*>()->scene()->items())
+      if (const auto* text = dynamic_cast<const QGraphicsTextItem*>(item); text && text->isVisible()) {
+        EXPECT_FALSE(text->toPlainText().contains(QLatin1String("..."))) << size.height();
+        labels += text->toPlainText() == QLatin1String("-80");
+      }
+    EXPECT_EQ(labels, 1) << size.height();
+  }
 }
 
 TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
