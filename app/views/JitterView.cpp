@@ -34,8 +34,15 @@ void JitterView::setHighlighted(std::optional<int> index) {
   update();
 }
 
+// Small enough for the disks that reach out of the pixel.
 QRectF JitterView::square() const {
-  const double side = std::min(width(), height()) - 2.0 * kMargin;
+  double out = 0.0; // in sides of the square
+  for (const JitterSample& sample : pattern_.samples) {
+    const glm::dvec2& at = sample.position;
+    const double inside = std::min({at.x, at.y, 1.0 - at.x, 1.0 - at.y});
+    out = std::max(out, kFullRadius * std::sqrt(std::max(0.0, sample.weight)) - inside);
+  }
+  const double side = (std::min(width(), height()) - 2.0 * kMargin) / (1.0 + 2.0 * out);
   return {0.5 * (width() - side), 0.5 * (height() - side), side, side};
 }
 

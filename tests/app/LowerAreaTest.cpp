@@ -90,6 +90,24 @@ TEST_F(Lower, JitterShowsEverySampleWithItsWeight) {
   EXPECT_GT(view->radiusOf(view->pattern().samples[1]), view->radiusOf(view->pattern().samples[2]));
 }
 
+// Also one that weighs nearly all, at the pixel's border, with the ring of the current frame.
+TEST_F(Lower, DisksOfTheJitterPatternAreNotCut) {
+  useSimpleSettings();
+  openAt(5, Qt::Key_F7);
+  JitterView* view = window.jitter()->view();
+  JitterPattern pattern = view->pattern();
+  for (const glm::dvec2& corner : {glm::dvec2(0.46, 0.99), glm::dvec2(0.01, 0.02), glm::dvec2(0.5, 0.5)}) {
+    pattern.samples[1].position = corner;
+    pattern.samples[1].weight = 0.97;
+    view->setPattern(pattern, 1);
+    const double reach = view->radiusOf(pattern.samples[1]) + 5.0;
+    const QPointF center = view->pointOf(corner);
+    EXPECT_TRUE(
+        QRectF(view->rect()).contains(QRectF(center.x() - reach, center.y() - reach, 2 * reach, 2 * reach)))
+        << corner.x << ", " << corner.y;
+  }
+}
+
 TEST_F(Lower, AClickOnASampleGoesToTheFrameThatTookItLast) {
   useSimpleSettings();
   openAt(9, Qt::Key_F7);
