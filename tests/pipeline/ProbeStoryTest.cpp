@@ -1,7 +1,6 @@
 // What the probe tells: every row has words, and every formula, worked out with the numbers it states, gives
 // the value it ends with, which is the row's.
 #include "core/inspect/ProbeStory.h"
-#include "core/base/Say.h"
 #include "core/settings/Presets.h"
 #include "core/taa/reference/Color.h"
 #include "tests/support/SmallInspector.h"
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 
 using namespace taa;
 using ProbeStoryTest = taa::test::small::InspectorTest;
@@ -281,42 +279,6 @@ int checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string&
   return formulas;
 }
 
-/// Says everything in ⟦…⟧, what is put into a text as well.
-struct Bracketed {
-  Bracketed() { taa::setTranslate(inBrackets); }
-  ~Bracketed() { taa::setTranslate(nullptr); }
-  Bracketed(const Bracketed&) = delete;
-  Bracketed& operator=(const Bracketed&) = delete;
-
-  static std::string inBrackets(const char* text) { return "⟦" + std::string(text) + "⟧"; }
-};
-
-/// What is left of a text without all ⟦…⟧, which may lie in each other.
-std::string outsideBrackets(std::string_view text) {
-  constexpr std::string_view kOpen = "⟦", kClose = "⟧";
-  std::string outside;
-  int depth = 0;
-  while (!text.empty()) {
-    const bool opens = text.starts_with(kOpen), closes = text.starts_with(kClose);
-    depth += opens ? 1 : closes ? -1 : 0;
-    EXPECT_GE(depth, 0) << text;
-    if (!opens && !closes && depth == 0) outside += text.front();
-    text.remove_prefix(opens ? kOpen.size() : closes ? kClose.size() : 1);
-  }
-  EXPECT_EQ(depth, 0);
-  return outside;
-}
-
-/// Names of channels have two letters at most.
-bool hasWord(const std::string& text) {
-  int letters = 0;
-  for (const char character : text) {
-    letters = std::isalpha(static_cast<unsigned char>(character)) != 0 ? letters + 1 : 0;
-    if (letters == 3) return true;
-  }
-  return false;
-}
-
 } // namespace
 
 TEST_F(ProbeStoryTest, EveryFormulaGivesTheValueOfItsRowWithEveryPreset) {
@@ -426,23 +388,4 @@ TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
   const RowStory raised = storyOf(IntermediateId::alpha, probed);
   EXPECT_EQ(raised.formula, "1 − (1 − (max(1 / (7 + 1), 0.1))) × (1 − 0.2) = 0.3");
   EXPECT_NE(raised.words.find("raised by motion of 4.2 px"), std::string::npos) << raised.words;
-}
-
-TEST_F(ProbeStoryTest, EveryWordIsSaidInTheLanguageThatIsSet) {
-  auto inspector = opened();
-  inspector->seek(6);
-  for (const Preset& preset : builtinPresets()) {
-    inspector->setSettings(preset.settings);
-    const reference::PixelRecord record = inspector->probe(30, 11);
-    const reference::Details details = inspector->details(30, 11);
-    const ProbedPixel probed{record, details, inspector->settings(), inspector->info(), {30, 11}};
-    const Bracketed language; // of the stories only: nothing is drawn meanwhile
-    for (const Intermediate& row : kIntermediates) {
-      const RowStory story = storyOf(row.id, probed);
-      const std::string where = preset.id + " " + std::string(row.name) + ": ";
-      EXPECT_TRUE(story.words.starts_with("⟦")) << where << story.words;
-      EXPECT_FALSE(hasWord(outsideBrackets(story.words))) << where << story.words;
-      EXPECT_FALSE(hasWord(outsideBrackets(story.subject))) << where << story.subject;
-    }
-  }
 }
