@@ -236,10 +236,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now N = %1 frames of samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&lt; 0.1 %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -309,6 +305,1704 @@
     </message>
     <message>
         <source>%1 samples · RMSE %2 · PSNR %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames of samples now: N = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>&quot;%1&quot; is not NODE=MODE; modes are perObject, cameraOnly and none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file below the folder of the scene; only such files are opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a list of at most %2 names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an object of at most %2 names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wants [width, height]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wants a whole number from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 is more than the %3 that can be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 is none of 4, 8, … 252</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 are not a finite 4×4 matrix for each joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3 of a texel from the one before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes from byte %2 on reach past the %3 bytes of its buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 current, by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 current, the rest history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not hold finite vectors of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 elements of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 elements of %2 bytes need %3 bytes; its %4 has %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no part &quot;%2&quot;; it has %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 where there are %3 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2 × %3 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 lies outside %2 × %3 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the output is hidden by it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 over %2 samples of what was drawn smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 over the nine samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was blended in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 blurred along its motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, larger by contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, mixed with bounded highlights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rounded to the %2 bits it is stored with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, the overlay over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, then sharpened by the four around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, wide enough for the filtered color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, wider by the mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 taps, their weights are %3 together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: GL reports error %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: cannot include &quot;%2&quot;: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: one tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the GL driver is out of memory; use a smaller size or fewer lanes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the nearest sample, %2 px from the center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; chroma an eighth of the luma range around the pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; raised by motion of %2 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; raised where history was rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 at the near plane, 0 in the distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A light of the unknown type &quot;%1&quot; is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part of the mesh &quot;%1&quot; has nothing to draw.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A skin whose joints are not in the scene is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A texture asks for a third set of texture coordinates; the first is used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A texture has its picture only in a format that is not supported; it is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An animation of a node that has a matrix is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animation keys whose time does not rise are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animation of &quot;%1&quot; is not shown yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bilinear, for depth has an edge, at %1, %2 of a texel from the one before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compiling shaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decoding images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the frame to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each frame goes through these stages from top to bottom. Parameters can be set in the pipeline panel, in presets, and by %1; intermediates can be viewed, probed and exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Going to frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intermediate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON: %1 bytes are more than can be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON: nested deeper than %1 levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JSON: the file holds no object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making mip levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenImageIO was built without GIF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R, its highlights bounded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has %1 animations; the first, &quot;%2&quot;, plays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has %1 scenes; scenes[%2] is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has nothing to draw.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file uses %1, which is not shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uploading meshes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uploading textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values of %1 that are not numbers are taken for 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera path is {&quot;name&quot;, &quot;firstFrame&quot;, &quot;poses&quot;: [[x, y, z, yaw, pitch, fov], ...]}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera path needs a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a channel asks for samplers[%1]; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lane is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a material that changes without motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a neighbor goes only %1 along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a pose is [x, y, z, yaw, pitch, fov]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a position is not a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a reference cannot have %1 samples: it has %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thin feature keeps its history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thin feature, mean luma %1, no lock before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thin feature, mean luma %1, the lock before had a life of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all of the correction is applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all tests passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge in depth: read by one bilinear tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an intermediate (reference is one), preset:NAME, frame:N, or frame:-N for N frames before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object that deforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object that moves rigidly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object that stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another object than now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it should be: luma of the output less luma of the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as long as before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as long as the frame it is meant for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as many as α stands for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as many frames&apos; worth of samples were stored around %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as much as was blended in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bounds: the scene reaches to infinity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bright colors count less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot allocate %1 of %2 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot allocate %1 of %2 texels (%3 MiB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot compare with &quot;%1&quot;: name %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot compile %1:
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot delete %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot draw into %1: GL reports framebuffer status %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot draw the reference of a picture of %1 pixels: it takes about %2 of memory and %3 are free; choose a smaller size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot link %1 with %2:
+%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot link %1:
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot make an OpenGL 4.5 core context: the GL driver is too old; update it or set LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot make frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot measure the stages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open %1: memory: it needs more than there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open a GL display: EGL offers neither a device nor a surfaceless platform; install a GL driver (on Debian: libegl-mesa0 and libgl1-mesa-dri)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open the session %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot open the session %1: its scene %2 is not there any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read &quot;%1&quot;: write path=value, for example rectify.method=clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read %1: it has %2 bytes, more than the %3 allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read %1: it is a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read part &quot;%1&quot; of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read preset %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read settings: &quot;%1&quot; is not a group of parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read settings: expected an object of groups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read the camera path %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read the shaders in %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read the style &quot;%1&quot;: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot rename the preset: there is one called %1 already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot run %1 lanes: there are one to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot save the preset: &quot;%1&quot; is a built-in one; give another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot save the preset: its name needs a letter or a digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot save the preset: the folder %1 cannot be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot set %1 to &quot;%2&quot;: give a number from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot set %1 to &quot;%2&quot;: give an integer from %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot set %1 to &quot;%2&quot;: give on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot set %1 to &quot;%2&quot;: give one of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use OpenGL: this EGL offers OpenGL ES only; install a desktop GL driver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, exposures %5) and %6 are free; choose a smaller size, fewer lanes or fewer views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, exposures %5, reference %6) and %7 are free; choose a smaller size, fewer lanes or fewer views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write %1: OpenImageIO was built without OpenEXR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write %1: OpenImageIO was built without PNG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channels are letters of rgb, or none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chunk %1: its %2 bytes reach past the end of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chunk %1: the first chunk, and only that, must be JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clamped history forgets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>component type %1 cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the neighbor at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>depth of the pixel itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance along the view axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawing the reference of frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn at full size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>extreme of the samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fast surfaces are blurred along their motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for a frame that takes as long as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames that would be as calm when averaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header: it is binary glTF %1; only glTF 2.0 can be opened, export it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header: the file ends after %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header: the file has %1 bytes where it says %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>header: there is no chunk with JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history counts less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is taken as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history keeps no %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history keeps no motion yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history keeps no normals yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history lies inside the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history lies inside the box: kept as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history starts anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history starts with the mean of the pixel and its diagonals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history was dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history was pulled %1 of the way: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history was rejected: the current frame alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how near the nearest sample lies, %1 px from the pixel&apos;s center, or all of it where it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in box space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices must be scalars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices must be unsigned integers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 elements where POSITION has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 values for %2 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has no uri and there is no binary chunk for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a child of both nodes[%1] and nodes[%2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is glTF %1; only glTF 2.0 can be opened, export it anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is its own ancestor: the nodes form a cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is neither PNG nor JPEG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is nested deeper than %1 levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a finite vector of 3 for each of the %1 vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not glTF: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lists nodes[%1] twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it must have either a uri or a bufferView</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it needs the extension %1, which is not supported; export it without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its attributes have different counts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its data URI is not base64 of a buffer, PNG or JPEG</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its data URI is not valid base64</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its format is %1, this program reads %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its motion changed by %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its motion is another than a frame ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its motion is the same as a frame ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its picture is damaged and cannot be decoded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its picture is damaged: it has no size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its picture of %1×%2 pixels is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its times are not single numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its transform is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its type cannot be used here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its values have %1 components</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter and inputs as now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>jitter and inputs as now; history keeps no %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint %1 is out of range; the skin has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest of the %1 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest of the %1 samples and of the cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length of the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less is applied where little moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less the farther the sample is from the center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less the farther the sample is from the center, unless it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less where history is near a wall of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less where luma differs from history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less where the box is large against history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>less where the mask relaxes the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luma comes and goes, history is kept: %1 of 255, before %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luma does not come and go: %1 of 255, before %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made brighter: luma of the sharpened color less that of the resolved one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made darker: luma of the sharpened color less that of the resolved one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean luma %1 is another than the %2 it was locked at: no lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of the %1 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of the %1 samples and of the cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing or not a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing; it is not a glTF file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mixed in each channel by its own α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 are drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than is allowed: another surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of %1 px doubles α at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of %1 px, as fractions of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of the neighbor at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of the neighbor at %1, in px of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of the pixel itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>motion of the pixel itself, in px of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neighbors move along, or the pixel rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>neither true nor false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no edge in depth: the filter is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no intermediate is called &quot;%1&quot;; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no lock holds history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no material that changes without motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more than is allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more than the source&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no object is called &quot;%1&quot;; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no object is called &quot;%1&quot;; there are %2 and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no object is called &quot;%1&quot;; there are none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no object is called &quot;%1&quot;; there are none with a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample is near enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample lies in the pixel: the nearest is %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no thin feature, mean luma %1, no lock before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no thin feature, mean luma %1, the lock before had a life of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nodes[%1] is the child of nodes[%2], not a root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a list of %1 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a list of texts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a list, or empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not all of it could be stored; is the disk full?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked for, or no history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not masked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is laid over the output here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing is rectified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was blended in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was drawn here: the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of each channel&apos;s own contrast, red&apos;s is %1: base %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the four stored around, the one that fits best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on, off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one more, by how much the samples say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>part &quot;%1&quot; of %2 has no channel &quot;%3&quot;; it has %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2) lies outside the picture of %3 × %4 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1 of the way into the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1 of the way into the box, and %2 of that are taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1 of the way into the box, of which %2 are applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1 of the way into the box, of which %2 are applied, and %3 of that are taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read where the pixel&apos;s center landed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, %2 off where %3 is allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, %2 px where %3 are allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, %2 was here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, cosine %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected: %1, it changed by %2 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smaller by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest of the %1 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest of the %1 samples and of the cross</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sparse index %1 is out of range; there are %2 elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spread of the %1 samples about their mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ten more where it stands still, else 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the accessor of its indices has no %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the box has no width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the buffers have more than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the camera path &quot;%1&quot; begins at a frame before 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the camera path &quot;%1&quot; has a pose %2 that is out of range: positions within a million units, pitch within 89 degrees, field of view 1 to 160 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the camera path &quot;%1&quot; has no pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current frame alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field &quot;%1&quot; is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the images have more than %1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the largest difference of red, green and blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mask asks for more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mask leaves history out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean of the reference&apos;s samples of this instant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motion is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the motion of the neighbor at %1 is used: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the narrower of the samples&apos; extreme and γ deviations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest sample lies in the pixel: %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pixel&apos;s center less the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pixel&apos;s own motion is used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the resolved color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the resolved color as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the resolved color sharpened: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the same object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample of this frame, taken %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene has a camera called &quot;%1&quot; already; give the path another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene has more than %1 indices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene has more than %1 morph weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene has more than %1 vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene has more than %1 vertices and morph deltas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the scene&apos;s skins have more than %1 joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the session is not an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the settings that are compared with are no longer there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sharpened color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky against a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky has none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky, as before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky, or not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sky, or nothing before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface came from %1 px from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface stayed where it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface turned by %1 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface was behind the previous camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tolerance, and more for the surface&apos;s slope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the variance itself, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the way the surface faces, in the world</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are gray, viridis, inferno, diverging, cyclic and categorical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are more than %1 instances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are more than %1 keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are nine probes already; remove one to pin another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a camera called &quot;%1&quot; already; give the path another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no %1[%2]; there are %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no built-in file &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no built-in scene &quot;%1&quot;; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no camera &quot;%1&quot; in %2; choose one of: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no camera &quot;%1&quot; in this scene; choose one of: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no camera called &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no difference between %1 and %2: one has more channels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no field &quot;%1&quot; in a lane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no field &quot;%1&quot; in the session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no frame %1: the shot has frames 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no history to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no history yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no motion to compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no parameter &quot;%1&quot;; near it are %2, %3 or %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no preset &quot;%1&quot;; there are %2, or give a file that ends in .json</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no preset field &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no previous position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reference of frame %1 while frame %2 is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reference of frame %1 yet: it has to be drawn first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no reference yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no way to compare &quot;%1&quot;: it is wipe, first, other or difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>they have more than %1 vertices together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too bright: luma of the output less luma of the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dark: luma of the output less luma of the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uploading the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vertex %1 is out of range; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what the samples weigh together, the nearest %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the surface was in the previous frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with it the images have more than %1 pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, arrows (on or off), = and a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α in each, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α with the tone weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ deviations from the mean</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -597,14 +2291,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weights as measured at %1 over %2 frames.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Weights by the settings, where nothing moves or changes, over %1 frames.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Effective samples: %1 of frames, %2 of the %3 places.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -614,6 +2300,14 @@
     </message>
     <message>
         <source>Middle %1 px, with weights %2 px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights as measured at %1. Frames: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weights by the settings, where nothing moves or changes. Frames: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1830,10 +3524,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of %2 frames known at probe %3 · × history rejected there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save values as CSV</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1843,6 +3533,10 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
     <message>
         <source>cannot write %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames known at probe %3: %1 of %2 · × history rejected there</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2278,10 +3972,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 frames of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Files: %1, the first %2. They appear when all of them are made.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2313,6 +4003,10 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
     <message>
         <source>Export into</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, frames: %2, of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2957,11 +4651,11 @@ Not drawn: others are isolated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured over %1 frames at %2: α = %3, %4 effective samples. Where the surface moves, its history came from other pixels.</source>
+        <source>A probe adds what its pixel measured in the frames that were shown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A probe adds what its pixel measured in the frames that were shown.</source>
+        <source>Measured at %1: α = %2, %3 effective samples of frames: %4. Where the surface moves, its history came from other pixels.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
