@@ -112,9 +112,8 @@ QStringList translationFolders() {
 }
 
 void translateSentences() {
-  setTranslate([](const char* text) {
-    const std::string sentence = QCoreApplication::translate("sentences", text).toStdString();
-    return sentence != text ? sentence : QCoreApplication::translate("tables", text).toStdString();
+  setTranslate([](Said kind, const char* text) {
+    return QCoreApplication::translate(kind == Said::Label ? "tables" : "sentences", text).toStdString();
   });
 }
 

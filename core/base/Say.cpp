@@ -25,7 +25,7 @@ void setTranslate(Translate translate) {
 
 std::string sayLabel(std::string_view label) {
   const std::string text(label);
-  return translation() ? translation()(text.c_str()) : text;
+  return translation() ? translation()(Said::Label, text.c_str()) : text;
 }
 
 std::vector<std::string> allSentences() {
@@ -39,7 +39,7 @@ bool remember(const char* text) {
 }
 
 std::string fill(const char* text, const std::vector<std::string>& arguments) {
-  const std::string sentence = translation() ? translation()(text) : text;
+  const std::string sentence = translation() ? translation()(Said::Sentence, text) : text;
   std::string filled;
   for (std::size_t i = 0; i < sentence.size(); ++i) {
     // A translation is a file of somebody's: it may ask for what is not there.

@@ -29,8 +29,11 @@ struct Sentence {
   }
 };
 
+/// What a text is: said by say(), or a label, unit or description of the tables.
+enum class Said { Sentence, Label };
+
 /// Another language's text for an English one, with the same places; the English one where it has none.
-using Translate = std::string (*)(const char* text);
+using Translate = std::string (*)(Said kind, const char* text);
 
 /// How everything is said from now on; as it is written without this. Before there is a second thread.
 void setTranslate(Translate translate);

@@ -20,7 +20,7 @@ struct Bracketed {
   Bracketed(const Bracketed&) = delete;
   Bracketed& operator=(const Bracketed&) = delete;
 
-  static std::string inBrackets(const char* text) { return "⟦" + std::string(text) + "⟧"; }
+  static std::string inBrackets(taa::Said, const char* text) { return "⟦" + std::string(text) + "⟧"; }
 };
 
 /// What is left of a text without all ⟦…⟧, which may lie in each other.

@@ -28,7 +28,7 @@ TEST(Say, PutsItsArgumentsWhereTheTextHasPlaces) {
 }
 
 TEST(Say, SaysItInTheLanguageThatIsSet) {
-  const Language reversed([](const char* text) {
+  const Language reversed([](taa::Said, const char* text) {
     const std::string read = text;
     return std::string(read.rbegin(), read.rend()).append(" %1");
   });
@@ -37,12 +37,14 @@ TEST(Say, SaysItInTheLanguageThatIsSet) {
 
 TEST(Say, LabelsAreTextsOfTheLanguageToo) {
   EXPECT_EQ(taa::sayLabel("Catmull-Rom 5"), "Catmull-Rom 5");
-  const Language brackets([](const char* text) { return "[" + std::string(text) + "]"; });
-  EXPECT_EQ(say<"by %1">(taa::sayLabel("Equal")), "[by [Equal]]");
+  const Language brackets([](taa::Said kind, const char* text) {
+    return (kind == taa::Said::Label ? "label " : "[") + std::string(text) + "]";
+  });
+  EXPECT_EQ(say<"by %1">(taa::sayLabel("Equal")), "[by label Equal]]");
 }
 
 TEST(Say, ATranslationThatAsksForMoreGetsNothing) {
-  const Language wrong([](const char*) { return std::string("%1 %2 %9 %0 %"); });
+  const Language wrong([](taa::Said, const char*) { return std::string("%1 %2 %9 %0 %"); });
   EXPECT_EQ(say<"only %1">("one"), "one %2 %9 %0 %");
 }
 
