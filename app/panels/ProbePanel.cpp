@@ -50,9 +50,9 @@ double finite(const QJsonValue& value, double otherwise) {
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
-constexpr std::size_t kMiddle = 4;      ///< of the 3×3 records
-constexpr int kValueColumn = 19;        ///< characters
-constexpr int kCellMargins = 4 * kUnit; ///< beside the text of a cell: the style sheet's, and the style's own
+constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
+constexpr int kValueColumn = 18;   ///< characters
+constexpr int kCellMargins = 14;   ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
 } // namespace
 
@@ -200,11 +200,15 @@ void ProbePanel::makeTable() {
 }
 
 void ProbePanel::fitColumns() {
-  const QFontMetrics small(secondaryFont()), digits(numberFont());
+  const QFontMetrics digits(numberFont());
+  // A text that is a part of a pixel too long loses its last letters.
+  const auto widthOf = [exact = QFontMetricsF(secondaryFont())](const QString& text) {
+    return static_cast<int>(std::ceil(exact.horizontalAdvance(text)));
+  };
   int name = 0, unit = 0;
   for (const Intermediate& row : kIntermediates) {
-    name = std::max(name, small.horizontalAdvance(tableText(row.label)));
-    unit = std::max(unit, small.horizontalAdvance(tableText(row.unit)));
+    name = std::max(name, widthOf(tableText(row.label)));
+    unit = std::max(unit, widthOf(tableText(row.unit)));
   }
   const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kCellMargins;
   const int unitWidth = unit + kCellMargins;
@@ -214,8 +218,7 @@ void ProbePanel::fitColumns() {
   table_->setColumnWidth(ProbeModel::Value, valueWidth);
   table_->setColumnWidth(ProbeModel::Unit, unitWidth);
   table_->setColumnHidden(ProbeModel::Meaning,
-                          room - nameWidth <
-                              small.horizontalAdvance(QObject::tr("the pixel itself")) + kCellMargins);
+                          room - nameWidth < widthOf(QObject::tr("the pixel itself")) + kCellMargins);
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {

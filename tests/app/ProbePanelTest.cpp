@@ -240,6 +240,7 @@ TEST_F(ProbeTable, HasRoomForNamesAndUnits) {
     if (dynamic_cast<const ProbeModel*>(view->model())) table = view;
   const auto* model = dynamic_cast<const ProbeModel*>(table->model());
   ASSERT_NE(model, nullptr);
+  EXPECT_FALSE(table->isColumnHidden(ProbeModel::Meaning));
   for (const Intermediate& row : kIntermediates)
     for (const int column : {ProbeModel::Name, ProbeModel::Unit}) {
       const QModelIndex index = model->indexOf(row.id, column);
@@ -254,7 +255,7 @@ TEST_F(ProbeTable, HasRoomForNamesAndUnits) {
       option.rect = QRect(0, 0, table->columnWidth(column) - indent, 40);
       const int margins = 2 * (table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &option, table) + 1);
       const QRect room = table->style()->subElementRect(QStyle::SE_ItemViewItemText, &option, table);
-      EXPECT_LE(option.fontMetrics.horizontalAdvance(option.text), room.width() - margins)
+      EXPECT_LE(QFontMetricsF(option.font).horizontalAdvance(option.text), room.width() - margins)
           << row.name << " " << column;
     }
 }
