@@ -13,7 +13,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kSettleMs = 2000, kAlwaysMs = 60000;
+constexpr int kSettleMs = 2000, kAlwaysMs = 10000;
 
 QString ending() {
   return QString::fromUtf8(kSessionEnding.data(), static_cast<qsizetype>(kSessionEnding.size()));
