@@ -221,11 +221,15 @@ TEST_F(RealFiles, AComparingViewIsWrittenAsItIsShown) {
 TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
   const taa::test::ShaderFolder shaders;
   open();
-  session->setPick(glm::ivec2(20, 10));
+  const glm::ivec2 pixel(20, 10);
+  session->setPick(pixel);
   // Of a few pixels: messages take room from the views, so that pictures differ in size.
   const auto values = [&] {
     settled(6);
-    EXPECT_TRUE(session->probe() && session->probe()->frame == 6);
+    EXPECT_TRUE(taa::app::test::waitFor([&] {
+      const auto& probe = session->probe();
+      return probe && glm::ivec2(probe->x, probe->y) == pixel && probe->frame == 6 && probe->exact;
+    }));
     std::vector<glm::vec4> resolved;
     for (const PixelRecord& record : session->probe()->around)
       resolved.push_back(reference::at(record, IntermediateId::resolved));
