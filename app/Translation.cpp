@@ -69,6 +69,7 @@ void addLists(Collector& texts) {
   addEach(texts, ColorMap::Categorical, colorMapName);
   addEach(texts, WhatIfGroup::Preset, whatIfGroupLabel);
   addEach(texts, gl::TimingMethod::Finish, timingWords);
+  for (const std::string_view name : passNames()) texts.add(name);
 }
 
 QString linesOf(const char* context, const QStringList& texts) {

@@ -129,7 +129,7 @@ void ProfilerPanel::refresh() {
 void ProfilerPanel::showPasses() {
   std::vector<FigureTable::Row> rows;
   for (const ProfileHistory::Row& row : history_.rows())
-    rows.push_back({{QString::fromStdString(row.name), ms(row.last), ms(row.median), percent(row.share)},
+    rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percent(row.share)},
                     ProfileChart::colorOf(rows.size())});
   rows.push_back({{tr("All"), ms(history_.last().totalMs), ms(history_.medianTotal()), {}}, {}, true});
   passes_->setRows(rows);
@@ -143,8 +143,7 @@ void ProfilerPanel::showMemory() {
   rows.push_back({{tr("All"), mebibytes(last.memoryBytes), {}}, {}, true});
   rows.push_back({{tr("of it kept histories"), mebibytes(last.checkpointBytes), {}}});
   for (const MemoryCost& cost : last.memory)
-    rows.push_back(
-        {{QString::fromStdString(cost.name), mebibytes(cost.bytes), QString::number(cost.objects)}});
+    rows.push_back({{tableText(cost.name), mebibytes(cost.bytes), QString::number(cost.objects)}});
   memory_->setRows(rows);
 }
 

@@ -44,6 +44,9 @@ inline constexpr std::string_view kExposure = "Exposing for views", kViews = "Vi
                                   kThumbnails = "Thumbnails", kReference = "Reference";
 }
 
+/// Every name that a pass, a group or the rest has where people read it; the driver's own words are not.
+std::vector<std::string_view> passNames();
+
 /// What `timer` saw since the frame began. `frameMs` as in addedUp().
 FrameProfile profileOf(gl::PassTimer& timer, int frame, double frameMs, std::size_t checkpointBytes);
 
