@@ -8423,5 +8423,49 @@ Not drawn: others are isolated</source>
         <source>Six hundred things, a million triangles: small, thin and far ones that spin, walk and run</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Exposing for views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thumbnails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between the passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>G-buffer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blended surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reactive mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolve</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>
