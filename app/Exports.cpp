@@ -44,7 +44,7 @@ Exports::Exports(MainWindow& window) : QObject(&window), window_(window) {
   connect(&window_.session(), &Session::exported, this, [this](const ExportResult& result) {
     const QString name = QFileInfo(QString::fromStdString(result.target)).filePath();
     if (result.frames > 0)
-      Q_EMIT said(tr("Exported %n frame(s), the first into %1.", nullptr, result.frames).arg(name));
+      Q_EMIT said(tr("Exported. Frames: %1, the first into %2.").arg(result.frames).arg(name));
     else
       Q_EMIT said(tr("The export ended early; none of its files were left."));
   });

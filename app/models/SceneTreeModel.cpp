@@ -108,8 +108,9 @@ QString SceneTreeModel::explanation(int node) const {
   const OutlineNode& item = outline_->nodes[static_cast<std::size_t>(node)];
   QString text = label(node);
   if (item.objectCount > 0)
-    text += tr("\n%n object(s)", nullptr, item.objectCount) +
-            tr(", %1 triangles").arg(QLocale().toString(static_cast<qlonglong>(item.triangles)));
+    text += tr("\nObjects: %1, triangles: %2")
+                .arg(QLocale().toString(item.objectCount),
+                     QLocale().toString(static_cast<qlonglong>(item.triangles)));
   if (isDrawn(node)) return text;
   if (holds(filter_.hidden, item.key)) return text + tr("\nHidden");
   return text + (filter_.isolated.empty() ? tr("\nHidden with what it belongs to")

@@ -157,11 +157,10 @@ void PresetsDialog::compare() {
     }
   if (table_->topLevelItemCount() > 0) table_->setCurrentItem(table_->topLevelItem(0));
   const int count = table_->topLevelItemCount();
-  heading_->setText(
-      !entry ? QString()
-      : count > 0
-          ? tr("%1 differs from the present settings in %n value(s).", nullptr, count).arg(entry->label)
-          : tr("%1 is what is set now.").arg(entry->label));
+  heading_->setText(!entry ? QString()
+                    : count > 0
+                        ? tr("%1 differs from the present settings. Values: %2.").arg(entry->label).arg(count)
+                        : tr("%1 is what is set now.").arg(entry->label));
   value_->setEnabled(count > 0);
   apply_->setEnabled(entry != nullptr);
   rename_->setEnabled(entry && entry->isOwn);

@@ -188,7 +188,7 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const OtherSide& side = *wanted.picture.other;
   QString other = view->sideText(true);
   if (side.frame) other = tr("%1 of frame %2").arg(other).arg(*side.frame);
-  if (side.framesBefore > 0) other = tr("%1, %n frame(s) before", nullptr, side.framesBefore).arg(other);
+  if (side.framesBefore > 0) other = tr("%1, frames before: %2").arg(other).arg(side.framesBefore);
   const QString both = tr("%1 and %2").arg(view->sideText(false), other);
   switch (wanted.picture.showing) {
   case Showing::Wipe:

@@ -2112,12 +2112,6 @@
 </context>
 <context>
     <name>taa::app::Exports</name>
-    <message numerus="yes">
-        <source>Exported %n frame(s), the first into %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>The export ended early; none of its files were left.</source>
         <translation type="unfinished"></translation>
@@ -2156,6 +2150,10 @@
     </message>
     <message>
         <source>Export resolve and output as GLSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported. Frames: %1, the first into %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3614,12 +3612,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <source>%1 (mine)</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%1 differs from the present settings in %n value(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 is what is set now.</source>
         <translation type="unfinished"></translation>
@@ -3642,6 +3634,10 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
     <message>
         <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 differs from the present settings. Values: %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3979,12 +3975,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <source>%1 of frame %2</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%1, %n frame(s) before</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 and %2</source>
         <translation type="unfinished"></translation>
@@ -4007,6 +3997,10 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
     <message>
         <source>%1, frames: %2, of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, frames before: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4125,17 +4119,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <source>%1 (camera)</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>
-%n object(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>, %1 triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>
 Hidden</source>
@@ -4165,6 +4148,11 @@ Not drawn: others are isolated</source>
     </message>
     <message>
         <source>The motion that an object is given, whatever moves it. Click it to change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
