@@ -57,7 +57,7 @@ QString saveUserPreset(const QString& folder, const QString& label, const Settin
     throw Error(say<"cannot save the preset: \"%1\" is a built-in one; give another name">(id.toStdString()));
   if (!QDir().mkpath(folder))
     throw Error(say<"cannot save the preset: the folder %1 cannot be made">(folder.toStdString()));
-  const QString path = QDir(folder).filePath(id + QStringLiteral(".json"));
+  QString path = QDir(folder).filePath(id + QStringLiteral(".json"));
   const Preset row{id.toStdString(), label.trimmed().toStdString(), "", 0, "Saved from the window.",
                    settings};
   writeFile(path.toStdString(), presetToText(row));
@@ -71,7 +71,7 @@ QString renameUserPreset(const QString& path, const QString& label) {
   if (!isSameFile && QFileInfo::exists(wanted))
     throw Error(
         say<"cannot rename the preset: there is one called %1 already">(label.trimmed().toStdString()));
-  const QString made = saveUserPreset(old.path(), label, preset(path.toStdString()).settings);
+  QString made = saveUserPreset(old.path(), label, preset(path.toStdString()).settings);
   if (!isSameFile) deleteUserPreset(path);
   return made;
 }

@@ -47,7 +47,7 @@ void RenderWorker::deliver(FrameFigures figures) {
       !std::ranges::any_of(figures_.wanted, needsReferenceFor) || figures.referenceSamples == reference_.goal;
   if (figures.lane == 0 && figures.exact && isWhole) figures_.known.insert(figures.frame);
   figures.subject = subject_;
-  if (listener_.onFigures) listener_.onFigures(std::move(figures));
+  if (listener_.onFigures) listener_.onFigures(figures);
 }
 
 // The next frame whose figures are missing: of those that are played the nearest to the one on show, and what

@@ -91,7 +91,7 @@ int SceneTreeModel::rowCount(const QModelIndex& parent) const {
 
 QString SceneTreeModel::label(int node) const {
   const OutlineNode& item = outline_->nodes[static_cast<std::size_t>(node)];
-  const QString name = qtext(item.key);
+  QString name = qtext(item.key);
   switch (item.kind) {
   case NodeKind::Light:
     return tr("%1 (light)").arg(name);

@@ -197,7 +197,7 @@ void PresetsDialog::save() {
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
         change([&] {
-          const QString path = saveUserPreset(folder_, text, session_.settings());
+          QString path = saveUserPreset(folder_, text, session_.settings());
           session_.setPreset(path);
           return path;
         });

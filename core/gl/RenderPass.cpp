@@ -62,6 +62,7 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   if (depth) glNamedFramebufferTexture(id_, GL_DEPTH_ATTACHMENT, depth->id(), 0);
   glNamedFramebufferDrawBuffers(id_, static_cast<GLsizei>(buffers.size()), buffers.data());
   const auto attached = std::ranges::find_if(colors, [](const Attachment& color) { return color.texture; });
+  assert(attached != colors.end() || depth);
   const Texture& first = attached == colors.end() ? *depth : *attached->texture;
   width_ = first.width();
   height_ = first.height();

@@ -6,6 +6,7 @@
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <utility>
 
@@ -101,6 +102,7 @@ std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_
   };
   std::size_t frameOfAll = 0;
   for (const Settings& settings : subject.lanes) frameOfAll += bytesOf(settings);
+  assert(frameOfAll > 0);
   return budget / frameOfAll * bytesOf(subject.lanes[lane]);
 }
 

@@ -125,7 +125,8 @@ std::string unjitterText(const Teller& t) {
   const int dx = jitter.x < 0.0f ? -1 : 1, dy = jitter.y < 0.0f ? -1 : 1;
   const float fx = std::fabs(jitter.x), fy = std::fabs(jitter.y);
   const auto red = [&](int x, int y) {
-    return t.details().filterSamples[static_cast<std::size_t>(4 + x + 3 * y)].x;
+    const int place = 4 + x + 3 * y;
+    return t.details().filterSamples[static_cast<std::size_t>(place)].x;
   };
   const std::array weights{(1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy};
   const std::array values{red(0, 0), red(dx, 0), red(0, dy), red(dx, dy)};

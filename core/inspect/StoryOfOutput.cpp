@@ -53,7 +53,8 @@ std::string logarithmText(const Around& a, float amount) {
 std::string sharpenText(const Teller& t) {
   const OutputSettings& output = t.settings().output;
   const Around a{t};
-  const std::string c = a.text(4), k = t.number(output.amount);
+  std::string c = a.text(4);
+  const std::string k = t.number(output.amount);
   switch (output.sharpen) {
   case Sharpen::None:
     return c;
