@@ -8,14 +8,10 @@
 
 namespace taa::app {
 
-namespace {
-constexpr auto kBetween = "Between the passes"; // stays the last row
-}
-
 void ProfileHistory::add(FrameProfile profile) {
   for (const PassCost& cost : profile.passes) {
     if (std::ranges::find(names_, cost.name) != names_.end()) continue;
-    const bool hasBetween = !names_.empty() && names_.back() == kBetween;
+    const bool hasBetween = !names_.empty() && names_.back() == kBetweenPasses;
     names_.insert(hasBetween ? names_.end() - 1 : names_.end(), cost.name);
   }
   profiles_.push_back(std::move(profile));

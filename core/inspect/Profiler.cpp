@@ -22,8 +22,6 @@ constexpr std::pair<std::string_view, std::string_view> kNames[] = {
     {"OutputPass", "Output"},
 };
 
-constexpr std::string_view kRest = "Between the passes";
-
 std::string nameOf(const gl::PassTime& time) {
   if (!time.group.empty()) return time.group;
   const auto* const found =
@@ -41,7 +39,7 @@ std::string_view timingWords(gl::TimingMethod method) {
 
 std::vector<std::string_view> passNames() {
   std::vector<std::string_view> names{pass_group::kExposure,   pass_group::kViews,     pass_group::kProbe,
-                                      pass_group::kThumbnails, pass_group::kReference, kRest};
+                                      pass_group::kThumbnails, pass_group::kReference, kBetweenPasses};
   for (const auto& [label, name] : kNames) names.push_back(name);
   return names;
 }
@@ -57,7 +55,7 @@ std::vector<PassCost> addedUp(const std::vector<gl::PassTime>& times, double fra
     ++row->runs;
     if (time.group.empty()) rest -= time.milliseconds;
   }
-  costs.push_back({std::string(kRest), std::max(rest, 0.0), 0});
+  costs.push_back({std::string(kBetweenPasses), std::max(rest, 0.0), 0});
   return costs;
 }
 

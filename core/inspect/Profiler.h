@@ -50,8 +50,11 @@ std::vector<std::string_view> passNames();
 /// What `timer` saw since the frame began. `frameMs` as in addedUp().
 FrameProfile profileOf(gl::PassTimer& timer, int frame, double frameMs, std::size_t checkpointBytes);
 
+/// What a frame took between its passes.
+inline constexpr std::string_view kBetweenPasses = "Between the passes";
+
 /// Adds up passes of a kind. `frameMs`: what making the frame took by the wall clock; what its passes, those
-/// in no group, leave of it is the row "Between the passes".
+/// in no group, leave of it is the row kBetweenPasses.
 std::vector<PassCost> addedUp(const std::vector<gl::PassTime>& times, double frameMs);
 
 } // namespace taa

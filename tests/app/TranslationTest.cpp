@@ -182,20 +182,15 @@ TEST_F(TranslatedWindow, AsksForNothingThatIsNotInTheTemplate) {
                                                     << "\" (app/translations writes the template)";
 }
 
-TEST(Translation, TheTemplateHoldsEveryTextOfTheTables) {
+TEST(Translation, TheTemplateHoldsEveryTextOfTheCore) {
   const auto messages = readTemplate();
-  const QStringList texts = tableTexts();
-  ASSERT_GT(texts.size(), 500);
-  EXPECT_EQ(messages.at("tables"), std::set<QString>(texts.begin(), texts.end()))
-      << "app/translations writes the template";
-}
-
-TEST(Translation, TheTemplateHoldsEverySentenceOfTheCore) {
-  const auto messages = readTemplate();
-  const QStringList texts = sentenceTexts();
-  ASSERT_GT(texts.size(), 200);
-  EXPECT_EQ(messages.at("sentences"), std::set<QString>(texts.begin(), texts.end()))
-      << "app/translations writes the template";
+  const auto expectAll = [&](const char* context, const QStringList& texts, int least) {
+    ASSERT_GT(texts.size(), least) << context;
+    EXPECT_EQ(messages.at(context), std::set<QString>(texts.begin(), texts.end()))
+        << context << ": app/translations writes the template";
+  };
+  expectAll("tables", tableTexts(), 500);
+  expectAll("sentences", sentenceTexts(), 200);
 }
 
 TEST(Translation, ComesFromTheFileOfTheLocale) {
