@@ -104,6 +104,8 @@ std::string wayText(const Teller& t, const Clip& clip) {
     const std::string from = call("clamp", {h, t.tuple(hood.min), t.tuple(hood.max)});
     return from + " + " + t.number(second) + " × (" + t.tuple(clip.center) + " − " + from + ")";
   }
+  case RectifyMethod::ClipToBoth:
+  case RectifyMethod::Select:
   case RectifyMethod::None:
     break;
   }
@@ -182,6 +184,8 @@ std::string amountText(const Teller& t, const Clip& clip) {
   case RectifyMethod::ClipToHull:
   case RectifyMethod::RayToCurrent:
     return call("min", {partText(t, clip, clip.current), "1"});
+  case RectifyMethod::ClipToBoth:
+  case RectifyMethod::Select:
   case RectifyMethod::None:
     break;
   }

@@ -70,6 +70,7 @@ std::span<const glm::vec2> pointsOf(JitterSequence sequence) {
   case JitterSequence::BlueNoise16:
     return kBlueNoise16;
   case JitterSequence::Halton:
+  case JitterSequence::Perpendicular:
   case JitterSequence::R2:
   case JitterSequence::Hammersley:
   case JitterSequence::GradientNoise:

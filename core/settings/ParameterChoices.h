@@ -18,6 +18,9 @@ inline constexpr Choice kJitterSequences[] = {
     {"poisson10", "Poisson 10", "Ten points of a disc of radius ¼ px, none near another (catalogue J7)."},
     {"pentagram", "Pentagram", "Five points of a star, each step across it (catalogue J8)."},
     {"halton", "Halton", "Halton(2, 3): low discrepancy, the usual choice (catalogue J9)."},
+    {"perpendicular", "Across the motion",
+     "Two points ¼ px to either side of the way the camera moves, whose direction follows by a fifth in each "
+     "frame (catalogue J10, Playdead's experiment)."},
     {"r2", "R2", "Roberts' plastic number sequence: evenly spread at any length (catalogue J11)."},
     {"hammersley", "Hammersley", "Exact in x, radical inverse in y; wants its period known (catalogue J12)."},
     {"gradientNoise", "Gradient noise",
@@ -26,6 +29,19 @@ inline constexpr Choice kJitterSequences[] = {
     {"blueNoise16", "Blue noise 16", "Sixteen points, each alone in its row and column (catalogue J15)."},
     {"whiteNoise", "White noise",
      "Hashed random points: what the others are measured against (catalogue J16)."},
+};
+inline constexpr Choice kJitterProjections[] = {
+    {"translation", "Translation",
+     "T(δ)·P: the same shift at every depth, with any projection (catalogue §2.1)."},
+    {"addedAsPrinted", "Third column, sign as printed",
+     "As printed in sources 000 to 002: added to the third column, which with OpenGL's w = −z moves the "
+     "picture the other way than every filter believes (catalogue §2.1)."},
+    {"columnAsPrinted", "Third column always, as printed",
+     "As in Bevy: the third column also for orthographic cameras, where it shears by depth instead of "
+     "shifting; the same as Translation with perspective (catalogue §26, D15)."},
+    {"rightAsPrinted", "Multiplied from the right, as printed",
+     "P·T(δ), which source 001 warns of: it moves the world before it is projected, near things far and far "
+     "things hardly (catalogue §2.1)."},
 };
 inline constexpr Choice kPrecisions[] = {
     {"half", "16-bit", "Half floats, as engines store it."},
@@ -38,6 +54,12 @@ inline constexpr Choice kHistoryPrecisions[] = {
      "Multiples of 1/255 from 0 to 1, as Playdead stores it: the average stops half a step over α before its "
      "goal (catalogue 1.6, 20.6). Kept in 32-bit floats here, which hold them exactly."},
     {"unorm10", "10-bit", "Multiples of 1/1023, likewise (catalogue 1.6, 20.6)."},
+};
+inline constexpr Choice kColorRanges[] = {
+    {"hdr", "HDR", "Scene-linear colors as they were shaded, before bloom and tone mapping (catalogue 1.1)."},
+    {"ldr", "LDR",
+     "What is brighter than white is white before anything is averaged, as after a tone map that clips: "
+     "fireflies are tame, and bright edges lose what lies above (catalogue 1.2, Playdead). Kept linear."},
 };
 inline constexpr Choice kInputNoises[] = {
     {"none", "None", "Colors as they were shaded."},
@@ -65,6 +87,12 @@ inline constexpr Choice kMotionSources[] = {
      "As printed in Raptor's chapter 11: the difference in normalized device coordinates is taken for one in "
      "texture coordinates, twice too long and upside down, and half of the jitter is subtracted "
      "(catalogue §26, D5)."},
+    {"objectsAsPrinted", "Objects, as printed",
+     "As in source 001's listing of meshes: the current position is not divided by w, and the previous one "
+     "uses the current pose, so that objects seem to rest in a picture that flies (catalogue §26, D6)."},
+    {"currentProjectionAsPrinted", "Objects, this frame's projection, as printed",
+     "As in Playdead: the previous view with the projection of now, right until the camera zooms "
+     "(catalogue §26, D16)."},
 };
 inline constexpr Choice kBlendedAs[] = {
     {"mask", "Mask", "Solid where alpha is at least ½."},
@@ -128,6 +156,16 @@ inline constexpr Choice kHistoryFilters[] = {
      "As in HDRP: the right tap is read in the row above, at its corner, so that steps to the right bend "
      "(catalogue §26, D13)."},
 };
+inline constexpr Choice kHistoryBorders[] = {
+    {"edge", "Edge", "The nearest pixel of the picture."},
+    {"black", "Black",
+     "As from a sampler with a black border: wide filters darken what lies near it (catalogue 5.4, Donut)."},
+};
+inline constexpr Choice kLengthsFrom[] = {
+    {"reprojected", "History position", "N of the nearest texel to where the surface was (catalogue §16)."},
+    {"pixelAsPrinted", "Own pixel, as printed",
+     "As in Bevy: N of the same pixel a frame ago, whatever was there (catalogue §26, D15)."},
+};
 inline constexpr Choice kCurrentFilters[] = {
     {"center", "Center", "The pixel's own sample (catalogue 7.0)."},
     {"gaussian", "Gaussian",
@@ -149,6 +187,9 @@ inline constexpr Choice kCurrentFilters[] = {
     {"blackmanHarrisAsPrinted", "Blackman-Harris, as printed",
      "As printed in Raptor's chapter 11: of twice the distance, which makes it nearly a box of five "
      "(catalogue §26, D3)."},
+    {"unjitterAsPrinted", "Unjitter tap, as printed",
+     "As in source 002's text: the tap on the other side, uv − j, so that the jitter is doubled instead of "
+     "taken out (catalogue §26, D10)."},
 };
 inline constexpr Choice kCurrentSharpens[] = {
     {"none", "None", "As filtered."},
@@ -169,6 +210,9 @@ inline constexpr Choice kUpsampleKernels[] = {
     {"hdrp", "HDRP",
      "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one "
      "lies inside the pixel, else 0: HDRP's box, not its Gaussian (catalogue 22.3)."},
+    {"hdrpGaussian", "HDRP, Gaussian",
+     "The same, and κ is a Gaussian of the nearest one's distance: exp(−½‖d‖²/(0.4/r²)²), d in px of the "
+     "picture (catalogue 22.3)."},
     {"fsr2", "FSR2",
      "Sixteen samples by the radial Lanczos 2 of their distance times min(1/r, 1.99), bounded by the nearest "
      "nine. κ = Σw, 0 where that is negative: the 1/12 of FSR2 is the floor of α here (catalogue 22.4)."},
@@ -179,6 +223,9 @@ inline constexpr Choice kColorSpaces[] = {
     {"yCoCgLifting", "YCoCg lifting",
      "The same axes by lifting steps, chroma twice as large (catalogue 9.3)."},
     {"yCbCr", "YCbCr", "Rec. 709 luma and two differences (catalogue 9.4)."},
+    {"yCoCgAsPrinted", "YCoCg, as printed",
+     "As in Playdead, Raptor and Bevy: the way back is clamped to 0…1, so that history which was moved is "
+     "never brighter than white (catalogue §26, D7)."},
 };
 inline constexpr Choice kToneSpaces[] = {
     {"linear", "Linear", "Box of scene-linear colors; a highlight opens it wide."},
@@ -187,6 +234,10 @@ inline constexpr Choice kToneSpaces[] = {
     {"reinhardChannel", "Reinhard", "Each channel by itself: bounded, and hues shift (catalogue 15.3)."},
     {"maxChannel", "Largest channel",
      "Colors divided by 1 + their largest channel (catalogue 15.4, Filament)."},
+    {"pq", "PQ",
+     "SMPTE ST 2084 with 10000 as 1, each channel by itself: steps as the eye sees them (catalogue 9.6, "
+     "15.5, Donut)."},
+    {"logarithm", "Logarithm", "log₂(1 + c), each channel by itself (catalogue 15.7, Intel)."},
 };
 inline constexpr Choice kNeighborhoodShapes[] = {
     {"cross", "Cross", "Five samples: tighter box, more flicker (catalogue 8.1)."},
@@ -194,6 +245,13 @@ inline constexpr Choice kNeighborhoodShapes[] = {
     {"x", "×", "The pixel and its diagonals (catalogue 8.3)."},
     {"rounded", "Rounded", "The middle between the bounds of nine and of five (catalogue 8.4, Playdead)."},
     {"alternate", "Alternating", "+ in even frames, × in odd ones (catalogue 8.6, Intel)."},
+    {"varying", "Four taps that vary",
+     "Four bilinear taps on the diagonals, ⅔ px away at rest and ½ px where things move or are far: "
+     "½ + ⅙·sat(½/(‖v‖·z)). z in m, so that a scene in centimeters looks different (catalogue 8.5, "
+     "Playdead)."},
+    {"pairs", "Seven, by pairs",
+     "The cross and the two diagonals towards the other pixel of a pair of columns, as a compute shader "
+     "shares them: even and odd columns see different boxes (catalogue 8.7, MiniEngine)."},
 };
 inline constexpr Choice kMomentWeights[] = {
     {"equal", "Equal", "Every sample counts alike."},
@@ -220,10 +278,16 @@ inline constexpr Choice kRectifyMethods[] = {
      "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
      "which "
      "no box and no γ widens (catalogue 10.12)."},
+    {"clipToBoth", "To filtered, both boxes",
+     "Towards the filtered color until it lies in the min-max boxes of RGB and of the color space (of RGB: "
+     "and of YCoCg): six slabs, which no γ widens (catalogue 9.7, Lottes)."},
     {"clampForget", "Clamp and forget",
      "Nearest point of the box, and history that was moved counts as no more than 1.6 frames, a tenth of "
      "what "
      "FSR2 can accumulate (catalogue 11.7)."},
+    {"select", "Select",
+     "The one of the nine samples that is nearest to history takes its place: no color of the past is left, "
+     "and no ghost (catalogue 11.8, 17.6, Godot's proposal)."},
 };
 inline constexpr Choice kOffScreens[] = {
     {"keep", "Keep", "Border pixels streak into the picture (catalogue 5.0)."},
@@ -305,6 +369,11 @@ inline constexpr Choice kToneWeights[] = {
     {"lumaAsPrinted", "Luma, as printed",
      "As printed in Raptor's chapter 11: the luma of the compressed color, so that weights only span 1 to ½ "
      "and fireflies stay (catalogue §26, D19)."},
+    {"pq", "PQ", "Mixed as SMPTE ST 2084 codes them, 10000 as 1 (catalogue 15.5, Donut)."},
+    {"logarithm", "Logarithm", "Mixed as log₂(1 + c) (catalogue 15.7)."},
+    {"whitePoint", "White point",
+     "A project's own curve: c(1 + c/W²)/(1 + c), Reinhard's with a white that becomes 1, and its inverse "
+     "(catalogue 15.6, source 002; Reinhard et al. 2002)."},
 };
 inline constexpr Choice kRestarts[] = {
     {"filtered", "Filtered", "Pixels without history show the filtered current color (catalogue 5.2)."},

@@ -23,6 +23,7 @@ enum class JitterSequence : std::int32_t {
   Poisson10,
   Pentagram,
   Halton,
+  Perpendicular,
   R2,
   Hammersley,
   GradientNoise,
@@ -30,11 +31,14 @@ enum class JitterSequence : std::int32_t {
   BlueNoise16,
   WhiteNoise,
 };
+/// How the offset gets into the projection (catalogue §2.1).
+enum class JitterProjection : std::int32_t { Translation, AddedAsPrinted, ColumnAsPrinted, RightAsPrinted };
 struct JitterSettings {
   JitterSequence sequence = JitterSequence::Halton;
   std::int32_t period = 16;    ///< frames until the pattern repeats, 1 to 1024; fixed patterns have their own
   std::int32_t firstIndex = 1; ///< index of the sequence at frame 0; index 0 is the corner (−½, −½)
   float scale = 1.0f;          ///< of the offsets, 0 to 1
+  JitterProjection projection = JitterProjection::Translation;
   bool operator==(const JitterSettings&) const = default;
 };
 
@@ -46,9 +50,12 @@ enum class MotionSource : std::int32_t {
   JitterDifference,
   SingleMatrix,
   JitterDifferenceAsPrinted,
+  ObjectsAsPrinted,
+  CurrentProjectionAsPrinted,
 };
 enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, After };
 enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
+enum class ColorRange : std::int32_t { Hdr, Ldr };
 enum class InputNoise : std::int32_t { None, Gradient, Blue };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
@@ -60,6 +67,7 @@ struct InputSettings {
   float renderScale = 1.0f;            ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
   InputNoise noise = InputNoise::None; ///< added to the shaded color
   float noiseAmount = 1.0f;            ///< width of the noise, 1/255
+  ColorRange range = ColorRange::Hdr;  ///< of the shaded color
   Switch noiseTriangular = Switch::On; ///< two noises summed: twice as wide, variance the same everywhere
   bool operator==(const InputSettings&) const = default;
 };
@@ -93,14 +101,18 @@ enum class HistoryFilter : std::int32_t {
   Cubic5,
   Cubic5AsPrinted,
 };
+enum class HistoryBorder : std::int32_t { Edge, Black };
+enum class LengthFrom : std::int32_t { Reprojected, PixelAsPrinted };
 struct HistorySettings {
   HistoryFilter filter = HistoryFilter::CatmullRom5;
   Switch dering = Switch::On;            ///< clamp to the filter's own taps; cubics and Lanczos
   Precision precision = Precision::Half; ///< of the stored history
   float sharpness = 0.5f;                ///< c of the tunable cubic, 0 to 1; 0.5 is Catmull-Rom
   Switch bilinearAtEdges = Switch::Off;  ///< one tap instead of the filter where depth has an edge
-  float edgeDepth = 0.1f;      ///< range of view depth over 3×3 that is an edge, relative to the farthest
-  Switch dither = Switch::Off; ///< round up or down at random, so that the mean is kept
+  float edgeDepth = 0.1f; ///< range of view depth over 3×3 that is an edge, relative to the farthest
+  HistoryBorder border = HistoryBorder::Edge;  ///< what is read outside of the picture
+  LengthFrom length = LengthFrom::Reprojected; ///< where N is read
+  Switch dither = Switch::Off;                 ///< round up or down at random, so that the mean is kept
 };
 
 enum class CurrentFilter : std::int32_t {
@@ -116,9 +128,10 @@ enum class CurrentFilter : std::int32_t {
   DistanceAsPrinted,
   MitchellAsPrinted,
   BlackmanHarrisAsPrinted,
+  UnjitterAsPrinted,
 };
 enum class CurrentSharpen : std::int32_t { None, Laplacian, LaplacianAsPrinted };
-enum class UpsampleKernel : std::int32_t { SampleWeight, Lanczos2, Hdrp, Fsr2 };
+enum class UpsampleKernel : std::int32_t { SampleWeight, Lanczos2, Hdrp, HdrpGaussian, Fsr2 };
 struct CurrentSettings {
   CurrentFilter filter = CurrentFilter::Gaussian;
   float variance = 0.22f;            ///< σ² of the Gaussian, px²
@@ -130,27 +143,28 @@ struct CurrentSettings {
   UpsampleKernel upsample = UpsampleKernel::Lanczos2; ///< in place of the filter where renderScale < 1
 };
 
-enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr };
-enum class ToneSpace : std::int32_t { Linear, ReinhardLuma, ReinhardChannel, MaxChannel };
+enum class ColorSpace : std::int32_t { Rgb, YCoCg, YCoCgLifting, YCbCr, YCoCgAsPrinted };
+enum class ToneSpace : std::int32_t { Linear, ReinhardLuma, ReinhardChannel, MaxChannel, Pq, Logarithm };
 struct SpaceSettings {
   ColorSpace color = ColorSpace::YCoCg;
   ToneSpace tone = ToneSpace::ReinhardLuma;
 };
 
-enum class NeighborhoodShape : std::int32_t { Cross, Square3x3, X, Rounded, Alternate };
+enum class NeighborhoodShape : std::int32_t { Cross, Square3x3, X, Rounded, Alternate, Varying, Pairs };
 enum class MomentWeights : std::int32_t { Equal, Luma, Distance };
 enum class BoxKind : std::int32_t { MinMax, Variance, Intersection };
 struct NeighborhoodSettings {
   NeighborhoodShape shape = NeighborhoodShape::Square3x3;
   BoxKind box = BoxKind::Intersection;
-  float gamma = 1.0f;                  ///< deviations from the mean to the wall of a variance box
-  Switch includeFiltered = Switch::On; ///< grow the box to hold the filtered current color
-  Switch motionGamma = Switch::Off;    ///< γ shrinks with speed
-  float gammaMoving = 0.75f;           ///< γ at full speed
-  float gammaSpeed = 128.0f;           ///< px a frame that count as full speed
-  Switch contrastGamma = Switch::Off;  ///< γ grows where current and history differ in luma
-  float contrastGrowth = 1.75f;        ///< most that is added to γ
-  Switch chromaShrink = Switch::Off;   ///< chroma no wider than an eighth of the luma range
+  float gamma = 1.0f;                   ///< deviations from the mean to the wall of a variance box
+  Switch includeFiltered = Switch::On;  ///< grow the box to hold the filtered current color
+  Switch motionGamma = Switch::Off;     ///< γ shrinks with speed
+  float gammaMoving = 0.75f;            ///< γ at full speed
+  float gammaSpeed = 128.0f;            ///< px a frame that count as full speed
+  Switch resolutionGamma = Switch::Off; ///< γ shrinks with the picture's height
+  Switch contrastGamma = Switch::Off;   ///< γ grows where current and history differ in luma
+  float contrastGrowth = 1.75f;         ///< most that is added to γ
+  Switch chromaShrink = Switch::Off;    ///< chroma no wider than an eighth of the luma range
   MomentWeights weights = MomentWeights::Equal;
   Switch maskRelax = Switch::Off; ///< wider box and less of the current frame where the mask is set
   Switch unjitter = Switch::Off;  ///< samples around where the pixel's center landed
@@ -165,7 +179,9 @@ enum class RectifyMethod : std::int32_t {
   ClampThenClip,
   RayToCurrent,
   ClipToHull,
+  ClipToBoth,
   ClampForget,
+  Select,
 };
 struct RectifySettings {
   RectifyMethod method = RectifyMethod::ClipToFiltered;
@@ -236,11 +252,21 @@ struct WeightSettings {
   float referenceRate = 60.0f;                          ///< frames a second that α is meant for
 };
 
-enum class ToneWeight : std::int32_t { None, Luma, ReinhardChannel, MaxChannel, LumaAsPrinted };
+enum class ToneWeight : std::int32_t {
+  None,
+  Luma,
+  ReinhardChannel,
+  MaxChannel,
+  LumaAsPrinted,
+  Pq,
+  Logarithm,
+  WhitePoint,
+};
 enum class Restart : std::int32_t { Filtered, Blurred };
 enum class LengthRule : std::int32_t { Variance, Count, VarianceAsPrinted, Confidence, Reciprocal };
 struct BlendSettings {
   ToneWeight tone = ToneWeight::Luma;
+  float white = 4.0f; ///< scene-linear color that the curve of a white point takes to 1
   Restart restart = Restart::Filtered;
   LengthRule length = LengthRule::Variance;
 };
@@ -259,6 +285,7 @@ struct OutputSettings {
   Sharpen sharpen = Sharpen::None;
   float amount = 0.5f;             ///< k, 0 to 4
   Switch dering = Switch::Off;     ///< clamp to the nine resolved colors around
+  Switch dither = Switch::Off;     ///< noise of a step of 8 bits, for a screen that has no more
   Switch motionBlur = Switch::Off; ///< the current frame blurred along motion, where it is fast
 };
 

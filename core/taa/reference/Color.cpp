@@ -59,6 +59,9 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
     return c / (1.0f + c);
   case ToneSpace::MaxChannel:
     return c / (1.0f + largest(c));
+  case ToneSpace::Pq:
+  case ToneSpace::Logarithm:
+    break;
   }
   return c;
 }
@@ -77,6 +80,9 @@ glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
     return {y.x / divisor(y.x), y.y / divisor(y.y), y.z / divisor(y.z)};
   case ToneSpace::MaxChannel:
     return y / divisor(largest(y));
+  case ToneSpace::Pq:
+  case ToneSpace::Logarithm:
+    break;
   }
   return y;
 }
@@ -86,7 +92,8 @@ glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
   switch (space.color) {
   case ColorSpace::Rgb:
     return c;
-  case ColorSpace::YCoCg: {
+  case ColorSpace::YCoCg:
+  case ColorSpace::YCoCgAsPrinted: {
     const float y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
     const float co = 0.5f * c.x - 0.5f * c.z;
     const float cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
@@ -113,6 +120,7 @@ glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
   case ColorSpace::Rgb:
     break;
   case ColorSpace::YCoCg:
+  case ColorSpace::YCoCgAsPrinted:
     c = {(y + first) - second, y + second, (y - first) - second};
     break;
   case ColorSpace::YCoCgLifting: {

@@ -65,6 +65,7 @@ double kernelWeight(const CurrentSettings& settings, double x, double y, const g
     return printedBlackmanHarris(2.0 * place);
   case CurrentFilter::Center:
   case CurrentFilter::Unjitter:
+  case CurrentFilter::UnjitterAsPrinted:
     break;
   }
   return place == 0.0 ? 1.0 : 0.0;

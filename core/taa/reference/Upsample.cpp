@@ -26,7 +26,8 @@ float kernel(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) 
     const glm::vec2 x = d / ratio;
     return lanczos2(x.x * x.x) * lanczos2(x.y * x.y);
   }
-  case UpsampleKernel::Hdrp: {
+  case UpsampleKernel::Hdrp:
+  case UpsampleKernel::HdrpGaussian: {
     const glm::vec2 x = d / ratio;
     const float root = 0.9656852f * saturated(x.x * x.x + x.y * x.y) - 1.0f;
     return root * root;
