@@ -100,6 +100,8 @@ std::string edgeWords(const Teller& t) {
 RowStory historyStory(Id id, const Teller& t) {
   if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
   if (id == Id::depthEdge) return {edgeWords(t), "", ""};
+  if (id == Id::historyRawLength && t.settings().history.length == LengthFrom::PixelAsPrinted)
+    return {say<"as many frames' worth of samples were stored in this pixel, whatever it showed">(), "", ""};
   if (id == Id::historyRawLength)
     return {say<"as many frames' worth of samples were stored around %1">(t.tuple(t.details().readPosition)),
             "", ""};
@@ -119,9 +121,8 @@ reference::Taps currentTaps(const Teller& t) {
   return taps;
 }
 
-/// A bilinear tap where the pixel's center landed.
-std::string unjitterText(const Teller& t) {
-  const glm::vec2 jitter = t.details().jitterPx;
+/// A bilinear tap at `jitter` from the pixel's center.
+std::string unjitterText(const Teller& t, const glm::vec2& jitter) {
   const int dx = jitter.x < 0.0f ? -1 : 1, dy = jitter.y < 0.0f ? -1 : 1;
   const float fx = std::fabs(jitter.x), fy = std::fabs(jitter.y);
   const auto red = [&](int x, int y) {
@@ -155,7 +156,10 @@ RowStory filteredStory(const Teller& t) {
   if (current.filter == CurrentFilter::Center)
     return {say<"the sample as it is">(), t.number(nine[4].x), "R"};
   if (current.filter == CurrentFilter::Unjitter)
-    return {say<"read where the pixel's center landed">(), unjitterText(t), "R"};
+    return {say<"read where the pixel's center landed">(), unjitterText(t, t.details().jitterPx), "R"};
+  if (current.filter == CurrentFilter::UnjitterAsPrinted)
+    return {say<"read on the other side of where the pixel's center landed">(),
+            unjitterText(t, -t.details().jitterPx), "R"};
   const Reds reds = redsOf(currentTaps(t));
   std::string mean = weightedMean(t, reds.weights, reds.values);
   const bool rings = current.filter == CurrentFilter::Mitchell ||

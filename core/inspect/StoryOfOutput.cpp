@@ -106,7 +106,8 @@ RowStory sharpStory(const Teller& t) {
   return {words, call("max", {text, "0"}) + " = " + t.number(t.color(Id::output).x), "R"};
 }
 
-RowStory shownStory(const Teller& t) {
+/// Before noise for the screen.
+RowStory smoothStory(const Teller& t) {
   const OutputSettings& output = t.settings().output;
   const bool isCovered = t.value(Id::overlayAlpha) > 0.0f || t.color(Id::overlay) != glm::vec3(0.0f);
   const bool isBlurred = t.value(Id::blurTrust) < 1.0f;
@@ -129,6 +130,15 @@ RowStory shownStory(const Teller& t) {
     words = say<"%1, the overlay over it">(words);
   }
   return {words, t.equals(text, Id::output), ""};
+}
+
+RowStory shownStory(const Teller& t) {
+  RowStory story = smoothStory(t);
+  if (!isOn(t.settings().output.dither)) return story;
+  const reference::Shown& shown = t.details().shown;
+  const std::string root = "√(" + t.number(shown.smooth.x) + ") + " + t.number(shown.noise);
+  return {say<"%1, and noise of a step of 8 bits for the screen">(story.words),
+          call("max", {root, "0"}) + "^2 = " + t.number(t.color(Id::output).x), "R"};
 }
 
 RowStory detailStory(const Teller& t) {

@@ -78,7 +78,10 @@ double weight(const CurrentSettings& settings, double column, double row, glm::d
 
 std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx) {
   constexpr std::array<float, 9> kCenter{0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-  if (settings.filter == CurrentFilter::Center || settings.filter == CurrentFilter::Unjitter) return kCenter;
+  const bool isOneTap = settings.filter == CurrentFilter::Center ||
+                        settings.filter == CurrentFilter::Unjitter ||
+                        settings.filter == CurrentFilter::UnjitterAsPrinted;
+  if (isOneTap) return kCenter;
   // The pixel's own scene sample lies at −jitter from its center, so a neighbor's lies at offset − jitter.
   const glm::dvec2 shift = settings.jitterAware == Switch::On ? glm::dvec2(jitterPx) : glm::dvec2(0.0);
   std::array<float, 9> weights{};

@@ -20,7 +20,7 @@ const gl::Program& programFor(ProgramCache& programs, const Settings& settings, 
 
 bool changesOutput(const Settings& settings) {
   return settings.output.sharpen != Sharpen::None || settings.output.motionBlur == Switch::On ||
-         settings.inputs.blended == BlendedAs::After;
+         settings.output.dither == Switch::On || settings.inputs.blended == BlendedAs::After;
 }
 
 Settings outputSettings(const Settings& settings) {

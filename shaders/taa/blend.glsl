@@ -91,19 +91,6 @@ float unorm(float x, float steps, float u) {
   return result;
 }
 
-/// PCG's permutation (O'Neill 2014; Jarzynski and Olano 2020).
-uint hashed(uint x) {
-  uint state = x * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
-
-/// 13 random bits for each channel of a pixel in a frame (20.6): white, so nothing of the jitter's period is in them.
-uvec3 ditherBits(ivec2 pixel) {
-  uint seed = hashed(hashed(hashed(uint(pixel.x)) + uint(pixel.y)) + uint(resolveBlock.state.w));
-  return uvec3(hashed(seed), hashed(seed + 1u), hashed(seed + 2u)) >> 19u;
-}
-
 const bool kIsHalf = kHistoryPrecision == kHistoryPrecision_half;
 const bool kIsUnorm = kHistoryPrecision == kHistoryPrecision_unorm8 || kHistoryPrecision == kHistoryPrecision_unorm10;
 

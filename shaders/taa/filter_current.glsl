@@ -8,7 +8,9 @@ float currentWeight(int k) {
 }
 
 /// Filters that only weigh the nine samples.
-const bool kIsWeighted = kCurrentFilter != kCurrentFilter_center && kCurrentFilter != kCurrentFilter_unjitter;
+const bool kIsUnjitterAsPrinted = kCurrentFilter == kCurrentFilter_unjitterAsPrinted;
+const bool kIsUnjitter = kCurrentFilter == kCurrentFilter_unjitter || kIsUnjitterAsPrinted;
+const bool kIsWeighted = kCurrentFilter != kCurrentFilter_center && !kIsUnjitter;
 /// Filters with negative weights.
 const bool kMayRing = kCurrentFilter == kCurrentFilter_mitchell || kCurrentFilter == kCurrentFilter_catmullRom ||
                       kCurrentFilter == kCurrentFilter_lanczos;
@@ -31,10 +33,11 @@ vec3 weightedSamples(Samples samples) {
   return mix(samples.color[4], result, bvec3(abs(total) > 1e-4));
 }
 
-/// One bilinear tap at the place where the pixel's unjittered center landed (7.1).
+/// One bilinear tap at the place where the pixel's unjittered center landed (7.1); as printed on the other side (D10).
 vec3 unjitteredTap(Samples samples) {
-  ivec2 way = ivec2(resolveBlock.jitterPx.x < 0.0 ? -1 : 1, resolveBlock.jitterPx.y < 0.0 ? -1 : 1);
-  vec2 f = abs(resolveBlock.jitterPx);
+  vec2 landed = kIsUnjitterAsPrinted ? -resolveBlock.jitterPx : resolveBlock.jitterPx;
+  ivec2 way = ivec2(landed.x < 0.0 ? -1 : 1, landed.y < 0.0 ? -1 : 1);
+  vec2 f = abs(landed);
   precise vec3 center = samples.color[4];
   precise vec3 beside = samples.color[4 + way.x];
   precise vec3 over = samples.color[4 + 3 * way.y];
@@ -58,7 +61,7 @@ vec3 sharpenedCurrent(vec3 filteredColor, Samples samples) {
 
 CurrentColor filterCurrent(Samples samples, Place place, float speed) {
   precise vec3 result = samples.color[4];
-  if (kCurrentFilter == kCurrentFilter_unjitter) result = unjitteredTap(samples);
+  if (kIsUnjitter) result = unjitteredTap(samples);
   if (kIsWeighted) {
     result = weightedSamples(samples);
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);

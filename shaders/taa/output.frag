@@ -5,6 +5,7 @@
 #include "taa/dilate_motion.glsl"
 #include "taa/reproject.glsl"
 #include "taa/sharpen.glsl"
+#include "taa/dither.glsl"
 #include "taa/output.glsl"
 
 void main() { showOutput(pixelHere()); }

@@ -1,5 +1,5 @@
 // What is shown: the resolved color sharpened, where it moves fast this frame blurred along its motion, and over it
-// what was drawn without jitter, where kHasOverlay (catalogue §18, 14.4, 21.1). In: pixel of the resolved picture, which
+// what was drawn without jitter, where kHasOverlay, and noise for the screen (catalogue §18, 14.4, 20.8, 21.1). In: pixel of the resolved picture, which
 // may be larger than the inputs; the layer has their size.
 
 layout(binding = 8) uniform sampler2D u_resolved; // scene-linear: History::color of this frame
@@ -83,6 +83,14 @@ float detailOf(vec3 sharp, vec3 resolved) {
   return detail;
 }
 
+/// With noise of a step of 8 bits, in square roots, which is near to what screens are sent (20.8).
+vec3 dithered(vec3 color, ivec2 pixel) {
+  precise vec3 root = sqrt(color) + triangularNoise(pixel) / 255.0;
+  root = greater(root, vec3(0.0));
+  precise vec3 result = root * root;
+  return storable(result);
+}
+
 void showOutput(ivec2 pixel) {
   Place place = placeOf(pixel);
   Samples resolved = readResolved(pixel);
@@ -94,6 +102,7 @@ void showOutput(ivec2 pixel) {
     precise vec3 covered = color * (1.0 - layer.a) + layer.rgb;
     color = storable(covered);
   }
+  if (kOutputDither) color = dithered(color, pixel);
   expose_sharpenDetail(detailOf(sharp, resolved.color[4]));
   expose_blurTrust(shown.a);
   expose_output(color);

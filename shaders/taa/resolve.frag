@@ -12,6 +12,7 @@
 #include "taa/hold_history.glsl"
 #include "taa/rectify_history.glsl"
 #include "taa/blend_weight.glsl"
+#include "taa/dither.glsl"
 #include "taa/blend.glsl"
 
 // Of all that was read, for `stage_ends`: nothing, or in the profiler's programs their end (TaaPass.cpp).

@@ -9,17 +9,23 @@ struct HistorySample {
   vec2 position;   // px, where it was read: the history position when that is sane
 };
 
-/// The four texels around x (px), mixed by their distance, clamped to the edge.
+/// The stored color of a texel: outside of the picture that of its edge, or black (5.4).
+vec3 storedColor(ivec2 texel) {
+  vec3 color = historyAt(u_historyColor, texel).rgb;
+  if (kHistoryBorder == kHistoryBorder_edge) return color;
+  bool isIn = texel.x >= 0 && texel.y >= 0 && texel.x < int(resolveBlock.sizePx.x) && texel.y < int(resolveBlock.sizePx.y);
+  return mix(vec3(0.0), color, bvec3(isIn));
+}
+
+/// The four texels around x (px), mixed by their distance.
 vec3 historyBilinear(vec2 x) {
-  precise vec2 u = vec2(lesser(x.x, resolveBlock.sizePx.x), lesser(x.y, resolveBlock.sizePx.y)) - 0.5;
-  u = vec2(greater(u.x, 0.0), greater(u.y, 0.0));
-  precise vec2 base = floor(u);
-  precise vec2 f = u - base;
+  precise vec2 base = floor(x - 0.5);
+  precise vec2 f = x - (base + 0.5);
   ivec2 first = ivec2(base);
-  precise vec3 topLeft = historyAt(u_historyColor, first).rgb;
-  precise vec3 topRight = historyAt(u_historyColor, first + ivec2(1, 0)).rgb;
-  precise vec3 bottomLeft = historyAt(u_historyColor, first + ivec2(0, 1)).rgb;
-  precise vec3 bottomRight = historyAt(u_historyColor, first + 1).rgb;
+  precise vec3 topLeft = storedColor(first);
+  precise vec3 topRight = storedColor(first + ivec2(1, 0));
+  precise vec3 bottomLeft = storedColor(first + ivec2(0, 1));
+  precise vec3 bottomRight = storedColor(first + 1);
   precise vec3 top = topLeft + f.x * (topRight - topLeft);
   precise vec3 bottom = bottomLeft + f.x * (bottomRight - bottomLeft);
   precise vec3 result = top + f.y * (bottom - top);
@@ -28,8 +34,8 @@ vec3 historyBilinear(vec2 x) {
 
 /// Mixed color of two texels of the history.
 vec3 historyPair(ivec2 first, ivec2 second, float share) {
-  precise vec3 a = historyAt(u_historyColor, first).rgb;
-  precise vec3 b = historyAt(u_historyColor, second).rgb;
+  precise vec3 a = storedColor(first);
+  precise vec3 b = storedColor(second);
   precise vec3 result = a + share * (b - a);
   return result;
 }
@@ -114,7 +120,7 @@ Taps historyTaps(ivec2 t, vec2 share) {
               sanitized(historyPair(t + ivec2(0, 2), t + ivec2(1, 2), share.x)));
 }
 
-vec3 historyTexel(ivec2 texel) { return sanitized(historyAt(u_historyColor, texel).rgb); }
+vec3 historyTexel(ivec2 texel) { return sanitized(storedColor(texel)); }
 
 /// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b). Or each corner
 /// taken for the mean of the two taps beside it (6.4c): half of its weight goes to either.
@@ -239,7 +245,7 @@ vec3 historyColor(vec2 x) {
   return historySixteen(x);
 }
 
-HistorySample readHistory(vec2 position, bool isEdge) {
+HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   HistorySample result;
   result.color = historyColor(position);
   if (kTakesEdges && isEdge) result.color = historyBilinear(position);
@@ -253,6 +259,8 @@ HistorySample readHistory(vec2 position, bool isEdge) {
     result.frames = mix(result.frames, surface.r, k == 0 || offset == nearest);
     result.depths[k] = surface.g;
   }
+  if (kHistoryLength == kHistoryLength_pixelAsPrinted) // §26, D15
+    result.frames = historyAt(u_historySurface, pixel).r;
   return result;
 }
 
@@ -264,7 +272,7 @@ HistorySample sampleHistory(ivec2 pixel, ivec2 texel, vec2 historyPosition) {
   HistorySample result = HistorySample(vec3(0.0), 0.0, float[4](0.0, 0.0, 0.0, 0.0), position);
   bool isEdge = false;
   if (kTakesEdges) isEdge = isDepthEdge(texel);
-  if (hasHistory()) result = readHistory(position, isEdge);
+  if (hasHistory()) result = readHistory(pixel, position, isEdge);
   result.position = position;
   expose_depthEdge(isEdge ? 1.0 : 0.0);
   expose_historyRaw(result.color);

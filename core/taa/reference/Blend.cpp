@@ -1,6 +1,7 @@
 // Stage 9, blend: current and history mixed, and how many frames' worth of samples that holds.
 #include "core/base/Half.h"
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Random.h"
 #include "core/taa/reference/Stages.h"
 
 #include <bit>
@@ -43,21 +44,6 @@ glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::v
   return result;
 }
 
-/// PCG's permutation of 32 bits.
-std::uint32_t hashed(std::uint32_t x) {
-  const std::uint32_t state = x * 747796405u + 2891336453u;
-  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
-
-/// 0 to 8191, white over pixels, frames and channels (catalogue 20.6).
-std::uint32_t ditherNumber(const Mix& mix, std::uint32_t channel) {
-  std::uint32_t seed = hashed(static_cast<std::uint32_t>(mix.pixel.x));
-  seed = hashed(seed + static_cast<std::uint32_t>(mix.pixel.y));
-  seed = hashed(seed + static_cast<std::uint32_t>(mix.frame));
-  return hashed(seed + channel) >> 19u;
-}
-
 /// x as a multiple of 1/steps, of those around it the one that `u`, 0 to 1, chooses.
 float quantized(float x, float steps, float u) {
   return std::floor(saturated(x) * steps + u) / steps;
@@ -74,7 +60,7 @@ float ditheredHalf(float x, std::uint32_t number) {
 /// A channel as the history holds it (catalogue 1.6, 14.7, 20.6).
 float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint32_t channel) {
   const bool isDithered = settings.dither == Switch::On;
-  const std::uint32_t number = isDithered ? ditherNumber(mix, channel) : 0;
+  const std::uint32_t number = isDithered ? randomBits(mix.pixel, mix.frame, channel) : 0;
   const float u = isDithered ? (static_cast<float>(number) + 0.5f) / 8192.0f : 0.5f;
   switch (settings.precision) {
   case Precision::Full:

@@ -84,6 +84,8 @@ struct Shown {
   float trust = 1.0f;  ///< share of the resolved color
   glm::vec3 color{0.0f};
   glm::vec3 sharp{0.0f}, fast{0.0f}; ///< sharpened; blurred along its motion, where that is
+  float noise = 0.0f;                ///< added to square roots
+  glm::vec3 smooth{0.0f};            ///< the color before that
 };
 Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel);
 

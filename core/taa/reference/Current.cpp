@@ -104,6 +104,16 @@ glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const
   return color - s * (difference / 4.0f);
 }
 
+/// A bilinear tap at `step`, less than 1 px each way, from the middle of a texel.
+glm::vec3 tapBeside(const Inputs& inputs, const glm::ivec2& pixel, const glm::vec2& step) {
+  const glm::ivec2 x(step.x < 0.0f ? -1 : 1, 0);
+  const glm::ivec2 y(0, step.y < 0.0f ? -1 : 1);
+  const float fx = std::fabs(step.x), fy = std::fabs(step.y);
+  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
+  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
+  return mixed(near, far, fy);
+}
+
 } // namespace
 
 glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
@@ -137,12 +147,7 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) 
 }
 
 glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel) {
-  const glm::ivec2 x(inputs.jitterPx.x < 0.0f ? -1 : 1, 0);
-  const glm::ivec2 y(0, inputs.jitterPx.y < 0.0f ? -1 : 1);
-  const float fx = std::fabs(inputs.jitterPx.x), fy = std::fabs(inputs.jitterPx.y);
-  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
-  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
-  return mixed(near, far, fy);
+  return tapBeside(inputs, pixel, inputs.jitterPx);
 }
 
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
@@ -154,6 +159,8 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
   if (settings.filter == CurrentFilter::Unjitter) return unjitteredColor(inputs, pixel);
+  if (settings.filter == CurrentFilter::UnjitterAsPrinted)
+    return tapBeside(inputs, pixel, -inputs.jitterPx); // D10
   const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
                        settings.filter == CurrentFilter::CatmullRom ||
                        settings.filter == CurrentFilter::Lanczos;

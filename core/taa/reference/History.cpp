@@ -27,11 +27,15 @@ glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
   return a + fraction * (b - a);
 }
 
-glm::vec3 bilinear(const Inputs& inputs, const Place& x, const Place& y) {
-  const auto stored = [&inputs](int column, int row) {
-    const glm::ivec2 texel = clampedToPicture({column, row}, inputs);
-    return glm::vec3(inputs.historyColor.texel(texel.x, texel.y));
-  };
+/// A texel of the history; beyond the border that of the edge, or black (catalogue 5.4).
+glm::vec3 storedAt(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
+  const glm::ivec2 inside = clampedToPicture(texel, inputs);
+  if (border == HistoryBorder::Black && inside != texel) return glm::vec3(0.0f);
+  return glm::vec3(inputs.historyColor.texel(inside.x, inside.y));
+}
+
+glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const Place& x, const Place& y) {
+  const auto stored = [&](int column, int row) { return storedAt(inputs, border, {column, row}); };
   const glm::vec3 upper = lerp(stored(x.texel, y.texel), stored(x.texel + 1, y.texel), x.fraction);
   const glm::vec3 lower = lerp(stored(x.texel, y.texel + 1), stored(x.texel + 1, y.texel + 1), x.fraction);
   return lerp(upper, lower, y.fraction);
@@ -56,7 +60,7 @@ Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySett
   Taps taps;
   taps.middle = 2;
   const auto tap = [&](const Place& column, const Place& row, float weight) {
-    taps.add(sanitized(bilinear(inputs, column, row)), weight);
+    taps.add(sanitized(bilinear(inputs, settings.border, column, row)), weight);
   };
   tap(x12, {y.texel - 1, 0.0f}, besideX * wy[0]);
   tap({x.texel - 1, 0.0f}, y12, wx[0] * besideY);
@@ -67,7 +71,7 @@ Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySett
 }
 
 /// Nine bilinear taps: equal to sixteen texels (catalogue 6.3).
-Taps catmullRom9(const Inputs& inputs, const glm::vec2& position) {
+Taps catmullRom9(const Inputs& inputs, const glm::vec2& position, HistoryBorder border) {
   const Place px = placeAt(position.x);
   const Place py = placeAt(position.y);
   const auto axis = [](const Place& place) {
@@ -80,7 +84,7 @@ Taps catmullRom9(const Inputs& inputs, const glm::vec2& position) {
   Taps taps;
   taps.middle = 4;
   for (const auto& [y, wy] : axis(py))
-    for (const auto& [x, wx] : axis(px)) taps.add(sanitized(bilinear(inputs, x, y)), wx * wy);
+    for (const auto& [x, wx] : axis(px)) taps.add(sanitized(bilinear(inputs, border, x, y)), wx * wy);
   return taps;
 }
 
@@ -95,22 +99,20 @@ Taps sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySetti
   taps.middle = 5;
   for (int k = 0; k < 16; ++k) {
     const int i = k % 4, j = k / 4;
-    const glm::ivec2 texel = clampedToPicture({x.texel + i - 1, y.texel + j - 1}, inputs);
     const bool isNear = (i == 1 || i == 2) && (j == 1 || j == 2);
-    taps.add(sanitized(glm::vec3(inputs.historyColor.texel(texel.x, texel.y))),
+    taps.add(sanitized(storedAt(inputs, settings.border, {x.texel + i - 1, y.texel + j - 1})),
              wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)], isNear || !isLanczos);
   }
   return taps;
 }
 
 /// The four texels of bilinear interpolation, as weights.
-Taps four(const Inputs& inputs, const glm::vec2& position) {
+Taps four(const Inputs& inputs, const glm::vec2& position, HistoryBorder border) {
   const Place x = placeAt(position.x), y = placeAt(position.y);
   Taps taps;
   for (int k = 0; k < 4; ++k) {
     const int i = k % 2, j = k / 2;
-    const glm::ivec2 texel = clampedToPicture({x.texel + i, y.texel + j}, inputs);
-    taps.add(glm::vec3(inputs.historyColor.texel(texel.x, texel.y)),
+    taps.add(storedAt(inputs, border, {x.texel + i, y.texel + j}),
              (i == 0 ? 1.0f - x.fraction : x.fraction) * (j == 0 ? 1.0f - y.fraction : y.fraction));
   }
   return taps;
@@ -137,13 +139,12 @@ glm::vec3 meanOf(const Taps& taps, const HistorySettings& settings) {
   return settings.dering == Switch::On ? clamped(result, low, high) : result;
 }
 
-glm::ivec2 texelAt(const Inputs& inputs, const glm::vec2& positionPx) {
-  return clampedToPicture(
-      {static_cast<int>(std::floor(positionPx.x)), static_cast<int>(std::floor(positionPx.y))}, inputs);
+glm::ivec2 texelOf(const glm::vec2& positionPx) {
+  return {static_cast<int>(std::floor(positionPx.x)), static_cast<int>(std::floor(positionPx.y))};
 }
 
 glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
-  if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q);
+  if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q, settings.border);
   const Taps taps = historyTaps(inputs, settings, q);
   return settings.filter == HistoryFilter::Point ? taps.each[0].color : meanOf(taps, settings);
 }
@@ -198,13 +199,12 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
 Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx) {
   switch (settings.filter) {
   case HistoryFilter::Point: {
-    const glm::ivec2 texel = texelAt(inputs, positionPx);
     Taps one;
-    one.add(glm::vec3(inputs.historyColor.texel(texel.x, texel.y)), 1.0f);
+    one.add(storedAt(inputs, settings.border, texelOf(positionPx)), 1.0f);
     return one;
   }
   case HistoryFilter::Bilinear:
-    return four(inputs, positionPx);
+    return four(inputs, positionPx, settings.border);
   case HistoryFilter::CatmullRom5:
   case HistoryFilter::CatmullRom5AsPrinted:
   case HistoryFilter::CatmullRom5Corners:
@@ -212,14 +212,14 @@ Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const gl
   case HistoryFilter::Cubic5AsPrinted:
     return fiveTaps(inputs, positionPx, settings);
   case HistoryFilter::CatmullRom9:
-    return catmullRom9(inputs, positionPx);
+    return catmullRom9(inputs, positionPx, settings.border);
   default:
     return sixteen(inputs, positionPx, settings);
   }
 }
 
-glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx) {
-  return bilinear(inputs, placeAt(positionPx.x), placeAt(positionPx.y));
+glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx, HistoryBorder border) {
+  return bilinear(inputs, border, placeAt(positionPx.x), placeAt(positionPx.y));
 }
 
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
@@ -233,9 +233,10 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   if (inputs.historyColor.empty()) return result;
   const glm::vec2& q = result.position;
   result.color =
-      storable(result.isEdge ? bilinearHistory(inputs, q)
-                             : filtered(inputs, settings, q)); // negative lobes overshoot both ways
-  const glm::ivec2 nearest = texelAt(inputs, q);
+      storable(result.isEdge ? bilinearHistory(inputs, q, settings.border)
+                             : filtered(inputs, settings, q));          // negative lobes overshoot both ways
+  const bool isOfPixel = settings.length == LengthFrom::PixelAsPrinted; // D15
+  const glm::ivec2 nearest = clampedToPicture(isOfPixel ? pixel : texelOf(q), inputs);
   result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;
   return result;
 }

@@ -1,6 +1,7 @@
 // Stage 10, output: what is shown of the resolved picture, sharpened (catalogue §18) and blurred where it is
 // fast (14.4).
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Random.h"
 #include "core/taa/reference/Stages.h"
 #include "core/taa/reference/Upsample.h"
 
@@ -199,6 +200,12 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
   if (settings.output.motionBlur == Switch::On)
     shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
   shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);
+  if (settings.output.dither == Switch::On) { // catalogue 20.8
+    shown.noise = screenNoise(pixel, inputs.frame) / 255.0f;
+    shown.smooth = shown.color;
+    const glm::vec3 root = larger(squareRoot(shown.color) + shown.noise, glm::vec3(0.0f));
+    shown.color = storable(root * root);
+  }
   return shown;
 }
 

@@ -60,7 +60,8 @@ std::array<float, 4> catmullRomWeights(float fraction);
 /// Weights of the four texels of an axis for the filters of sixteen texels (catalogue 6.2, 6.5 to 6.7).
 std::array<float, 4> cubicWeights(const HistorySettings& settings, float fraction);
 /// The stored color at `positionPx` by bilinear interpolation, clamped to the edge.
-glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx);
+glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx,
+                          HistoryBorder border = HistoryBorder::Edge);
 /// The taps that a filter of history takes around a place, which are one for Point and four for Bilinear.
 Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx);
 /// What was accumulated there (catalogue §6).
