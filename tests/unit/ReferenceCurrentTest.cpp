@@ -66,6 +66,20 @@ TEST(ReferenceCurrent, MovesAJitteredRampBackToTheCenter) {
   }
 }
 
+// Invariant 33: a tap at p + j gives the ramp at rest, one at p − j, as source 002's text has it (§26, D10),
+// is off by 2 j.
+TEST(ReferenceCurrent, UnjitteringAsPrintedDoublesTheJitter) {
+  for (const float jitter : {-0.5f, -0.25f, 0.25f, 0.5f}) {
+    Inputs inputs = test::constantInputs(5, 1, glm::vec3(0.0f));
+    inputs.jitterPx.x = jitter;
+    for (int x = 0; x < 5; ++x)
+      test::setColor(inputs.color, x, 0, glm::vec3(10.0f + static_cast<float>(x) - jitter));
+    EXPECT_EQ(filterCurrent(inputs, {.filter = CurrentFilter::Unjitter}, {2, 0}).x, 12.0f);
+    EXPECT_EQ(filterCurrent(inputs, {.filter = CurrentFilter::UnjitterAsPrinted}, {2, 0}).x,
+              12.0f - 2.0f * jitter);
+  }
+}
+
 TEST(ReferenceCurrent, TakesBadChannelsForBlack) {
   Inputs inputs = test::constantInputs(1, 1, {std::nanf(""), -1.0f, 65505.0f});
   EXPECT_EQ(filterCurrent(inputs, {CurrentFilter::Center, 0.22f}, {0, 0}), glm::vec3(0.0f));

@@ -139,6 +139,39 @@ TEST(ReferenceHistory, BilinearMixesTheFourTexelsAround) {
   EXPECT_EQ(bilinearHistory(inputs, {-5.0f, 9.0f}).x, 8.0f);   // clamped to the edge
 }
 
+// Catalogue 5.4: what lies beyond the picture is black, and what is read near the border is mixed with it.
+TEST(ReferenceHistory, ABlackBorderDarkensWhatIsReadAcrossIt) {
+  Inputs inputs = withHistory(4, 4, glm::vec3(1.0f));
+  const auto read = [&](HistoryFilter filter, HistoryBorder border, const glm::vec2& position) {
+    HistorySettings settings{filter, Switch::Off, Precision::Full};
+    settings.border = border;
+    return sampleHistory(inputs, settings, position, {0, 0}).color.x;
+  };
+  for (const HistoryFilter filter :
+       {HistoryFilter::Point, HistoryFilter::Bilinear, HistoryFilter::CatmullRom5, HistoryFilter::CatmullRom9,
+        HistoryFilter::CatmullRom16}) {
+    EXPECT_EQ(read(filter, HistoryBorder::Edge, {0.25f, 2.5f}), 1.0f);
+    EXPECT_EQ(read(filter, HistoryBorder::Black, {2.5f, 2.5f}), 1.0f) << "a texel's center";
+    EXPECT_EQ(read(filter, HistoryBorder::Black, {-2.5f, 2.5f}), 0.0f) << "far outside";
+  }
+  EXPECT_EQ(read(HistoryFilter::Point, HistoryBorder::Black, {0.25f, 2.5f}), 1.0f);
+  EXPECT_EQ(read(HistoryFilter::Bilinear, HistoryBorder::Black, {0.25f, 2.5f}), 0.75f);
+  EXPECT_EQ(read(HistoryFilter::Bilinear, HistoryBorder::Black, {4.25f, 3.75f}), 0.25f * 0.75f);
+  // At ¾ between the texels outside and inside; the weights of Catmull-Rom there of the two inside.
+  const std::array<float, 4> w = catmullRomWeights(0.75f);
+  EXPECT_NEAR(read(HistoryFilter::CatmullRom16, HistoryBorder::Black, {0.25f, 2.5f}), w[2] + w[3], 1e-6f);
+}
+
+// Bevy's slip (§26, D15): N of the pixel, whatever surface was there.
+TEST(ReferenceHistory, AsBevyPrintsItNIsOfTheOwnPixel) {
+  Inputs inputs = withHistory(8, 1, glm::vec3(0.5f));
+  for (int x = 0; x < 8; ++x) inputs.historySurface.at(x, 0)[0] = static_cast<float>(x + 1);
+  HistorySettings settings = kBilinear;
+  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).length, 3.0f);
+  settings.length = LengthFrom::PixelAsPrinted;
+  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).length, 7.0f);
+}
+
 TEST(ReferenceHistory, BothFiltersReadATexelExactlyAtItsCenter) {
   Inputs inputs = withHistory(7, 7, glm::vec3(0.25f));
   test::setColor(inputs.historyColor, 3, 3, {1.0f, 2.0f, 3.0f});

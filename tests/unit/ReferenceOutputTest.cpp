@@ -2,6 +2,7 @@
 #include "tests/support/ReferenceInputs.h"
 
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Random.h"
 #include "core/taa/reference/Stages.h"
 
 #include <gtest/gtest.h>
@@ -246,6 +247,46 @@ TEST(ReferenceOutput, BlurKeepsConstantsExactly) {
   for (float& value : inputs.motion.pixels) value = 7.3f;
   for (int x = 0; x < 16; ++x)
     EXPECT_EQ(showOutput(inputs, withBlur(), {x, 3}).color, glm::vec3(0.3f, 1e-4f, 1000.0f));
+}
+
+Settings withDither() {
+  Settings settings;
+  settings.output.dither = Switch::On;
+  return settings;
+}
+
+// Catalogue 20.8; invariant 64: mean 0, variance 1/6, from −1 to 1.
+TEST(ReferenceOutput, ScreenNoiseIsTriangular) {
+  double sum = 0.0, squares = 0.0;
+  float most = 0.0f;
+  constexpr int kSide = 256;
+  for (int k = 0; k < kSide * kSide; ++k) {
+    const float noise = screenNoise({k % kSide, k / kSide}, 7);
+    sum += static_cast<double>(noise);
+    squares += static_cast<double>(noise) * static_cast<double>(noise);
+    most = std::fmax(most, std::fabs(noise));
+  }
+  const double count = kSide * kSide; // standard errors: √(1/6/65536) = 0.0016, √(7/180/65536) = 0.0008
+  EXPECT_NEAR(sum / count, 0.0, 0.008);
+  EXPECT_NEAR(squares / count, 1.0 / 6.0, 0.004);
+  EXPECT_LT(most, 1.0f);
+  EXPECT_GT(most, 0.98f);
+  EXPECT_NE(screenNoise({3, 4}, 7), screenNoise({3, 4}, 8));
+}
+
+TEST(ReferenceOutput, DitherIsAStepOfSquareRoots) {
+  Inputs inputs = test::constantInputs(32, 32, glm::vec3(0.0f));
+  inputs.resolved = Image(32, 32, 3);
+  for (int k = 0; k < 1024; ++k) test::setColor(inputs.resolved, k % 32, k / 32, {0.25f, 0.0f, 4.0f});
+  for (int k = 0; k < 1024; ++k) {
+    const glm::ivec2 pixel(k % 32, k / 32);
+    const float noise = screenNoise(pixel, inputs.frame);
+    const glm::vec3 color = showOutput(inputs, withDither(), pixel).color;
+    EXPECT_NEAR(255.0f * (std::sqrt(color.x) - 0.5f), noise, 1e-4f);
+    EXPECT_NEAR(255.0f * std::sqrt(color.y), std::fmax(noise, 0.0f), 1e-4f) << "black has no less";
+    EXPECT_NEAR(255.0f * (std::sqrt(color.z) - 2.0f), noise, 2e-4f);
+  }
+  EXPECT_EQ(showOutput(inputs, Settings{}, {3, 4}).color, glm::vec3(0.25f, 0.0f, 4.0f)) << "off";
 }
 
 TEST(ReferenceOutput, IsAskedForInThePixelsOfTheResolvedPicture) {
