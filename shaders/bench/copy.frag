@@ -11,8 +11,9 @@ layout(location = 1) out vec2 o_surface;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 color = texelFetch(u_color, pixel, 0) + texelFetch(u_historyColor, pixel, 0);
-  vec2 motion = texelFetch(u_motion, pixel, 0).xy;
+  ivec2 drawn = pixel * textureSize(u_color, 0) / textureSize(u_historyColor, 0); // inputs may be smaller
+  vec4 color = texelFetch(u_color, drawn, 0) + texelFetch(u_historyColor, pixel, 0);
+  vec2 motion = texelFetch(u_motion, drawn, 0).xy;
   o_color = color + motion.xyxy;
-  o_surface = texelFetch(u_historySurface, pixel, 0).xy + texelFetch(u_depth, pixel, 0).x;
+  o_surface = texelFetch(u_historySurface, pixel, 0).xy + texelFetch(u_depth, drawn, 0).x;
 }
