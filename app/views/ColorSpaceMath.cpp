@@ -20,9 +20,10 @@ using Id = IntermediateId;
 class ToPlot {
  public:
   ToPlot(const SpaceSettings& box, PlotSpace plot)
-      : box_{box.color, ToneSpace::Linear}, plot_{plot == PlotSpace::Rgb ? ColorSpace::Rgb
-                                                                         : ColorSpace::YCoCg,
-                                                  ToneSpace::Linear} {}
+      : box_{reference::withoutClamp(box).color, ToneSpace::Linear}, plot_{plot == PlotSpace::Rgb
+                                                                               ? ColorSpace::Rgb
+                                                                               : ColorSpace::YCoCg,
+                                                                           ToneSpace::Linear} {}
 
   glm::vec3 operator()(const glm::vec3& color) const {
     return box_.color == plot_.color ? color : reference::toBox(reference::fromBox(color, box_), plot_);

@@ -45,8 +45,8 @@ glm::vec3 Teller::box(const glm::vec3& color) const {
 }
 
 std::string Teller::channelName(int channel) const {
-  static constexpr std::array<std::array<const char*, 3>, 4> kNames{
-      {{"R", "G", "B"}, {"Y", "Co", "Cg"}, {"Y", "Co", "Cg"}, {"Y", "Cb", "Cr"}}};
+  static constexpr std::array<std::array<const char*, 3>, 5> kNames{
+      {{"R", "G", "B"}, {"Y", "Co", "Cg"}, {"Y", "Co", "Cg"}, {"Y", "Cb", "Cr"}, {"Y", "Co", "Cg"}}};
   return kNames[static_cast<std::size_t>(settings().space.color)][static_cast<std::size_t>(channel)];
 }
 

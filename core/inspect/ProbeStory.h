@@ -20,7 +20,7 @@ struct ProbedPixel {
   glm::ivec2 pixel{0};
 };
 
-/// One row. The formula reads "expression = value", in plain arithmetic: + − × / ^2 √( |…| min( max( clamp(x,
+/// One row. The formula reads "expression = value", in plain arithmetic: + − × / ^ √( |…| min( max( clamp(x,
 /// low, high) smooth( length( exp(, and (a, b, c) for colors and positions. `subject` says of what, where
 /// that is not the row's value as it stands: a channel, or a color before it goes back from box space.
 struct RowStory {

@@ -87,21 +87,25 @@ RowStory restartStory(const Teller& t) {
 }
 
 /// Mixed with bounded highlights: each color divided by one more than its channel, or than its largest
-/// channel. A share of its own in each channel is not told.
+/// channel; or on another curve. Where the largest bounds all, a share in each channel is not told.
 RowStory boundedStory(const Teller& t, const std::string& words) {
-  const ToneSpace space = t.settings().blend.tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel
-                                                                                 : ToneSpace::MaxChannel;
-  const auto red = [&](Id id) { return t.number(reference::compress(t.color(id), space).x); };
+  const ToneWeight tone = t.settings().blend.tone;
+  const bool isBounded = tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel;
+  const auto red = [&](Id id) { return t.number(reference::compress(t.color(id), t.settings().blend).x); };
   const std::string past = red(Id::historyRectified);
   const bool isPerChannel = t.settings().weight.source == AlphaSource::ContrastPerChannel;
   const std::string share = isPerChannel ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
   // With the largest channel bounding all, a share in each would move the bound itself.
-  const bool isShort = !isPerChannel || space == ToneSpace::ReinhardChannel;
-  return {say<"%1, mixed with bounded highlights">(words),
+  const bool isShort = !isPerChannel || tone != ToneWeight::MaxChannel;
+  return {isBounded
+              ? say<"%1, mixed with bounded highlights">(words)
+              : say<"%1, mixed as the curve has them: %2">(words, choiceLabel("blend.tone", t.settings())),
           isShort ? past + " + " + share + " × (" + red(Id::currentFiltered) + " − " + past +
                         ") = " + red(Id::resolved)
                   : "",
-          isShort ? say<"R, its highlights bounded">() : ""};
+          !isShort    ? ""
+          : isBounded ? say<"R, its highlights bounded">()
+                      : say<"R, as the curve has it">()};
 }
 
 /// Mixed in each channel by its own α.
@@ -128,7 +132,7 @@ RowStory resolvedStory(const Teller& t) {
   if (factor >= 1.0f)
     return {storedWords(t, say<"the current frame alone">()),
             t.equals(t.tuple(Id::currentFiltered), Id::resolved), ""};
-  if (tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel) return boundedStory(t, words);
+  if (reference::mixesCompressed(tone)) return boundedStory(t, words);
   if (t.settings().weight.source == AlphaSource::ContrastPerChannel) return channelsStory(t);
   const std::string history = t.tuple(Id::historyRectified);
   return {words,

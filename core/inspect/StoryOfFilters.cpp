@@ -148,7 +148,9 @@ RowStory filteredStory(const Teller& t) {
     std::string text = weightedMean(t, reds.weights, reds.values);
     float low = nine[4].x, high = nine[4].x;
     for (const glm::vec3& sample : nine) low = std::fmin(low, sample.x), high = std::fmax(high, sample.x);
-    if (current.upsample != UpsampleKernel::Hdrp) text = clamped(t, text, low, high);
+    const bool hasLobes =
+        current.upsample != UpsampleKernel::Hdrp && current.upsample != UpsampleKernel::HdrpGaussian;
+    if (hasLobes) text = clamped(t, text, low, high);
     return {say<"%1 over %2 samples of what was drawn smaller">(kernel, taps.count), call("max", {text, "0"}),
             "R"};
   }
@@ -196,6 +198,14 @@ RowStory confidenceStory(const Teller& t) {
                 ? say<"the nearest sample lies in the pixel: %1 px from the pixel's center">(at)
                 : say<"no sample lies in the pixel: the nearest is %1 px from the pixel's center">(at),
             "", ""};
+  if (kernel == UpsampleKernel::HdrpGaussian) {
+    const glm::vec2 x = d / ratio;
+    const std::string bell = "2^(−0.5 × (" + call("length", {t.tuple(x)}) + " / 0.4)^2)";
+    return {say<"how near the nearest sample lies, %1 px of the picture from the pixel's center">(t.tuple(x)),
+            t.equals(call("min", {bell + " / (" + t.number(ratio.x) + " × " + t.number(ratio.y) + ")", "1"}),
+                     Id::sampleConfidence),
+            ""};
+  }
   if (kernel == UpsampleKernel::SampleWeight) {
     const std::string near = "1 − (" + t.number(d.x * d.x) + " / " + t.number(ratio.x) + " + " +
                              t.number(d.y * d.y) + " / " + t.number(ratio.y) + ")";

@@ -16,7 +16,7 @@ namespace {
 struct Clip {
   glm::vec3 h{0.0f}, current{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
   glm::vec3 mean{0.0f};      ///< of the samples, within the box
-  glm::vec3 moved{0.0f};     ///< where h went
+  glm::vec3 moved{0.0f};     ///< where h went, before the way back is clamped as printed
   reference::Clipped result; ///< before strength and locks
 };
 
@@ -34,7 +34,10 @@ Clip clipOf(const Teller& t) {
   inputs.historyColor = Image(1, 1, 4); // there is a history
   clip.result = reference::rectifyHistory(inputs, plain, t.color(Id::historyRaw),
                                           t.color(Id::currentFiltered), t.details().neighborhood);
-  clip.moved = t.box(clip.result.value);
+  plain.space = reference::withoutClamp(plain.space);
+  clip.moved = t.box(reference::rectifyHistory(inputs, plain, t.color(Id::historyRaw),
+                                               t.color(Id::currentFiltered), t.details().neighborhood)
+                         .value);
   return clip;
 }
 
@@ -125,6 +128,19 @@ std::string pulledWords(const Teller& t) {
   return say<"pulled %1 of the way into the box">(amount);
 }
 
+/// Where the printed way back from box space cuts channels off (§26, D7), how it does; else nothing.
+RowStory cutOffStory(const Teller& t, const Clip& clip, const std::string& words) {
+  const SpaceSettings& space = t.settings().space;
+  const SpaceSettings axes{reference::withoutClamp(space).color, ToneSpace::Linear};
+  const glm::vec3 before = reference::fromBox(clip.moved, axes);
+  const glm::vec3 after = glm::clamp(before, 0.0f, 1.0f);
+  if (space.color != ColorSpace::YCoCgAsPrinted || before == after) return {};
+  return {say<"%1, and cut off on the way back, as printed">(words),
+          call("clamp", {t.tuple(before), "0", "1"}) + " = " +
+              t.tuple(reference::compress(clip.result.value, space.tone)),
+          say<"compressed as in the box">()};
+}
+
 RowStory rectifiedStory(const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
   if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
@@ -141,6 +157,7 @@ RowStory rectifiedStory(const Teller& t) {
                      Id::historyRectified),
             ""};
   }
+  if (const RowStory cutOff = cutOffStory(t, clip, words); !cutOff.words.empty()) return cutOff;
   const std::string way = wayText(t, clip);
   if (way.empty()) return {words, "", ""};
   return {words, way + " = " + t.tuple(clip.moved), say<"in box space">()};

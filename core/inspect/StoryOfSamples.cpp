@@ -86,7 +86,8 @@ Set samplesOf(const Teller& t, const std::vector<std::size_t>& chosen) {
   for (const std::size_t k : chosen) {
     set.values.push_back(t.details().neighborhood.samples[k].x);
     const int distance = k == 4 ? 0 : k % 2 == 1 ? 1 : 2;
-    const glm::vec3 color = reference::fromBox(t.details().neighborhood.samples[k], t.settings().space);
+    const glm::vec3 color =
+        reference::fromBox(t.details().neighborhood.samples[k], reference::withoutClamp(t.settings().space));
     set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
                           : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(color))
                                                         : kByDistance[distance]);

@@ -211,8 +211,9 @@ inline constexpr Choice kUpsampleKernels[] = {
      "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one "
      "lies inside the pixel, else 0: HDRP's box, not its Gaussian (catalogue 22.3)."},
     {"hdrpGaussian", "HDRP, Gaussian",
-     "The same, and κ is a Gaussian of the nearest one's distance: exp(−½‖d‖²/(0.4/r²)²), d in px of the "
-     "picture (catalogue 22.3)."},
+     "The same, and κ is a Gaussian of the nearest one's distance: 2^(−½(‖x‖/0.4)²)/r², at most 1, x in px "
+     "of "
+     "the picture (catalogue 22.3)."},
     {"fsr2", "FSR2",
      "Sixteen samples by the radial Lanczos 2 of their distance times min(1/r, 1.99), bounded by the nearest "
      "nine. κ = Σw, 0 where that is negative: the 1/12 of FSR2 is the floor of α here (catalogue 22.4)."},
@@ -225,7 +226,8 @@ inline constexpr Choice kColorSpaces[] = {
     {"yCbCr", "YCbCr", "Rec. 709 luma and two differences (catalogue 9.4)."},
     {"yCoCgAsPrinted", "YCoCg, as printed",
      "As in Playdead, Raptor and Bevy: the way back is clamped to 0…1, so that history which was moved is "
-     "never brighter than white (catalogue §26, D7)."},
+     "never brighter than white. Compressed by Reinhard, the largest channel or PQ, colors lie below 1 and "
+     "none of it shows (catalogue §26, D7)."},
 };
 inline constexpr Choice kToneSpaces[] = {
     {"linear", "Linear", "Box of scene-linear colors; a highlight opens it wide."},
@@ -235,8 +237,8 @@ inline constexpr Choice kToneSpaces[] = {
     {"maxChannel", "Largest channel",
      "Colors divided by 1 + their largest channel (catalogue 15.4, Filament)."},
     {"pq", "PQ",
-     "SMPTE ST 2084 with 10000 as 1, each channel by itself: steps as the eye sees them (catalogue 9.6, "
-     "15.5, Donut)."},
+     "SMPTE ST 2084 with 10000 as 1, each channel by itself: steps as the eye sees them. Goes on beyond 1, "
+     "where Donut cuts it off (catalogue 9.6, 15.5, Donut)."},
     {"logarithm", "Logarithm", "log₂(1 + c), each channel by itself (catalogue 15.7, Intel)."},
 };
 inline constexpr Choice kNeighborhoodShapes[] = {
@@ -369,7 +371,9 @@ inline constexpr Choice kToneWeights[] = {
     {"lumaAsPrinted", "Luma, as printed",
      "As printed in Raptor's chapter 11: the luma of the compressed color, so that weights only span 1 to ½ "
      "and fireflies stay (catalogue §26, D19)."},
-    {"pq", "PQ", "Mixed as SMPTE ST 2084 codes them, 10000 as 1 (catalogue 15.5, Donut)."},
+    {"pq", "PQ",
+     "Mixed as SMPTE ST 2084 codes them, 10000 as 1. Goes on beyond 1, where Donut cuts it off (catalogue "
+     "15.5, Donut)."},
     {"logarithm", "Logarithm", "Mixed as log₂(1 + c) (catalogue 15.7)."},
     {"whitePoint", "White point",
      "A project's own curve: c(1 + c/W²)/(1 + c), Reinhard's with a white that becomes 1, and its inverse "

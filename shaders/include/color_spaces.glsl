@@ -2,6 +2,7 @@
 // box chosen by space.color and space.tone (catalogue §9, §15).
 
 #include "include/select.glsl"
+#include "include/tone_curves.glsl"
 
 /// Largest finite half float: no color is brighter.
 const float kBrightest = 65504.0;
@@ -22,6 +23,8 @@ vec3 sanitized(vec3 c) { return saneOr(vec3(0.0), c); }
 vec3 storable(vec3 c) { return bounded(c, vec3(0.0), vec3(kBrightest)); }
 
 const bool kIsRgb = kSpaceColor == kSpaceColor_rgb;
+const bool kIsYCoCgAsPrinted = kSpaceColor == kSpaceColor_yCoCgAsPrinted;
+const bool kIsYCoCg = kSpaceColor == kSpaceColor_yCoCg || kIsYCoCgAsPrinted;
 
 float largestChannel(vec3 c) { return greater(greater(c.r, c.g), c.b); }
 
@@ -54,10 +57,20 @@ vec3 inverseCompressMax(vec3 c) {
   return result;
 }
 
+vec3 pqChannel(vec3 c) { return vec3(pq(c.r), pq(c.g), pq(c.b)); }
+
+vec3 inversePqChannel(vec3 c) { return vec3(inversePq(c.r), inversePq(c.g), inversePq(c.b)); }
+
+vec3 logarithmChannel(vec3 c) { return vec3(logarithm(c.r), logarithm(c.g), logarithm(c.b)); }
+
+vec3 inverseLogarithmChannel(vec3 c) {
+  return vec3(inverseLogarithm(c.r), inverseLogarithm(c.g), inverseLogarithm(c.b));
+}
+
 /// The chosen axes (§9).
 vec3 toAxes(vec3 color) {
   precise vec3 c = color;
-  if (kSpaceColor == kSpaceColor_yCoCg) {
+  if (kIsYCoCg) {
     precise float y = (0.25 * c.r + 0.5 * c.g) + 0.25 * c.b;
     precise float co = 0.5 * c.r - 0.5 * c.b;
     precise float cg = (-0.25 * c.r + 0.5 * c.g) - 0.25 * c.b;
@@ -81,10 +94,11 @@ vec3 toAxes(vec3 color) {
 
 vec3 fromAxes(vec3 axes) {
   precise vec3 c = axes;
-  if (kSpaceColor == kSpaceColor_yCoCg) {
+  if (kIsYCoCg) {
     precise float r = (c.x + c.y) - c.z;
     precise float g = c.x + c.z;
     precise float b = (c.x - c.y) - c.z;
+    if (kIsYCoCgAsPrinted) return vec3(saturated(r), saturated(g), saturated(b)); // §26, D7
     return vec3(r, g, b);
   }
   if (kSpaceColor == kSpaceColor_yCoCgLifting) {
@@ -115,6 +129,8 @@ vec3 toBox(vec3 color) {
   }
   if (kSpaceTone == kSpaceTone_reinhardChannel) c = reinhardChannel(c);
   if (kSpaceTone == kSpaceTone_maxChannel) c = compressMax(c);
+  if (kSpaceTone == kSpaceTone_pq) c = pqChannel(c);
+  if (kSpaceTone == kSpaceTone_logarithm) c = logarithmChannel(c);
   return toAxes(c);
 }
 
@@ -124,5 +140,7 @@ vec3 fromBox(vec3 box) {
   if (kSpaceTone == kSpaceTone_reinhardLuma) c = c / inverseDivisor(luma(c));
   if (kSpaceTone == kSpaceTone_reinhardChannel) c = inverseReinhardChannel(c);
   if (kSpaceTone == kSpaceTone_maxChannel) c = inverseCompressMax(c);
+  if (kSpaceTone == kSpaceTone_pq) c = inversePqChannel(c);
+  if (kSpaceTone == kSpaceTone_logarithm) c = inverseLogarithmChannel(c);
   return c;
 }

@@ -7,7 +7,7 @@ struct Blended {
 };
 
 const bool kWeighsByLuma = kBlendTone == kBlendTone_luma || kBlendTone == kBlendTone_lumaAsPrinted;
-const bool kMixesCompressed = kBlendTone == kBlendTone_reinhardChannel || kBlendTone == kBlendTone_maxChannel;
+const bool kMixesCompressed = !kWeighsByLuma && kBlendTone != kBlendTone_none;
 
 /// Bright colors count less (15.1, Karis 2014); as printed by the luma of the compressed color (§26, D19).
 float toneWeight(vec3 color) {
@@ -26,14 +26,22 @@ float blendFactor(float alpha, float currentWeight, float historyWeight) {
 }
 
 vec3 compressed(vec3 color) {
-  return kBlendTone == kBlendTone_reinhardChannel ? reinhardChannel(color) : compressMax(color);
+  if (kBlendTone == kBlendTone_reinhardChannel) return reinhardChannel(color);
+  if (kBlendTone == kBlendTone_pq) return pqChannel(color);
+  if (kBlendTone == kBlendTone_logarithm) return logarithmChannel(color);
+  if (kBlendTone == kBlendTone_whitePoint) return whitePoint(color, settings.blendWhite);
+  return compressMax(color);
 }
 
 vec3 decompressed(vec3 color) {
-  return kBlendTone == kBlendTone_reinhardChannel ? inverseReinhardChannel(color) : inverseCompressMax(color);
+  if (kBlendTone == kBlendTone_reinhardChannel) return inverseReinhardChannel(color);
+  if (kBlendTone == kBlendTone_pq) return inversePqChannel(color);
+  if (kBlendTone == kBlendTone_logarithm) return inverseLogarithmChannel(color);
+  if (kBlendTone == kBlendTone_whitePoint) return inverseWhitePoint(color, settings.blendWhite);
+  return inverseCompressMax(color);
 }
 
-/// history + factor · (current − history), of compressed colors where they are mixed so (15.3, 15.4).
+/// history + factor · (current − history), of compressed colors where they are mixed so (15.3 to 15.7).
 vec3 mixed(vec3 current, vec3 history, vec3 factor) {
   precise vec3 result = history + factor * (current - history);
   if (kMixesCompressed) {

@@ -7,7 +7,8 @@ struct CurrentColor {
 };
 
 const bool kIsSampleWeight = kCurrentUpsample == kCurrentUpsample_sampleWeight;
-const bool kIsHdrp = kCurrentUpsample == kCurrentUpsample_hdrp;
+const bool kIsHdrpGaussian = kCurrentUpsample == kCurrentUpsample_hdrpGaussian;
+const bool kIsHdrp = kCurrentUpsample == kCurrentUpsample_hdrp || kIsHdrpGaussian;
 const bool kIsFsr2 = kCurrentUpsample == kCurrentUpsample_fsr2;
 
 float lanczosOfSquare(float squared) {
@@ -85,6 +86,17 @@ float boxConfidence(vec2 offset) {
   return abs(offset.x) <= reach.x && abs(offset.y) <= reach.y ? 1.0 : 0.0;
 }
 
+/// 2^(−½(‖x‖/0.4)²)/r², at most 1: HDRP's Gaussian of the nearest sample's distance x, px of the picture (22.3).
+float gaussianConfidence(vec2 offset) {
+  precise vec2 x = offset / resolveBlock.renderRatio;
+  precise float exponent = -3.125 * (x.x * x.x + x.y * x.y);
+  precise float confidence = exp2Of(exponent) / (resolveBlock.renderRatio.x * resolveBlock.renderRatio.y);
+  return lesser(confidence, 1.0);
+}
+
+/// κ, where the weights do not give it.
+float placeConfidence(vec2 offset) { return kIsHdrpGaussian ? gaussianConfidence(offset) : boxConfidence(offset); }
+
 CurrentColor upsampled(Samples samples, Place place, float speed) {
   precise vec3 middle = samples.color[4];
   if (kIsSampleWeight) return CurrentColor(middle, nearestConfidence(place.offset, speed));
@@ -100,5 +112,5 @@ CurrentColor upsampled(Samples samples, Place place, float speed) {
   if (!isWeighed) color = middle;
   if (!kIsHdrp) color = boundedBySamples(color, samples); // negative lobes, as both sources do
   float confidence = isWeighed ? saturated(sum.weight) : 0.0;
-  return CurrentColor(storable(color), kIsHdrp ? boxConfidence(place.offset) : confidence);
+  return CurrentColor(storable(color), kIsHdrp ? placeConfidence(place.offset) : confidence);
 }

@@ -175,11 +175,12 @@ void expectEndsWithTheValue(IntermediateId id, const RowStory& story, const Prob
   glm::vec4 value = reference::at(probed.record, id);
   if (story.subject == "in box space")
     value = glm::vec4(reference::toBox(glm::vec3(value), probed.settings.space), 0.0f);
-  if (story.subject == "R, its highlights bounded") {
-    const bool isByChannel =
-        id == IntermediateId::resolved && probed.settings.blend.tone == ToneWeight::ReinhardChannel;
-    value = glm::vec4(reference::compress(glm::vec3(value),
-                                          isByChannel ? ToneSpace::ReinhardChannel : ToneSpace::MaxChannel),
+  if (story.subject == "compressed as in the box")
+    value = glm::vec4(reference::compress(glm::vec3(value), probed.settings.space.tone), 0.0f);
+  if (story.subject == "R, its highlights bounded" || story.subject == "R, as the curve has it") {
+    const glm::vec3 color(value);
+    value = glm::vec4(id == IntermediateId::resolved ? reference::compress(color, probed.settings.blend)
+                                                     : reference::compress(color, ToneSpace::MaxChannel),
                       0.0f);
   }
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -297,10 +298,11 @@ TEST_F(ProbeStoryTest, EveryFormulaGivesTheValueOfItsRowWithEveryPreset) {
 TEST_F(ProbeStoryTest, EveryChoiceOfAStageIsToldWithItsOwnFormula) {
   auto inspector = opened();
   inspector->seek(6);
-  for (const char* path : {"weight.source", "weight.motion", "weight.mask", "weight.sampleDistance",
-                           "blend.length", "blend.tone", "rectify.method", "neighborhood.shape",
-                           "neighborhood.box", "neighborhood.weights", "current.filter", "current.sharpen",
-                           "weight.flickerScale", "history.filter", "output.sharpen", "validate.velocity"})
+  for (const char* path :
+       {"weight.source", "weight.motion", "weight.mask", "weight.sampleDistance", "blend.length",
+        "blend.tone", "space.color", "space.tone", "rectify.method", "neighborhood.shape", "neighborhood.box",
+        "neighborhood.weights", "current.filter", "current.sharpen", "weight.flickerScale", "history.filter",
+        "output.sharpen", "validate.velocity"})
     for (std::size_t choice = 0; choice < parameter(path).choices.size(); ++choice) {
       Settings settings;
       for (const char* on : {"weight.lumaFlicker=on", "weight.nearClamp=on", "weight.historyContrast=on",
@@ -339,6 +341,9 @@ TEST_F(ProbeStoryTest, WhatIsOffAtFirstIsToldWhenItIsOn) {
         {"weight.divergence=on", "weight.velocityChange=on", "weight.mask=responsive"},
         {"weight.source=contrastPerChannel", "weight.motion=doubled"},
         {"weight.source=contrastPerChannel", "blend.tone=luma"},
+        {"weight.source=contrastPerChannel", "blend.tone=whitePoint", "blend.white=0.5"},
+        {"space.color=yCoCgAsPrinted", "space.tone=linear", "rectify.method=clamp"},
+        {"space.color=yCoCgAsPrinted", "space.tone=logarithm", "rectify.method=clipToCenter"},
         {"blend.restart=blurred"}}) {
     Settings settings;
     std::string where;

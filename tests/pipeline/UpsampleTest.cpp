@@ -21,7 +21,8 @@ namespace {
 class UpsampledFramesTest : public test::GlTest {};
 
 constexpr UpsampleKernel kKernels[] = {UpsampleKernel::SampleWeight, UpsampleKernel::Lanczos2,
-                                       UpsampleKernel::Hdrp, UpsampleKernel::Fsr2};
+                                       UpsampleKernel::Hdrp, UpsampleKernel::HdrpGaussian,
+                                       UpsampleKernel::Fsr2};
 
 TEST_F(UpsampledFramesTest, AreWhatTheTwinSaysAtOddSizes) {
   constexpr int kWidth = 101, kHeight = 57;

@@ -15,7 +15,8 @@ using taa::test::FrameShape;
 namespace {
 
 constexpr UpsampleKernel kKernels[] = {UpsampleKernel::SampleWeight, UpsampleKernel::Lanczos2,
-                                       UpsampleKernel::Hdrp, UpsampleKernel::Fsr2};
+                                       UpsampleKernel::Hdrp, UpsampleKernel::HdrpGaussian,
+                                       UpsampleKernel::Fsr2};
 
 class UpsampleTest : public taa::test::ResolveTest {
  protected:

@@ -77,8 +77,28 @@ TEST(BoxNumbers, LiftedChromaIsTwiceAsWide) {
   }
 }
 
+TEST(BoxNumbers, TheWayBackAsPrintedEndsAtWhite) {
+  const SpaceSettings printed{ColorSpace::YCoCgAsPrinted, ToneSpace::Linear};
+  const auto back = [](const glm::vec3& color, const SpaceSettings& space) {
+    return fromBox(toBox(color, space), space);
+  };
+  EXPECT_EQ(back({4.0f, 2.0f, 1.0f}, printed), glm::vec3(1.0f)) << "§26, D7";
+  EXPECT_EQ(back({4.0f, 2.0f, 1.0f}, withoutClamp(printed)), glm::vec3(4.0f, 2.0f, 1.0f));
+  EXPECT_EQ(back({-1.0f, 0.25f, 0.5f}, printed), glm::vec3(0.0f, 0.25f, 0.5f));
+  EXPECT_EQ(fromBox(glm::vec3(std::nanf("")), printed), glm::vec3(0.0f));
+  EXPECT_EQ(toBox({4.0f, 2.0f, 1.0f}, printed), toBox({4.0f, 2.0f, 1.0f}, withoutClamp(printed)));
+  // Of compressed colors it is harmless where these lie below 1, as by luma and the logarithm they need not.
+  const glm::vec3 red(8.0f, 0.5f, 0.0f);
+  for (const ToneSpace tone : {ToneSpace::ReinhardChannel, ToneSpace::MaxChannel, ToneSpace::Pq})
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(back(red, {ColorSpace::YCoCgAsPrinted, tone})[k], red[k], 1e-5f * red.x);
+  for (const ToneSpace tone : {ToneSpace::ReinhardLuma, ToneSpace::Logarithm})
+    EXPECT_LT(back(red, {ColorSpace::YCoCgAsPrinted, tone}).x, 0.9f * red.x);
+}
+
 TEST(BoxNumbers, GraysHaveNoChromaInAnySpace) {
-  for (const ColorSpace space : {ColorSpace::YCoCg, ColorSpace::YCoCgLifting, ColorSpace::YCbCr})
+  for (const ColorSpace space :
+       {ColorSpace::YCoCg, ColorSpace::YCoCgLifting, ColorSpace::YCbCr, ColorSpace::YCoCgAsPrinted})
     for (const float level : {0.0f, 0.125f, 1.0f, 4096.0f}) {
       const glm::vec3 boxed = toBox(glm::vec3(level), {space, ToneSpace::Linear});
       EXPECT_NEAR(boxed.x, level, 1e-6f * level);

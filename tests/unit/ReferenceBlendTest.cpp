@@ -184,6 +184,31 @@ TEST(ReferenceBlend, ToneWeightsTameFireflies) {
   EXPECT_FLOAT_EQ(gray(100.0f), 10.0f);
 }
 
+// Catalogue 15.5 to 15.7: the mean of what the curve makes of both.
+TEST(ReferenceBlend, CurvesMixAsTheyCompress) {
+  Settings settings = constantAlpha(0.1f);
+  const auto gray = [&settings](ToneWeight tone, float current, float history) {
+    settings.blend.tone = tone;
+    const Mix mix{
+        .current = glm::vec3(current), .history = glm::vec3(history), .alpha = 0.1f, .historyLength = 9.0f};
+    return static_cast<double>(blend(settings, mix).resolved.x);
+  };
+  // log₂ of 1 + c: from 1 to 15 by a tenth of 3 octaves.
+  EXPECT_NEAR(gray(ToneWeight::Logarithm, 15.0f, 1.0f), std::exp2(1.3) - 1.0, 1e-6);
+  // Of white 4: 0.1 of T(4) = 1 is y = 0.1, and c²/16 + 0.9c − 0.1 = 0.
+  settings.blend.white = 4.0f;
+  EXPECT_NEAR(gray(ToneWeight::WhitePoint, 4.0f, 0.0f), 8.0 * (std::sqrt(0.81 + 0.1 / 4.0) - 0.9), 1e-7);
+  // 0.9·0.508078 + 0.1 of PQ is 0.557271, code of 162.05 cd/m².
+  EXPECT_NEAR(gray(ToneWeight::Pq, 10000.0f, 100.0f), 162.0502, 1e-3);
+  for (const ToneWeight tone : {ToneWeight::Pq, ToneWeight::Logarithm, ToneWeight::WhitePoint}) {
+    EXPECT_LT(gray(tone, 100.0f, 1.0f), gray(ToneWeight::None, 100.0f, 1.0f)) << "highlights count less";
+    for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f})
+      EXPECT_EQ(gray(tone, level, level), static_cast<double>(level)); // invariant 60
+    EXPECT_EQ(gray(tone, 0.0f, 0.0f), 0.0);
+    EXPECT_NEAR(gray(tone, 65504.0f, 65503.0f), 65503.1, 0.5);
+  }
+}
+
 TEST(ReferenceBlend, RoundsStoredHistoryToTheNearestHalf) {
   Settings settings = constantAlpha(0.5f);
   settings.history.precision = Precision::Half;

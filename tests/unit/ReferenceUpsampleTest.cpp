@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace taa {
 namespace {
 
@@ -96,6 +98,20 @@ TEST(ReferenceUpsample, HdrpTrustsASampleInsideThePixel) {
   const float color = upsample(half(), UpsampleKernel::Hdrp, {{3, 3}, {0.0f, 0.0f}, {3, 3}}, 0.0f).color.x;
   const float edge = (0.9656852f - 1.0f) * (0.9656852f - 1.0f); // what a sample at one pixel or more weighs
   EXPECT_FLOAT_EQ(color, 1.0f + 1.0f / (1.0f + 8.0f * edge));
+}
+
+TEST(ReferenceUpsample, HdrpsGaussianTrustsASampleByItsDistance) {
+  const auto kappa = [](float x, float y) { return confidence(UpsampleKernel::HdrpGaussian, {x, y}); };
+  EXPECT_EQ(kappa(0.0f, 0.0f), 1.0f) << "4 times 1, at most 1";
+  // 4·2^(−3.125‖x‖²), x twice as many px of the picture as render px: 1 within 0.8 px.
+  EXPECT_EQ(kappa(0.375f, 0.0f), 1.0f);
+  EXPECT_NEAR(kappa(0.5f, 0.0f), 4.0 * std::exp2(-3.125), 2e-7);
+  EXPECT_NEAR(kappa(0.5f, -0.5f), 4.0 * std::exp2(-6.25), 2e-8);
+  EXPECT_NEAR(kappa(0.25f, 0.375f), 4.0 * std::exp2(-3.125 * (0.25 + 0.5625)), 2e-7);
+  // Samples weigh what HDRP's others do.
+  const reference::Place place{{3, 3}, {0.125f, 0.25f}, {3, 3}};
+  EXPECT_EQ(upsample(half(), UpsampleKernel::HdrpGaussian, place, 0.0f).color,
+            upsample(half(), UpsampleKernel::Hdrp, place, 0.0f).color);
 }
 
 TEST(ReferenceUpsample, Fsr2IsRoundAndKeepsHistoryWhereItsSumIsNegative) {

@@ -25,17 +25,15 @@ float toneWeight(const glm::vec3& color, ToneWeight tone) {
   return 1.0f;
 }
 
-/// The mix itself, of compressed colors where the choice says so (catalogue 15.3, 15.4). `keepsHistory`: a
+/// The mix itself, of compressed colors where the choice says so (catalogue 15.3 to 15.7). `keepsHistory`: a
 /// share of 0 leaves it as it is, even then (invariant 65).
-glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::vec3& k, ToneWeight tone,
-                bool keepsHistory) {
+glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::vec3& k,
+                const BlendSettings& settings, bool keepsHistory) {
   glm::vec3 result = history + k * (current - history);
-  if (tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel) {
-    const ToneSpace space =
-        tone == ToneWeight::ReinhardChannel ? ToneSpace::ReinhardChannel : ToneSpace::MaxChannel;
-    const glm::vec3 from = compress(history, space);
-    const glm::vec3 between = from + k * (compress(current, space) - from);
-    result = current == history ? history : decompress(between, space);
+  if (mixesCompressed(settings.tone)) {
+    const glm::vec3 from = compress(history, settings);
+    const glm::vec3 between = from + k * (compress(current, settings) - from);
+    result = current == history ? history : decompress(between, settings);
   }
   for (int i = 0; i < 3; ++i) {
     if (k[i] >= 1.0f) result[i] = current[i];
@@ -103,7 +101,7 @@ Blended blend(const Settings& settings, const Mix& mix) {
   glm::vec3 factors(result.factor);
   if (settings.weight.source == AlphaSource::ContrastPerChannel)
     for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
-  const glm::vec3 color = mixed(mix.current, mix.history, factors, tone, isUpsampled(settings));
+  const glm::vec3 color = mixed(mix.current, mix.history, factors, settings.blend, isUpsampled(settings));
   for (int i = 0; i < 3; ++i) {
     const float channel = isBad(color[i]) ? mix.current[i] : color[i];
     result.resolved[i] = stored(settings.history, channel, mix, static_cast<std::uint32_t>(i));

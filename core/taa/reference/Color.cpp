@@ -1,6 +1,8 @@
 // Color arithmetic of the CPU twin; order of operations as in the definition of the resolve.
 #include "core/taa/reference/Color.h"
 
+#include "core/taa/reference/ToneCurves.h"
+
 #include <array>
 
 namespace taa::reference {
@@ -14,6 +16,11 @@ constexpr float kLeastToneDenominator = 1e-5f;
 float largest(const glm::vec3& c) {
   const float redGreen = c.x > c.y ? c.x : c.y;
   return redGreen > c.z ? redGreen : c.z;
+}
+
+template <typename Curve>
+glm::vec3 eachChannel(const glm::vec3& c, Curve curve) {
+  return {curve(c.x), curve(c.y), curve(c.z)};
 }
 
 int within(int value, int count) {
@@ -60,8 +67,9 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
   case ToneSpace::MaxChannel:
     return c / (1.0f + largest(c));
   case ToneSpace::Pq:
+    return eachChannel(c, pq);
   case ToneSpace::Logarithm:
-    break;
+    return eachChannel(c, logarithm);
   }
   return c;
 }
@@ -81,10 +89,47 @@ glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
   case ToneSpace::MaxChannel:
     return y / divisor(largest(y));
   case ToneSpace::Pq:
+    return eachChannel(y, inversePq);
   case ToneSpace::Logarithm:
-    break;
+    return eachChannel(y, inverseLogarithm);
   }
   return y;
+}
+
+bool mixesCompressed(ToneWeight tone) {
+  return tone != ToneWeight::None && tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted;
+}
+
+namespace {
+
+/// The box's curve that a mix has too.
+ToneSpace sameCurve(ToneWeight tone) {
+  switch (tone) {
+  case ToneWeight::ReinhardChannel:
+    return ToneSpace::ReinhardChannel;
+  case ToneWeight::MaxChannel:
+    return ToneSpace::MaxChannel;
+  case ToneWeight::Pq:
+    return ToneSpace::Pq;
+  case ToneWeight::Logarithm:
+    return ToneSpace::Logarithm;
+  default:
+    return ToneSpace::Linear;
+  }
+}
+
+} // namespace
+
+glm::vec3 compress(const glm::vec3& color, const BlendSettings& blend) {
+  if (blend.tone == ToneWeight::WhitePoint)
+    return eachChannel(color, [&](float c) { return whitePoint(c, blend.white); });
+  return compress(color, sameCurve(blend.tone));
+}
+
+glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend) {
+  if (blend.tone == ToneWeight::WhitePoint)
+    return eachChannel(color, [&](float y) { return inverseWhitePoint(y, blend.white); });
+  return decompress(color, sameCurve(blend.tone));
 }
 
 glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
@@ -120,8 +165,10 @@ glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
   case ColorSpace::Rgb:
     break;
   case ColorSpace::YCoCg:
-  case ColorSpace::YCoCgAsPrinted:
     c = {(y + first) - second, y + second, (y - first) - second};
+    break;
+  case ColorSpace::YCoCgAsPrinted: // D7: clamped, compressed or not
+    c = {saturated((y + first) - second), saturated(y + second), saturated((y - first) - second)};
     break;
   case ColorSpace::YCoCgLifting: {
     const float t = y - 0.5f * second;
@@ -137,6 +184,10 @@ glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
   }
   }
   return decompress(c, space.tone);
+}
+
+SpaceSettings withoutClamp(const SpaceSettings& space) {
+  return {space.color == ColorSpace::YCoCgAsPrinted ? ColorSpace::YCoCg : space.color, space.tone};
 }
 
 float boxLuma(const glm::vec3& box, const SpaceSettings& space) {

@@ -3,6 +3,7 @@
 #include "core/taa/reference/Upsample.h"
 
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Powers.h"
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
@@ -49,6 +50,11 @@ float nearestConfidence(UpsampleKernel chosen, const Place& place, const glm::ve
   const glm::vec2& d = place.offset;
   if (chosen == UpsampleKernel::Hdrp) // the box of one pixel of the picture
     return std::fabs(d.x) <= 0.5f * ratio.x && std::fabs(d.y) <= 0.5f * ratio.y ? 1.0f : 0.0f;
+  if (chosen == UpsampleKernel::HdrpGaussian) {
+    const glm::vec2 x = d / ratio;
+    const float bell = exp2Of(-3.125f * (x.x * x.x + x.y * x.y)) / (ratio.x * ratio.y); // −½/0.4²
+    return bell < 1.0f ? bell : 1.0f;
+  }
   const glm::vec2 squared = (d * d) / ratio;
   const float near = saturated(1.0f - (squared.x + squared.y));
   const float x = saturated(speed);
@@ -109,7 +115,7 @@ CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& 
   }
   const bool isWeighed = sum > 1e-4f;
   glm::vec3 color = isWeighed ? nearest + difference / sum : nearest;
-  if (chosen == UpsampleKernel::Hdrp)
+  if (chosen == UpsampleKernel::Hdrp || chosen == UpsampleKernel::HdrpGaussian)
     return {storable(color), nearestConfidence(chosen, place, ratio, speed)};
   return {storable(boundedBySamples(inputs, place.texel, color)), isWeighed ? saturated(sum) : 0.0f};
 }
