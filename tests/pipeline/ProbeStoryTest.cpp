@@ -394,3 +394,22 @@ TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
   EXPECT_EQ(raised.formula, "1 − (1 − (max(1 / (7 + 1), 0.1))) × (1 − 0.2) = 0.3");
   EXPECT_NE(raised.words.find("raised by motion of 4.2 px"), std::string::npos) << raised.words;
 }
+
+TEST_F(ProbeStoryTest, WhatThePrintedWayBackCutsOffIsTold) {
+  reference::PixelRecord record{};
+  reference::Details details;
+  Settings settings;
+  settings.space = {ColorSpace::YCoCgAsPrinted, ToneSpace::Linear};
+  settings.rectify.method = RectifyMethod::Clamp;
+  const glm::vec3 wall = reference::toBox({4.0f, 2.0f, 0.5f}, settings.space);
+  details.isFirst = false;
+  details.neighborhood.boxMin = details.neighborhood.boxMax = wall;
+  reference::at(record, IntermediateId::historyRaw) = glm::vec4(8.0f, 2.0f, 0.5f, 0.0f);
+  const auto told = [&] {
+    return storyOf(IntermediateId::historyRectified, {record, details, settings, {}, {}});
+  };
+  EXPECT_EQ(told().formula, "clamp((4, 2, 0.5), 0, 1) = (1, 1, 0.5)");
+  EXPECT_EQ(told().subject, "compressed as in the box");
+  settings.space.color = ColorSpace::YCoCg;
+  EXPECT_EQ(told().subject, "in box space");
+}
