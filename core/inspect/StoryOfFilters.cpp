@@ -195,8 +195,8 @@ RowStory confidenceStory(const Teller& t) {
   const std::string at = t.tuple(d);
   if (kernel == UpsampleKernel::Hdrp)
     return {t.value(Id::sampleConfidence) > 0.0f
-                ? say<"the nearest sample lies in the pixel: %1 px from the pixel's center">(at)
-                : say<"no sample lies in the pixel: the nearest is %1 px from the pixel's center">(at),
+                ? say<"the nearest sample lies in HDRP's box: %1 px from the pixel's center">(at)
+                : say<"no sample lies in HDRP's box: the nearest is %1 px from the pixel's center">(at),
             "", ""};
   if (kernel == UpsampleKernel::HdrpGaussian) {
     const glm::vec2 x = d / ratio;

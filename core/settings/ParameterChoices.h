@@ -208,8 +208,8 @@ inline constexpr Choice kUpsampleKernels[] = {
      "Nine samples by the separable Lanczos 2 of their distance in px of the picture, κ = Σw; bounded by the "
      "nine (catalogue 22.2, Filament)."},
     {"hdrp", "HDRP",
-     "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one "
-     "lies inside the pixel, else 0: HDRP's box, not its Gaussian (catalogue 22.3)."},
+     "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 within HDRP's box, "
+     "½/r render px to either side, which holds the nearest sample wherever there is one (catalogue 22.3)."},
     {"hdrpGaussian", "HDRP, Gaussian",
      "The same, and κ is a Gaussian of the nearest one's distance: 2^(−½(‖x‖/0.4)²)/r², at most 1, x in px "
      "of "

@@ -80,9 +80,9 @@ float nearestConfidence(vec2 offset, float speed) {
   return greater(saturated(near), moving);
 }
 
-/// 1 where the nearest sample lies inside the pixel (22.3).
+/// 1 where the nearest sample lies within ½/r, which beyond the border alone it does not (22.3).
 float boxConfidence(vec2 offset) {
-  precise vec2 reach = 0.5 * resolveBlock.renderRatio;
+  precise vec2 reach = 0.5 / resolveBlock.renderRatio;
   return abs(offset.x) <= reach.x && abs(offset.y) <= reach.y ? 1.0 : 0.0;
 }
 

@@ -61,7 +61,7 @@ TEST_F(UpsampleTest, IsTheNativePathWhereAsManyTexelsAreDrawnAtPixelCenters) {
 
 TEST_F(UpsampleTest, ConfidenceOfNothingKeepsTheRectifiedHistory) {
   for (const UpsampleKernel kernel : kKernels) {
-    if (kernel == UpsampleKernel::HdrpGaussian) continue; // which is nowhere 0
+    if (kernel == UpsampleKernel::Hdrp || kernel == UpsampleKernel::HdrpGaussian) continue; // nowhere 0
     for (const taa::ToneWeight tone :
          {taa::ToneWeight::None, taa::ToneWeight::Luma, taa::ToneWeight::MaxChannel, taa::ToneWeight::Pq}) {
       Settings settings;

@@ -92,9 +92,10 @@ TEST(ReferenceUpsample, LanczosCountsTheSamplesWithinTwoPixels) {
   EXPECT_EQ(at(0.25f, 0.0f).color, glm::vec3(2.0f)) << "1 + near/(near + far) is more than any sample";
 }
 
-TEST(ReferenceUpsample, HdrpTrustsASampleInsideThePixel) {
-  EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.25f, -0.25f}), 1.0f);
-  EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.25f, -0.2501f}), 0.0f);
+TEST(ReferenceUpsample, HdrpTrustsASampleInABoxThatHoldsAnyNearestOne) {
+  EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.5f, -0.5f}), 1.0f) << "as far as the nearest can be";
+  EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.5f, -1.0f}), 1.0f) << "½/r";
+  EXPECT_EQ(confidence(UpsampleKernel::Hdrp, {0.5f, -1.001f}), 0.0f);
   const float color = upsample(half(), UpsampleKernel::Hdrp, {{3, 3}, {0.0f, 0.0f}, {3, 3}}, 0.0f).color.x;
   const float edge = (0.9656852f - 1.0f) * (0.9656852f - 1.0f); // what a sample at one pixel or more weighs
   EXPECT_FLOAT_EQ(color, 1.0f + 1.0f / (1.0f + 8.0f * edge));

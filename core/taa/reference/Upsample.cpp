@@ -48,8 +48,8 @@ float kernel(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) 
 /// κ of the nearest sample where no sum of weights gives it.
 float nearestConfidence(UpsampleKernel chosen, const Place& place, const glm::vec2& ratio, float speed) {
   const glm::vec2& d = place.offset;
-  if (chosen == UpsampleKernel::Hdrp) // the box of one pixel of the picture
-    return std::fabs(d.x) <= 0.5f * ratio.x && std::fabs(d.y) <= 0.5f * ratio.y ? 1.0f : 0.0f;
+  if (chosen == UpsampleKernel::Hdrp) // a box of ½/r
+    return std::fabs(d.x) <= 0.5f / ratio.x && std::fabs(d.y) <= 0.5f / ratio.y ? 1.0f : 0.0f;
   if (chosen == UpsampleKernel::HdrpGaussian) {
     const glm::vec2 x = d / ratio;
     const float bell = exp2Of(-3.125f * (x.x * x.x + x.y * x.y)) / (ratio.x * ratio.y); // −½/0.4²
