@@ -91,6 +91,7 @@ std::string wayText(const Teller& t, const Clip& clip) {
     return h + " + " + amount + " × (" + t.tuple(glm::clamp(clip.current, clip.low, clip.high)) + " − " + h +
            ")";
   case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
     return h + " + " + amount + " × (" + t.tuple(clip.current) + " − " + h + ")";
   case RectifyMethod::RayToCurrent: // farther than to the current color, where that lies outside as well
     return h + " + " + t.number(alongTo(clip, clip.current)) + " × (" + t.tuple(clip.current) + " − " + h +
@@ -107,8 +108,7 @@ std::string wayText(const Teller& t, const Clip& clip) {
     const std::string from = call("clamp", {h, t.tuple(hood.min), t.tuple(hood.max)});
     return from + " + " + t.number(second) + " × (" + t.tuple(clip.center) + " − " + from + ")";
   }
-  case RectifyMethod::ClipToBoth:
-  case RectifyMethod::Select:
+  case RectifyMethod::Select: // not through box space
   case RectifyMethod::None:
     break;
   }
@@ -141,13 +141,30 @@ RowStory cutOffStory(const Teller& t, const Clip& clip, const std::string& words
           say<"compressed as in the box">()};
 }
 
+/// Which sample takes the place of history.
+std::string selectedWords(const Teller& t, const Clip& clip) {
+  const reference::Neighborhood& hood = t.details().neighborhood;
+  const std::size_t k = reference::nearestSample(clip.h, hood);
+  if (k == 4) return say<"of the nine samples the pixel's own is nearest to history">();
+  const std::string step =
+      t.tuple(glm::vec2(static_cast<float>(k % 3) - 1.0f, static_cast<float>(k / 3) - 1.0f));
+  return say<"of the nine samples that at %1 is nearest to history">(step);
+}
+
+std::string keptWords(const Teller& t) {
+  if (t.settings().rectify.method == RectifyMethod::Select)
+    return say<"history is one of the nine samples: kept as it is">();
+  return say<"history lies inside the box: kept as it is">();
+}
+
 RowStory rectifiedStory(const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
   if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
   if (rectify.method == RectifyMethod::None) return {say<"history is taken as it is">(), "", ""};
   const Clip clip = clipOf(t);
-  if (!clip.result.moved) return {say<"history lies inside the box: kept as it is">(), "", ""};
-  const std::string words = pulledWords(t);
+  if (!clip.result.moved) return {keptWords(t), "", ""};
+  const bool isSelected = rectify.method == RectifyMethod::Select;
+  const std::string words = isSelected ? selectedWords(t, clip) : pulledWords(t);
   if (isOn(rectify.relaxAtRest) || t.details().held.share > 0.0f) {
     const std::string raw = t.tuple(Id::historyRaw);
     const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
@@ -157,6 +174,7 @@ RowStory rectifiedStory(const Teller& t) {
                      Id::historyRectified),
             ""};
   }
+  if (isSelected) return {words, t.equals(t.tuple(clip.result.value), Id::historyRectified), ""};
   if (const RowStory cutOff = cutOffStory(t, clip, words); !cutOff.words.empty()) return cutOff;
   const std::string way = wayText(t, clip);
   if (way.empty()) return {words, "", ""};
@@ -199,10 +217,11 @@ std::string amountText(const Teller& t, const Clip& clip) {
   case RectifyMethod::ShrinkAxes:
     return partText(t, clip, clip.mean);
   case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
   case RectifyMethod::RayToCurrent:
     return call("min", {partText(t, clip, clip.current), "1"});
-  case RectifyMethod::ClipToBoth:
   case RectifyMethod::Select:
+    return "1";
   case RectifyMethod::None:
     break;
   }
@@ -212,7 +231,7 @@ std::string amountText(const Teller& t, const Clip& clip) {
 RowStory clipStory(const Teller& t) {
   if (!isMoved(t)) return {say<"nothing is rectified">(), "", ""};
   const Clip clip = clipOf(t);
-  if (!clip.result.moved) return {say<"history lies inside the box">(), "", ""};
+  if (!clip.result.moved) return {keptWords(t), "", ""};
   std::string text = amountText(t, clip);
   const std::string words = say<"history was pulled %1 of the way: %2">(
       t.percent(Id::clipAmount), choiceLabel("rectify.method", t.settings()));

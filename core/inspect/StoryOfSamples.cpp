@@ -67,6 +67,9 @@ std::vector<std::size_t> setOf(bool cross, bool x) {
 
 std::vector<std::size_t> setOf(const Teller& t) {
   const NeighborhoodShape shape = t.settings().neighborhood.shape;
+  if (shape == NeighborhoodShape::Pairs) // towards the other column of the pair
+    return t.details().texel.x % 2 == 0 ? std::vector<std::size_t>{1, 2, 3, 4, 5, 7, 8}
+                                        : std::vector<std::size_t>{0, 1, 3, 4, 5, 6, 7};
   const bool alternates = shape == NeighborhoodShape::Alternate, isEven = t.probed.info.frame % 2 == 0;
   return setOf(shape == NeighborhoodShape::Cross || (alternates && isEven),
                shape == NeighborhoodShape::X || (alternates && !isEven));
@@ -78,21 +81,30 @@ struct Set {
   bool isEqual = true;
 };
 
+/// `distance`: steps from the center along the axes.
+void add(const Teller& t, const glm::vec3& sample, std::size_t distance, Set& set) {
+  const MomentWeights kind = t.settings().neighborhood.weights;
+  constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²), catalogue 10.7
+  const glm::vec3 color = reference::fromBox(sample, reference::withoutClamp(t.settings().space));
+  set.isEqual = kind == MomentWeights::Equal;
+  set.values.push_back(sample.x);
+  set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
+                        : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(color))
+                                                      : kByDistance[distance]);
+}
+
 Set samplesOf(const Teller& t, const std::vector<std::size_t>& chosen) {
   Set set;
-  const MomentWeights kind = t.settings().neighborhood.weights;
-  set.isEqual = kind == MomentWeights::Equal;
-  constexpr float kByDistance[] = {1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²), catalogue 10.7
-  for (const std::size_t k : chosen) {
-    set.values.push_back(t.details().neighborhood.samples[k].x);
-    const int distance = k == 4 ? 0 : k % 2 == 1 ? 1 : 2;
-    const glm::vec3 color =
-        reference::fromBox(t.details().neighborhood.samples[k], reference::withoutClamp(t.settings().space));
-    set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
-                          : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(color))
-                                                        : kByDistance[distance]);
-  }
+  for (const std::size_t k : chosen)
+    add(t, t.details().neighborhood.samples[k], k == 4 ? 0 : k % 2 == 1 ? 1 : 2, set);
   return set;
+}
+
+Set membersOf(const Teller& t) {
+  if (t.settings().neighborhood.shape != NeighborhoodShape::Varying) return samplesOf(t, setOf(t));
+  Set taps;
+  for (const glm::vec3& tap : t.details().neighborhood.taps) add(t, tap, 2, taps); // stand for the diagonals
+  return taps;
 }
 
 float meanOf(const Set& set) {
@@ -145,15 +157,39 @@ std::string momentWords(Id id, std::size_t count, bool isRounded) {
   }
 }
 
+/// How far the taps that vary lie from the center: κ of catalogue 8.5.
+std::string reachText(const Teller& t) {
+  const float depth = reference::viewDepth(t.value(Id::dilatedDepth), t.details().depthTerms);
+  if (depth == 0.0f) return t.number(0.5);
+  const std::string reach = " = " + t.number(t.details().neighborhood.tapReach);
+  if (t.value(Id::speed) * depth == 0.0f) return t.number(0.5) + " + " + t.number(0.1667) + reach;
+  return t.number(0.5) + " + " + t.number(0.1667) + " × clamp(" + t.number(0.5) + " / (" +
+         t.number(Id::speed) + " × " + t.number(depth) + "), 0, 1)" + reach;
+}
+
+std::string tapWords(Id id, const std::string& reach) {
+  switch (id) {
+  case Id::neighborhoodMean:
+    return say<"mean of four taps on the diagonals, off by %1 px each way">(reach);
+  case Id::neighborhoodDeviation:
+    return say<"spread of four taps about their mean, off by %1 px each way">(reach);
+  case Id::neighborhoodMin:
+    return say<"smallest of four taps on the diagonals, off by %1 px each way">(reach);
+  default:
+    return say<"largest of four taps on the diagonals, off by %1 px each way">(reach);
+  }
+}
+
 RowStory momentStory(Id id, const Teller& t) {
-  const std::vector<std::size_t> chosen = setOf(t);
-  const Set set = samplesOf(t, chosen), five = samplesOf(t, setOf(true, false));
+  const Set set = membersOf(t), five = samplesOf(t, setOf(true, false));
   const bool isRounded = t.settings().neighborhood.shape == NeighborhoodShape::Rounded;
   const auto rounded = [&](const std::string& all, const std::string& cross) {
     return isRounded ? "(" + all + " + " + cross + ") / 2" : all;
   };
   const auto first = [&](Id row) { return " = " + t.number(static_cast<double>(t.color(row).x)); };
-  const std::string words = momentWords(id, chosen.size(), isRounded);
+  const bool isVarying = t.settings().neighborhood.shape == NeighborhoodShape::Varying;
+  const std::string words =
+      isVarying ? tapWords(id, reachText(t)) : momentWords(id, set.values.size(), isRounded);
   if (id == Id::neighborhoodMean)
     return {words, rounded(meanText(t, set), meanText(t, five)) + first(id), t.channelName(0)};
   if (id == Id::neighborhoodDeviation) return {words, deviationText(t, set) + first(id), t.channelName(0)};
@@ -170,6 +206,10 @@ RowStory gammaStory(const Teller& t) {
     text = n(chosen.gammaMoving) + " + (" + text + " − " + n(chosen.gammaMoving) + ") × clamp(1 − " +
            t.number(Id::speed) + " / " + n(chosen.gammaSpeed) + ", 0, 1)^2";
     words = say<"smaller by motion">();
+  }
+  if (isOn(chosen.resolutionGamma)) {
+    text = "(" + text + ") × clamp(1188 / " + std::to_string(t.details().picturePx.y) + ", 0.75, 1)";
+    words = say<"%1, smaller for tall pictures">(words);
   }
   if (isOn(chosen.contrastGamma) && !t.details().isFirst) {
     const SpaceSettings& space = t.settings().space;

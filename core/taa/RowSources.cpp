@@ -42,7 +42,7 @@ bool takesEdges(const Settings& s) {
 
 bool changesGamma(const Settings& s) {
   return isOn(s.neighborhood.motionGamma) || isOn(s.neighborhood.contrastGamma) ||
-         isOn(s.neighborhood.maskRelax);
+         isOn(s.neighborhood.maskRelax) || isOn(s.neighborhood.resolutionGamma);
 }
 
 bool weighsByLuma(const Settings& s) {

@@ -1,5 +1,5 @@
 // Bounds the colors around the pixel by a box (catalogue §8, §10). In: scene-linear samples, filtered color and
-// history, speed in px. Out: box space.
+// history, speed in px, depth in m. Out: box space.
 
 struct Box {
   vec3 lo;
@@ -16,13 +16,22 @@ struct Moments {
 
 const bool kIsRounded = kNeighborhoodShape == kNeighborhoodShape_rounded;
 const bool kIsAlternate = kNeighborhoodShape == kNeighborhoodShape_alternate;
+const bool kIsVarying = kNeighborhoodShape == kNeighborhoodShape_varying;
+const bool kIsPairs = kNeighborhoodShape == kNeighborhoodShape_pairs;
 const bool kIsSquare = kNeighborhoodShape == kNeighborhoodShape_square3x3 || kIsRounded;
 
 /// Whether sample k of 3×3 belongs to the cross of five, or to the diagonals with the center.
 bool isInCross(int k) { return k == 4 || k % 2 == 1; }
 bool isInX(int k) { return k % 2 == 0; }
 
-/// What a sample counts (10.7).
+/// What the box may depend on besides the colors of this frame.
+struct Moved {
+  vec3 history; // scene-linear, as it was read
+  float speed;  // px a frame
+  float depth;  // view depth of whose motion it is, m; 0: sky
+};
+
+/// What a sample counts (10.7). Taps that vary count as the diagonals that they stand for.
 float momentWeight(int k, vec3 color) {
   precise float byLuma = 1.0 / (1.0 + luma(color));
   float byDistance = k == 4 ? 1.0 : (k % 2 == 1 ? 0.47236655 : 0.22313016);
@@ -30,21 +39,49 @@ float momentWeight(int k, vec3 color) {
   return kNeighborhoodWeights == kNeighborhoodWeights_distance ? byDistance : 1.0;
 }
 
+/// The bilinear tap at `offset` px from a render texel's center.
+vec3 tapAt(ivec2 texel, vec2 offset) {
+  ivec2 way = ivec2(offset.x < 0.0 ? -1 : 1, offset.y < 0.0 ? -1 : 1);
+  precise vec2 whole = floor(abs(offset));
+  precise vec2 f = abs(offset) - whole;
+  ivec2 place = texel + way * ivec2(whole);
+  precise vec3 here = sanitized(texelAt(u_color, place).rgb);
+  precise vec3 beside = sanitized(texelAt(u_color, place + ivec2(way.x, 0)).rgb);
+  precise vec3 over = sanitized(texelAt(u_color, place + ivec2(0, way.y)).rgb);
+  precise vec3 across = sanitized(texelAt(u_color, place + way).rgb);
+  precise vec3 near = here + f.x * (beside - here);
+  precise vec3 far = over + f.x * (across - over);
+  precise vec3 color = near + f.y * (far - near);
+  return storable(color);
+}
+
 /// The samples where the pixels' centers landed: each a bilinear tap at +j (8.8).
-Samples unjittered(ivec2 pixel, Samples samples) {
-  ivec2 way = ivec2(resolveBlock.jitterPx.x < 0.0 ? -1 : 1, resolveBlock.jitterPx.y < 0.0 ? -1 : 1);
-  vec2 f = abs(resolveBlock.jitterPx);
+Samples unjittered(ivec2 texel, Samples samples) {
   Samples result = samples;
-  for (int k = 0; k < 9; ++k) {
-    ivec2 place = pixel + ivec2(k % 3 - 1, k / 3 - 1);
-    precise vec3 here = sanitized(texelAt(u_color, place).rgb);
-    precise vec3 beside = sanitized(texelAt(u_color, place + ivec2(way.x, 0)).rgb);
-    precise vec3 over = sanitized(texelAt(u_color, place + ivec2(0, way.y)).rgb);
-    precise vec3 across = sanitized(texelAt(u_color, place + way).rgb);
-    precise vec3 near = here + f.x * (beside - here);
-    precise vec3 far = over + f.x * (across - over);
-    precise vec3 color = near + f.y * (far - near);
-    result.color[k] = storable(color);
+  for (int k = 0; k < 9; ++k)
+    result.color[k] = tapAt(texel + ivec2(k % 3 - 1, k / 3 - 1), resolveBlock.jitterPx);
+  return result;
+}
+
+/// How far the taps that vary lie from the center along both axes: κ of 8.5, px.
+float tapReach(Moved moved) {
+  precise float product = moved.speed * moved.depth;
+  precise float nearness = saturated(0.5 / mix(product, 1.0, product == 0.0)); // ½/0 is not the same everywhere
+  if (product == 0.0) nearness = moved.depth == 0.0 ? 0.0 : 1.0;       // the sky is infinitely far, even at rest
+  precise float reach = 0.5 + 0.1667 * nearness;
+  return reach;
+}
+
+/// The diagonals drawn in to taps at ±κ, about where the center landed if that is asked for. The pixel's own color
+/// stays, though it is not one of them.
+Samples varyingTaps(ivec2 texel, Samples samples, Moved moved) {
+  float reach = tapReach(moved);
+  Samples result = samples;
+  for (int k = 0; k < 9; k += 2) {
+    if (k == 4) continue;
+    precise vec2 offset = vec2(k % 3 - 1, k / 3 - 1) * reach;
+    if (kNeighborhoodUnjitter) offset = offset + resolveBlock.jitterPx;
+    result.color[k] = tapAt(texel, offset);
   }
   return result;
 }
@@ -54,9 +91,10 @@ Moments measure(Samples samples, vec3 boxed[9], bool isMember[9]) {
   precise vec3 sum = vec3(0.0);
   precise vec3 sumOfSquares = vec3(0.0);
   precise float total = 0.0;
+  const int kFirst = kIsVarying ? 0 : 4; // a member
   Moments result;
-  result.lowest = boxed[4];
-  result.highest = boxed[4];
+  result.lowest = boxed[kFirst];
+  result.highest = boxed[kFirst];
   for (int k = 0; k < 9; ++k) {
     if (!isMember[k]) continue;
     precise float weight = momentWeight(k, samples.color[k]);
@@ -83,14 +121,27 @@ Moments rounded(Moments nine, Moments five) {
   return Moments(mean, nine.deviation, lowest, highest);
 }
 
-Moments measureNeighborhood(Samples samples, vec3 boxed[9]) {
+/// Whether the shape has sample k around a render texel.
+bool isInShape(int k, ivec2 texel) {
   bool isEven = resolveBlock.state.w % 2 == 0;
+  if (kIsVarying) return isInX(k) && k != 4;
+  if (kIsPairs) return isInCross(k) || k % 3 == (texel.x % 2 == 0 ? 2 : 0); // towards the other column (8.7)
+  if (kIsAlternate) return isEven ? isInCross(k) : isInX(k);
+  return kIsSquare || (kNeighborhoodShape == kNeighborhoodShape_x ? isInX(k) : isInCross(k));
+}
+
+vec3[9] allToBox(Samples samples) {
+  vec3 boxed[9];
+  for (int k = 0; k < 9; ++k) boxed[k] = toBox(samples.color[k]);
+  return boxed;
+}
+
+Moments measureNeighborhood(Samples samples, vec3 boxed[9], ivec2 texel) {
   bool isMember[9];
   bool isCross[9];
   for (int k = 0; k < 9; ++k) {
     isCross[k] = isInCross(k);
-    isMember[k] = kIsSquare || (kNeighborhoodShape == kNeighborhoodShape_x ? isInX(k) : isInCross(k));
-    if (kIsAlternate) isMember[k] = isEven ? isInCross(k) : isInX(k);
+    isMember[k] = isInShape(k, texel);
   }
   Moments moments = measure(samples, boxed, isMember);
   if (kIsRounded) moments = rounded(moments, measure(samples, boxed, isCross));
@@ -111,13 +162,17 @@ float contrastGrowth(Moments moments, vec3 center, vec3 historyColor) {
   return hasHistory() ? growth : 0.0;
 }
 
-float gammaUsed(Moments moments, vec3 center, vec3 historyColor, float speed, vec2 mask) {
+float gammaUsed(Moments moments, vec3 center, Moved moved, vec2 mask) {
   precise float gamma = settings.neighborhoodGamma;
   if (kNeighborhoodMotionGamma) { // 10.8
-    precise float rest = saturated(1.0 - speed / settings.neighborhoodGammaSpeed);
+    precise float rest = saturated(1.0 - moved.speed / settings.neighborhoodGammaSpeed);
     gamma = settings.neighborhoodGammaMoving + (gamma - settings.neighborhoodGammaMoving) * (rest * rest);
   }
-  if (kNeighborhoodContrastGamma) gamma = gamma + contrastGrowth(moments, center, historyColor);
+  if (kNeighborhoodResolutionGamma) { // 10.9: of both γ that are chosen, not of what follows from colors
+    precise float share = 1188.0 / resolveBlock.sizePx.y;
+    gamma = gamma * lesser(greater(share, 0.75), 1.0);
+  }
+  if (kNeighborhoodContrastGamma) gamma = gamma + contrastGrowth(moments, center, moved.history);
   if (kNeighborhoodMaskRelax) gamma = gamma * (1.0 + 1.5 * greater(mask.x, mask.y)); // 10.10
   return gamma;
 }
@@ -127,27 +182,55 @@ const vec3 kSlabs[13] = vec3[](vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3
                                vec3(1, 0, 1), vec3(1, 0, -1), vec3(0, 1, 1), vec3(0, 1, -1), vec3(1, 1, 1),
                                vec3(1, 1, -1), vec3(1, -1, 1), vec3(1, -1, -1));
 const bool kIsClipToHull = kRectifyMethod == kRectifyMethod_clipToHull;
-const int kSlabCount = kIsClipToHull ? 13 : 1; // those that nobody reads cost time to compile
+const bool kIsClipToBoth = kRectifyMethod == kRectifyMethod_clipToBoth;
+const bool kUsesSlabs = kIsClipToHull || kIsClipToBoth;
+const int kSlabCount = kIsClipToHull ? 13 : (kIsClipToBoth ? 6 : 1); // those that nobody reads cost time to compile
+
+/// Axes of the other space along those of the box's: of RGB Y, Co, Cg; of the others R, G, B (9.7). How long one is
+/// does not matter.
+vec3 otherAxis(int axis) {
+  if (kIsRgb) return vec3[](vec3(1, 2, 1), vec3(1, 0, -1), vec3(-1, 2, -1))[axis];
+  if (kSpaceColor == kSpaceColor_yCoCgLifting) return vec3[](vec3(2, 1, -1), vec3(2, 0, 1), vec3(2, -1, -1))[axis];
+  if (kSpaceColor == kSpaceColor_yCbCr)
+    return vec3[](vec3(1, 0, 1.5748), vec3(1, -0.18732427, -0.46812427), vec3(1, 1.8556, 0))[axis];
+  return vec3[](vec3(1, 1, -1), vec3(1, 0, 1), vec3(1, -1, -1))[axis];
+}
+
+/// The first three are the box's own axes.
+vec3 slabDirection(int slab) { return kIsClipToBoth && slab >= 3 ? otherAxis(slab - 3) : kSlabs[slab]; }
 
 float across(vec3 direction, vec3 color) {
   precise float result = (direction.x * color.x + direction.y * color.y) + direction.z * color.z;
   return result;
 }
 
-/// The measured extremes, kept for what clamps to them first, and those along the slabs.
+const bool kIsSelect = kRectifyMethod == kRectifyMethod_select;
+const int kSelectCount = kIsSelect ? 9 : 1;
+
+/// The measured extremes, kept for what clamps to them first, those along the slabs, and the nine samples to choose
+/// from, scene-linear, the pixel's own first.
 struct Neighborhood {
   Box box;
   Moments moments;
   float slabLow[kSlabCount];
   float slabHigh[kSlabCount];
+  vec3 nine[kSelectCount];
 };
 
-Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 historyColor, float speed) {
-  vec3 boxed[9];
-  for (int k = 0; k < 9; ++k) boxed[k] = toBox(samples.color[k]);
-  Moments moments = measureNeighborhood(samples, boxed);
-  float gamma = gammaUsed(moments, boxed[4], historyColor, speed, samples.mask);
+void measureSlabs(vec3 boxed[9], inout Neighborhood around) {
+  for (int slab = 0; slab < kSlabCount; ++slab) {
+    float low = across(slabDirection(slab), boxed[0]);
+    float high = low;
+    for (int k = 1; k < 9; ++k) {
+      low = lesser(low, across(slabDirection(slab), boxed[k]));
+      high = greater(high, across(slabDirection(slab), boxed[k]));
+    }
+    around.slabLow[slab] = low;
+    around.slabHigh[slab] = high;
+  }
+}
 
+Box boxOf(Moments moments, float gamma) {
   precise vec3 reach = gamma * moments.deviation;
   precise vec3 below = moments.mean - reach;
   precise vec3 above = moments.mean + reach;
@@ -155,6 +238,20 @@ Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 histo
   if (kNeighborhoodBox == kNeighborhoodBox_variance) box = Box(below, above);
   if (kNeighborhoodBox == kNeighborhoodBox_intersection)
     box = Box(greater(moments.lowest, below), lesser(moments.highest, above));
+  return box;
+}
+
+Neighborhood boundNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltered, Moved moved) {
+  vec3 boxed[9] = allToBox(samples);
+  Moments moments;
+  if (kIsVarying) {
+    Samples taps = varyingTaps(texel, samples, moved);
+    moments = measureNeighborhood(taps, allToBox(taps), texel);
+  } else {
+    moments = measureNeighborhood(samples, boxed, texel);
+  }
+  float gamma = gammaUsed(moments, boxed[4], moved, samples.mask);
+  Box box = boxOf(moments, gamma);
   if (kNeighborhoodChromaShrink && !kIsRgb) { // 10.6
     precise float extent = 0.125 * (moments.highest.x - moments.lowest.x);
     precise vec2 low = boxed[4].yz - extent;
@@ -175,17 +272,7 @@ Neighborhood boundNeighborhood(Samples samples, vec3 currentFiltered, vec3 histo
   Neighborhood around;
   around.box = box;
   around.moments = moments;
-  if (kIsClipToHull) {
-    for (int slab = 0; slab < 13; ++slab) {
-      float low = across(kSlabs[slab], boxed[0]);
-      float high = low;
-      for (int k = 1; k < 9; ++k) {
-        low = lesser(low, across(kSlabs[slab], boxed[k]));
-        high = greater(high, across(kSlabs[slab], boxed[k]));
-      }
-      around.slabLow[slab] = low;
-      around.slabHigh[slab] = high;
-    }
-  }
+  if (kUsesSlabs) measureSlabs(boxed, around);
+  for (int i = 0; i < kSelectCount; ++i) around.nine[i] = samples.color[i == 0 ? 4 : (i <= 4 ? i - 1 : i)];
   return around;
 }

@@ -104,22 +104,38 @@ Rectified rayToCurrent(vec3 history, Box box, vec3 currentFiltered) {
   return Rectified(color, lesser(nearest, 1.0));
 }
 
-/// Towards the filtered current color until all slabs around the nine samples hold (10.12). They are opened for the
-/// target, which filters with negative weights put outside.
-Rectified clipToHull(vec3 history, Neighborhood around, vec3 currentFiltered) {
+/// Towards the filtered current color until all slabs around the nine samples hold (9.7, 10.12). They are opened for
+/// the target, which filters with negative weights put outside.
+Rectified clipToSlabs(vec3 history, Neighborhood around, vec3 currentFiltered) {
   vec3 target = toBox(currentFiltered);
   precise vec3 way = target - history;
   precise float amount = 0.0;
-  for (int slab = 0; slab < 13; ++slab) {
-    float end = across(kSlabs[slab], target);
+  for (int slab = 0; slab < kSlabCount; ++slab) {
+    vec3 direction = slabDirection(slab);
+    float end = across(direction, target);
     float low = lesser(around.slabLow[slab], end);
     float high = greater(around.slabHigh[slab], end);
-    vec3 entries = entry(vec3(across(kSlabs[slab], history)), vec3(across(kSlabs[slab], way)), vec3(low), vec3(high));
+    vec3 entries = entry(vec3(across(direction, history)), vec3(across(direction, way)), vec3(low), vec3(high));
     amount = greater(amount, entries.x);
   }
   precise vec3 color = history + way * amount;
   if (amount >= 1.0) return Rectified(target, 1.0);
   return Rectified(color, amount);
+}
+
+/// The one of the nine samples that is nearest to history, in box space (11.8): the pixel's own where others are no
+/// nearer, else the first of those. Scene-linear, as it was drawn.
+vec3 selected(vec3 history, Neighborhood around) {
+  precise float nearest = 0.0;
+  vec3 color = around.nine[0];
+  for (int i = 0; i < kSelectCount; ++i) {
+    precise vec3 way = toBox(around.nine[i]) - history;
+    precise float squared = (way.x * way.x + way.y * way.y) + way.z * way.z;
+    if (i > 0 && !(squared < nearest)) continue;
+    nearest = squared;
+    color = around.nine[i];
+  }
+  return color;
 }
 
 const bool kIsClampForget = kRectifyMethod == kRectifyMethod_clampForget;
@@ -133,7 +149,7 @@ Rectified rectifiedByMethod(vec3 history, Neighborhood around, vec3 currentFilte
   if (kRectifyMethod == kRectifyMethod_shrinkAxes) return shrinkAxes(history, box, around.moments.mean);
   if (kIsClampThenClip) return clampThenClip(history, box, around.moments);
   if (kRectifyMethod == kRectifyMethod_rayToCurrent) return rayToCurrent(history, box, currentFiltered);
-  if (kIsClipToHull) return clipToHull(history, around, currentFiltered);
+  if (kUsesSlabs) return clipToSlabs(history, around, currentFiltered);
   return Rectified(history, 0.0);
 }
 
@@ -142,7 +158,7 @@ bool isKept(vec3 history, Neighborhood around, Rectified rectified) {
   if (!hasHistory() || kRectifyMethod == kRectifyMethod_none) return true;
   if (kIsClampThenClip)
     return isInside(history, around.moments.lowest, around.moments.highest) && rectified.color == history;
-  if (kIsClipToHull) return !(rectified.amount > 0.0);
+  if (kUsesSlabs) return !(rectified.amount > 0.0);
   if (kRectifyMethod == kRectifyMethod_clipToCenter && rectified.amount == 0.0) return true;
   if (kRectifyMethod == kRectifyMethod_rayToCurrent && rectified.color == history) return true;
   return isInside(history, around.box.lo, around.box.hi);
@@ -177,6 +193,11 @@ RectifiedHistory rectifyHistory(HistorySample raw, Neighborhood around, vec3 cur
   bool kept = isKept(history, around, rectified);
   precise vec3 corrected = storable(fromBox(rectified.color));
   precise float amount = rectified.amount;
+  if (kIsSelect) { // inside the box as well, and not on the way through it
+    corrected = selected(history, around);
+    kept = !hasHistory() || corrected == raw.color;
+    amount = 1.0;
+  }
   if (kRectifyRelaxAtRest) {
     corrected = raw.color + strength * (corrected - raw.color);
     amount = amount * strength;

@@ -39,7 +39,8 @@ void main() {
   vec3 current = filtered.color;
   Samples measured = samples;
   if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
-  Neighborhood around = boundNeighborhood(measured, current, history.color, reprojection.speed);
+  Moved moved = Moved(history.color, reprojection.speed, viewDepth(dilated.depth));
+  Neighborhood around = boundNeighborhood(measured, place.texel, current, moved);
   stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);

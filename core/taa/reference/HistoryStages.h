@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace taa::reference {
 
@@ -21,12 +23,16 @@ struct Neighborhood {
   glm::vec3 boxMin{0.0f};
   glm::vec3 boxMax{0.0f};
   std::array<glm::vec3, 9> samples{}; ///< in box space, row-major
+  std::array<glm::vec3, 9> colors{};  ///< the same, scene-linear
+  std::array<glm::vec3, 4> taps{};    ///< of the shape that varies, in box space, row-major
+  float tapReach = 0.0f;              ///< how far they lie from the center along both axes, px
 };
-/// What γ may depend on.
+/// What the box may depend on besides this frame's colors.
 struct Moved {
   glm::vec3 history{0.0f}; ///< scene-linear, as it was read
   float speed = 0.0f;      ///< px a frame
   float relax = 0.0f;      ///< the larger mask
+  float depth = 0.0f;      ///< view depth of whose motion it is, m; 0: sky
 };
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
@@ -43,6 +49,11 @@ struct Clipped {
 /// Of the methods that need no more than the box (11.1 to 11.3).
 Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
              const glm::vec3& boxMax);
+/// Directions across which a method measures slabs around the samples, in box space (catalogue 9.7, 10.12);
+/// none where it has no slabs.
+std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space);
+/// Number of the sample that is nearest to a color of box space (catalogue 11.8).
+std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood);
 /// What rectification may depend on besides colors.
 struct Applied {
   float speed = 0.0f; ///< px a frame

@@ -2,60 +2,112 @@
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace taa::reference {
 namespace {
 
 /// Samples whose bounds are taken.
-enum class Set { Square, Cross, X };
+enum class Set { Square, Cross, X, RightPair, LeftPair };
 
 bool belongs(Set set, int dx, int dy) {
-  if (set == Set::Cross) return std::abs(dx) + std::abs(dy) <= 1;
+  const bool isCross = std::abs(dx) + std::abs(dy) <= 1;
+  if (set == Set::Cross) return isCross;
+  if (set == Set::RightPair) return isCross || dx == 1;
+  if (set == Set::LeftPair) return isCross || dx == -1;
   return set == Set::Square || std::abs(dx) == std::abs(dy);
 }
 
-Set setOf(NeighborhoodShape shape, int frame) {
+Set setOf(NeighborhoodShape shape, int frame, int column) {
   if (shape == NeighborhoodShape::X) return Set::X;
   if (shape == NeighborhoodShape::Cross) return Set::Cross;
   if (shape == NeighborhoodShape::Alternate) return frame % 2 == 0 ? Set::Cross : Set::X;
+  if (shape == NeighborhoodShape::Pairs) return column % 2 == 0 ? Set::RightPair : Set::LeftPair;
   return Set::Square;
+}
+
+/// The bilinear tap at `offset` px from the center of a texel.
+glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset) {
+  const glm::vec2 far(std::fabs(offset.x), std::fabs(offset.y));
+  const glm::vec2 whole(std::floor(far.x), std::floor(far.y));
+  const glm::vec2 f = far - whole;
+  const glm::ivec2 x(offset.x < 0.0f ? -1 : 1, 0), y(0, offset.y < 0.0f ? -1 : 1);
+  const glm::ivec2 from = texel + static_cast<int>(whole.x) * x + static_cast<int>(whole.y) * y;
+  const auto mixed = [](const glm::vec3& a, const glm::vec3& b, float t) { return a + t * (b - a); };
+  const glm::vec3 near = mixed(currentColor(inputs, from), currentColor(inputs, from + x), f.x);
+  const glm::vec3 beyond = mixed(currentColor(inputs, from + y), currentColor(inputs, from + x + y), f.x);
+  return storable(mixed(near, beyond, f.y));
 }
 
 /// The sample of a pixel: its color, or what a tap where its center landed finds (catalogue 8.8).
 glm::vec3 sampleOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
   if (settings.neighborhood.unjitter == Switch::Off) return currentColor(inputs, pixel);
-  return storable(unjitteredColor(inputs, pixel));
+  return tapAt(inputs, pixel, inputs.jitterPx);
 }
 
-/// What the sample at a step counts (catalogue 10.7).
-float momentWeight(MomentWeights weights, const glm::vec3& color, int dx, int dy) {
-  constexpr float kByDistance[] = {1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
-  if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(color));
-  return weights == MomentWeights::Distance ? kByDistance[std::abs(dx) + std::abs(dy)] : 1.0f;
+/// A color that the box holds, scene-linear, and its steps from the center along the axes: 0 to 2.
+struct Member {
+  glm::vec3 color{0.0f};
+  std::size_t distance = 0;
+};
+
+std::vector<Member> membersOf(const Inputs& inputs, const Settings& settings, Set set,
+                              const glm::ivec2& pixel) {
+  std::vector<Member> members;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (belongs(set, dx, dy))
+        members.push_back({sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy)),
+                           static_cast<std::size_t>(std::abs(dx) + std::abs(dy))});
+  return members;
 }
 
-void measureSet(const Inputs& inputs, const Settings& settings, Set set, const glm::ivec2& pixel,
-                Neighborhood& result) {
-  const glm::vec3 center = toBox(sampleOf(inputs, settings, pixel), settings.space);
+/// κ of catalogue 8.5, px.
+float tapReach(const Moved& moved) {
+  if (moved.depth == 0.0f) return 0.5f; // the sky is infinitely far
+  const float product = moved.speed * moved.depth;
+  return 0.5f + 0.1667f * (product == 0.0f ? 1.0f : saturated(0.5f / product));
+}
+
+/// Four taps, which stand for the diagonals: they weigh what those do, since only weights of a table are the
+/// same everywhere.
+std::vector<Member> tapsAround(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                               float reach) {
+  std::vector<Member> taps;
+  for (const glm::vec2& way : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(1, 1)}) {
+    glm::vec2 offset = reach * way;
+    if (settings.neighborhood.unjitter == Switch::On) offset = offset + inputs.jitterPx;
+    taps.push_back({tapAt(inputs, pixel, offset), 2});
+  }
+  return taps;
+}
+
+/// What a sample counts (catalogue 10.7).
+float momentWeight(MomentWeights weights, const Member& member) {
+  constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
+  if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(member.color));
+  return weights == MomentWeights::Distance ? kByDistance[member.distance] : 1.0f;
+}
+
+/// `center`: the pixel's own color, which need not be a member.
+void measureMembers(const std::vector<Member>& members, const Settings& settings, const glm::vec3& center,
+                    Neighborhood& result) {
   float total = 0.0f;
   glm::vec3 first(0.0f);
   glm::vec3 second(0.0f);
-  result.min = result.max = center;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      if (!belongs(set, dx, dy)) continue;
-      const glm::vec3 color = sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy));
-      const glm::vec3 sample = toBox(color, settings.space);
-      result.min = smaller(result.min, sample);
-      result.max = larger(result.max, sample);
-      const float weight = momentWeight(settings.neighborhood.weights, color, dx, dy);
-      const glm::vec3 e = sample - center; // about the center: no cancellation in high dynamic range
-      first = first + weight * e;
-      second = second + weight * (e * e);
-      total = total + weight;
-    }
+  result.min = result.max = toBox(members.front().color, settings.space);
+  for (const Member& member : members) {
+    const glm::vec3 sample = toBox(member.color, settings.space);
+    result.min = smaller(result.min, sample);
+    result.max = larger(result.max, sample);
+    const float weight = momentWeight(settings.neighborhood.weights, member);
+    const glm::vec3 e = sample - center; // about the center: no cancellation in high dynamic range
+    first = first + weight * e;
+    second = second + weight * (e * e);
+    total = total + weight;
   }
   const glm::vec3 m1 = first / total;
   const glm::vec3 m2 = second / total;
@@ -64,12 +116,24 @@ void measureSet(const Inputs& inputs, const Settings& settings, Set set, const g
   for (int i = 0; i < 3; ++i) result.deviation[i] = std::sqrt(variance[i] > 0.0f ? variance[i] : 0.0f);
 }
 
+void measureTaps(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel, const Moved& moved,
+                 Neighborhood& result) {
+  result.tapReach = tapReach(moved);
+  const std::vector<Member> taps = tapsAround(inputs, settings, pixel, result.tapReach);
+  for (std::size_t k = 0; k < taps.size(); ++k) result.taps[k] = toBox(taps[k].color, settings.space);
+  measureMembers(taps, settings, result.samples[4], result);
+}
+
 void measureSamples(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                    Neighborhood& result) {
-  measureSet(inputs, settings, setOf(settings.neighborhood.shape, inputs.frame), pixel, result);
-  if (settings.neighborhood.shape != NeighborhoodShape::Rounded) return;
+                    const Moved& moved, Neighborhood& result) {
+  const NeighborhoodShape shape = settings.neighborhood.shape;
+  const glm::vec3 center = result.samples[4];
+  if (shape == NeighborhoodShape::Varying) return measureTaps(inputs, settings, pixel, moved, result);
+  const Set set = setOf(shape, inputs.frame, pixel.x);
+  measureMembers(membersOf(inputs, settings, set, pixel), settings, center, result);
+  if (shape != NeighborhoodShape::Rounded) return;
   Neighborhood five;
-  measureSet(inputs, settings, Set::Cross, pixel, five);
+  measureMembers(membersOf(inputs, settings, Set::Cross, pixel), settings, center, five);
   result.mean = 0.5f * (result.mean + five.mean);
   result.min = 0.5f * (result.min + five.min);
   result.max = 0.5f * (result.max + five.max);
@@ -91,6 +155,13 @@ float contrastGrowth(const Settings& settings, const Neighborhood& n, const glm:
   return settings.neighborhood.contrastGrowth * ((x * x) * (3.0f - 2.0f * x));
 }
 
+/// Share of γ that tall pictures keep (catalogue 10.9).
+float shareByResolution(int height) {
+  const float share = 1188.0f / static_cast<float>(height); // 1.1 × 1080
+  const float atLeast = share > 0.75f ? share : 0.75f;
+  return atLeast < 1.0f ? atLeast : 1.0f;
+}
+
 float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborhood& n,
                 const glm::vec3& center, const Moved& moved) {
   const NeighborhoodSettings& chosen = settings.neighborhood;
@@ -99,6 +170,8 @@ float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborho
     const float rest = saturated(1.0f - moved.speed / chosen.gammaSpeed);
     gamma = chosen.gammaMoving + (gamma - chosen.gammaMoving) * (rest * rest);
   }
+  // Of what is chosen, as Godot multiplies its base; what follows from colors does not know of pixels.
+  if (chosen.resolutionGamma == Switch::On) gamma = gamma * shareByResolution(inputs.outputHeight());
   if (chosen.contrastGamma == Switch::On && !inputs.historyColor.empty())
     gamma = gamma + contrastGrowth(settings, n, center, moved.history);
   if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * moved.relax); // catalogue 10.10
@@ -131,10 +204,12 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
                                  const Moved& moved) {
   Neighborhood result;
-  measureSamples(inputs, settings, pixel, result);
-  for (int k = 0; k < 9; ++k)
-    result.samples[static_cast<std::size_t>(k)] =
-        toBox(sampleOf(inputs, settings, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1)), settings.space);
+  for (int k = 0; k < 9; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    result.colors[place] = sampleOf(inputs, settings, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    result.samples[place] = toBox(result.colors[place], settings.space);
+  }
+  measureSamples(inputs, settings, pixel, moved, result);
   const glm::vec3 center = result.samples[4];
   result.gamma = gammaUsed(inputs, settings, result, center, moved);
   boundByMoments(settings.neighborhood.box, result);

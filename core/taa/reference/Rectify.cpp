@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 namespace taa::reference {
 namespace {
@@ -125,13 +126,13 @@ Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighbo
   return {h + d * t, t < 1.0f ? t : 1.0f};
 }
 
-/// Towards `target` into the 26-DOP of the samples and the target (catalogue 10.12): for each direction whose
-/// components are −1, 0 or 1 the slab [min d·c, max d·c].
-Clipped clipToHull(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n) {
+/// Towards `target` into what slabs [min d·c, max d·c] of the samples and the target leave
+/// (catalogue 9.7, 10.12).
+Clipped clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
+                    const std::vector<glm::vec3>& directions) {
   const glm::vec3 way = target - h;
   float t = 0.0f;
-  for (int code = 14; code < 27; ++code) { // half of the 26 directions, one of each opposite pair
-    const glm::vec3 d(float(code / 9 - 1), float(code / 3 % 3 - 1), float(code % 3 - 1));
+  for (const glm::vec3& d : directions) {
     const auto along = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
     float low = along(target), high = low;
     for (const glm::vec3& sample : n.samples) {
@@ -149,15 +150,33 @@ Clipped clipToHull(const glm::vec3& h, const glm::vec3& target, const Neighborho
   return {h + way * t, t};
 }
 
-Clipped rectified(const RectifySettings& settings, const glm::vec3& h, const glm::vec3& current,
-                  const Neighborhood& n) {
+/// Axes of the space that is looked at besides the box's: Y, Co and Cg by R, G and B, or those by the box's
+/// axes. How long they are does not matter.
+std::vector<glm::vec3> otherAxes(ColorSpace space) {
+  switch (space) {
+  case ColorSpace::Rgb:
+    return {{1, 2, 1}, {1, 0, -1}, {-1, 2, -1}};
+  case ColorSpace::YCoCg:
+  case ColorSpace::YCoCgAsPrinted:
+    return {{1, 1, -1}, {1, 0, 1}, {1, -1, -1}};
+  case ColorSpace::YCoCgLifting:
+    return {{2, 1, -1}, {2, 0, 1}, {2, -1, -1}};
+  case ColorSpace::YCbCr: // green: Y less 0.0722 × 1.8556 / 0.7152 Cb and 0.2126 × 1.5748 / 0.7152 Cr
+    return {{1, 0, 1.5748f}, {1, -0.18732427f, -0.46812427f}, {1, 1.8556f, 0}};
+  }
+  return {};
+}
+
+Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::vec3& h,
+                  const glm::vec3& current, const Neighborhood& n) {
   switch (settings.method) {
   case RectifyMethod::ShrinkAxes:
     return shrinkAxes(h, n);
   case RectifyMethod::ClampThenClip:
     return clampThenClip(h, n);
   case RectifyMethod::ClipToHull:
-    return clipToHull(h, current, n);
+  case RectifyMethod::ClipToBoth:
+    return clipToSlabs(h, current, n, slabDirections(settings.method, space));
   case RectifyMethod::RayToCurrent:
     return rayToCurrent(h, current, n, settings.mostSteps);
   case RectifyMethod::ClampForget:
@@ -175,7 +194,54 @@ float strengthAt(const RectifySettings& settings, float speed) {
   return settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q);
 }
 
+/// A sample in the place of history, inside the box as well, and not taken through its space
+/// (catalogue 11.8).
+Clipped selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
+  const glm::vec3 color = n.colors[nearestSample(h, n)];
+  if (color == historyRaw) return {historyRaw, 0.0f};
+  return {color, 1.0f, 1.0f, true};
+}
+
+/// Where history is moved, scene-linear, and how far on its way.
+Clipped rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
+                       const glm::vec3& currentFiltered, const Neighborhood& n) {
+  const glm::vec3 h = toBox(historyRaw, settings.space);
+  if (settings.rectify.method == RectifyMethod::Select) return selected(historyRaw, h, n);
+  const Clipped clipped =
+      rectified(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
+  // Kept history is kept exactly: no way there and back through the box's space.
+  if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f};
+  return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
+}
+
 } // namespace
+
+std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
+  std::vector<glm::vec3> directions;
+  if (method == RectifyMethod::ClipToBoth) {
+    directions = otherAxes(space);
+    for (int i = 0; i < 3; ++i) {
+      glm::vec3 own(0.0f);
+      own[i] = 1.0f;
+      directions.push_back(own);
+    }
+  }
+  if (method != RectifyMethod::ClipToHull) return directions;
+  for (int code = 14; code < 27; ++code) // components −1, 0 or 1: 26 directions, one of each opposite pair
+    directions.emplace_back(float(code / 9 - 1), float(code / 3 % 3 - 1), float(code % 3 - 1));
+  return directions;
+}
+
+std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) {
+  const auto squared = [&](std::size_t k) {
+    const glm::vec3 way = neighborhood.samples[k] - h;
+    return (way.x * way.x + way.y * way.y) + way.z * way.z;
+  };
+  std::size_t nearest = 4; // the pixel's own, unless another is nearer
+  for (std::size_t k = 0; k < neighborhood.samples.size(); ++k)
+    if (squared(k) < squared(nearest)) nearest = k;
+  return nearest;
+}
 
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
                        const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
@@ -183,22 +249,18 @@ Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm
   const RectifySettings& rectify = settings.rectify;
   const float strength = strengthAt(rectify, applied.speed);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
-  const glm::vec3 h = toBox(historyRaw, settings.space);
-  const Clipped clipped =
-      rectified(settings.rectify, h, toBox(currentFiltered, settings.space), neighborhood);
-  // Kept history is kept exactly: no way there and back through the box's space.
-  if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f, strength};
-  glm::vec3 color = storable(fromBox(clipped.value, settings.space));
-  float amount = clipped.amount;
+  Clipped clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
+  clipped.strength = strength;
+  if (!clipped.moved) return clipped;
   if (rectify.relaxAtRest == Switch::On) {
-    color = historyRaw + strength * (color - historyRaw);
-    amount = amount * strength;
+    clipped.value = historyRaw + strength * (clipped.value - historyRaw);
+    clipped.amount = clipped.amount * strength;
   }
   if (rectify.locks == Switch::On || rectify.instability == Switch::On) {
-    color = color + applied.held * (historyRaw - color);
-    amount = amount * (1.0f - applied.held);
+    clipped.value = clipped.value + applied.held * (historyRaw - clipped.value);
+    clipped.amount = clipped.amount * (1.0f - applied.held);
   }
-  return {color, amount, strength, true};
+  return clipped;
 }
 
 float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held) {

@@ -219,8 +219,9 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
 
   const glm::vec2 mask = maskAt(inputs, texel);
   const float largestMask = mask.x > mask.y ? mask.x : mask.y;
-  const Neighborhood neighborhood =
-      measureNeighborhood(inputs, settings, current, texel, {history.color, reprojected.speed, largestMask});
+  const Neighborhood neighborhood = measureNeighborhood(
+      inputs, settings, current, texel,
+      {history.color, reprojected.speed, largestMask, viewDepth(dilated.depth, inputs.depthTerms)});
   recordNeighborhood(record, neighborhood);
 
   const Geometry geometry = geometryOf(inputs, dilated, texel);
