@@ -344,6 +344,12 @@ TEST_F(ProbeStoryTest, WhatIsOffAtFirstIsToldWhenItIsOn) {
         {"weight.source=contrastPerChannel", "blend.tone=whitePoint", "blend.white=0.5"},
         {"space.color=yCoCgAsPrinted", "space.tone=linear", "rectify.method=clamp"},
         {"space.color=yCoCgAsPrinted", "space.tone=logarithm", "rectify.method=clipToCenter"},
+        {"neighborhood.shape=varying", "neighborhood.unjitter=on", "neighborhood.weights=luma"},
+        {"neighborhood.shape=pairs", "neighborhood.weights=distance", "neighborhood.resolutionGamma=on"},
+        {"neighborhood.motionGamma=on", "neighborhood.resolutionGamma=on"},
+        {"rectify.method=clipToBoth", "space.color=yCbCr"},
+        {"rectify.method=select", "rectify.relaxAtRest=on", "rectify.leastStrength=0.5"},
+        {"rectify.method=select", "rectify.locks=on", "neighborhood.unjitter=on"},
         {"blend.restart=blurred"}}) {
     Settings settings;
     std::string where;

@@ -164,14 +164,50 @@ TEST_F(BoxTest, IsAPointWhereColorsAreEqual) {
   made.historyColor = made.color;
   for (float& value : made.historyColor.pixels) value = value * 3.0f;
   made.historySurface = Image(kShape.width, kShape.height, 2);
-  for (const RectifyMethod method :
-       {RectifyMethod::Clamp, RectifyMethod::ClipToCenter, RectifyMethod::ClipToFiltered}) {
-    const Exposed all = expose(made, kShape, linearRgb(method));
+  for (const auto& [method, shape] :
+       {std::pair(RectifyMethod::Clamp, taa::NeighborhoodShape::Varying),
+        std::pair(RectifyMethod::ClipToCenter, taa::NeighborhoodShape::Pairs),
+        std::pair(RectifyMethod::ClipToFiltered, taa::NeighborhoodShape::Square3x3),
+        std::pair(RectifyMethod::ClipToBoth, taa::NeighborhoodShape::Square3x3),
+        std::pair(RectifyMethod::Select, taa::NeighborhoodShape::Square3x3)}) {
+    Settings settings = linearRgb(method);
+    settings.neighborhood.shape = shape;
+    const Exposed all = expose(made, kShape, settings);
     eachChannel([&](int x, int y, int channel) {
       EXPECT_EQ(all.at(Id::neighborhoodDeviation).at(x, y)[channel], 0.0f);
       EXPECT_NEAR(all.at(Id::historyRectified).at(x, y)[channel], 0.7f, 1e-6f);
     });
   }
+}
+
+// Catalogue 8.7: samples 2 and 8 of even columns, 0 and 6 of odd ones.
+TEST_F(BoxTest, PairsOfColumnsShareTheirDiagonals) {
+  taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
+  for (int x = 0; x < kShape.width; ++x) made.color.at(x, 9)[0] = static_cast<float>(x);
+  Settings settings = linearRgb(RectifyMethod::None, BoxKind::MinMax);
+  settings.neighborhood.shape = taa::NeighborhoodShape::Pairs;
+  const Exposed all = expose(made, kShape, settings);
+  for (int x = 1; x < kShape.width - 1; ++x) { // above the ramp, and on it
+    EXPECT_EQ(all.at(Id::boxMax).at(x, 8)[0], static_cast<float>(x % 2 == 0 ? x + 1 : x)) << x;
+    EXPECT_EQ(all.at(Id::boxMax).at(x, 9)[0], static_cast<float>(x + 1));
+  }
+}
+
+// Catalogue 11.8.
+TEST_F(BoxTest, SelectShowsOneOfTheNineBitForBit) {
+  Settings settings; // balanced: the way through box space and back would change bits
+  settings.rectify.method = RectifyMethod::Select;
+  const taa::reference::Inputs made = frame(5);
+  const Exposed all = expose(made, kShape, settings);
+  for (int y = 1; y < kShape.height - 1; ++y)
+    for (int x = 1; x < kShape.width - 1; ++x) {
+      const float* chosen = all.at(Id::historyRectified).at(x, y);
+      int same = 0;
+      for (int k = 0; k < 9; ++k)
+        same += std::equal(chosen, chosen + 3, made.color.at(x + k % 3 - 1, y + k / 3 - 1));
+      EXPECT_EQ(same, 1) << x << ", " << y;
+      EXPECT_EQ(*all.at(Id::clipAmount).at(x, y), 1.0f);
+    }
 }
 
 TEST_F(BoxTest, LeavesHistoryInsideUntouched) {

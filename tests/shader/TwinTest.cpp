@@ -1,4 +1,5 @@
 // The resolve in GLSL against its CPU twin: every intermediate of whole frames, bit for bit on llvmpipe.
+#include "core/settings/Parameters.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/ResolveTest.h"
 #include "tests/support/Variants.h"
@@ -71,4 +72,27 @@ TEST_P(TwinOfVariants, AgreesWithRandomCombinations) {
   std::uint32_t seed = 100;
   for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam()))
     expectTwin(variant, ++seed);
+}
+
+// What one choice alone does not reach: taps beyond the next texel, slabs of every space, samples applied in
+// part.
+TEST_F(TwinTest, AgreesWhereShapesAndMethodsMeetOthers) {
+  std::uint32_t seed = 40;
+  for (const std::vector<const char*>& assignments :
+       {std::vector{"neighborhood.shape=varying", "neighborhood.unjitter=on", "neighborhood.weights=luma"},
+        {"neighborhood.shape=varying", "neighborhood.weights=distance", "inputs.renderScale=0.67"},
+        {"neighborhood.shape=varying", "rectify.method=clipToHull", "neighborhood.chromaShrink=on"},
+        {"neighborhood.shape=pairs", "neighborhood.unjitter=on", "inputs.renderScale=0.5"},
+        {"rectify.method=clipToBoth", "space.color=rgb"},
+        {"rectify.method=clipToBoth", "space.color=yCoCgLifting", "neighborhood.unjitter=on"},
+        {"rectify.method=clipToBoth", "space.color=yCbCr", "neighborhood.shape=varying"},
+        {"rectify.method=select", "space.color=yCbCr", "rectify.relaxAtRest=on"},
+        {"rectify.method=select", "neighborhood.unjitter=on", "rectify.locks=on"},
+        {"neighborhood.resolutionGamma=on", "neighborhood.contrastGamma=on",
+         "neighborhood.motionGamma=on"}}) {
+    Variant variant;
+    for (const char* assignment : assignments) taa::applyAssignment(variant.settings, assignment);
+    variant.name = taa::test::flags(variant.settings);
+    expectTwin(variant, ++seed);
+  }
 }

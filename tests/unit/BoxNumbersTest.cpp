@@ -64,6 +64,30 @@ TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
   }
 }
 
+// Catalogue 10.9: γ·clamp(1.1·1080/H, ¾, 1).
+TEST(BoxNumbers, TallPicturesHaveATighterBox) {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.5f));
+  Settings settings = test::plainSettings();
+  settings.neighborhood.resolutionGamma = Switch::On;
+  const auto gammaAt = [&](int height, float speed = 0.0f) {
+    inputs.outputPx = {16, height};
+    return measureNeighborhood(inputs, settings, glm::vec3(0.5f), {1, 1}, {.speed = speed}).gamma;
+  };
+  EXPECT_EQ(gammaAt(540), 1.0f);
+  EXPECT_EQ(gammaAt(1080), 1.0f);
+  EXPECT_EQ(gammaAt(1188), 1.0f);
+  EXPECT_FLOAT_EQ(gammaAt(1320), 0.9f);
+  EXPECT_EQ(gammaAt(1584), 0.75f);
+  EXPECT_EQ(gammaAt(2160), 0.75f);
+  settings.neighborhood.motionGamma = Switch::On;
+  settings.neighborhood.gammaMoving = 0.5f;
+  settings.neighborhood.gammaSpeed = 8.0f;
+  EXPECT_EQ(gammaAt(1080, 8.0f), 0.5f);
+  EXPECT_EQ(gammaAt(2160, 8.0f), 0.375f); // both γ are scaled
+  settings.neighborhood.resolutionGamma = Switch::Off;
+  EXPECT_EQ(gammaAt(2160), 1.0f);
+}
+
 TEST(BoxNumbers, LiftedChromaIsTwiceAsWide) {
   std::mt19937 random(42);
   std::uniform_real_distribution<float> level(-2.0f, 2.0f);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 namespace taa::reference {
 namespace {
@@ -58,6 +59,80 @@ TEST(ReferenceNeighborhood, TapsAtTheJitterFindTheSamplesOfARampWhereTheyWouldBe
     EXPECT_EQ(measuredAt(jitter).mean, glm::vec3(ramp(3.0f, 3.0f)));
     settings.unjitter = Switch::Off;
     EXPECT_EQ(measuredAt(jitter).mean, glm::vec3(ramp(3.0f - jitter.x, 3.0f - jitter.y)));
+  }
+}
+
+/// A ramp of 7×7, drawn with `jitter`, and what is measured around its middle; 1 m away unless it is said.
+Neighborhood tapsOfARamp(const Moved& moved, const glm::vec2& jitter = glm::vec2(0.0f)) {
+  Inputs inputs = test::constantInputs(7, 7, glm::vec3(0.0f));
+  inputs.jitterPx = jitter;
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 7; ++x)
+      test::setColor(inputs.color, x, y,
+                     glm::vec3(8.0f + 0.5f * (static_cast<float>(x - 3) - jitter.x) +
+                               0.25f * (static_cast<float>(y - 3) - jitter.y)));
+  Settings all = test::plainSettings();
+  all.neighborhood = {NeighborhoodShape::Varying, BoxKind::MinMax, 1.0f, Switch::Off};
+  all.neighborhood.unjitter = jitter == glm::vec2(0.0f) ? Switch::Off : Switch::On;
+  return measureNeighborhood(inputs, all, glm::vec3(0.0f), {3, 3}, moved);
+}
+
+// Catalogue 8.5: κ = ½ + 0.1667·sat(½/(‖v‖·z)).
+TEST(ReferenceNeighborhood, TapsVaryWithSpeedAndDepth) {
+  struct Case {
+    float speed, depth, reach;
+  };
+  for (const auto& [speed, depth, reach] :
+       {Case{0.0f, 4.0f, 0.6667f}, Case{0.125f, 4.0f, 0.6667f}, Case{0.25f, 4.0f, 0.58335f},
+        Case{4.0f, 0.25f, 0.58335f}, Case{64.0f, 1.0f, 0.50130234f}, Case{8.0f, 0.0f, 0.5f},
+        Case{0.0f, 0.0f, 0.5f}}) {
+    const Neighborhood n = tapsOfARamp({.speed = speed, .depth = depth});
+    EXPECT_FLOAT_EQ(n.tapReach, reach) << speed << " px at " << depth << " m";
+    EXPECT_FLOAT_EQ(n.min.x, 8.0f - 0.75f * reach);
+    EXPECT_FLOAT_EQ(n.max.x, 8.0f + 0.75f * reach);
+    EXPECT_FLOAT_EQ(n.mean.x, 8.0f);
+    // ±0.75 κ and ±0.25 κ: σ² = (0.5625 + 0.0625) κ²/2
+    EXPECT_NEAR(n.deviation.x, std::sqrt(0.3125f) * reach, 1e-6f);
+  }
+}
+
+TEST(ReferenceNeighborhood, TapsLieAboutWhereTheCenterLanded) {
+  for (const glm::vec2& jitter :
+       {glm::vec2(0.25f, 0.375f), glm::vec2(-0.5f, 0.125f), glm::vec2(0.5f, -0.5f)}) {
+    const Neighborhood sky = tapsOfARamp({.speed = 1.0f}, jitter); // κ = ½: all products are exact
+    EXPECT_EQ(sky.min.x, 7.625f);
+    EXPECT_EQ(sky.max.x, 8.375f);
+    const Neighborhood rest = tapsOfARamp({.depth = 1.0f}, jitter); // some lie beyond the next texel
+    EXPECT_NEAR(rest.min.x, 7.499975f, 2e-6f);
+    EXPECT_NEAR(rest.max.x, 8.500025f, 2e-6f);
+  }
+}
+
+TEST(ReferenceNeighborhood, TheCenterIsNoneOfTheTapsThatVary) {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.0f));
+  test::setGrays(inputs.color, {0, 0, 0, 0, 1, 0, 0, 0, 0});
+  const Neighborhood n =
+      measure(inputs, {NeighborhoodShape::Varying, BoxKind::MinMax, 1.0f, Switch::Off}, kRgb);
+  EXPECT_EQ(n.boxMin, glm::vec3(0.25f)); // four taps of a quarter each
+  EXPECT_EQ(n.boxMax, glm::vec3(0.25f));
+  EXPECT_EQ(n.deviation, glm::vec3(0.0f));
+  EXPECT_EQ(n.samples[4], glm::vec3(1.0f));
+}
+
+// Catalogue 8.7.
+TEST(ReferenceNeighborhood, EvenColumnsSeeTheRightDiagonalsAndOddOnesTheLeft) {
+  Inputs inputs = test::constantInputs(4, 3, glm::vec3(0.0f));
+  const float odd[] = {16, 0, 1, 0, 0, 0, 32, 0, 2}, even[] = {1, 0, 16, 0, 0, 0, 2, 0, 32};
+  for (const int column : {1, 2}) {
+    const std::span<const float> grays = column == 1 ? odd : even;
+    for (int k = 0; k < 9; ++k)
+      test::setColor(inputs.color, column - 1 + k % 3, k / 3, glm::vec3(grays[static_cast<std::size_t>(k)]));
+    Settings settings = test::plainSettings();
+    settings.neighborhood.shape = NeighborhoodShape::Pairs;
+    const Neighborhood n = measureNeighborhood(inputs, settings, glm::vec3(0.0f), {column, 1});
+    EXPECT_EQ(n.max.x, 32.0f);
+    EXPECT_FLOAT_EQ(n.mean.x, 48.0f / 7.0f); // neither 1 nor 2
+    EXPECT_EQ(n.min.x, 0.0f);
   }
 }
 
@@ -125,15 +200,17 @@ TEST(ReferenceNeighborhood, BoxesAreNestedAndGrowWithGamma) {
 
 TEST(ReferenceNeighborhood, AConstantHasNoDeviationAndAPointForABox) {
   for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f}) {
-    const Inputs inputs = test::constantInputs(3, 3, glm::vec3(level, 0.5f * level, level));
-    for (const SpaceSettings& space : {kRgb, kYCoCg, kToned}) {
-      for (const BoxKind kind : {BoxKind::MinMax, BoxKind::Variance, BoxKind::Intersection}) {
-        const Neighborhood n = measure(inputs, {NeighborhoodShape::Square3x3, kind, 1.0f, Switch::On}, space);
-        EXPECT_EQ(n.deviation, glm::vec3(0.0f));
-        EXPECT_EQ(n.boxMin, n.boxMax);
-        EXPECT_EQ(n.boxMin, toBox(glm::vec3(level, 0.5f * level, level), space));
-      }
-    }
+    const glm::vec3 color(level, 0.5f * level, level);
+    const Inputs inputs = test::constantInputs(3, 3, color);
+    for (const SpaceSettings& space : {kRgb, kYCoCg, kToned})
+      for (const BoxKind kind : {BoxKind::MinMax, BoxKind::Variance, BoxKind::Intersection})
+        for (const NeighborhoodShape shape :
+             {NeighborhoodShape::Square3x3, NeighborhoodShape::Varying, NeighborhoodShape::Pairs}) {
+          const Neighborhood n = measure(inputs, {shape, kind, 1.0f, Switch::On}, space);
+          EXPECT_EQ(n.deviation, glm::vec3(0.0f));
+          EXPECT_EQ(n.boxMin, n.boxMax);
+          EXPECT_EQ(n.boxMin, toBox(color, space));
+        }
   }
 }
 
