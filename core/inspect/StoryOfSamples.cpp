@@ -55,56 +55,32 @@ RowStory reprojectStory(Id id, const Teller& t) {
   return {say<"length of the motion">(), t.equals(call("length", {t.tuple(motion)}), id), ""};
 }
 
-/// The samples a shape takes, as numbers of the 3×3.
-std::vector<std::size_t> setOf(bool cross, bool x) {
-  std::vector<std::size_t> set;
-  for (std::size_t k = 0; k < 9; ++k) {
-    const bool isCorner = k % 2 == 0 && k != 4, isSide = k % 2 == 1;
-    if (k == 4 || (!cross && !x) || (cross && isSide) || (x && isCorner)) set.push_back(k);
-  }
-  return set;
-}
-
-std::vector<std::size_t> setOf(const Teller& t) {
-  const NeighborhoodShape shape = t.settings().neighborhood.shape;
-  if (shape == NeighborhoodShape::Pairs) // towards the other column of the pair
-    return t.details().texel.x % 2 == 0 ? std::vector<std::size_t>{1, 2, 3, 4, 5, 7, 8}
-                                        : std::vector<std::size_t>{0, 1, 3, 4, 5, 6, 7};
-  const bool alternates = shape == NeighborhoodShape::Alternate, isEven = t.probed.info.frame % 2 == 0;
-  return setOf(shape == NeighborhoodShape::Cross || (alternates && isEven),
-               shape == NeighborhoodShape::X || (alternates && !isEven));
-}
-
 /// Y or red of samples, and what each counts for the moments.
 struct Set {
   std::vector<float> values, weights;
   bool isEqual = true;
 };
 
-/// `distance`: steps from the center along the axes.
-void add(const Teller& t, const glm::vec3& sample, std::size_t distance, Set& set) {
+Set setOf(const Teller& t, const std::vector<reference::Member>& members) {
   const MomentWeights kind = t.settings().neighborhood.weights;
   constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²), catalogue 10.7
-  const glm::vec3 color = reference::fromBox(sample, reference::withoutClamp(t.settings().space));
-  set.isEqual = kind == MomentWeights::Equal;
-  set.values.push_back(sample.x);
-  set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
-                        : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(color))
-                                                      : kByDistance[distance]);
-}
-
-Set samplesOf(const Teller& t, const std::vector<std::size_t>& chosen) {
   Set set;
-  for (const std::size_t k : chosen)
-    add(t, t.details().neighborhood.samples[k], k == 4 ? 0 : k % 2 == 1 ? 1 : 2, set);
+  set.isEqual = kind == MomentWeights::Equal;
+  for (const reference::Member& member : members) {
+    set.values.push_back(t.box(member.color).x);
+    set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
+                          : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(member.color))
+                                                        : kByDistance[member.distance]);
+  }
   return set;
 }
 
-Set membersOf(const Teller& t) {
-  if (t.settings().neighborhood.shape != NeighborhoodShape::Varying) return samplesOf(t, setOf(t));
-  Set taps;
-  for (const glm::vec3& tap : t.details().neighborhood.taps) add(t, tap, 2, taps); // stand for the diagonals
-  return taps;
+/// The cross, which rounding looks at besides.
+Set crossOf(const Teller& t) {
+  std::vector<reference::Member> cross;
+  for (const std::size_t k : {1u, 3u, 4u, 5u, 7u})
+    cross.push_back({t.details().neighborhood.colors[k], k == 4 ? 0u : 1u});
+  return setOf(t, cross);
 }
 
 float meanOf(const Set& set) {
@@ -181,7 +157,7 @@ std::string tapWords(Id id, const std::string& reach) {
 }
 
 RowStory momentStory(Id id, const Teller& t) {
-  const Set set = membersOf(t), five = samplesOf(t, setOf(true, false));
+  const Set set = setOf(t, t.details().neighborhood.members), five = crossOf(t);
   const bool isRounded = t.settings().neighborhood.shape == NeighborhoodShape::Rounded;
   const auto rounded = [&](const std::string& all, const std::string& cross) {
     return isRounded ? "(" + all + " + " + cross + ") / 2" : all;

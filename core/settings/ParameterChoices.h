@@ -252,8 +252,9 @@ inline constexpr Choice kNeighborhoodShapes[] = {
      "½ + ⅙·sat(½/(‖v‖·z)). z in m, so that a scene in centimeters looks different (catalogue 8.5, "
      "Playdead)."},
     {"pairs", "Seven, by pairs",
-     "The cross and the two diagonals towards the other pixel of a pair of columns, as a compute shader "
-     "shares them: even and odd columns see different boxes (catalogue 8.7, MiniEngine)."},
+     "One set for both of two columns, as a compute shader shares it: the left pixel, its diagonals and the "
+     "two to its right, so that even and odd columns see the box from different places (catalogue 8.7, "
+     "MiniEngine)."},
 };
 inline constexpr Choice kMomentWeights[] = {
     {"equal", "Equal", "Every sample counts alike."},

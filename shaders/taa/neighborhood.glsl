@@ -86,6 +86,28 @@ Samples varyingTaps(ivec2 texel, Samples samples, Moved moved) {
   return result;
 }
 
+/// The sample of a render texel, which may lie beyond the nine.
+vec3 sampleAt(ivec2 texel) {
+  return kNeighborhoodUnjitter ? tapAt(texel, resolveBlock.jitterPx) : sanitized(texelAt(u_color, texel).rgb);
+}
+
+bool isLeftOfPair(ivec2 texel) { return texel.x % 2 == 0; }
+
+/// Seven samples for both of columns 2k and 2k + 1 (8.7): the left one, its diagonals, and the two to the right of it.
+/// Those beyond the nine take places of neighbors that are none of them.
+Samples pairSamples(ivec2 texel, Samples samples) {
+  Samples result = samples;
+  if (isLeftOfPair(texel)) {
+    result.color[3] = sampleAt(texel + ivec2(2, 0));
+  } else {
+    result.color[0] = sampleAt(texel + ivec2(-2, -1));
+    result.color[6] = sampleAt(texel + ivec2(-2, 1));
+  }
+  return result;
+}
+
+bool isInPair(int k, ivec2 texel) { return isLeftOfPair(texel) ? k != 1 && k != 7 : k != 2 && k != 8; }
+
 Moments measure(Samples samples, vec3 boxed[9], bool isMember[9]) {
   // Moments about the pixel's own color: those about 0 cancel badly for bright colors (invariant 37).
   precise vec3 sum = vec3(0.0);
@@ -125,7 +147,7 @@ Moments rounded(Moments nine, Moments five) {
 bool isInShape(int k, ivec2 texel) {
   bool isEven = resolveBlock.state.w % 2 == 0;
   if (kIsVarying) return isInX(k) && k != 4;
-  if (kIsPairs) return isInCross(k) || k % 3 == (texel.x % 2 == 0 ? 2 : 0); // towards the other column (8.7)
+  if (kIsPairs) return isInPair(k, texel);
   if (kIsAlternate) return isEven ? isInCross(k) : isInX(k);
   return kIsSquare || (kNeighborhoodShape == kNeighborhoodShape_x ? isInX(k) : isInCross(k));
 }
@@ -244,9 +266,9 @@ Box boxOf(Moments moments, float gamma) {
 Neighborhood boundNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltered, Moved moved) {
   vec3 boxed[9] = allToBox(samples);
   Moments moments;
-  if (kIsVarying) {
-    Samples taps = varyingTaps(texel, samples, moved);
-    moments = measureNeighborhood(taps, allToBox(taps), texel);
+  if (kIsVarying || kIsPairs) {
+    Samples members = kIsVarying ? varyingTaps(texel, samples, moved) : pairSamples(texel, samples);
+    moments = measureNeighborhood(members, allToBox(members), texel);
   } else {
     moments = measureNeighborhood(samples, boxed, texel);
   }

@@ -180,16 +180,18 @@ TEST_F(BoxTest, IsAPointWhereColorsAreEqual) {
   }
 }
 
-// Catalogue 8.7: samples 2 and 8 of even columns, 0 and 6 of odd ones.
-TEST_F(BoxTest, PairsOfColumnsShareTheirDiagonals) {
+// Catalogue 8.7: columns 2k and 2k + 1 have the same samples, of columns 2k − 1 to 2k + 2.
+TEST_F(BoxTest, PairsOfColumnsHaveTheSameBox) {
   taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
-  for (int x = 0; x < kShape.width; ++x) made.color.at(x, 9)[0] = static_cast<float>(x);
+  for (int y = 0; y < kShape.height; ++y)
+    for (int x = 0; x < kShape.width; ++x) made.color.at(x, y)[0] = static_cast<float>(x);
   Settings settings = linearRgb(RectifyMethod::None, BoxKind::MinMax);
   settings.neighborhood.shape = taa::NeighborhoodShape::Pairs;
   const Exposed all = expose(made, kShape, settings);
-  for (int x = 1; x < kShape.width - 1; ++x) { // above the ramp, and on it
-    EXPECT_EQ(all.at(Id::boxMax).at(x, 8)[0], static_cast<float>(x % 2 == 0 ? x + 1 : x)) << x;
-    EXPECT_EQ(all.at(Id::boxMax).at(x, 9)[0], static_cast<float>(x + 1));
+  for (int x = 2; x < kShape.width - 2; ++x) {
+    const int left = x - x % 2;
+    EXPECT_EQ(all.at(Id::boxMin).at(x, 8)[0], static_cast<float>(left - 1)) << x;
+    EXPECT_EQ(all.at(Id::boxMax).at(x, 8)[0], static_cast<float>(left + 2)) << x;
   }
 }
 

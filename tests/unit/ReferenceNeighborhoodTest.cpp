@@ -119,20 +119,22 @@ TEST(ReferenceNeighborhood, TheCenterIsNoneOfTheTapsThatVary) {
   EXPECT_EQ(n.samples[4], glm::vec3(1.0f));
 }
 
-// Catalogue 8.7.
-TEST(ReferenceNeighborhood, EvenColumnsSeeTheRightDiagonalsAndOddOnesTheLeft) {
-  Inputs inputs = test::constantInputs(4, 3, glm::vec3(0.0f));
-  const float odd[] = {16, 0, 1, 0, 0, 0, 32, 0, 2}, even[] = {1, 0, 16, 0, 0, 0, 2, 0, 32};
-  for (const int column : {1, 2}) {
-    const std::span<const float> grays = column == 1 ? odd : even;
-    for (int k = 0; k < 9; ++k)
-      test::setColor(inputs.color, column - 1 + k % 3, k / 3, glm::vec3(grays[static_cast<std::size_t>(k)]));
-    Settings settings = test::plainSettings();
-    settings.neighborhood.shape = NeighborhoodShape::Pairs;
+// Catalogue 8.7, MiniEngine: both columns of a pair have the same seven.
+TEST(ReferenceNeighborhood, PairsOfColumnsHaveTheSameSeven) {
+  Inputs inputs = test::constantInputs(7, 3, glm::vec3(0.0f));
+  for (int k = 0; k < 21; ++k)
+    test::setColor(inputs.color, k % 7, k / 7,
+                   glm::vec3(static_cast<float>(1 << k % 7), 0.0f, 10.0f * float(k / 7)));
+  Settings settings = test::plainSettings();
+  settings.neighborhood.shape = NeighborhoodShape::Pairs;
+  settings.neighborhood.box = BoxKind::MinMax;
+  settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
+  for (const int column : {2, 3}) {
     const Neighborhood n = measureNeighborhood(inputs, settings, glm::vec3(0.0f), {column, 1});
-    EXPECT_EQ(n.max.x, 32.0f);
-    EXPECT_FLOAT_EQ(n.mean.x, 48.0f / 7.0f); // neither 1 nor 2
-    EXPECT_EQ(n.min.x, 0.0f);
+    EXPECT_EQ(n.boxMin.x, 2.0f) << "columns 1 to 4";
+    EXPECT_EQ(n.boxMax.x, 16.0f);
+    EXPECT_FLOAT_EQ(n.mean.x, (2 + 8 + 4 + 8 + 16 + 2 + 8) / 7.0f);
+    EXPECT_FLOAT_EQ(n.mean.z, 10.0f) << "two above, three level, two below";
   }
 }
 

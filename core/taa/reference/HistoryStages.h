@@ -14,6 +14,11 @@
 namespace taa::reference {
 
 /// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
+/// A color that the box is made from.
+struct Member {
+  glm::vec3 color{0.0f};    ///< scene-linear
+  std::size_t distance = 0; ///< steps from the center along the axes that it weighs as, 0 to 2
+};
 struct Neighborhood {
   glm::vec3 mean{0.0f};
   glm::vec3 deviation{0.0f};
@@ -24,8 +29,8 @@ struct Neighborhood {
   glm::vec3 boxMax{0.0f};
   std::array<glm::vec3, 9> samples{}; ///< in box space, row-major
   std::array<glm::vec3, 9> colors{};  ///< the same, scene-linear
-  std::array<glm::vec3, 4> taps{};    ///< of the shape that varies, in box space, row-major
-  float tapReach = 0.0f;              ///< how far they lie from the center along both axes, px
+  std::vector<Member> members;        ///< of the shape, in the order they are summed
+  float tapReach = 0.0f;              ///< how far taps that vary lie from the center along both axes, px
 };
 /// What the box may depend on besides this frame's colors.
 struct Moved {

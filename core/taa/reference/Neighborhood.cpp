@@ -11,21 +11,18 @@ namespace taa::reference {
 namespace {
 
 /// Samples whose bounds are taken.
-enum class Set { Square, Cross, X, RightPair, LeftPair };
+enum class Set { Square, Cross, X };
 
 bool belongs(Set set, int dx, int dy) {
   const bool isCross = std::abs(dx) + std::abs(dy) <= 1;
   if (set == Set::Cross) return isCross;
-  if (set == Set::RightPair) return isCross || dx == 1;
-  if (set == Set::LeftPair) return isCross || dx == -1;
   return set == Set::Square || std::abs(dx) == std::abs(dy);
 }
 
-Set setOf(NeighborhoodShape shape, int frame, int column) {
+Set setOf(NeighborhoodShape shape, int frame) {
   if (shape == NeighborhoodShape::X) return Set::X;
   if (shape == NeighborhoodShape::Cross) return Set::Cross;
   if (shape == NeighborhoodShape::Alternate) return frame % 2 == 0 ? Set::Cross : Set::X;
-  if (shape == NeighborhoodShape::Pairs) return column % 2 == 0 ? Set::RightPair : Set::LeftPair;
   return Set::Square;
 }
 
@@ -48,12 +45,6 @@ glm::vec3 sampleOf(const Inputs& inputs, const Settings& settings, const glm::iv
   return tapAt(inputs, pixel, inputs.jitterPx);
 }
 
-/// A color that the box holds, scene-linear, and its steps from the center along the axes: 0 to 2.
-struct Member {
-  glm::vec3 color{0.0f};
-  std::size_t distance = 0;
-};
-
 std::vector<Member> membersOf(const Inputs& inputs, const Settings& settings, Set set,
                               const glm::ivec2& pixel) {
   std::vector<Member> members;
@@ -63,6 +54,18 @@ std::vector<Member> membersOf(const Inputs& inputs, const Settings& settings, Se
         members.push_back({sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy)),
                            static_cast<std::size_t>(std::abs(dx) + std::abs(dy))});
   return members;
+}
+
+/// Seven samples for both of columns 2k and 2k + 1 (catalogue 8.7): the left one, its diagonals, and the two
+/// to the right of it. What is not next to the pixel weighs as a neighbor that is none of them.
+std::vector<Member> pairMembers(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+  const bool isLeft = pixel.x % 2 == 0;
+  const auto at = [&](int dx, int dy, std::size_t distance) {
+    return Member{sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy)), distance};
+  };
+  if (isLeft)
+    return {at(-1, -1, 2), at(1, -1, 2), at(2, 0, 1), at(0, 0, 0), at(1, 0, 1), at(-1, 1, 2), at(1, 1, 2)};
+  return {at(-2, -1, 2), at(0, -1, 1), at(-1, 0, 1), at(0, 0, 0), at(1, 0, 1), at(-2, 1, 2), at(0, 1, 1)};
 }
 
 /// κ of catalogue 8.5, px.
@@ -116,22 +119,21 @@ void measureMembers(const std::vector<Member>& members, const Settings& settings
   for (int i = 0; i < 3; ++i) result.deviation[i] = std::sqrt(variance[i] > 0.0f ? variance[i] : 0.0f);
 }
 
-void measureTaps(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel, const Moved& moved,
-                 Neighborhood& result) {
-  result.tapReach = tapReach(moved);
-  const std::vector<Member> taps = tapsAround(inputs, settings, pixel, result.tapReach);
-  for (std::size_t k = 0; k < taps.size(); ++k) result.taps[k] = toBox(taps[k].color, settings.space);
-  measureMembers(taps, settings, result.samples[4], result);
+std::vector<Member> membersOfShape(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                                   float reach) {
+  const NeighborhoodShape shape = settings.neighborhood.shape;
+  if (shape == NeighborhoodShape::Varying) return tapsAround(inputs, settings, pixel, reach);
+  if (shape == NeighborhoodShape::Pairs) return pairMembers(inputs, settings, pixel);
+  return membersOf(inputs, settings, setOf(shape, inputs.frame), pixel);
 }
 
 void measureSamples(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
                     const Moved& moved, Neighborhood& result) {
-  const NeighborhoodShape shape = settings.neighborhood.shape;
   const glm::vec3 center = result.samples[4];
-  if (shape == NeighborhoodShape::Varying) return measureTaps(inputs, settings, pixel, moved, result);
-  const Set set = setOf(shape, inputs.frame, pixel.x);
-  measureMembers(membersOf(inputs, settings, set, pixel), settings, center, result);
-  if (shape != NeighborhoodShape::Rounded) return;
+  result.tapReach = tapReach(moved);
+  result.members = membersOfShape(inputs, settings, pixel, result.tapReach);
+  measureMembers(result.members, settings, center, result);
+  if (settings.neighborhood.shape != NeighborhoodShape::Rounded) return;
   Neighborhood five;
   measureMembers(membersOf(inputs, settings, Set::Cross, pixel), settings, center, five);
   result.mean = 0.5f * (result.mean + five.mean);
