@@ -71,6 +71,16 @@ TEST(ColorSpaceMath, ShowsBoxSpaceAsItIsAndAnotherTurned) {
   expectNear(*rgb.historyRaw, reference::compress({0.9f, 0.2f, 0.1f}, pixel.settings.space.tone));
 }
 
+// The printed way back belongs to the resolve, not to the plot.
+TEST(ColorSpaceMath, CutsNothingOff) {
+  Pixel pixel;
+  pixel.settings.space = {ColorSpace::YCoCgAsPrinted, ToneSpace::Linear};
+  reference::at(pixel.record, IntermediateId::historyRaw) = glm::vec4(4.0f, 2.0f, 1.0f, 0.0f);
+  ASSERT_TRUE(pixel.scene(PlotSpace::Rgb).historyRaw);
+  expectNear(*pixel.scene(PlotSpace::Rgb).historyRaw, {4.0f, 2.0f, 1.0f});
+  expectNear(*pixel.scene(PlotSpace::YCoCg).historyRaw, {2.25f, 1.5f, -0.25f});
+}
+
 TEST(ColorSpaceMath, TheWayLeadsToWhatTheMethodAimsAt) {
   Pixel pixel;
   const reference::Neighborhood& hood = pixel.details.neighborhood;
@@ -130,7 +140,7 @@ TEST(ColorSpaceMath, TheRangeHoldsEverything) {
   WhatIfRow far;
   far.resolved = glm::vec3(9.0f);
   const ColorScene scene = pixel.scene(PlotSpace::Rgb, {far});
-  const ColorRange range = rangeOf(scene);
+  const app::ColorRange range = rangeOf(scene);
   for (const glm::vec3& point : {scene.samples[0], scene.box[7], *scene.historyRaw, scene.variants.at(0)}) {
     const glm::dvec3 unit = range.unit(point);
     for (int axis = 0; axis < 3; ++axis) {
