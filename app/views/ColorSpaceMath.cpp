@@ -51,6 +51,7 @@ std::optional<glm::vec3> targetOf(const reference::Neighborhood& hood, RectifyMe
     return glm::clamp(current, hood.boxMin, hood.boxMax);
   case RectifyMethod::RayToCurrent:
   case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
     return current;
   case RectifyMethod::ShrinkAxes:
     return glm::clamp(hood.mean, hood.boxMin, hood.boxMax);
@@ -59,25 +60,23 @@ std::optional<glm::vec3> targetOf(const reference::Neighborhood& hood, RectifyMe
   }
 }
 
-glm::dvec3 directionOf(int code) {
-  return {code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1};
-}
-
 /// A half space: dot(normal, point) ≤ limit.
 struct Plane {
   glm::dvec3 normal{0.0};
   double limit = 0.0;
 };
 
-std::vector<Plane> planesAround(const std::vector<glm::vec3>& points) {
+/// Both walls of the slabs across `directions`.
+std::vector<Plane> planesAround(const std::vector<glm::vec3>& points,
+                                const std::vector<glm::vec3>& directions) {
   std::vector<Plane> planes;
-  for (int code = 0; code < 27; ++code) {
-    if (code == 13) continue; // no direction
-    const glm::dvec3 normal = directionOf(code);
-    double limit = std::numeric_limits<double>::lowest();
-    for (const glm::vec3& point : points) limit = std::max(limit, glm::dot(normal, glm::dvec3(point)));
-    planes.push_back({normal, limit});
-  }
+  for (const glm::vec3& direction : directions)
+    for (const double sign : {-1.0, 1.0}) {
+      const glm::dvec3 normal = sign * glm::dvec3(direction);
+      double limit = std::numeric_limits<double>::lowest();
+      for (const glm::vec3& point : points) limit = std::max(limit, glm::dot(normal, glm::dvec3(point)));
+      planes.push_back({normal, limit});
+    }
   return planes;
 }
 
@@ -112,6 +111,8 @@ ColorScene colorScene(const reference::PixelRecord& record, const reference::Det
   scene.axes = space == PlotSpace::Rgb ? std::array<std::string, 3>{"R", "G", "B"}
                                        : std::array<std::string, 3>{"Y", "Co", "Cg"};
   for (std::size_t k = 0; k < 9; ++k) scene.samples[k] = plot(hood.samples[k]);
+  if (settings.neighborhood.shape == NeighborhoodShape::Varying)
+    for (const glm::vec3& tap : hood.taps) scene.taps.push_back(plot(tap));
   scene.minMax = plot.box(hood.min, hood.max);
   scene.variance = plot.box(hood.mean - reach, hood.mean + reach);
   scene.box = plot.box(hood.boxMin, hood.boxMax);
@@ -119,10 +120,11 @@ ColorScene colorScene(const reference::PixelRecord& record, const reference::Det
   const glm::vec3 current = boxed(row(Id::currentFiltered));
   scene.current = plot(current);
   scene.resolved = plot(boxed(row(Id::resolved)));
-  if (settings.rectify.method == RectifyMethod::ClipToHull) {
+  const auto slabs = reference::slabDirections(settings.rectify.method, settings.space.color);
+  if (!slabs.empty()) {
     std::vector<glm::vec3> points(hood.samples.begin(), hood.samples.end());
     points.push_back(current);
-    for (const auto& [a, b] : hullEdges(points)) scene.hull.emplace_back(plot(a), plot(b));
+    for (const auto& [a, b] : hullEdges(points, slabs)) scene.hull.emplace_back(plot(a), plot(b));
   }
   if (!details.isFirst) {
     scene.historyRaw = plot(boxed(row(Id::historyRaw)));
@@ -134,8 +136,9 @@ ColorScene colorScene(const reference::PixelRecord& record, const reference::Det
   return scene;
 }
 
-std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points) {
-  const std::vector<Plane> planes = planesAround(points);
+std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
+                               const std::vector<glm::vec3>& directions) {
+  const std::vector<Plane> planes = planesAround(points, directions);
   glm::vec3 low = points.front(), high = low;
   for (const glm::vec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
   const double size = static_cast<double>(glm::length(high - low));
@@ -177,6 +180,7 @@ ColorRange rangeOf(const ColorScene& scene) {
   for (const auto& corners : {scene.minMax, scene.variance, scene.box})
     for (const glm::vec3& corner : corners) add(corner);
   for (const glm::vec3& sample : scene.samples) add(sample);
+  for (const glm::vec3& tap : scene.taps) add(tap);
   for (const Segment& edge : scene.hull) add(edge.first), add(edge.second);
   for (const glm::vec3& variant : scene.variants) add(variant);
   for (const auto& point : {scene.historyRaw, scene.historyRectified, scene.target})

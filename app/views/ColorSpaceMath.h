@@ -27,8 +27,9 @@ using Segment = std::pair<glm::vec3, glm::vec3>;
 struct ColorScene {
   std::array<std::string, 3> axes;
   std::array<glm::vec3, 9> samples{}; ///< row-major, [4] is the pixel's own
+  std::vector<glm::vec3> taps;        ///< that the box is of; empty: it is of samples
   Corners minMax{}, variance{}, box{};
-  std::vector<Segment> hull; ///< edges of the samples' 26-DOP; empty: not the method
+  std::vector<Segment> hull; ///< edges of what slabs around the samples leave; empty: not the method
   glm::vec3 mean{0.0f}, current{0.0f}, resolved{0.0f};
   std::optional<glm::vec3> historyRaw, historyRectified; ///< nothing: no history
   std::optional<glm::vec3> target; ///< where the way into the box leads; nothing: history was not moved
@@ -38,8 +39,9 @@ struct ColorScene {
 ColorScene colorScene(const reference::PixelRecord& record, const reference::Details& details,
                       const Settings& settings, PlotSpace space, const std::vector<WhatIfRow>& variants);
 
-/// Edges of the intersection of the slabs along the 26 directions that hold `points` (catalogue 10.12).
-std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points);
+/// Edges of the intersection of the slabs across `directions` that hold `points` (catalogue 9.7, 10.12).
+std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
+                               const std::vector<glm::vec3>& directions);
 /// The twelve edges of a box, as indices of its corners.
 std::array<std::pair<int, int>, 12> boxEdges();
 

@@ -81,6 +81,8 @@ std::vector<Item> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
                    ColorSpaceView::tr("samples"),
                    colors.text,
                    {scene.samples.begin(), scene.samples.end()}});
+  if (!scene.taps.empty())
+    items.push_back({Shape::Ring, ColorSpaceView::tr("taps"), colors.accent, scene.taps});
   if (scene.historyRaw && scene.historyRectified) {
     Item way{Shape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
     if (*scene.historyRaw != *scene.historyRectified)

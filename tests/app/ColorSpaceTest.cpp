@@ -4,6 +4,7 @@
 #include "core/taa/reference/Color.h"
 
 #include <QTest>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -98,7 +99,8 @@ TEST(ColorSpaceMath, TheHullOfACubeIsItsEdges) {
   for (int i = 0; i < 8; ++i)
     corners.emplace_back(i & 1 ? 1.0f : 0.0f, i & 2 ? 1.0f : 0.0f, i & 4 ? 1.0f : 0.0f);
   std::set<std::array<int, 6>> edges; // of several planes that share an edge, once
-  for (const auto& [a, b] : hullEdges(corners)) {
+  const auto directions = reference::slabDirections(RectifyMethod::ClipToHull, ColorSpace::YCoCg);
+  for (const auto& [a, b] : hullEdges(corners, directions)) {
     const auto whole = [](float x) { return static_cast<int>(std::lround(x)); };
     EXPECT_NEAR(glm::distance(a, b), 1.0f, 1e-4f);
     const bool isOrdered = std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -118,6 +120,36 @@ TEST(ColorSpaceMath, EveryPointOfTheHullIsInsideItsSlabs) {
       EXPECT_GE(point.x, -1e-4f);
       EXPECT_LE(point.x, 0.8f + 1e-4f);
     }
+}
+
+TEST(ColorSpaceMath, TheSolidOfBothBoxesLiesInTheOneAndTheOther) {
+  Pixel pixel;
+  pixel.settings.space = {ColorSpace::YCoCg, ToneSpace::Linear};
+  pixel.settings.rectify.method = RectifyMethod::ClipToBoth;
+  for (const PlotSpace space : {PlotSpace::YCoCg, PlotSpace::Rgb}) {
+    const ColorScene scene = pixel.scene(space);
+    EXPECT_FALSE(scene.hull.empty());
+    glm::vec3 low = scene.current, high = low;
+    for (const glm::vec3& sample : scene.samples) low = glm::min(low, sample), high = glm::max(high, sample);
+    for (const auto& edge : scene.hull)
+      for (const glm::vec3& point : {edge.first, edge.second})
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_GE(point[axis], low[axis] - 1e-4f);
+          EXPECT_LE(point[axis], high[axis] + 1e-4f);
+        }
+    ASSERT_TRUE(scene.target);
+    expectNear(*scene.target, scene.current);
+  }
+}
+
+TEST(ColorSpaceMath, ShowsTheTapsThatTheBoxIsOf) {
+  Pixel pixel;
+  EXPECT_TRUE(pixel.scene(PlotSpace::YCoCg).taps.empty());
+  pixel.settings.neighborhood.shape = NeighborhoodShape::Varying;
+  pixel.details.neighborhood.taps.fill({0.2f, 0.1f, 0.0f});
+  const ColorScene scene = pixel.scene(PlotSpace::YCoCg);
+  ASSERT_EQ(scene.taps.size(), 4u);
+  expectNear(scene.taps[3], {0.2f, 0.1f, 0.0f});
 }
 
 TEST(ColorSpaceMath, ProjectsAlongTheAxesAndKeepsLengths) {
