@@ -58,6 +58,8 @@ void MainWindow::showHistory() {
   PixelHistory history;
   history.settings = session_.settings();
   history.frame = status.info.frame;
+  if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
+    history.jitterWay = status.info.jitterWay;
   for (const int cut : status.cuts)
     if (cut <= history.frame) history.start = cut;
   if (const int active = session_.activePin(); active >= 0) {

@@ -133,7 +133,7 @@ int InspectedShot::frame() const {
 }
 
 FrameInfo InspectedShot::info(int lane) const {
-  return frameInfo(scene(), settings(lane).jitter, frame());
+  return frameInfo(scene(), parts_->subject.request(static_cast<std::size_t>(lane)), frame());
 }
 
 void InspectedShot::seek(int frame, const Progress& progress) {

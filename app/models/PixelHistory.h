@@ -1,10 +1,12 @@
 // α of a pixel over the frames up to the one on show: as the settings say, and as it was measured.
 #pragma once
 
+#include "core/render/JitterWay.h"
 #include "core/settings/Settings.h"
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace taa::app {
@@ -15,7 +17,8 @@ struct PixelHistory {
   int start = 0; ///< where history starts at the latest: the first frame, or the last cut
   /// Of the active probe, oldest first, up to `frame`; empty: not known.
   std::vector<double> measured;
-  QString place; ///< of that probe: "(412, 207)"
+  QString place;                       ///< of that probe: "(412, 207)"
+  std::optional<glm::dvec2> jitterWay; ///< of the frame, where it is known
 
   /// Frames since history started, as many as can still count.
   int length() const;

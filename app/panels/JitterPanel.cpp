@@ -84,7 +84,8 @@ void JitterPanel::refresh() {
   const JitterSettings& jitter = history().settings.jitter;
   const bool isMeasured = !history().measured.empty();
   const std::vector<double> weights = frameWeights(isMeasured ? history().measured : history().nominal());
-  const JitterPattern pattern = jitterPattern(jitter, history().frame, weights);
+  const JitterPattern pattern =
+      jitterPattern(jitter, history().frame, weights, history().jitterWay.value_or(kFirstWay));
   const int current = jitterIndex(jitter, history().frame);
   view_->setPattern(pattern, current);
   showTable(pattern, current);
@@ -102,6 +103,9 @@ void JitterPanel::refresh() {
                .arg(period);
   lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
+  if (jitter.sequence == JitterSequence::Perpendicular)
+    lines << (history().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")
+                                  : tr("The samples are shown as for a camera that moves to the right."));
   setSummary(lines, QLatin1Char('\n'));
 }
 

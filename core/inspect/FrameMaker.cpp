@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "core/gl/PassTimer.h"
+#include "core/render/FrameClock.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -89,7 +90,7 @@ FrameRequest Subject::request(std::size_t lane) const {
 }
 
 bool startsHistory(const Subject& subject, int frame) {
-  return frameInfo(*subject.scene, {}, frame).startsHistory;
+  return taa::startsHistory(*subject.scene, frame);
 }
 
 bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {

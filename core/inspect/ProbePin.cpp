@@ -48,9 +48,11 @@ struct Ray {
   glm::dvec3 origin{0.0}, direction{0.0};
 };
 
-Ray rayThrough(const glm::dvec2& positionPx, const View& view, const glm::ivec2& picturePx) {
+/// `clipFromWorld`: that of the picture `positionPx` is a place in, unjittered or as it was drawn.
+Ray rayThrough(const glm::dvec2& positionPx, const View& view, const glm::mat4& clipFromWorld,
+               const glm::ivec2& picturePx) {
   const glm::dmat4 viewFromWorld(view.block.viewFromWorld);
-  const glm::dmat4 viewFromClip = viewFromWorld * glm::inverse(glm::dmat4(view.block.clipFromWorld));
+  const glm::dmat4 viewFromClip = viewFromWorld * glm::inverse(glm::dmat4(clipFromWorld));
   const glm::dvec2 ndc = ndcOf(positionPx, picturePx);
   const auto at = [&](double depth) { // any two device depths, reversed: 1 is the near plane
     const glm::dvec4 point = viewFromClip * glm::dvec4(ndc, depth, 1.0);
@@ -127,7 +129,7 @@ SurfaceAnchor anchorAt(const Scene& scene, const View& view, const glm::ivec2& p
   const glm::dvec2 middle = glm::dvec2(pixel) + 0.5;
   const DrawnObject object = drawnObject(scene, seen.object);
   if (!object.primitive) {
-    const Ray ray = rayThrough(middle, view, picturePx);
+    const Ray ray = rayThrough(middle, view, view.block.clipFromWorld, picturePx);
     const glm::dmat3 worldFromView = glm::inverse(glm::dmat3(glm::dmat4(view.block.viewFromWorld)));
     return {0, {}, glm::vec3(glm::normalize(worldFromView * ray.direction))};
   }
@@ -135,12 +137,13 @@ SurfaceAnchor anchorAt(const Scene& scene, const View& view, const glm::ivec2& p
   const std::vector<glm::dvec3> positions = viewPositions(scene, view, object);
   // The sample was taken beside the middle, by the jitter: at an edge only that finds the surface.
   const glm::dvec2 scale = glm::dvec2(picturePx) / glm::dvec2(view.block.sizePx);
-  const glm::dvec2 sample = (glm::floor(middle / scale) + 0.5 - glm::dvec2(view.block.jitterPx)) * scale;
+  const Ray sample = rayThrough((glm::floor(middle / scale) + 0.5) * scale, view,
+                                view.block.jitteredClipFromWorld, picturePx);
   std::optional<SurfaceAnchor> anchor;
-  for (const glm::dvec2& position : {middle, sample})
+  for (const Ray& ray : {rayThrough(middle, view, view.block.clipFromWorld, picturePx), sample})
     if (!anchor && object.primitive->topology == Topology::Triangles)
-      anchor = anchorOn(rayThrough(position, view, picturePx), *object.primitive, positions, depth);
-  if (!anchor) anchor = nearestVertex(rayThrough(sample, view, picturePx), positions, depth);
+      anchor = anchorOn(ray, *object.primitive, positions, depth);
+  if (!anchor) anchor = nearestVertex(sample, positions, depth);
   anchor->object = seen.object;
   return *anchor;
 }

@@ -25,6 +25,8 @@ void add(const Image& color, std::vector<double>& sums) {
 FrameRequest referenceRequest(const FrameRequest& request) {
   FrameRequest reference = request;
   reference.jitter = {};
+  // Neither clipped nor with noise: the truth that a pipeline of low dynamic range misses at bright edges is
+  // the mean of colors as they are; metrics clip that mean, as a screen does.
   reference.inputs = {};
   reference.inputs.precision = Precision::Full;
   if (request.inputs.blended != BlendedAs::Mask) reference.inputs.blended = BlendedAs::Before;

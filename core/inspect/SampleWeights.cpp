@@ -21,7 +21,7 @@ reference::Seen calmPixel(const Settings& settings, int frame) {
   seen.boxCurrent = seen.boxHistoryRaw = seen.boxHistory = seen.boxLow = seen.boxHigh = kGray;
   seen.compressedCurrent = seen.compressedHistory = kGray / (1.0f + kGray);
   seen.depth = 1.0f;
-  seen.jitterPx = jitterPx(settings.jitter, frame);
+  seen.jitterPx = jitterPx(settings.jitter, frame); // its length alone matters, whatever way the camera moves
   return seen;
 }
 
@@ -77,13 +77,15 @@ std::vector<double> calmAlphas(const Settings& settings, int frames) {
   return alphas;
 }
 
-JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights) {
+JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights,
+                            const glm::dvec2& way) {
   JitterPattern pattern;
   const int period = jitterPeriod(settings);
   pattern.samples.resize(static_cast<std::size_t>(period));
   // Content is moved by the jitter, so the sample at the pixel's center shows what lies the other way.
   for (int index = 0; index < period; ++index)
-    pattern.samples[static_cast<std::size_t>(index)].position = 0.5 - glm::dvec2(jitterPx(settings, index));
+    pattern.samples[static_cast<std::size_t>(index)].position =
+        0.5 - glm::dvec2(jitterPx(settings, index, way));
   for (std::size_t age = 0; age < weights.size() && static_cast<int>(age) <= frame; ++age) {
     const int index = jitterIndex(settings, frame - static_cast<int>(age));
     pattern.samples[static_cast<std::size_t>(index)].weight += weights[weights.size() - 1 - age];

@@ -2,6 +2,7 @@
 // GL.
 #pragma once
 
+#include "core/render/JitterWay.h"
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>
@@ -40,7 +41,10 @@ struct JitterPattern {
   double effective = 0.0;            ///< samples, places counted once
 };
 
-/// `weights`: of the frames up to `frame`, which is the last; as frameWeights() gives them.
-JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights);
+/// `weights`: of the frames up to `frame`, which is the last; as frameWeights() gives them. `way`: the
+/// camera's in that frame (jitterWay()), which points across it are turned by; those of frames before, which
+/// lay a little otherwise, are shown there too.
+JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights,
+                            const glm::dvec2& way = kFirstWay);
 
 } // namespace taa

@@ -1,5 +1,6 @@
 #include "core/render/CameraMotionPass.h"
 
+#include <cassert>
 #include <string>
 
 namespace taa {
@@ -21,6 +22,11 @@ gl::Program compile(MotionSource source) {
 
 } // namespace
 
+bool isFromDepth(MotionSource source) {
+  return source != MotionSource::Objects && source != MotionSource::ObjectsAsPrinted &&
+         source != MotionSource::CurrentProjectionAsPrinted;
+}
+
 CameraMotionPass::CameraMotionPass() : nearest_(gl::SamplerState{}) {}
 
 CameraMotionPass CameraMotionPass::reloaded() const {
@@ -30,6 +36,7 @@ CameraMotionPass CameraMotionPass::reloaded() const {
 }
 
 void CameraMotionPass::draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out) {
+  assert(isFromDepth(source));
   if (!programs_.contains(source)) programs_.emplace(source, compile(source));
   const gl::Framebuffer target({{&out.motion}, {&out.previousDepth}}, nullptr, "camera motion");
   gl::RenderPass pass(target, {}, "CameraMotionPass");

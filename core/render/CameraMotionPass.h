@@ -10,11 +10,14 @@
 
 namespace taa {
 
+/// Whether motion is that of the camera alone, which this pass draws; else objects write theirs.
+bool isFromDepth(MotionSource source);
+
 class CameraMotionPass {
  public:
   CameraMotionPass();
   /// From `out.depth` into `out.motion` and `out.previousDepth`. `frame` holds the view's block. Expects
-  /// another source than Objects; throws Error when its program does not compile.
+  /// a source that isFromDepth(); throws Error when its program does not compile.
   void draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out);
   /// One with the programs of this one, compiled again.
   CameraMotionPass reloaded() const;

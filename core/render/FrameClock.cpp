@@ -20,14 +20,16 @@ int previousFrame(const Scene& scene, int frame) {
   return startsHistory(scene, frame) ? frame : frame - 1;
 }
 
-FrameInfo frameInfo(const Scene& scene, const JitterSettings& jitter, int frame) {
+FrameInfo frameInfo(const Scene& scene, const FrameRequest& request, int frame) {
   assert(frame >= 0);
+  const JitterSettings& jitter = request.jitter;
   FrameInfo info;
   info.frame = frame;
   info.time = frameTime(scene, frame);
   info.stepSeconds = 1.0 / scene.shot.framesPerSecond;
   info.jitterIndex = jitterIndex(jitter, frame);
-  info.jitterPx = jitterPx(jitter, frame);
+  if (jitter.sequence == JitterSequence::Perpendicular) info.jitterWay = jitterWay(scene, request, frame);
+  info.jitterPx = request.jitterPx.value_or(jitterPx(jitter, frame, info.jitterWay));
   info.startsHistory = startsHistory(scene, frame);
   return info;
 }

@@ -21,6 +21,7 @@ struct FrameInfo {
   glm::vec2 jitterPx{0.0f};        ///< displacement of image content, x right, y down, |j| ≤ ½
   bool startsHistory = false;      ///< first frame or cut: no history may be used
   double stepSeconds = 1.0 / 60.0; ///< from frame to frame
+  glm::dvec2 jitterWay{1.0, 0.0};  ///< jitterWay() of the frame where the jitter lies across it
 };
 
 /// All textures have the same size, row 0 at the top; pixels are theirs, not those of the picture.

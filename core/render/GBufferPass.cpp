@@ -28,17 +28,21 @@ constexpr float kFarthest = std::numeric_limits<float>::max();
 
 /// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
 /// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
-/// width of points and lines.
-std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx) {
+/// width of points and lines; `jitter` is FrameBlock::printedJitter, which may move near or far things by
+/// more.
+std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx,
+                                   const glm::vec4& jitter) {
   if (box.isEmpty()) return kFarthest;
   constexpr float marginPx = 3.0f;
   const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
   std::array<int, 5> outside{};
   float farthest = std::numeric_limits<float>::lowest();
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec4 clip =
+    glm::vec4 clip =
         clipFromModel * glm::vec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
                                   corner & 4 ? box.max.z : box.min.z, 1.0f);
+    clip.x += jitter.x * clip.w + jitter.z * clip.z;
+    clip.y += jitter.y * clip.w + jitter.w * clip.z;
     outside[0] += clip.x > limit.x * clip.w;
     outside[1] += clip.x < -limit.x * clip.w;
     outside[2] += clip.y > limit.y * clip.w;
@@ -124,11 +128,12 @@ gl::Program GBufferPass::compile(const Variant& variant) const {
                               line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
                               flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
                               flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
-                              flag("kBlended", variant.blended) + line("kMask", variant.mask);
-  const std::string deform = line("kInfluenceSets", variant.influenceSets) +
-                             flag("kMorphed", variant.morphed) + flag("kCached", variant.cached) +
-                             flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
-                             flag("kMovingUv", variant.movingUv);
+                              flag("kBlended", variant.blended) + line("kMask", variant.mask) +
+                              flag("kPrintedMotion", variant.printedMotion);
+  const std::string deform =
+      line("kInfluenceSets", variant.influenceSets) + flag("kMorphed", variant.morphed) +
+      flag("kCached", variant.cached) + flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
+      flag("kPrintedJitter", variant.printedJitter) + flag("kMovingUv", variant.movingUv);
   return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
           "GBufferPass"};
 }
@@ -163,7 +168,7 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   const glm::mat4 world =
       isSkinned ? glm::mat4(1.0f) : view.pose.worldFromNode[static_cast<std::size_t>(item.node)];
   const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
-  const bool isFollowed = mode == MotionMode::PerObject;
+  const bool isFollowed = mode == MotionMode::PerObject && !item.variant.printedMotion;
   const glm::mat4 previousWorld =
       isSkinned || !isFollowed ? world : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
   shared::DrawBlock block{};
@@ -226,7 +231,9 @@ void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
     std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
     ++counts_.objects;
-    const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx);
+    const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
+    const auto distance =
+        farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx, jitter);
     if (culls && !distance) continue;
     ++counts_.drawn;
     counts_.triangles += primitive.indices.size() / 3;
@@ -259,7 +266,8 @@ void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
          static_cast<int>(2 * variants.size() + 1));
 }
 
-void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const Progress& warmUp) {
+void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const View& view,
+                        const Progress& warmUp) {
   std::set<Variant> missing;
   for (Item& item : items_) {
     const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
@@ -274,6 +282,10 @@ void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const
     variant.mask = settings.mask == MaskSource::None || variant.steady       ? 0
                    : settings.mask == MaskSource::Opacity && variant.blended ? 2
                                                                              : 1;
+    variant.printedJitter = view.projection != JitterProjection::Translation && !variant.steady;
+    // What is forced to have no motion has none in any form.
+    variant.printedMotion = settings.motion == MotionSource::ObjectsAsPrinted &&
+                            view.nodes[static_cast<std::size_t>(item.node)].mode != MotionMode::None;
     if (!programs_.contains(variant)) missing.insert(variant);
   }
   for (const Variant& variant : missing) {
@@ -286,7 +298,7 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
                        const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
                        const Progress& warmUp) {
   if (items_.empty()) return;
-  apply(settings, scene, warmUp);
+  apply(settings, scene, view, warmUp);
   prepareDeformation(scene, view);
   prepare(scene, view, culls_ && !warmUp);
   if (warmUp) keepOneOfEach();

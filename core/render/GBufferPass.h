@@ -60,6 +60,7 @@ class GBufferPass {
     bool movingUv = false;
     bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
     bool blended = false, steady = false;                      ///< likewise; steady: without jitter
+    bool printedJitter = false, printedMotion = false;         ///< likewise: forms as printed
     int mask = 0;                                              ///< kMask of shaders/scene/mesh.frag
     // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
     auto operator<=>(const Variant&) const = default;
@@ -74,7 +75,7 @@ class GBufferPass {
   static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
   gl::Program compile(const Variant& variant) const;
   /// Sets what the settings ask for in every item's variant and compiles what is new.
-  void apply(const InputSettings& settings, const Scene& scene, const Progress& warmUp);
+  void apply(const InputSettings& settings, const Scene& scene, const View& view, const Progress& warmUp);
   /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
   struct Visible {
     bool masked = false;

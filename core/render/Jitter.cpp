@@ -76,21 +76,53 @@ int jitterIndex(const JitterSettings& settings, int frame) {
   return frame % jitterPeriod(settings);
 }
 
-glm::vec2 jitterPx(const JitterSettings& settings, int frame) {
+glm::vec2 jitterPx(const JitterSettings& settings, int frame, const glm::dvec2& way) {
   const int index = settings.firstIndex + jitterIndex(settings, frame);
   const std::span<const glm::vec2> points = pointsOf(settings.sequence);
-  if (!points.empty()) return settings.scale * points[static_cast<std::size_t>(index) % points.size()];
+  if (!points.empty()) {
+    const glm::vec2 point = points[static_cast<std::size_t>(index) % points.size()];
+    if (settings.sequence != JitterSequence::Perpendicular) return settings.scale * point;
+    // + 0: no −0 in files and tables.
+    return settings.scale * glm::vec2(double(point.y) * glm::dvec2(-way.y, way.x) + 0.0);
+  }
   return settings.scale * (glm::vec2(sequencePoint(settings, index)) - 0.5f);
 }
 
-glm::mat4 jittered(const glm::mat4& clipFromView, glm::vec2 jitterPx, glm::vec2 sizePx) {
+glm::mat4 jittered(const glm::mat4& clipFromView, glm::vec2 jitterPx, glm::vec2 sizePx,
+                   JitterProjection projection) {
   const glm::vec2 offset = glm::vec2(2.0f, -2.0f) * (jitterPx / sizePx); // NDC, y up
+  const glm::vec2 slope(clipFromView[0][0], clipFromView[1][1]);
+  const bool isOrthographic = clipFromView[2][3] == 0.0f;
   glm::mat4 result = clipFromView;
-  for (int column = 0; column < 4; ++column) {
-    result[column][0] += offset.x * clipFromView[column][3];
-    result[column][1] += offset.y * clipFromView[column][3];
+  const auto add = [&](int column, const glm::vec2& value) {
+    result[column][0] += value.x;
+    result[column][1] += value.y;
+  };
+  switch (projection) {
+  case JitterProjection::Translation:
+    for (int column = 0; column < 4; ++column) add(column, offset * clipFromView[column][3]);
+    break;
+  case JitterProjection::AddedAsPrinted: // right for w = z
+    add(isOrthographic ? 3 : 2, offset);
+    break;
+  case JitterProjection::ColumnAsPrinted: // Bevy takes half of the slope where there is no perspective
+    add(2, isOrthographic ? -0.5f * slope * offset : -offset);
+    break;
+  case JitterProjection::RightAsPrinted:
+    add(3, slope * offset);
+    break;
   }
   return result;
+}
+
+glm::vec4 addedInClip(const glm::mat4& clipFromView, const glm::mat4& jittered) {
+  // Of view z and of 1, which clip z and w are made of: two equations for the two factors.
+  const glm::dmat4 plain(clipFromView), added = glm::dmat4(jittered) - plain;
+  const double determinant = plain[2][3] * plain[3][2] - plain[3][3] * plain[2][2];
+  const glm::dvec2 ofZ(added[2]), ofOne(added[3]);
+  const glm::dvec2 timesW = (ofZ * plain[3][2] - ofOne * plain[2][2]) / determinant;
+  const glm::dvec2 timesZ = (ofOne * plain[2][3] - ofZ * plain[3][3]) / determinant;
+  return glm::vec4(timesW, timesZ);
 }
 
 } // namespace taa

@@ -1,10 +1,12 @@
-// The jitter pattern: a pure function of settings and frame index.
+// The jitter pattern: a pure function of settings, frame index and the way the camera moves.
 #pragma once
 
+#include "core/render/JitterWay.h"
 #include "core/settings/Settings.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 namespace taa {
 
@@ -22,10 +24,16 @@ int jitterIndex(const JitterSettings& settings, int frame);
 
 /// Displacement of image content in px (x right, y down), scaled: catalogue §2.2, J0 to J16.
 /// The catalogue's y is up; here y is down, and a pattern's second component is used as y down.
-glm::vec2 jitterPx(const JitterSettings& settings, int frame);
+/// `way` matters for points across the camera's motion alone: jitterWay() of the frame.
+glm::vec2 jitterPx(const JitterSettings& settings, int frame, const glm::dvec2& way = kFirstWay);
 
 /// T(2jx/W, −2jy/H) · clipFromView: the same displacement at every depth, perspective and orthographic
-/// (§2.1).
-glm::mat4 jittered(const glm::mat4& clipFromView, glm::vec2 jitterPx, glm::vec2 sizePx);
+/// (§2.1). Or what sources print instead of it.
+glm::mat4 jittered(const glm::mat4& clipFromView, glm::vec2 jitterPx, glm::vec2 sizePx,
+                   JitterProjection projection = JitterProjection::Translation);
+
+/// What `jittered` adds to x and y in clip space: xy times w and zw times z, which each projection can be
+/// written as. Expects nothing but x and y to differ.
+glm::vec4 addedInClip(const glm::mat4& clipFromView, const glm::mat4& jittered);
 
 } // namespace taa

@@ -29,6 +29,8 @@ constexpr glm::vec2 kPentagram[] = {{0.0f, 0.2628656f},
                                     {-0.25f, 0.0812299f},
                                     {0.25f, 0.0812299f},
                                     {-0.1545085f, -0.2126627f}};
+// J10, before it is turned across the camera's way.
+constexpr glm::vec2 kPerpendicular[] = {{0.0f, -0.25f}, {0.0f, 0.25f}};
 // J14: D3D's standard pattern in sixteenths.
 constexpr glm::vec2 kMsaa8[] = {{0.0625f, -0.1875f},  {-0.0625f, 0.1875f}, {0.3125f, 0.0625f},
                                 {-0.1875f, -0.3125f}, {-0.3125f, 0.3125f}, {-0.4375f, -0.0625f},
@@ -65,12 +67,13 @@ std::span<const glm::vec2> pointsOf(JitterSequence sequence) {
     return kPoisson10;
   case JitterSequence::Pentagram:
     return kPentagram;
+  case JitterSequence::Perpendicular:
+    return kPerpendicular;
   case JitterSequence::Msaa8:
     return kMsaa8;
   case JitterSequence::BlueNoise16:
     return kBlueNoise16;
   case JitterSequence::Halton:
-  case JitterSequence::Perpendicular:
   case JitterSequence::R2:
   case JitterSequence::Hammersley:
   case JitterSequence::GradientNoise:

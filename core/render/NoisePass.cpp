@@ -8,33 +8,37 @@
 
 namespace taa {
 
-namespace {
+bool NoisePass::isNeeded(const InputSettings& settings) {
+  return settings.noise != InputNoise::None || settings.range == ColorRange::Ldr;
+}
 
-gl::Program compile(InputNoise noise, bool isTriangular) {
+gl::Program NoisePass::compile(const Variant& variant) {
   const auto constant = [](const char* name, InputNoise value) {
     return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
   };
-  const std::string prelude = constant("kNoise", noise) + constant("kBlueNoise", InputNoise::Blue) +
-                              "const bool kTriangular = " + (isTriangular ? "true" : "false") + ";\n";
+  const auto flag = [](const char* name, bool value) {
+    return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
+  };
+  const std::string prelude = constant("kNoise", variant.noise) + constant("kNoNoise", InputNoise::None) +
+                              constant("kBlueNoise", InputNoise::Blue) +
+                              flag("kTriangular", variant.isTriangular) + flag("kClipped", variant.isClipped);
   return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/noise.frag", prelude),
           "NoisePass"};
 }
-
-} // namespace
 
 NoisePass::NoisePass() : block_(sizeof(shared::NoiseBlock), nullptr, "noise"), nearest_(gl::SamplerState{}) {}
 
 NoisePass NoisePass::reloaded() const {
   NoisePass pass;
-  for (const auto& [variant, program] : programs_)
-    pass.programs_.emplace(variant, compile(variant.first, variant.second));
+  for (const auto& [variant, program] : programs_) pass.programs_.emplace(variant, compile(variant));
   return pass;
 }
 
 void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out) {
-  assert(settings.noise != InputNoise::None);
-  const Variant variant(settings.noise, settings.noiseTriangular == Switch::On);
-  if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant.first, variant.second));
+  assert(isNeeded(settings));
+  const Variant variant{settings.noise, settings.noiseTriangular == Switch::On,
+                        settings.range == ColorRange::Ldr};
+  if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
   if (!tile_) {
     tile_ = gl::Texture({kNoiseTileSize, kNoiseTileSize}, gl::Format::R32F, "blue noise");
     tile_.upload(blueNoiseTile());

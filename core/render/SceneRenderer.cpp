@@ -68,7 +68,7 @@ std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& pictureP
 std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
   const std::size_t color = gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
-  return (settings.noise != InputNoise::None ? color : 0) +
+  return (NoisePass::isNeeded(settings) ? color : 0) +
          (settings.mask == MaskSource::AutoReactive ? color : 0);
 }
 
@@ -142,8 +142,8 @@ void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameIn
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
   drawBlended(request.inputs, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask);
-  if (request.inputs.motion != MotionSource::Objects) cameraMotion.draw(request.inputs.motion, frame, out);
-  if (request.inputs.noise != InputNoise::None) noise.draw(request.inputs, frame, out);
+  if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out);
+  if (NoisePass::isNeeded(request.inputs)) noise.draw(request.inputs, frame, out);
 }
 
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {

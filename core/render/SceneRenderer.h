@@ -76,6 +76,6 @@ class SceneRenderer {
 };
 
 /// Number, time, jitter and cut of a frame: all that can be known without drawing.
-FrameInfo frameInfo(const Scene& scene, const JitterSettings& jitter, int frame);
+FrameInfo frameInfo(const Scene& scene, const FrameRequest& request, int frame);
 
 } // namespace taa

@@ -32,8 +32,8 @@ glm::mat4 previousClipFromClip(const CameraState& camera, const CameraState& pre
 }
 
 void fillCameras(const CameraState& camera, const CameraState& previous, glm::vec2 sizePx, glm::vec2 jitter,
-                 shared::FrameBlock& block) {
-  const glm::mat4 jitteredClipFromView = jittered(camera.clipFromView, jitter, sizePx);
+                 JitterProjection projection, shared::FrameBlock& block) {
+  const glm::mat4 jitteredClipFromView = jittered(camera.clipFromView, jitter, sizePx, projection);
   block.clipFromWorld = camera.clipFromView * camera.viewFromWorld;
   block.jitteredClipFromWorld = jitteredClipFromView * camera.viewFromWorld;
   // In double, because what is reconstructed from depth is compared at a thousandth of a pixel.
@@ -45,6 +45,7 @@ void fillCameras(const CameraState& camera, const CameraState& previous, glm::ve
   block.previousClipFromClip = previousClipFromClip(camera, previous);
   block.sizePx = sizePx;
   block.jitterPx = jitter;
+  block.printedJitter = addedInClip(camera.clipFromView, jitteredClipFromView);
   block.cameraPosition = glm::affineInverse(camera.viewFromWorld)[3];
   block.cameraPosition.w = camera.orthographic ? 1.0f : 0.0f;
   const glm::mat4& p = camera.clipFromView;
@@ -61,24 +62,28 @@ glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale) {
   return {scaled(picturePx.x), scaled(picturePx.y)};
 }
 
+CameraState cameraOf(const Scene& scene, const FrameRequest& request, int frame) {
+  const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
+  if (request.track) return cameraAt(scene, request.track->at(frame), aspect);
+  return cameraAt(scene, request.camera, frameTime(scene, frame), aspect);
+}
+
 View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   View view;
-  view.info = frameInfo(scene, request.jitter, frame);
-  if (request.jitterPx) view.info.jitterPx = *request.jitterPx;
+  view.info = frameInfo(scene, request, frame);
+  view.projection = request.jitter.projection;
   const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
-  const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const double time = frameTime(scene, frame);
   const int previous = previousFrame(scene, frame);
   const double previousTime = frameTime(scene, previous);
   view.pose = poseAt(scene, time);
   view.previousPose = poseAt(scene, previousTime);
-  const bool flies = request.track != nullptr;
-  fillCameras(flies ? cameraAt(scene, request.track->at(frame), aspect)
-                    : cameraAt(scene, request.camera, time, aspect),
-              flies ? cameraAt(scene, request.track->at(previous), aspect)
-                    : cameraAt(scene, request.camera, previousTime, aspect),
-              sizePx, view.info.jitterPx, view.block);
-  view.block.previousJitter = glm::vec4(jitterPx(request.jitter, previous), 0.0f, 0.0f);
+  const CameraState camera = cameraOf(scene, request, frame);
+  CameraState previousCamera = cameraOf(scene, request, previous);
+  if (request.inputs.motion == MotionSource::CurrentProjectionAsPrinted)
+    previousCamera.clipFromView = camera.clipFromView; // §26, D16
+  fillCameras(camera, previousCamera, sizePx, view.info.jitterPx, view.projection, view.block);
+  view.block.previousJitter = glm::vec4(frameInfo(scene, request, previous).jitterPx, 0.0f, 0.0f);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);

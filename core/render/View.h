@@ -3,6 +3,7 @@
 
 #include "core/render/FrameInputs.h"
 #include "core/scene/Pose.h"
+#include "core/settings/Settings.h"
 #include "shaders/shared/LightBlock.h"
 
 namespace taa {
@@ -15,9 +16,13 @@ struct View {
   shared::FrameBlock block{}; ///< of this frame and, where it says so, of the previous one
   shared::LightBlock lights{};
   std::vector<NodeState> nodes; ///< as Scene::nodes
+  JitterProjection projection = JitterProjection::Translation;
 };
 
-/// Throws Error when the scene has no camera path of the request's name.
+/// The camera a request looks through, flown or the scene's. Throws Error when there is none of its name.
+CameraState cameraOf(const Scene& scene, const FrameRequest& request, int frame);
+
+/// Throws Error as cameraOf() does.
 View viewAt(const Scene& scene, const FrameRequest& request, int frame);
 
 } // namespace taa

@@ -20,6 +20,13 @@ vec2 motionFromClip(vec3 clip, vec3 previousClip) {
   return checkedMotion(motionPx, previousClip.z);
 }
 
+/// As printed in source 001's listing of meshes (§26, D6): the current position is not divided by its w.
+vec2 printedMotion(vec3 clip, vec3 previousClip) {
+  precise vec2 previousNdc = previousClip.xy * (1.0 / previousClip.z);
+  precise vec2 motionPx = (clip.xy - previousNdc) * (vec2(0.5, -0.5) * frame.sizePx);
+  return checkedMotion(motionPx, previousClip.z);
+}
+
 /// Normalized device coordinates (y up) of a window position.
 vec2 ndcOf(vec2 windowPx) { return vec2(2.0, -2.0) * (windowPx / frame.sizePx) + vec2(-1.0, 1.0); }
 

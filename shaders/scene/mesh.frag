@@ -1,7 +1,7 @@
 // Shades a surface and writes all inputs of the resolve. Specialised by kTextures (bit s: the material has a
 // texture in slot s), kMasked (discards where alpha is below the cutoff, or, kDithered, below a pattern), kBlended
 // (premultiplies), kMask (0: none is drawn, 1: the material's, 2: and opacity), kLit, kBiased and kUnjittered (how
-// textures are read), and the scene's numbers of lights:
+// textures are read), kPrintedMotion, and the scene's numbers of lights:
 // llvmpipe runs both sides of a branch, samples at full cost and reads blocks slowly by a variable index.
 #include "include/brdf.glsl"
 #include "include/motion.glsl"
@@ -137,7 +137,7 @@ void main() {
     o_color = vec4(o_color.rgb * opacity, opacity);
   }
   if (kMask > 0) o_mask = vec2(kMask == 2 ? min(baseColor.a, 1.0) : 0.0, draw.drawTerms.z);
-  o_motion = motionFromClip(v_clip, v_previousClip);
+  o_motion = kPrintedMotion ? printedMotion(v_clip, v_previousClip) : motionFromClip(v_clip, v_previousClip);
   o_normal = vec4(normal, draw.drawTerms.w);
   o_objectId = uint(draw.drawTerms.x + 0.5);
   o_previousDepth = v_previousDepthView > 0.0 ? v_previousDepthView : 0.0;

@@ -1,5 +1,5 @@
 // A vertex, in this frame and in the previous one. Besides by what deforms it (scene/deform.glsl), specialised by
-// kSteady (drawn without jitter) and kMovingUv.
+// kSteady (drawn without jitter), kPrintedJitter (another projection than the translation) and kMovingUv.
 #include "shared/DrawBlock.h"
 #include "shared/FrameBlock.h"
 #include "shared/MaterialBlock.h"
@@ -42,6 +42,7 @@ void main() {
 
   // The jitter of T(2jx/W, −2jy/H)·P; z and w stay as they are.
   vec2 jitterNdc = kSteady ? vec2(0.0) : vec2(2.0, -2.0) * (frame.jitterPx / frame.sizePx);
-  gl_Position = vec4(clip.xy + jitterNdc * clip.w, clip.zw);
+  vec2 shift = kPrintedJitter ? frame.printedJitter.xy * clip.w + frame.printedJitter.zw * clip.z : jitterNdc * clip.w;
+  gl_Position = vec4(clip.xy + shift, clip.zw);
   gl_PointSize = 3.0; // glTF says nothing of it; one pixel is hard to see
 }

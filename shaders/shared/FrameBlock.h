@@ -14,7 +14,7 @@ struct FrameBlock {
 layout(std140, binding = 2) uniform FrameBlock {
 #endif
   mat4 clipFromWorld;         // unjittered
-  mat4 jitteredClipFromWorld; // T(2jx/W, −2jy/H) · clipFromWorld
+  mat4 jitteredClipFromWorld; // T(2jx/W, −2jy/H) · clipFromWorld, or as jitter.projection says
   mat4 worldFromJitteredClip; // its inverse
   mat4 viewFromWorld;
   mat4 previousClipFromWorld; // unjittered, of the previous frame
@@ -32,6 +32,7 @@ layout(std140, binding = 2) uniform FrameBlock {
   vec4 storage;      // x: 1 when color and motion are kept as 16-bit floats; yzw unused
   vec4 textures;     // x: bias of the level of detail, y: 2 to its power, z: frame modulo 16; w unused
   vec4 previousJitter; // xy: jitterPx of the previous frame; zw unused
+  vec4 printedJitter; // added to clip x and y by another projection than the translation: xy of w and zw of z
 #ifdef __cplusplus
 };
 } // namespace taa::shared

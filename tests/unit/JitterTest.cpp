@@ -87,9 +87,10 @@ TEST(Jitter, HasAPeriodOfItsOwnWhereItIsAListOfPoints) {
 // Invariant 3: these points are binary fractions, so that their sums are exact.
 TEST(Jitter, SumsToZeroWhereThePatternIsSymmetric) {
   for (const JitterSequence sequence :
-       {JitterSequence::Uniform2, JitterSequence::Uniform4, JitterSequence::Helix,
-        JitterSequence::DoubleHelix, JitterSequence::Butterfly, JitterSequence::RotatedGrid,
-        JitterSequence::Poisson10, JitterSequence::Msaa8, JitterSequence::BlueNoise16}) {
+       {JitterSequence::Uniform2, JitterSequence::Uniform4, JitterSequence::Perpendicular,
+        JitterSequence::Helix, JitterSequence::DoubleHelix, JitterSequence::Butterfly,
+        JitterSequence::RotatedGrid, JitterSequence::Poisson10, JitterSequence::Msaa8,
+        JitterSequence::BlueNoise16}) {
     const JitterSettings settings{sequence, 16, 1, 1.0f};
     glm::vec2 sum(0.0f);
     for (int frame = 0; frame < jitterPeriod(settings); ++frame) sum += jitterPx(settings, frame);
@@ -174,6 +175,19 @@ TEST(Jitter, RepeatsAfterThePeriod) {
   EXPECT_NE(jitterPx(settings, 0), jitterPx(settings, 1));
 }
 
+// Two points, turned with the way: index 0 to its left.
+TEST(Jitter, LiesAcrossTheWayThatItIsGiven) {
+  const JitterSettings settings{JitterSequence::Perpendicular, 16, 0, 1.0f};
+  EXPECT_EQ(jitterPeriod(settings), 2);
+  EXPECT_EQ(jitterPx(settings, 0), glm::vec2(0.0f, -0.25f));
+  EXPECT_EQ(jitterPx(settings, 1), glm::vec2(0.0f, 0.25f));
+  EXPECT_EQ(jitterPx(settings, 0, {0.0, -1.0}), glm::vec2(-0.25f, 0.0f)); // up, so to the left
+  EXPECT_EQ(jitterPx(settings, 3, {0.0, -1.0}), glm::vec2(0.25f, 0.0f));
+  EXPECT_EQ(jitterPx(settings, 0, {0.6, 0.8}), glm::vec2(0.2f, -0.15f));
+  EXPECT_EQ(jitterPx({JitterSequence::Perpendicular, 16, 1, 0.5f}, 0, {0.6, 0.8}), glm::vec2(-0.1f, 0.075f));
+  EXPECT_EQ(jitterPx({JitterSequence::Halton, 16, 1, 1.0f}, 3, {0.0, 1.0}), jitterPx(halton(16), 3));
+}
+
 TEST(Jitter, IsNothingWithoutASequence) {
   const JitterSettings none{JitterSequence::None, 16, 1, 1.0f};
   EXPECT_EQ(jitterPx(none, 3), glm::vec2(0.0f));
@@ -205,14 +219,74 @@ TEST(Jitter, MovesContentTheSameWayAtEveryDepth) {
     }
 }
 
-TEST(Jitter, DoesNotTouchDepth) {
-  for (const glm::mat4& projection : projections())
-    for (const glm::vec3& point : kPoints) {
-      const glm::vec4 plain = projection * glm::vec4(point, 1.0f);
-      const glm::vec4 moved = jittered(projection, glm::vec2(0.5f, -0.4f), kSize) * glm::vec4(point, 1.0f);
-      EXPECT_EQ(plain.z, moved.z);
-      EXPECT_EQ(plain.w, moved.w);
+constexpr std::array kForms{JitterProjection::Translation, JitterProjection::AddedAsPrinted,
+                            JitterProjection::ColumnAsPrinted, JitterProjection::RightAsPrinted};
+
+// Invariant 6 fails for each of the printed forms, by what each comes to (catalogue §2.1).
+TEST(Jitter, MovesContentAsEachPrintedFormDoes) {
+  const glm::vec2 jitter(0.375f, -0.25f);
+  const auto& [perspective, orthographic] = projections();
+  for (const glm::vec3& point : kPoints) {
+    const double depth = -point.z;
+    const auto expectMoved = [&](const glm::mat4& projection, JitterProjection form, glm::dvec2 expected) {
+      const glm::dvec2 moved =
+          pixelOf(jittered(projection, jitter, kSize, form), point) - pixelOf(projection, point);
+      EXPECT_NEAR(moved.x, expected.x, 1e-4 * std::max(1.0, std::abs(expected.x)))
+          << int(form) << " at " << depth;
+      EXPECT_NEAR(moved.y, expected.y, 1e-4 * std::max(1.0, std::abs(expected.y)))
+          << int(form) << " at " << depth;
+    };
+    const glm::dvec2 j(jitter);
+    const auto slope = [](const glm::mat4& projection) {
+      return glm::dvec2(projection[0][0], projection[1][1]);
+    };
+    expectMoved(perspective, JitterProjection::AddedAsPrinted, -j);
+    expectMoved(orthographic, JitterProjection::AddedAsPrinted, j);
+    expectMoved(perspective, JitterProjection::ColumnAsPrinted, j);
+    expectMoved(orthographic, JitterProjection::ColumnAsPrinted, 0.5 * slope(orthographic) * j * depth);
+    expectMoved(perspective, JitterProjection::RightAsPrinted, slope(perspective) * j / depth);
+    expectMoved(orthographic, JitterProjection::RightAsPrinted, slope(orthographic) * j);
+  }
+}
+
+// Invariant 7: the element-edited column is the translation where there is perspective.
+TEST(Jitter, ThirdColumnIsTheTranslationWithPerspective) {
+  const glm::vec2 jitter(0.4375f, 0.3125f);
+  const auto& [perspective, orthographic] = projections();
+  EXPECT_EQ(jittered(perspective, jitter, kSize, JitterProjection::ColumnAsPrinted),
+            jittered(perspective, jitter, kSize));
+  EXPECT_NE(jittered(orthographic, jitter, kSize, JitterProjection::ColumnAsPrinted),
+            jittered(orthographic, jitter, kSize));
+  EXPECT_EQ(jittered(orthographic, jitter, kSize, JitterProjection::AddedAsPrinted),
+            jittered(orthographic, jitter, kSize));
+}
+
+// Vertices are moved in clip space: by terms of their z and w that come to the same as the matrix.
+TEST(Jitter, OfEachFormIsASumOfClipSpaceZAndW) {
+  const glm::vec2 jitter(0.375f, -0.25f);
+  for (const JitterProjection form : kForms)
+    for (const glm::mat4& projection : projections()) {
+      const glm::mat4 moved = jittered(projection, jitter, kSize, form);
+      const glm::vec4 added = addedInClip(projection, moved);
+      for (const glm::vec3& point : kPoints) {
+        const glm::dvec4 clip = glm::dmat4(projection) * glm::dvec4(point, 1.0);
+        const glm::dvec4 wanted = glm::dmat4(moved) * glm::dvec4(point, 1.0) - clip;
+        EXPECT_NEAR(added.x * clip.w + added.z * clip.z, wanted.x, 1e-8 * (1.0 + clip.w)) << int(form);
+        EXPECT_NEAR(added.y * clip.w + added.w * clip.z, wanted.y, 1e-8 * (1.0 + clip.w)) << int(form);
+      }
     }
+}
+
+TEST(Jitter, DoesNotTouchDepth) {
+  for (const JitterProjection form : kForms)
+    for (const glm::mat4& projection : projections())
+      for (const glm::vec3& point : kPoints) {
+        const glm::vec4 plain = projection * glm::vec4(point, 1.0f);
+        const glm::vec4 moved =
+            jittered(projection, glm::vec2(0.5f, -0.4f), kSize, form) * glm::vec4(point, 1.0f);
+        EXPECT_EQ(plain.z, moved.z);
+        EXPECT_EQ(plain.w, moved.w);
+      }
 }
 
 TEST(Jitter, MultipliesTheProjectionFromTheLeft) {
