@@ -73,7 +73,11 @@ std::string depthWords(float depth) {
 }
 
 std::string motionWords(const Teller& t) {
-  if (t.value(Id::motion) >= kNoPreviousPosition) return say<"the surface was behind the previous camera">();
+  if (t.value(Id::motion) >= kNoPreviousPosition)
+    return t.settings().inputs.motion == MotionSource::ObjectsAsPrinted
+               ? say<"the surface was behind the previous camera, or its motion as printed is beyond all "
+                     "numbers">()
+               : say<"the surface was behind the previous camera">();
   const glm::vec2 motion = t.pair(Id::motion);
   return motion == glm::vec2(0.0f) ? say<"the surface stayed where it was">()
                                    : say<"the surface came from %1 px from here">(t.tuple(-motion));
@@ -108,8 +112,11 @@ RowStory viewDepthStory(const Teller& t) {
 std::string readWords(Id id, const Teller& t) {
   switch (id) {
   case Id::color:
-    return say<"the sample of this frame, taken %1 px from the pixel's center">(
-        t.tuple(-t.details().jitterPx));
+    return t.settings().jitter.projection == JitterProjection::Translation
+               ? say<"the sample of this frame, taken %1 px from the pixel's center">(
+                     t.tuple(-t.details().jitterPx))
+               : say<"the sample of this frame, which the resolve believes %1 px from the pixel's center">(
+                     t.tuple(-t.details().jitterPx));
   case Id::depth:
     return depthWords(t.value(id));
   case Id::motion:

@@ -28,7 +28,7 @@ struct FrameRequest {
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
   ObjectFilter filter = {};
   CameraTrackHandle track = nullptr;      ///< looked through instead of `camera`
-  std::optional<glm::vec2> jitterPx = {}; ///< instead of what `jitter` says
+  std::optional<glm::vec2> jitterPx = {}; ///< instead of what the sequence of `jitter` says
   bool operator==(const FrameRequest&) const = default;
 };
 

@@ -113,7 +113,7 @@ TEST_F(PrintedMotionTest, IsMarkedWhereItIsTooLarge) {
 TEST_F(PrintedMotionTest, TransparentSurfacesWriteItToo) {
   Scene scene = emptyScene();
   Material glass = scene.materials.front();
-  glass.baseColor.a = 0.5f;
+  glass.baseColor.w = 0.5f;
   glass.alphaMode = AlphaMode::Blend;
   scene.materials.push_back(glass);
   addQuad(scene, {0, 0, 0}, kRight, kUp, 1);

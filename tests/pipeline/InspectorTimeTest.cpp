@@ -2,6 +2,7 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
+#include "core/render/JitterWay.h"
 #include "tests/support/Variants.h"
 
 #include <algorithm>
@@ -53,6 +54,20 @@ TEST_F(InspectorTimeTest, ReachesTheSameFrameByPlayingSeekingAndSteppingBack) {
   inspector->seek(6);
   expectSame(inspector->images(allRows()), expected);
   EXPECT_EQ(inspector->frame(), 6);
+}
+
+// Also one that follows the camera: it is told without drawing, for the lane that is asked of.
+TEST_F(InspectorTimeTest, TellsTheJitterThatIsDrawn) {
+  Settings across;
+  taa::applyAssignment(across, "jitter.sequence=perpendicular");
+  const auto inspector = opened();
+  inspector->setLanes({Settings{}, across});
+  for (const int frame : {0, 1, 9, 8}) {
+    inspector->seek(frame);
+    for (int lane = 0; lane < 2; ++lane)
+      EXPECT_EQ(inspector->info(lane).jitterPx, inspector->inputs(lane).info.jitterPx) << lane;
+  }
+  EXPECT_NE(inspector->info(1).jitterWay, taa::kFirstWay);
 }
 
 TEST_F(InspectorTimeTest, ReplaysOneFrameForAStepAndNoneForAStepBack) {

@@ -28,7 +28,8 @@ constexpr int kFrame = 13; // not a round number: between checkpoints, whatever 
 
 constexpr int kLanes = 4;
 
-/// The presets in lots of as many as run beside each other; a last lot draws less than the picture.
+/// The presets in lots of as many as run beside each other; a last lot draws less than the picture, or
+/// otherwise.
 int lotCount() {
   return (static_cast<int>(builtinPresets().size()) + kLanes - 1) / kLanes + 1;
 }
@@ -44,6 +45,11 @@ std::vector<Settings> presetLanes(int lot) {
     lanes.push_back(preset(id).settings);
     lanes.back().inputs.renderScale = scale;
   }
+  // What is drawn in another way, with a jitter that follows the camera over the frames before.
+  lanes.push_back(preset("balanced").settings);
+  for (const char* assignment : {"jitter.sequence=perpendicular", "jitter.projection=rightAsPrinted",
+                                 "inputs.motion=objectsAsPrinted", "inputs.range=ldr"})
+    applyAssignment(lanes.back(), assignment);
   return lanes;
 }
 

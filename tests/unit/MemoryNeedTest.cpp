@@ -26,6 +26,7 @@ TEST(MemoryNeed, CountsTheInputsOfTwoFramesInTheFormatsTheyHave) {
   EXPECT_EQ(needOf({"inputs.mask=autoReactive"}).inputs, (2 * 34 + 8) * kPixels);
   EXPECT_EQ(needOf({"inputs.blended=after"}).inputs, 2 * 40 * kPixels);
   EXPECT_EQ(needOf({"inputs.noise=blueNoise"}).inputs, (2 * 32 + 8) * kPixels);
+  EXPECT_EQ(needOf({"inputs.range=ldr"}).inputs, (2 * 32 + 8) * kPixels);
   EXPECT_EQ(needOf({"inputs.renderScale=0.5"}).inputs, 2 * 32 * kPixels / 4);
 }
 
