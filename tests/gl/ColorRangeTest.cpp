@@ -4,6 +4,7 @@
 #include "core/scene/SceneSource.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/SmallScene.h"
 
 #include <algorithm>
 #include <limits>
@@ -37,7 +38,7 @@ float brightest(const Image& image) {
 }
 
 TEST_F(ColorRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
-  for (const char* name : {"builtin:lights", "builtin:fireflies", "builtin:glass"})
+  for (const char* name : {"builtin:lights", "builtin:fireflies"})
     for (const Precision precision : {Precision::Full, Precision::Half})
       for (const BlendedAs blended : {BlendedAs::Mask, BlendedAs::Before, BlendedAs::After}) {
         const auto scene = std::make_shared<const Scene>(openScene(name));
@@ -59,6 +60,27 @@ TEST_F(ColorRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
           EXPECT_EQ(test::difference(ldr.overlay.download(), hdr.overlay.download()), "");
         }
       }
+}
+
+// Blending is linear and comes before the tone map: bright glass adds what it has above white, too.
+TEST_F(ColorRangeTest, OfLdrIsClippedAfterBlending) {
+  Scene scene = test::emptyScene();
+  for (const float wall : {0.25f, 0.5f}) {
+    const int color = test::addColor(scene, glm::vec4(wall, wall, wall, 1.0f));
+    test::addQuad(scene, {wall > 0.3f ? 10 : -10, 0, -1}, {20, 0, 0}, {0, 40, 0}, color);
+  }
+  const int glass = test::addColor(scene, {3.0f, 2.0f, 0.0f, 0.25f});
+  scene.materials.back().alphaMode = AlphaMode::Blend;
+  test::addQuad(scene, {0, 0, 0}, {40, 0, 0}, {0, 40, 0}, glass);
+  SceneRenderer renderer(std::make_shared<const Scene>(scene));
+  FrameRequest asked = request(scene);
+  asked.inputs.blended = BlendedAs::Before;
+  asked.inputs.range = ColorRange::Ldr;
+  FrameInputs inputs;
+  renderer.draw(asked, 1, inputs);
+  const Image picture = inputs.color.download();
+  EXPECT_EQ(glm::vec3(picture.texel(40, 45)), glm::vec3(0.9375f, 0.6875f, 0.1875f)) << "3/4 + 3/4 · 1/4";
+  EXPECT_EQ(glm::vec3(picture.texel(120, 45)), glm::vec3(1.0f, 0.875f, 0.375f)) << "3/4 + 3/4 · 1/2 is 9/8";
 }
 
 TEST_F(ColorRangeTest, OfLdrIsClippedBeforeTheNoise) {
