@@ -111,8 +111,9 @@ ColorScene colorScene(const reference::PixelRecord& record, const reference::Det
   scene.axes = space == PlotSpace::Rgb ? std::array<std::string, 3>{"R", "G", "B"}
                                        : std::array<std::string, 3>{"Y", "Co", "Cg"};
   for (std::size_t k = 0; k < 9; ++k) scene.samples[k] = plot(hood.samples[k]);
-  if (settings.neighborhood.shape == NeighborhoodShape::Varying)
-    for (const glm::vec3& tap : hood.taps) scene.taps.push_back(plot(tap));
+  const NeighborhoodShape shape = settings.neighborhood.shape;
+  if (shape == NeighborhoodShape::Varying || shape == NeighborhoodShape::Pairs) // not only of the nine
+    for (const reference::Member& member : hood.members) scene.taps.push_back(plot(boxed(member.color)));
   scene.minMax = plot.box(hood.min, hood.max);
   scene.variance = plot.box(hood.mean - reach, hood.mean + reach);
   scene.box = plot.box(hood.boxMin, hood.boxMax);

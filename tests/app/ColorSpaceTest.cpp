@@ -146,10 +146,11 @@ TEST(ColorSpaceMath, ShowsTheTapsThatTheBoxIsOf) {
   Pixel pixel;
   EXPECT_TRUE(pixel.scene(PlotSpace::YCoCg).taps.empty());
   pixel.settings.neighborhood.shape = NeighborhoodShape::Varying;
-  pixel.details.neighborhood.taps.fill({0.2f, 0.1f, 0.0f});
+  const glm::vec3 color(0.5f, 0.25f, 0.125f);
+  pixel.details.neighborhood.members.assign(4, {color, 2});
   const ColorScene scene = pixel.scene(PlotSpace::YCoCg);
   ASSERT_EQ(scene.taps.size(), 4u);
-  expectNear(scene.taps[3], {0.2f, 0.1f, 0.0f});
+  expectNear(scene.taps[3], reference::toBox(color, pixel.settings.space));
 }
 
 TEST(ColorSpaceMath, ProjectsAlongTheAxesAndKeepsLengths) {
