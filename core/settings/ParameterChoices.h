@@ -211,9 +211,8 @@ inline constexpr Choice kUpsampleKernels[] = {
      "Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 within HDRP's box, "
      "½/r render px to either side, which holds the nearest sample wherever there is one (catalogue 22.3)."},
     {"hdrpGaussian", "HDRP, Gaussian",
-     "The same, and κ is a Gaussian of the nearest one's distance: 2^(−½(‖x‖/0.4)²)/r², at most 1, x in px "
-     "of "
-     "the picture (catalogue 22.3)."},
+     "The same, and κ is a Gaussian of the nearest one's distance: 2^(−½(‖x‖/0.4)²)/r², at most 1, x in "
+     "px of the picture (catalogue 22.3)."},
     {"fsr2", "FSR2",
      "Sixteen samples by the radial Lanczos 2 of their distance times min(1/r, 1.99), bounded by the nearest "
      "nine. κ = Σw, 0 where that is negative: the 1/12 of FSR2 is the floor of α here (catalogue 22.4)."},

@@ -9,8 +9,7 @@
 namespace taa::reference {
 namespace {
 
-/// 2/((2k + 1) ln 2): log₂((1 + t)/(1 − t)) is their sum with t²ᵏ⁺¹. What is left out is less than 2·10⁻⁹ of
-/// it.
+/// 2/((2k + 1) ln 2): log₂((1 + t)/(1 − t)) is their sum with t²ᵏ⁺¹. Left out is less than 2·10⁻⁹ of it.
 constexpr std::array<float, 5> kLogarithm = [] {
   std::array<float, 5> terms{};
   for (std::size_t k = 0; k < terms.size(); ++k)
@@ -18,7 +17,7 @@ constexpr std::array<float, 5> kLogarithm = [] {
   return terms;
 }();
 
-/// ln 2ᵏ⁺¹/(k + 1)!: 2ˣ − 1 is their sum with xᵏ⁺¹. What is left out is less than 6·10⁻⁹ up to |x| = ½.
+/// (ln 2)ᵏ⁺¹/(k + 1)!: 2ˣ − 1 is their sum with xᵏ⁺¹. Left out is less than 6·10⁻⁹ up to |x| = ½.
 constexpr std::array<float, 7> kPower = [] {
   std::array<float, 7> terms{};
   double term = 1.0;
