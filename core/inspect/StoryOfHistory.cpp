@@ -146,8 +146,8 @@ std::string selectedWords(const Teller& t, const Clip& clip) {
   const reference::Neighborhood& hood = t.details().neighborhood;
   const std::size_t k = reference::nearestSample(clip.h, hood);
   if (k == 4) return say<"of the nine samples the pixel's own is nearest to history">();
-  const std::string step =
-      t.tuple(glm::vec2(static_cast<float>(k % 3) - 1.0f, static_cast<float>(k / 3) - 1.0f));
+  const int number = static_cast<int>(k);
+  const std::string step = t.tuple(glm::vec2(glm::ivec2(number % 3 - 1, number / 3 - 1)));
   return say<"of the nine samples that at %1 is nearest to history">(step);
 }
 

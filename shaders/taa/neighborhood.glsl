@@ -66,8 +66,9 @@ Samples unjittered(ivec2 texel, Samples samples) {
 /// How far the taps that vary lie from the center along both axes: κ of 8.5, px.
 float tapReach(Moved moved) {
   precise float product = moved.speed * moved.depth;
-  precise float nearness = saturated(0.5 / mix(product, 1.0, product == 0.0)); // ½/0 is not the same everywhere
-  if (product == 0.0) nearness = moved.depth == 0.0 ? 0.0 : 1.0;       // the sky is infinitely far, even at rest
+  // Nothing is divided by 0, and the sky is infinitely far even where it rests.
+  precise float nearness = saturated(0.5 / mix(product, 1.0, product == 0.0));
+  if (product == 0.0) nearness = moved.depth == 0.0 ? 0.0 : 1.0;
   precise float reach = 0.5 + 0.1667 * nearness;
   return reach;
 }

@@ -228,7 +228,7 @@ std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
   }
   if (method != RectifyMethod::ClipToHull) return directions;
   for (int code = 14; code < 27; ++code) // components −1, 0 or 1: 26 directions, one of each opposite pair
-    directions.emplace_back(float(code / 9 - 1), float(code / 3 % 3 - 1), float(code % 3 - 1));
+    directions.emplace_back(glm::ivec3(code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1));
   return directions;
 }
 
