@@ -74,7 +74,10 @@ TEST_P(CullingTest, ChangesNoBitOfAnyCamera) {
   FrameRequest asked = request(*scene);
   for (const std::string& camera : cameraNames(*scene)) {
     asked.camera = camera;
+    asked.jitter.projection = JitterProjection::Translation;
     for (const int frame : {0, 61, 150}) compare(renderer, asked, frame, camera);
+    asked.jitter.projection = JitterProjection::RightAsPrinted; // moves what is near by many pixels
+    compare(renderer, asked, 61, camera + ", multiplied from the right");
   }
 }
 
