@@ -1102,10 +1102,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>history lies inside the box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>history lies inside the box: kept as it is</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1466,10 +1462,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no sample lies in the pixel: the nearest is %1 px from the pixel&apos;s center</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>no thin feature, mean luma %1, no lock before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1707,10 +1699,6 @@
     </message>
     <message>
         <source>the narrower of the samples&apos; extreme and γ deviations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the nearest sample lies in the pixel: %1 px from the pixel&apos;s center</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2005,6 +1993,86 @@
         <source>γ deviations from the mean</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, and cut off on the way back, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, and noise of a step of 8 bits for the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, mixed as the curve has them: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, smaller for tall pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R, as the curve has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as many frames&apos; worth of samples were stored in this pixel, whatever it showed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>compressed as in the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is one of the nine samples: kept as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how near the nearest sample lies, %1 px of the picture from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest of four taps on the diagonals, off by %1 px each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean of four taps on the diagonals, off by %1 px each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sample lies in HDRP&apos;s box: the nearest is %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the nine samples that at %1 is nearest to history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the nine samples the pixel&apos;s own is nearest to history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read on the other side of where the pixel&apos;s center landed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest of four taps on the diagonals, off by %1 px each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spread of four taps about their mean, off by %1 px each way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the nearest sample lies in HDRP&apos;s box: %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample of this frame, which the resolve believes %1 px from the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the surface was behind the previous camera, or its motion as printed is beyond all numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::ChannelButtons</name>
@@ -2100,6 +2168,10 @@
     </message>
     <message>
         <source>resolved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2306,6 +2378,14 @@
     </message>
     <message>
         <source>Weights by the settings, where nothing moves or changes. Frames: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples lie across the way the camera moves in this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples are shown as for a camera that moves to the right.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5832,10 +5912,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 where the nearest one lies inside the pixel, else 0: HDRP&apos;s box, not its Gaussian (catalogue 22.3).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>FSR2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8128,15 +8204,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closest × at 2 px, the five-tap Catmull-Rom that is not divided by its weights, colors over their largest channel, mean ± σ in YCoCg, clip to the center. α is 1 over a confidence that grows by 10 a still frame, from 0.1 to 0.015; there it is read where the pixel is, here where it was. Its jitter table starts at the center, here Halton at 1. Mip bias −1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>DiligentFX</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Five-tap Catmull-Rom, moments in RGB after c/(1 + c), γ from 2.5 at rest to 0.75, the ray to the current color unless it is hit beyond 10, depth test, N to 16 and less with speed. Its full speed is 1/256 of the picture&apos;s height, here 2.8 px as at 720 lines. Its depth test takes the best of nine; here one depth with an allowance for slopes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8144,15 +8212,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fastest motion of nine, nine-tap Catmull-Rom, mean ± σ in YCoCg, clamp, α 0.1 that falls near the walls of the box. Its samples are those of whoever calls it; here Halton 16.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Filament</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Google Filament&apos;s defaults: camera motion by one matrix from the center depth, deringed five-tap Catmull-Rom history and Lanczos input, a rounded box in RGB compressed by the largest channel, clip to the filtered color, α 0.12. Mip bias −1. There a filtered color outside the box is clamped to it; here the box grows to hold it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8160,15 +8220,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nine-tap Catmull-Rom, Reinhard, luma-weighted moments, the box shrunk axis by axis, N counted to 16, α lowered where luma differs. N is reset by a change of velocity beyond 2.5 px; there the one texel at the history position is compared and the reset added to α, here the best of four, as the least α. Its full speed is 128/1080 of the picture, here 128 px at any size; its γ falls beyond 1188 lines, here it does not.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>HDRP Low</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s High Definition pipeline, quality Low: bilinear history clamped to five samples in RGB, α 0.125. Its closest of five pairs depths with the wrong offsets (D13), as here. Sharpened in the resolve, 0.5; there the mean is of five, here of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8176,15 +8228,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unity&apos;s High Definition pipeline, quality Medium, its default. A five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box whose γ grows with contrast and shrinks to 0.75 at 50 px, clip to the center, α 0.125 that doubles at 50 px. Sharpened in the resolve, 0.5; there the mean is of five, here of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>HDRP High</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s High Definition pipeline, quality High: nine samples and a jitter-aware Gaussian. A five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box whose γ grows with contrast and shrinks to 0.75 at 50 px, clip to the center, α 0.125 that doubles at 50 px. There γ is also scaled by speed, 0.8 to 2.25 times, which is left out. Sharpened in the resolve, 0.5. What is blended comes before the resolve without motion; flagged materials are excluded from it. Below a render scale of 1 it upsamples as HDRP does, with its box as confidence.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8192,15 +8236,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The shader&apos;s defaults: fastest motion of nine, γ from 2 at rest to 0.75 at 128 px, history that counts less with speed and not at all beyond 128 px, a blurred restart. There the YCoCg box becomes an RGB box before the clamp; here the clamp is in YCoCg. The five history taps guess the corners. There depth may differ by 0.001; here the tolerance is relative. Sharpened in logarithms, 0.5.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>MiniEngine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Microsoft&apos;s sample: camera motion by one matrix, closest of five, a min-max box of a cross in RGB, clip to the center, a depth test, history that counts less with speed and not at all beyond 64 px. The depth tolerance is relative. Its history taps weighted before they are filtered, its seven taps shared by two pixels and its box that widens where little moves are left out. Sharpened in logarithms, 0.5.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8208,23 +8244,11 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The 8×MSAA pattern, the fastest motion of nine, nine-tap Catmull-Rom, a clamp to mean ± σ, α 0.1; its relax mask, which the user draws there, is that of the materials. There everything happens in PQ with 10000 nits, here after c/(1 + c). α falls with the distance of the sample where little moves, and below a render scale of 1 its trust in the nearest sample is the confidence.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Playdead INSIDE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Component defaults of Playdead&apos;s Temporal Reprojection: rounded min-max box in RGB, clip to the center, α from the luma difference within 0.03 to 0.12. The history has 8 bits, as there, with its noise of ±1/510. There the picture is tone-mapped before; here it is scene-linear, so highlights end at 1 and shadows have few steps. Pixels faster than 2 px are shown with motion blur, from 15 px alone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Raptor, chapter 11</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The defaults as shipped, defects included: jitter of period 2, camera motion only, in the wrong unit and upside down (D5), closest depth that takes pixel (0, 0) before the sky, a Mitchell filter that does nothing, and an α whose weights are swapped so that equal colors are not averaged. Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8240,15 +8264,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unity&apos;s Universal pipeline, quality Very Low: bilinear history, a clamp to five samples in RGB, no dilation and no test at the border. Its motion vectors are those of the camera and of moving objects, as here; low-precision targets are left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>URP Low</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s Universal pipeline, quality Low: as Very Low, with the closest of five depths and history rejected outside the picture. Its motion vectors are those of the camera and of moving objects, as here; low-precision targets are left out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8256,23 +8272,11 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unity&apos;s Universal pipeline, quality Medium: a variance box of γ 0.9 inside min-max in YCoCg, clamped. Its motion vectors are those of the camera and of moving objects, as here; the rest is as there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>URP High</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unity&apos;s Universal pipeline, quality High, its default: as Medium, with five-tap Catmull-Rom history. Its motion vectors are those of the camera and of moving objects, as here; contrast-adaptive sharpening (RCAS) is off there too.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>URP Very High</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s Universal pipeline, quality Very High: as High, with a jitter-aware Gaussian and clip to the center. Its motion vectors are those of the camera and of moving objects, as here; its mean is taken with the filtered center, here with the sample.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8304,15 +8308,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closest of ×, history in 32-bit floats, the current color where the pixel&apos;s center landed, a min-max box in YCoCg around the same place, clip to its center, α 0.05 that reaches 1 at about 1 px of motion (1000 times the motion in fractions of a picture 1000 px wide). Its optional Laplacian has strength 1, the only one that keeps brightness, and is of the samples around the pixel, not of RGB in YCoCg cut at 0; its tone mapping, which it does not fix, is luma weighting here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Source 004, booklet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Accumulation only: random jitter, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8453,6 +8449,386 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Resolve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across the motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two points ¼ px to either side of the way the camera moves, whose direction follows by a fifth in each frame (catalogue J10, Playdead&apos;s experiment).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the offset gets into the projection. The resolve always believes it is the translation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P̃ = T(2jx/W, −2jy/H)·P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §2.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Translation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T(δ)·P: the same shift at every depth, with any projection (catalogue §2.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third column, sign as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in sources 000 to 002: added to the third column, which with OpenGL&apos;s w = −z moves the picture the other way than every filter believes (catalogue §2.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Third column always, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Bevy: the third column also for orthographic cameras, where it shears by depth instead of shifting; the same as Translation with perspective (catalogue §26, D15).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplied from the right, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P·T(δ), which source 001 warns of: it moves the world before it is projected, near things far and far things hardly (catalogue §2.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in source 001&apos;s listing of meshes: the current position is not divided by w, and the previous one uses the current pose, so that objects seem to rest in a picture that flies (catalogue §26, D6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects, this frame&apos;s projection, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Playdead: the previous view with the projection of now, right until the camera zooms (catalogue §26, D16).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the resolve runs before tone mapping or after it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min(c, 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 1.1, 1.2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene-linear colors as they were shaded, before bloom and tone mapping (catalogue 1.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LDR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is brighter than white is white before anything is averaged, as after a tone map that clips: fireflies are tame, and bright edges lose what lies above (catalogue 1.2, Playdead). Kept linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a filter reads outside of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 5.4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nearest pixel of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As from a sampler with a black border: wide filters darken what lies near it (catalogue 5.4, Donut).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the history length is read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N(q)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N of the nearest texel to where the surface was (catalogue §16).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own pixel, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Bevy: N of the same pixel a frame ago, whatever was there (catalogue §26, D15).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unjitter tap, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in source 002&apos;s text: the tap on the other side, uv − j, so that the jitter is doubled instead of taken out (catalogue §26, D10).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine samples by (0.9656852 x² − 1)², x in px of the picture, at most 1. κ is 1 within HDRP&apos;s box, ½/r render px to either side, which holds the nearest sample wherever there is one (catalogue 22.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP, Gaussian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same, and κ is a Gaussian of the nearest one&apos;s distance: 2^(−½(‖x‖/0.4)²)/r², at most 1, x in px of the picture (catalogue 22.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>YCoCg, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Playdead, Raptor and Bevy: the way back is clamped to 0…1, so that history which was moved is never brighter than white. Compressed by Reinhard, the largest channel or PQ, colors lie below 1 and none of it shows (catalogue §26, D7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PQ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SMPTE ST 2084 with 10000 as 1, each channel by itself: steps as the eye sees them. Goes on beyond 1, where Donut cuts it off (catalogue 9.6, 15.5, Donut).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>log₂(1 + c), each channel by itself (catalogue 15.7, Intel).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four taps that vary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Four bilinear taps on the diagonals, ⅔ px away at rest and ½ px where things move or are far: ½ + ⅙·sat(½/(‖v‖·z)). z in m, so that a scene in centimeters looks different (catalogue 8.5, Playdead).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seven, by pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One set for both of two columns, as a compute shader shares it: the left pixel, its diagonals and the two to its right, so that even and odd columns see the box from different places (catalogue 8.7, MiniEngine).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ by resolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tightens the box of tall pictures, whose pixels hold less each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>γ·clamp(1.1·1080/H, ¾, 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 10.9, Godot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To filtered, both boxes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards the filtered color until it lies in the min-max boxes of RGB and of the color space (of RGB: and of YCoCg): six slabs, which no γ widens (catalogue 9.7, Lottes).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one of the nine samples that is nearest to history takes its place: no color of the past is left, and no ghost (catalogue 11.8, 17.6, Godot&apos;s proposal).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixed as SMPTE ST 2084 codes them, 10000 as 1. Goes on beyond 1, where Donut cuts it off (catalogue 15.5, Donut).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mixed as log₂(1 + c) (catalogue 15.7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A project&apos;s own curve: c(1 + c/W²)/(1 + c), Reinhard&apos;s with a white that becomes 1, and its inverse (catalogue 15.6, source 002; Reinhard et al. 2002).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene-linear color that the curve takes to 1; brighter ones go on beyond.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 15.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangular noise of one step of 8 bits on what is shown, against banding on a screen that has no more. In square roots, which is near to what screens are sent; never into history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(√c + (u₀ + u₁ − 1)/255)²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.8, Filament</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest × at 2 px, five-tap Catmull-Rom, colors over their largest channel, mean ± σ in YCoCg, clip to the center, α of 1 over a confidence that grows by 10 a still frame, from 0.1 to 0.015, mip bias −1. As shipped, the taps are not divided by their weights, the confidence is read at the pixel itself, YCoCg comes back cut to 0…1, and jitter shears orthographic pictures (D7, D15). There the jitter table starts at the center, here Halton at 1; there history is kept compressed, here scene-linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Five-tap Catmull-Rom, moments in RGB after c/(1 + c), γ from 2.5 at rest to 0.75, the ray to the current color unless it is hit beyond 10, depth test, N to 15 and less with speed. Its full speed is 1/256 of the picture&apos;s height, here 2.8 px as at 720 lines. Its depth test takes the best of nine stored depths, here of four, with an allowance for slopes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest motion of nine, nine-tap Catmull-Rom, mean ± σ in YCoCg, clamp, α 0.1 that falls to 0 near the walls of the box. Nothing is tested at the border: there history is read from the opposite side, here from the edge. Its samples are those of whoever calls it; here Halton 16.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Google Filament&apos;s defaults: camera motion by one matrix from the center depth, deringed five-tap Catmull-Rom history and Lanczos input, a rounded box in RGB compressed by the largest channel, clip to the filtered color kept within that box, α 0.12, no test at the border, mip bias −1. What is shown is dithered, which its color grading does there. There samples are compressed before they are filtered, here after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine-tap Catmull-Rom, Reinhard, luma-weighted moments, γ that falls with speed and beyond 1188 lines, the box shrunk axis by axis, N counted to 16, α lowered where luma differs. N is reset by a change of velocity beyond 2.5 px; there the one texel at the history position is compared and the reset added to α, here the best of four, as the least α. Its full speed is 128/1080 of the picture, here 128 px at any size. There differing luma may lower α to 0, here no further than 1/17, so that it does nothing once N is 16.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Low: bilinear history clamped to five samples in RGB, α 0.125. Its closest of five pairs depths with the wrong offsets (D13), as here. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Medium, its default: a five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box in YCoCg, whose Y is the luma there, clip to the center, α 0.125 that doubles at 50 px. γ grows with contrast and shrinks to 0.75 at 50 px: there evenly and all of it, here by the square and without what contrast adds. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality High: as Medium, its slips included, with nine samples and a jitter-aware Gaussian. There what contrast adds to γ is scaled by speed as well, 2.25 times at rest and 0.8 from ½ px on, which is left out. Sharpened by 0.5: there the current color before the blend, against the mean of the eight around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HDRP TAAU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, temporal upsampling: as High, drawn at 0.67 of the size with 18 samples of Halton, HDRP&apos;s kernel and a mip bias of log₂ 0.67. γ and what contrast adds to it lie nearer to 0.9 the smaller the drawing; here their values for this scale. The rest differs as with High.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shader&apos;s defaults: fastest motion of nine, a five-tap Catmull-Rom that guesses the corners, γ from 2 at rest to 0.75 at 128 px, history that counts less with speed and not at all beyond 128 px, a blurred restart. Sharpened in logarithms, 0.5. There the YCoCg box becomes an RGB box before the clamp, here the clamp is in YCoCg; there history is kept compressed, here scene-linear. There depth may be farther by 0.001, here the tolerance is relative and counts both ways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Microsoft&apos;s sample: camera motion by one matrix, closest of five, a min-max box of seven samples in RGB, shared by pairs of pixels, clip to the center, a depth test, history that counts less with speed and not at all beyond 64 px. Sharpened in logarithms, 0.5. The depth tolerance is relative. Its history taps weighted before they are filtered and its box that widens up to four times where little moves are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 8×MSAA pattern, the fastest motion of nine, nine-tap Catmull-Rom that reads black beyond the border, a clamp to mean ± σ, α 0.1, box and blend in PQ of 10000; its relax mask, which the user draws there, is that of the materials. α falls with the distance of the sample where little moves, and below a render scale of 1 its trust in the nearest sample is the confidence. There history is also kept and filtered in PQ, the camera&apos;s motion comes from one matrix, and the mask is blurred.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Component defaults of Playdead&apos;s Temporal Reprojection: motion by the projection of this frame (D16), rounded min-max box in RGB, clip to the center, α from the luma difference within 0.03 to 0.12. Colors end at 1 before anything is averaged, and history has 8 bits, as there, with its noise of ±1/510. There colors are tone-mapped before, here they stay linear, so shadows have few steps. Pixels faster than 2 px are shown with motion blur, from 15 px alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The defaults as shipped, defects included: jitter of period 2, camera motion only, in the wrong unit and upside down (D5), closest depth that takes pixel (0, 0) before the sky (D4), a Mitchell filter that does nothing (D3), an α whose weights are swapped so that equal colors are not averaged (D1), and luma weights that hardly weigh (D19). Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Very Low: bilinear history, a clamp to five samples in RGB, no dilation and no test at the border, luma weights where colors are blended. Low-precision targets are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Low: as Very Low, with the closest of five depths and history rejected outside the picture. Low-precision targets are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Medium: bilinear history, clamped to a variance box of γ 0.9 inside min-max in YCoCg, the closest of nine depths. There the luma that weighs the blend is Y of YCoCg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality High, its default: as Medium, with five-tap Catmull-Rom history. There the luma that weighs the blend is Y of YCoCg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Very High: as High, with a jitter-aware Gaussian and clip to the center. There the box is of the filtered center and the eight samples around, here of nine samples; there the luma that weighs the blend is Y of YCoCg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest of ×, history in 32-bit floats, the current color where the pixel&apos;s center landed, a min-max box in YCoCg around the same place, clip to its center, α 0.05 that reaches 1 at about 1 px of motion (1000 times the motion in fractions of a picture 1000 px wide). Its optional Laplacian has strength 1, the only one that keeps brightness, and is of the samples around the pixel, not of RGB in YCoCg cut at 0. Its tone mapping, which it leaves to the project, is Reinhard&apos;s with a white of 4 here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accumulation only: random jitter, the world position seen from the previous view, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
