@@ -39,7 +39,7 @@ inline constexpr Choice kJitterProjections[] = {
     {"columnAsPrinted", "Third column always, as printed",
      "As in Bevy: the third column also for orthographic cameras, where it shears by depth instead of "
      "shifting; the same as Translation with perspective (catalogue §26, D15)."},
-    {"rightAsPrinted", "Multiplied from the right, as printed",
+    {"rightAsPrinted", "From the right, as printed",
      "P·T(δ), which source 001 warns of: it moves the world before it is projected, near things far and far "
      "things hardly (catalogue §2.1)."},
 };
@@ -90,7 +90,7 @@ inline constexpr Choice kMotionSources[] = {
     {"objectsAsPrinted", "Objects, as printed",
      "As in source 001's listing of meshes: the current position is not divided by w, and the previous one "
      "uses the current pose, so that objects seem to rest in a picture that flies (catalogue §26, D6)."},
-    {"currentProjectionAsPrinted", "Objects, this frame's projection, as printed",
+    {"currentProjectionAsPrinted", "Objects, projection as printed",
      "As in Playdead: the previous view with the projection of now, right until the camera zooms "
      "(catalogue §26, D16)."},
 };

@@ -8500,10 +8500,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Multiplied from the right, as printed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>P·T(δ), which source 001 warns of: it moves the world before it is projected, near things far and far things hardly (catalogue §2.1).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8513,10 +8509,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>As in source 001&apos;s listing of meshes: the current position is not divided by w, and the previous one uses the current pose, so that objects seem to rest in a picture that flies (catalogue §26, D6).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Objects, this frame&apos;s projection, as printed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8829,6 +8821,14 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Accumulation only: random jitter, the world position seen from the previous view, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the right, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects, projection as printed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -104,16 +104,6 @@ glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const
   return color - s * (difference / 4.0f);
 }
 
-/// A bilinear tap at `step`, less than 1 px each way, from the middle of a texel.
-glm::vec3 tapBeside(const Inputs& inputs, const glm::ivec2& pixel, const glm::vec2& step) {
-  const glm::ivec2 x(step.x < 0.0f ? -1 : 1, 0);
-  const glm::ivec2 y(0, step.y < 0.0f ? -1 : 1);
-  const float fx = std::fabs(step.x), fy = std::fabs(step.y);
-  const glm::vec3 near = mixed(currentColor(inputs, pixel), currentColor(inputs, pixel + x), fx);
-  const glm::vec3 far = mixed(currentColor(inputs, pixel + y), currentColor(inputs, pixel + x + y), fx);
-  return mixed(near, far, fy);
-}
-
 } // namespace
 
 glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
@@ -146,8 +136,15 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx) 
   return currentWeights({.filter = CurrentFilter::Gaussian, .variance = variance}, jitterPx);
 }
 
-glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel) {
-  return tapBeside(inputs, pixel, inputs.jitterPx);
+glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset) {
+  const glm::vec2 far(std::fabs(offset.x), std::fabs(offset.y));
+  const glm::vec2 whole(std::floor(far.x), std::floor(far.y));
+  const glm::vec2 f = far - whole;
+  const glm::ivec2 x(offset.x < 0.0f ? -1 : 1, 0), y(0, offset.y < 0.0f ? -1 : 1);
+  const glm::ivec2 from = texel + static_cast<int>(whole.x) * x + static_cast<int>(whole.y) * y;
+  const glm::vec3 near = mixed(currentColor(inputs, from), currentColor(inputs, from + x), f.x);
+  const glm::vec3 beyond = mixed(currentColor(inputs, from + y), currentColor(inputs, from + x + y), f.x);
+  return storable(mixed(near, beyond, f.y));
 }
 
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
@@ -158,9 +155,9 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
 
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Unjitter) return unjitteredColor(inputs, pixel);
+  if (settings.filter == CurrentFilter::Unjitter) return tapAt(inputs, pixel, inputs.jitterPx);
   if (settings.filter == CurrentFilter::UnjitterAsPrinted)
-    return tapBeside(inputs, pixel, -inputs.jitterPx); // D10
+    return tapAt(inputs, pixel, -inputs.jitterPx); // D10
   const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
                        settings.filter == CurrentFilter::CatmullRom ||
                        settings.filter == CurrentFilter::Lanczos;

@@ -26,19 +26,6 @@ Set setOf(NeighborhoodShape shape, int frame) {
   return Set::Square;
 }
 
-/// The bilinear tap at `offset` px from the center of a texel.
-glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset) {
-  const glm::vec2 far(std::fabs(offset.x), std::fabs(offset.y));
-  const glm::vec2 whole(std::floor(far.x), std::floor(far.y));
-  const glm::vec2 f = far - whole;
-  const glm::ivec2 x(offset.x < 0.0f ? -1 : 1, 0), y(0, offset.y < 0.0f ? -1 : 1);
-  const glm::ivec2 from = texel + static_cast<int>(whole.x) * x + static_cast<int>(whole.y) * y;
-  const auto mixed = [](const glm::vec3& a, const glm::vec3& b, float t) { return a + t * (b - a); };
-  const glm::vec3 near = mixed(currentColor(inputs, from), currentColor(inputs, from + x), f.x);
-  const glm::vec3 beyond = mixed(currentColor(inputs, from + y), currentColor(inputs, from + x + y), f.x);
-  return storable(mixed(near, beyond, f.y));
-}
-
 /// The sample of a pixel: its color, or what a tap where its center landed finds (catalogue 8.8).
 glm::vec3 sampleOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
   if (settings.neighborhood.unjitter == Switch::Off) return currentColor(inputs, pixel);

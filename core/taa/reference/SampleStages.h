@@ -90,8 +90,8 @@ glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const 
 /// `color`, filtered around a texel, sharpened (catalogue 18.2); itself where that is off.
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
                          const glm::vec3& color);
-/// A bilinear tap where the center of `pixel` landed (catalogue 7.1, 8.8).
-glm::vec3 unjitteredColor(const Inputs& inputs, const glm::ivec2& pixel);
+/// This frame's color by a bilinear tap at `offset` px from the center of a render texel.
+glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset);
 /// This frame's color at the pixel's center (catalogue §7), before it is sharpened.
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 /// And after that.
