@@ -131,11 +131,10 @@ TEST_F(ReferenceTest, DependsOnWhatIsDrawnOnly) {
   const auto inspector = opened();
   inspector->seek(5);
   const Image first = referenceOf(*inspector, 8);
-  inspector->setSettings(
-      changed({"jitter.sequence=halton", "jitter.scale=0.5", "rectify.method=none", "inputs.mipBias=-1",
-               "inputs.noise=blueNoise", "inputs.renderScale=0.5", "inputs.precision=full",
-               "inputs.mask=material", "inputs.motion=cameraFromDepth", "inputs.range=ldr",
-               "jitter.projection=rightAsPrinted"}));
+  inspector->setSettings(changed(
+      {"jitter.sequence=halton", "jitter.scale=0.5", "rectify.method=none", "inputs.mipBias=-1",
+       "inputs.noise=blueNoise", "inputs.renderScale=0.5", "inputs.precision=full", "inputs.mask=material",
+       "inputs.motion=cameraFromDepth", "inputs.range=ldr", "jitter.projection=rightAsPrinted"}));
   EXPECT_EQ(inspector->referenceSamples(), 8) << "the same for all of them";
   EXPECT_TRUE(isSame(inspector->image(IntermediateId::reference), first));
   inspector->setSettings(changed({"inputs.blended=before"}));
