@@ -17,7 +17,7 @@ constexpr std::pair<std::string_view, std::string_view> kNames[] = {
     {"GBufferPass blended", "Blended surfaces"},
     {"ReactivePass", "Reactive mask"},
     {"CameraMotionPass", "Camera motion"},
-    {"NoisePass", "Noise"},
+    {"NoisePass", "Noise and range"},
     {"TaaPass", "Resolve"},
     {"OutputPass", "Output"},
 };

@@ -8831,5 +8831,9 @@ Objects: %1, triangles: %2</source>
         <source>Objects, projection as printed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Noise and range</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>
