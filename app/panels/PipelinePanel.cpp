@@ -36,7 +36,7 @@ bool startsExpanded(Stage stage) {
 /// What the settings of a stage come to, for its folded heading: its first relevant choice.
 QString summary(Stage stage, const Settings& settings) {
   for (const Parameter& row : parameters())
-    if (row.stage == stage && row.kind == ParameterKind::Choice) {
+    if (row.stage == stage && row.kind == ParameterKind::Choice && isRelevant(row, settings)) {
       const auto index = static_cast<std::size_t>(row.get(settings));
       return index < row.choices.size() ? tableText(row.choices[index].label) : QString();
     }

@@ -14,6 +14,7 @@ class SectionHeader : public QAbstractButton {
   /// Checked: unfolded.
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
   void setSummary(const QString& summary);
+  const QString& summary() const { return summary_; }
   /// What the stage did to the frame on show; empty: not known.
   void setNote(const QString& note);
   const QString& note() const { return note_; }

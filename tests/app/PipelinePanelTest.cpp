@@ -210,3 +210,15 @@ TEST_F(ParameterPanel, HeadingsSayWhatStagesDidToTheFrame) {
   settle();
   EXPECT_EQ(note("validate_history"), "") << "it was true of another frame";
 }
+
+TEST_F(ParameterPanel, HeadingsSayTheFirstChoiceThatHasAnEffect) {
+  const auto summary = [&](const char* stage) {
+    return window.pipeline()->findChild<SectionHeader*>(QStringLiteral("stage.") + stage)->summary();
+  };
+  session.setPreset("hdrp-high");
+  settle();
+  EXPECT_EQ(summary("filter_current"), "Gaussian");
+  session.setPreset("hdrp-taau"); // drawn smaller: the filter has no say
+  settle();
+  EXPECT_EQ(summary("filter_current"), "HDRP");
+}
