@@ -123,6 +123,11 @@ const Parameter kParameters[] = {
      "How the color at the pixel's center is made from the jittered samples. Below a render scale of 1 the "
      "upsampling kernel does.",
      "Σ w(‖o − j‖) c / Σ w", "catalogue §7", "inputs.renderScale=1", FIELD(current.filter)},
+    {"current.upsample", "Upsampling", Stage::FilterCurrent, K::Choice, Effect::Program, "", 0, 4,
+     kUpsampleKernels,
+     "How the color at a pixel's center is made from the fewer samples of a render scale below 1, and what "
+     "they say of it: the confidence κ, a factor on α.",
+     "d = k + ½ − j − r·xₒ, α·κ", "catalogue §22", "inputs.renderScale<1", FIELD(current.upsample)},
     {"current.variance", "Variance σ²", Stage::FilterCurrent, K::Number, Effect::Uniform, "px²", 0.05, 2,
      kNoChoices, "Width of the Gaussian. 0.22 is close to Blackman-Harris 3.3.", "w = exp(−d²/2σ²)",
      "catalogue 7.4, Karis 2014", "current.filter=gaussian", FIELD(current.variance)},
@@ -147,11 +152,6 @@ const Parameter kParameters[] = {
      "How much of the difference to the four around is added. 0 adds nothing; as printed 0 is black.",
      "s; as printed max(0, 5s f − s Σ₄)", "catalogue 18.2, source 002",
      "current.sharpen=laplacian|laplacianAsPrinted", FIELD(current.sharpenAmount)},
-    {"current.upsample", "Upsampling", Stage::FilterCurrent, K::Choice, Effect::Program, "", 0, 4,
-     kUpsampleKernels,
-     "How the color at a pixel's center is made from the fewer samples of a render scale below 1, and what "
-     "they say of it: the confidence κ, a factor on α.",
-     "d = k + ½ − j − r·xₒ, α·κ", "catalogue §22", "inputs.renderScale<1", FIELD(current.upsample)},
     {"space.color", "Color space", Stage::Neighborhood, K::Choice, Effect::Program, "", 0, 4, kColorSpaces,
      "Axes of the box that history must lie in.",
      "Y = R/4 + G/2 + B/4, Co = R/2 − B/2, Cg = −R/4 + G/2 − B/4", "catalogue §9", "", FIELD(space.color)},

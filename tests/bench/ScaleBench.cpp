@@ -100,5 +100,5 @@ void crowd(benchmark::State& state) {
 
 } // namespace
 
-BENCHMARK(exportExr)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(exportExr)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(15);
 BENCHMARK(crowd)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(30);
