@@ -175,7 +175,7 @@ RowStory rectifiedStory(const Teller& t) {
             ""};
   }
   if (isSelected) return {words, t.equals(t.tuple(clip.result.value), Id::historyRectified), ""};
-  if (const RowStory cutOff = cutOffStory(t, clip, words); !cutOff.words.empty()) return cutOff;
+  if (RowStory cutOff = cutOffStory(t, clip, words); !cutOff.words.empty()) return cutOff;
   const std::string way = wayText(t, clip);
   if (way.empty()) return {words, "", ""};
   return {words, way + " = " + t.tuple(clip.moved), say<"in box space">()};

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 namespace taa {
@@ -53,7 +52,7 @@ glm::dvec2 jitterWay(const Scene& scene, const FrameRequest& request, int frame)
     now = before;
   }
   glm::dvec2 result = kFirstWay;
-  for (const glm::dvec2& goal : std::views::reverse(ways)) result = turnedTowards(result, goal);
+  for (auto goal = ways.rbegin(); goal != ways.rend(); ++goal) result = turnedTowards(result, *goal);
   return result;
 }
 

@@ -122,7 +122,8 @@ std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::
   std::array<float, 9> weights{};
   float sum = 0.0f;
   for (int k = 0; k < 9; ++k) {
-    const auto weight = static_cast<float>(kernelWeight(settings, k % 3 - 1, k / 3 - 1, shift));
+    const int column = k % 3 - 1, row = k / 3 - 1;
+    const auto weight = static_cast<float>(kernelWeight(settings, column, row, shift));
     weights[static_cast<std::size_t>(k)] = weight;
     sum += weight;
   }
