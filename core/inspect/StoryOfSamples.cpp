@@ -63,14 +63,11 @@ struct Set {
 
 Set setOf(const Teller& t, const std::vector<reference::Member>& members) {
   const MomentWeights kind = t.settings().neighborhood.weights;
-  constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²), catalogue 10.7
   Set set;
   set.isEqual = kind == MomentWeights::Equal;
   for (const reference::Member& member : members) {
     set.values.push_back(t.box(member.color).x);
-    set.weights.push_back(kind == MomentWeights::Equal  ? 1.0f
-                          : kind == MomentWeights::Luma ? 1.0f / (1.0f + reference::luma(member.color))
-                                                        : kByDistance[member.distance]);
+    set.weights.push_back(reference::momentWeight(kind, member));
   }
   return set;
 }

@@ -9,7 +9,7 @@
 namespace taa {
 
 bool NoisePass::isNeeded(const InputSettings& settings) {
-  return settings.noise != InputNoise::None || settings.range == ColorRange::Ldr;
+  return settings.noise != InputNoise::None || settings.range == DynamicRange::Ldr;
 }
 
 gl::Program NoisePass::compile(const Variant& variant) {
@@ -37,7 +37,7 @@ NoisePass NoisePass::reloaded() const {
 void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out) {
   assert(isNeeded(settings));
   const Variant variant{settings.noise, settings.noiseTriangular == Switch::On,
-                        settings.range == ColorRange::Ldr};
+                        settings.range == DynamicRange::Ldr};
   if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
   if (!tile_) {
     tile_ = gl::Texture({kNoiseTileSize, kNoiseTileSize}, gl::Format::R32F, "blue noise");

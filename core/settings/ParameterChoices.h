@@ -55,7 +55,7 @@ inline constexpr Choice kHistoryPrecisions[] = {
      "goal (catalogue 1.6, 20.6). Kept in 32-bit floats here, which hold them exactly."},
     {"unorm10", "10-bit", "Multiples of 1/1023, likewise (catalogue 1.6, 20.6)."},
 };
-inline constexpr Choice kColorRanges[] = {
+inline constexpr Choice kDynamicRanges[] = {
     {"hdr", "HDR", "Scene-linear colors as they were shaded, before bloom and tone mapping (catalogue 1.1)."},
     {"ldr", "LDR",
      "What is brighter than white is white before anything is averaged, as after a tone map that clips: "

@@ -68,7 +68,7 @@ const Parameter kParameters[] = {
      "Draws fewer pixels than the picture has, ⌈r·W⌉ × ⌈r·H⌉; accumulation fills the rest. Wants a jitter "
      "period near 8/r² and a mip bias of log₂ r, less 1 in FSR2: both stay yours to choose.",
      "xᵢ = r·xₒ, P ≈ 8/r²", "catalogue §22", "", FIELD(inputs.renderScale)},
-    {"inputs.range", "Range", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kColorRanges,
+    {"inputs.range", "Dynamic range", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kDynamicRanges,
      "Whether the resolve runs before tone mapping or after it.", "min(c, 1)", "catalogue 1.1, 1.2", "",
      FIELD(inputs.range)},
     {"inputs.noise", "Noise", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 2, kInputNoises,

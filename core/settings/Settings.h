@@ -55,7 +55,7 @@ enum class MotionSource : std::int32_t {
 };
 enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, After };
 enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
-enum class ColorRange : std::int32_t { Hdr, Ldr };
+enum class DynamicRange : std::int32_t { Hdr, Ldr };
 enum class InputNoise : std::int32_t { None, Gradient, Blue };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
@@ -67,8 +67,8 @@ struct InputSettings {
   float renderScale = 1.0f;            ///< r, size of what is drawn to that of the picture, a side; 0.5 to 1
   InputNoise noise = InputNoise::None; ///< added to the shaded color
   float noiseAmount = 1.0f;            ///< width of the noise, 1/255
-  ColorRange range = ColorRange::Hdr;  ///< of the shaded color
-  Switch noiseTriangular = Switch::On; ///< two noises summed: twice as wide, variance the same everywhere
+  DynamicRange range = DynamicRange::Hdr; ///< of the shaded color
+  Switch noiseTriangular = Switch::On;    ///< two noises summed: twice as wide, variance the same everywhere
   bool operator==(const InputSettings&) const = default;
 };
 

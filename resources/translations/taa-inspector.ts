@@ -8516,10 +8516,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Range</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Whether the resolve runs before tone mapping or after it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8833,6 +8829,10 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Noise and range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dynamic range</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

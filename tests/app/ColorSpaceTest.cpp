@@ -173,7 +173,7 @@ TEST(ColorSpaceMath, TheRangeHoldsEverything) {
   WhatIfRow far;
   far.resolved = glm::vec3(9.0f);
   const ColorScene scene = pixel.scene(PlotSpace::Rgb, {far});
-  const app::ColorRange range = rangeOf(scene);
+  const ColorRange range = rangeOf(scene);
   for (const glm::vec3& point : {scene.samples[0], scene.box[7], *scene.historyRaw, scene.variants.at(0)}) {
     const glm::dvec3 unit = range.unit(point);
     for (int axis = 0; axis < 3; ++axis) {

@@ -19,13 +19,14 @@ using test::emptyScene;
 using test::jump;
 using test::kHeight;
 using test::kP11;
+using test::kRight;
+using test::kUp;
 using test::kWidth;
 
 /// Pixels on the screen of a meter, 10 m away.
 constexpr float kPxPerMeter = kP11 * kHeight / 2 / 10.0f;
 /// Interpolated 32-bit clip positions have 24 bits of 320 px.
 constexpr float kTolerancePx = 2e-4f;
-const glm::vec3 kRight(40, 0, 0), kUp(0, 40, 0); // fills the picture
 constexpr double kStep = 1.0 / 60.0;
 
 class DeformedMotionTest : public test::MotionFixture {

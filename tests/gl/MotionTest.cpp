@@ -12,24 +12,20 @@ namespace {
 
 using test::addQuad;
 using test::emptyScene;
+using test::fromMiddle;
 using test::jump;
 using test::kHeight;
+using test::kP00;
 using test::kP11;
+using test::kRight;
+using test::kUp;
 using test::kWidth;
-
-constexpr float kP00 = kP11 * kHeight / kWidth;
-const glm::vec3 kRight(40, 0, 0), kUp(0, 40, 0); // fills the picture
 
 using MotionTest = test::MotionFixture;
 
 glm::vec4 turned(float degrees, const glm::vec3& axis) {
   const glm::quat q = glm::angleAxis(glm::radians(degrees), axis);
   return {q.x, q.y, q.z, q.w};
-}
-
-/// Where the scene sample of pixel (x, y) lies on the unjittered raster, from the middle, px, y down.
-glm::vec2 fromMiddle(const FrameInfo& info, int x, int y) {
-  return glm::vec2(float(x) + 0.5f - 0.5f * kWidth, float(y) + 0.5f - 0.5f * kHeight) - info.jitterPx;
 }
 
 TEST_F(MotionTest, IsExactlyZeroWhereNothingMovesWhateverTheJitter) {

@@ -11,13 +11,13 @@ namespace {
 
 using test::addQuad;
 using test::emptyScene;
+using test::fromMiddle;
 using test::jump;
 using test::kHeight;
-using test::kP11;
+using test::kP00;
+using test::kRight;
+using test::kUp;
 using test::kWidth;
-
-constexpr float kP00 = kP11 * kHeight / kWidth;
-const glm::vec3 kRight(40, 0, 0), kUp(0, 40, 0); // fills the picture
 
 class PrintedMotionTest : public test::MotionFixture {
  protected:
@@ -28,11 +28,6 @@ class PrintedMotionTest : public test::MotionFixture {
     for (CameraPose& pose : poses) pose.position = {0, 0, 10};
     asked.track = std::make_shared<const CameraTrack>(CameraTrack{"t", 0, std::move(poses)});
     return asked;
-  }
-  /// Where the sample of a pixel lies on the unjittered raster, from the middle, px, y down.
-  static glm::vec2 fromMiddle(const FrameInputs& inputs, int x, int y) {
-    return glm::vec2(float(x) + 0.5f - 0.5f * kWidth, float(y) + 0.5f - 0.5f * kHeight) -
-           inputs.info.jitterPx;
   }
 };
 
@@ -47,7 +42,7 @@ TEST_F(PrintedMotionTest, ForgetsToDivideTheCurrentPosition) {
     const Image field = inputs.motion.download(), depth = inputs.depth.download();
     for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(160, 90), glm::ivec2(319, 20)}) {
       const float w = 0.1f / depth.texel(pixel.x, pixel.y).x; // view depth, near plane 0.1 m
-      const glm::vec2 expected = (w - 1.0f) * fromMiddle(inputs, pixel.x, pixel.y);
+      const glm::vec2 expected = (w - 1.0f) * fromMiddle(inputs.info, pixel.x, pixel.y);
       EXPECT_NEAR(field.texel(pixel.x, pixel.y).x, expected.x, 2e-3f) << "of up to 3000 px";
       EXPECT_NEAR(field.texel(pixel.x, pixel.y).y, expected.y, 2e-3f);
     }
@@ -61,7 +56,7 @@ TEST_F(PrintedMotionTest, UsesThePreviousCamera) {
   const FrameInputs inputs = draw(scene, printed());
   const Image field = inputs.motion.download();
   for (const int x : {3, 160, 290}) {
-    const float r = fromMiddle(inputs, x, 90).x, before = r - kP00 * kWidth / 2 * 0.1f / 10.0f;
+    const float r = fromMiddle(inputs.info, x, 90).x, before = r - kP00 * kWidth / 2 * 0.1f / 10.0f;
     EXPECT_NEAR(field.texel(x, 90).x, 10.0f * r - before, 1e-3f);
   }
 }
@@ -120,7 +115,7 @@ TEST_F(PrintedMotionTest, TransparentSurfacesWriteItToo) {
   FrameRequest asked = printed();
   asked.inputs.blended = BlendedAs::BeforeWithMotion;
   const FrameInputs inputs = draw(scene, asked);
-  EXPECT_NEAR(inputs.motion.download().texel(30, 40).x, 9.0f * fromMiddle(inputs, 30, 40).x, 2e-3f);
+  EXPECT_NEAR(inputs.motion.download().texel(30, 40).x, 9.0f * fromMiddle(inputs.info, 30, 40).x, 2e-3f);
 }
 
 // D16: this frame's projection for both, so that a zoom alone moves nothing, the sky included.
@@ -135,7 +130,7 @@ TEST_F(PrintedMotionTest, OfThisFramesProjectionMissesTheZoom) {
   for (const glm::ivec2 pixel : {glm::ivec2(5, 7), glm::ivec2(160, 60), glm::ivec2(300, 150)})
     for (int axis = 0; axis < 2; ++axis)
       EXPECT_NEAR(right.motion.download().texel(pixel.x, pixel.y)[axis],
-                  (1.0f - shrunk) * fromMiddle(right, pixel.x, pixel.y)[axis], 1e-3f);
+                  (1.0f - shrunk) * fromMiddle(right.info, pixel.x, pixel.y)[axis], 1e-3f);
 }
 
 TEST_F(PrintedMotionTest, OfThisFramesProjectionTurnsWithItsSlope) {
@@ -145,7 +140,7 @@ TEST_F(PrintedMotionTest, OfThisFramesProjectionTurnsWithItsSlope) {
   const std::vector<CameraPose> poses{{.fovY = 45.0f}, {.yaw = 0.5f, .fovY = fov}};
   const FrameInputs inputs = draw(scene, flown(MotionSource::CurrentProjectionAsPrinted, poses));
   for (const int x : {10, 160, 300}) {
-    const float now = fromMiddle(inputs, x, kHeight / 2).x * 2.0f / kWidth;
+    const float now = fromMiddle(inputs.info, x, kHeight / 2).x * 2.0f / kWidth;
     const float before = slope * std::tan(std::atan(now / slope) + glm::radians(0.5f));
     EXPECT_NEAR(inputs.motion.download().texel(x, kHeight / 2).x, (now - before) * kWidth / 2, 1e-3f);
   }

@@ -13,12 +13,14 @@
 
 namespace taa::reference {
 
-/// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
 /// A color that the box is made from.
 struct Member {
   glm::vec3 color{0.0f};    ///< scene-linear
   std::size_t distance = 0; ///< steps from the center along the axes that it weighs as, 0 to 2
 };
+/// What it counts for mean and deviation (catalogue 10.7).
+float momentWeight(MomentWeights weights, const Member& member);
+/// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
 struct Neighborhood {
   glm::vec3 mean{0.0f};
   glm::vec3 deviation{0.0f};

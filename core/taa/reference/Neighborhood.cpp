@@ -14,8 +14,7 @@ namespace {
 enum class Set { Square, Cross, X };
 
 bool belongs(Set set, int dx, int dy) {
-  const bool isCross = std::abs(dx) + std::abs(dy) <= 1;
-  if (set == Set::Cross) return isCross;
+  if (set == Set::Cross) return std::abs(dx) + std::abs(dy) <= 1;
   return set == Set::Square || std::abs(dx) == std::abs(dy);
 }
 
@@ -73,13 +72,6 @@ std::vector<Member> tapsAround(const Inputs& inputs, const Settings& settings, c
     taps.push_back({tapAt(inputs, pixel, offset), 2});
   }
   return taps;
-}
-
-/// What a sample counts (catalogue 10.7).
-float momentWeight(MomentWeights weights, const Member& member) {
-  constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
-  if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(member.color));
-  return weights == MomentWeights::Distance ? kByDistance[member.distance] : 1.0f;
 }
 
 /// `center`: the pixel's own color, which need not be a member.
@@ -188,6 +180,12 @@ void boundByMoments(BoxKind kind, Neighborhood& n) {
 }
 
 } // namespace
+
+float momentWeight(MomentWeights weights, const Member& member) {
+  constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
+  if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(member.color));
+  return weights == MomentWeights::Distance ? kByDistance[member.distance] : 1.0f;
+}
 
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,

@@ -12,7 +12,7 @@
 namespace taa {
 namespace {
 
-class ColorRangeTest : public test::GlTest {
+class DynamicRangeTest : public test::GlTest {
  protected:
   static FrameRequest request(const Scene& scene, Precision precision = Precision::Full) {
     FrameRequest request;
@@ -37,7 +37,7 @@ float brightest(const Image& image) {
   return most;
 }
 
-TEST_F(ColorRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
+TEST_F(DynamicRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
   for (const char* name : {"builtin:lights", "builtin:fireflies"})
     for (const Precision precision : {Precision::Full, Precision::Half})
       for (const BlendedAs blended : {BlendedAs::Mask, BlendedAs::Before, BlendedAs::After}) {
@@ -47,7 +47,7 @@ TEST_F(ColorRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
         asked.inputs.blended = blended;
         FrameInputs hdr, ldr;
         renderer.draw(asked, 7, hdr);
-        asked.inputs.range = ColorRange::Ldr;
+        asked.inputs.range = DynamicRange::Ldr;
         renderer.draw(asked, 7, ldr);
         const Image bright = hdr.color.download();
         EXPECT_GT(brightest(bright), 1.0f) << name;
@@ -63,7 +63,7 @@ TEST_F(ColorRangeTest, OfLdrEndsAtWhiteAndIsTheSameBelow) {
 }
 
 // Blending is linear and comes before the tone map: bright glass adds what it has above white, too.
-TEST_F(ColorRangeTest, OfLdrIsClippedAfterBlending) {
+TEST_F(DynamicRangeTest, OfLdrIsClippedAfterBlending) {
   Scene scene = test::emptyScene();
   for (const float wall : {0.25f, 0.5f}) {
     const int color = test::addColor(scene, glm::vec4(wall, wall, wall, 1.0f));
@@ -75,7 +75,7 @@ TEST_F(ColorRangeTest, OfLdrIsClippedAfterBlending) {
   SceneRenderer renderer(std::make_shared<const Scene>(scene));
   FrameRequest asked = request(scene);
   asked.inputs.blended = BlendedAs::Before;
-  asked.inputs.range = ColorRange::Ldr;
+  asked.inputs.range = DynamicRange::Ldr;
   FrameInputs inputs;
   renderer.draw(asked, 1, inputs);
   const Image picture = inputs.color.download();
@@ -83,7 +83,7 @@ TEST_F(ColorRangeTest, OfLdrIsClippedAfterBlending) {
   EXPECT_EQ(glm::vec3(picture.texel(120, 45)), glm::vec3(1.0f, 0.875f, 0.375f)) << "3/4 + 3/4 · 1/2 is 9/8";
 }
 
-TEST_F(ColorRangeTest, OfLdrIsClippedBeforeTheNoise) {
+TEST_F(DynamicRangeTest, OfLdrIsClippedBeforeTheNoise) {
   const auto scene = std::make_shared<const Scene>(openScene("builtin:lights"));
   SceneRenderer renderer(scene);
   FrameRequest asked = request(*scene);
@@ -91,7 +91,7 @@ TEST_F(ColorRangeTest, OfLdrIsClippedBeforeTheNoise) {
   asked.inputs.noiseAmount = 2.0f;
   FrameInputs hdr, ldr;
   renderer.draw(asked, 7, hdr);
-  asked.inputs.range = ColorRange::Ldr;
+  asked.inputs.range = DynamicRange::Ldr;
   renderer.draw(asked, 7, ldr);
   const Image bright = hdr.color.download(), picture = ldr.color.download();
   const float reach = 2.0f / 255.0f; // a triangle of twice the amount's width
@@ -112,14 +112,14 @@ TEST_F(ColorRangeTest, OfLdrIsClippedBeforeTheNoise) {
   EXPECT_GT(below, 10);
 }
 
-TEST_F(ColorRangeTest, OfLdrMakesWhatIsNoNumberWhatItIsWithoutIt) {
+TEST_F(DynamicRangeTest, OfLdrMakesWhatIsNoNumberWhatItIsWithoutIt) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Image flat(4, 1, 4);
   flat.pixels = {kNaN,  0.5f, 2.0f,  1, kInfinity, -kInfinity, 1.0f,  1,
                  -1.0f, 0.0f, 1e30f, 1, 65504.0f,  kNaN,       0.25f, 1};
   InputSettings settings;
-  settings.range = ColorRange::Ldr;
+  settings.range = DynamicRange::Ldr;
   ASSERT_TRUE(NoisePass::isNeeded(settings));
   EXPECT_FALSE(NoisePass::isNeeded({}));
   const shared::FrameBlock block{}; // colors are kept in 32 bits
