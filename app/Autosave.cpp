@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include <exception>
+#include <utility>
 
 namespace taa::app {
 

@@ -21,7 +21,9 @@
 #include <QPointer>
 #include <QThreadPool>
 
+#include <exception>
 #include <functional>
+#include <string>
 
 namespace taa::app {
 

@@ -1,6 +1,7 @@
 #include "app/Mailbox.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace taa::app {
 

@@ -9,6 +9,7 @@
 #include <QMainWindow>
 
 #include <optional>
+#include <string>
 
 class QLabel;
 class QSettings;

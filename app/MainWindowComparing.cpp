@@ -13,6 +13,10 @@
 #include "core/settings/Presets.h"
 
 #include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace taa::app {
 

@@ -19,6 +19,7 @@
 #include <QTabWidget>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace taa::app {

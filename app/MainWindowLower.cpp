@@ -11,6 +11,10 @@
 #include "app/panels/WeightsPanel.h"
 #include "app/widgets/Prompt.h"
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace taa::app {
 
 void MainWindow::connectLower() {

@@ -12,6 +12,7 @@
 #include <QClipboard>
 
 #include <algorithm>
+#include <string>
 
 namespace taa::app {
 

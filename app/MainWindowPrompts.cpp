@@ -18,6 +18,11 @@
 #include <QFileDialog>
 #include <QLineEdit>
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace taa::app {
 
 namespace {

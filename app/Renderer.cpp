@@ -1,5 +1,9 @@
 #include "app/Renderer.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace taa::app {
 
 namespace {

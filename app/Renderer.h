@@ -4,6 +4,8 @@
 #include "core/RenderThread.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace taa::app {
 

@@ -16,6 +16,7 @@
 #include <QSettings>
 
 #include <exception>
+#include <string>
 #include <utility>
 
 namespace taa::app {

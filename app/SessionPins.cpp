@@ -6,6 +6,10 @@
 
 #include <glm/common.hpp>
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace taa::app {
 
 std::optional<glm::ivec2> Session::pick() const {

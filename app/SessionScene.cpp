@@ -7,6 +7,9 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace taa::app {
 

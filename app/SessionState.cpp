@@ -1,6 +1,8 @@
 // The session as a file says it, and back.
 #include "app/Session.h"
 
+#include <cstddef>
+
 namespace taa::app {
 
 SessionFile Session::file() const {

@@ -20,6 +20,9 @@
 #include <QTranslator>
 
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace taa::app {
 

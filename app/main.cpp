@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <memory>
 #include <sstream>
+#include <string>
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include "core/taa/TaaPass.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace taa {

@@ -4,6 +4,7 @@
 #include "core/io/FrameFile.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <vector>
 
 namespace taa {

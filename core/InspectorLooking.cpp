@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa {
 

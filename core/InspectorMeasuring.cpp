@@ -1,6 +1,9 @@
 // Small pictures and figures: what the Inspector does besides frames.
 #include "core/InspectorParts.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace taa {
 
 Picture Inspector::thumbnail(IntermediateId id, const glm::ivec2& texels, int lane) {

@@ -9,6 +9,11 @@
 #include "core/inspect/References.h"
 #include "core/inspect/Thumbnails.h"
 
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace taa {
 
 /// The shaders as they were when they were read last: files that are being edited change nothing until they

@@ -6,6 +6,7 @@
 #include "core/taa/reference/SampleStages.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace taa {
 

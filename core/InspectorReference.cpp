@@ -3,6 +3,12 @@
 #include "core/base/Say.h"
 #include "core/inspect/MemoryNeed.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace taa {
 
 ReferenceSubject InspectedShot::Parts::referenceSubject(int index) const {

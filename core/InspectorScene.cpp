@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace taa {
 

@@ -3,7 +3,9 @@
 #include "core/inspect/Probe.h"
 #include "core/taa/reference/SampleStages.h"
 
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa {
 

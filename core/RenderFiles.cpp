@@ -2,6 +2,8 @@
 #include "core/RenderWorker.h"
 
 #include <exception>
+#include <string>
+#include <string_view>
 
 namespace taa {
 

@@ -3,6 +3,8 @@
 #include "core/RenderWorker.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <utility>
 
 namespace taa {

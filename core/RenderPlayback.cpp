@@ -2,6 +2,8 @@
 #include "core/RenderWorker.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 namespace taa {
 

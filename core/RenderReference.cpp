@@ -3,6 +3,8 @@
 #include "core/base/Say.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 namespace taa {
 

@@ -2,8 +2,12 @@
 
 #include "core/RenderWorker.h"
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
+#include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 

@@ -3,6 +3,10 @@
 #include "core/RenderWorker.h"
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
 
 namespace taa {
 

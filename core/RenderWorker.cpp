@@ -8,6 +8,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
+#include <string_view>
 #include <utility>
 
 namespace taa {

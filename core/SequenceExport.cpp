@@ -10,9 +10,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <exception>
 #include <iomanip>
 #include <memory>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace taa {
 

@@ -3,6 +3,7 @@
 #include "core/io/FrameJson.h"
 
 #include <sstream>
+#include <utility>
 
 namespace taa {
 

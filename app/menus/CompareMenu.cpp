@@ -10,6 +10,8 @@
 #include <QActionGroup>
 #include <QMenu>
 
+#include <tuple>
+
 namespace taa::app {
 
 namespace {

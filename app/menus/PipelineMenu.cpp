@@ -15,6 +15,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <string>
+
 namespace taa::app {
 
 void Menus::makePipeline() {

@@ -8,6 +8,8 @@
 #include <QActionGroup>
 #include <QMenu>
 
+#include <optional>
+
 namespace taa::app {
 
 void Menus::makePlayback(QMenu* menu) {

@@ -13,6 +13,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <cstddef>
+
 namespace taa::app {
 
 void Menus::makeProbe() {

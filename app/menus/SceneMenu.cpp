@@ -11,6 +11,10 @@
 #include <QMenuBar>
 #include <QTabWidget>
 
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
 namespace taa::app {
 
 void Menus::makeScene() {

@@ -13,6 +13,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <utility>
+
 namespace taa::app {
 
 void Menus::makeView() {

@@ -3,6 +3,7 @@
 #include "app/Text.h"
 
 #include <cmath>
+#include <optional>
 
 namespace taa::app {
 

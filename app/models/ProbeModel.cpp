@@ -9,6 +9,9 @@
 #include <QFontMetrics>
 #include <QSize>
 
+#include <string>
+#include <utility>
+
 namespace taa::app {
 
 namespace {

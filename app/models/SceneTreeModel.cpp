@@ -9,6 +9,8 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace taa::app {
 

@@ -6,6 +6,7 @@
 #include <QAbstractItemModel>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace taa::app {

@@ -1,6 +1,7 @@
 #include "app/models/TraceStore.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace taa::app {
 

@@ -3,6 +3,7 @@
 
 #include "core/RenderThread.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace taa::app {

@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace taa::app {
 

@@ -12,6 +12,8 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace taa::app {
 

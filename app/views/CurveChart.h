@@ -8,6 +8,7 @@
 #include <QColor>
 #include <QString>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -11,7 +11,9 @@
 #include <QValueAxis>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace taa::app {
 

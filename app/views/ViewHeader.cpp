@@ -15,6 +15,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <string>
 
 namespace taa::app {
 

@@ -8,6 +8,8 @@
 
 #include <QVBoxLayout>
 
+#include <memory>
+
 namespace taa::app {
 
 ViewPanel::ViewPanel(int index, IntermediateId id, QWidget* parent)

@@ -15,7 +15,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 
 class QMenu;

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include <cstddef>
+
 namespace taa::app {
 
 void ViewPanel::connectComparing() {

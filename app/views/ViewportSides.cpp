@@ -10,7 +10,10 @@
 #include <QPainter>
 
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace taa::app {
 

@@ -8,6 +8,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <string>
+#include <string_view>
+
 namespace taa::app {
 
 namespace {

@@ -11,6 +11,8 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <string_view>
+#include <type_traits>
 
 namespace taa::app {
 

@@ -8,6 +8,8 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace taa::app {
 
 Prompt::Prompt(const QString& question, const QString& text, std::function<bool(const QString&)> accept,

@@ -1,6 +1,7 @@
 // Shaders and resources that travel inside the binary, or are read from disk while one works on them.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>

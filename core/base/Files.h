@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>

@@ -7,6 +7,7 @@
 #include "core/taa/GlslExport.h"
 
 #include <ostream>
+#include <string>
 
 namespace taa::cli {
 

@@ -7,6 +7,8 @@
 #include "core/settings/Presets.h"
 
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace taa::cli {
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdio>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace taa::cli {
 

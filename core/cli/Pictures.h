@@ -5,6 +5,7 @@
 #include "core/ShownPicture.h"
 #include "core/cli/Shot.h"
 
+#include <string>
 #include <vector>
 
 namespace taa::cli {

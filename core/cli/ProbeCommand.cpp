@@ -6,7 +6,11 @@
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
 
+#include <cstddef>
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace taa::cli {
 

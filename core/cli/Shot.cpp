@@ -3,7 +3,10 @@
 #include "core/base/Error.h"
 #include "core/io/SessionFile.h"
 
+#include <cstddef>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace taa::cli {
 

@@ -7,6 +7,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace taa::cli {
 
 /// Everything about `arguments` that can be wrong before a scene is opened, read once.

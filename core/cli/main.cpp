@@ -7,7 +7,10 @@
 #include <CLI/CLI.hpp>
 
 #include <csignal>
+#include <exception>
 #include <iostream>
+#include <string>
+#include <string_view>
 #include <unistd.h>
 
 namespace {

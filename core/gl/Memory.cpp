@@ -3,6 +3,7 @@
 #include "core/gl/Context.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 

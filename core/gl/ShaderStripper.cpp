@@ -7,6 +7,9 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace taa::gl {
 

@@ -4,6 +4,8 @@
 #include "core/base/Image.h"
 #include "core/inspect/Visualizer.h"
 
+#include <array>
+
 namespace taa {
 
 inline constexpr int kColorMapCount = 6;

@@ -5,6 +5,7 @@
 #include "core/taa/Intermediates.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa {

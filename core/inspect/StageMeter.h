@@ -12,6 +12,7 @@
 #include "core/gl/PassTimer.h"
 #include "core/inspect/Checkpoints.h"
 
+#include <memory>
 #include <vector>
 
 namespace taa {

@@ -7,6 +7,9 @@
 
 #include <array>
 #include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa::story {

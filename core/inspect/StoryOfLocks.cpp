@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 
 #include <cmath>
+#include <string>
 
 namespace taa::story {
 

@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 namespace taa::story {
 

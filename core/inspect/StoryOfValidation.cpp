@@ -3,6 +3,9 @@
 
 #include "core/base/Say.h"
 
+#include <cmath>
+#include <string>
+
 namespace taa::story {
 
 namespace {

@@ -5,6 +5,7 @@
 #include "core/taa/reference/Color.h"
 
 #include <cmath>
+#include <string>
 
 namespace taa::story {
 

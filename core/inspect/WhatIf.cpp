@@ -6,6 +6,7 @@
 #include "core/taa/History.h"
 
 #include <array>
+#include <utility>
 
 namespace taa {
 

@@ -6,7 +6,11 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace taa {
 

@@ -13,6 +13,7 @@
 #include "shaders/shared/DrawBlock.h"
 
 #include <compare>
+#include <cstddef>
 #include <map>
 #include <tuple>
 #include <utility>

@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <string>
+#include <utility>
 
 namespace taa {
 

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cstddef>
 #include <cstring>
+#include <span>
+#include <string>
 
 namespace taa {
 

@@ -6,6 +6,7 @@
 #include "core/scene/Scene.h"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>

@@ -8,6 +8,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace taa {
 

@@ -6,6 +6,8 @@
 #include "core/settings/Settings.h"
 #include "shaders/shared/LightBlock.h"
 
+#include <vector>
+
 namespace taa {
 
 struct FrameRequest;

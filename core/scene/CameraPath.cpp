@@ -9,6 +9,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace taa {
 

@@ -3,10 +3,12 @@
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa {

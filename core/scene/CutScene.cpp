@@ -3,6 +3,10 @@
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace taa {
 
 namespace {

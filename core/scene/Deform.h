@@ -4,6 +4,9 @@
 
 #include "core/scene/Pose.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace taa {
 
 /// Joint matrices (world from model) of a skin in a pose.

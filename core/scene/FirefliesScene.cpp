@@ -5,6 +5,7 @@
 #include "core/scene/SceneBuilder.h"
 
 #include <cmath>
+#include <utility>
 
 namespace taa {
 

@@ -4,7 +4,9 @@
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace taa {

@@ -5,8 +5,15 @@
 #include "core/scene/ProceduralTextures.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace taa {
 

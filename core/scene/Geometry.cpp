@@ -4,6 +4,10 @@
 #include "core/scene/Pose.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace taa {
 

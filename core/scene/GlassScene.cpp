@@ -5,8 +5,12 @@
 #include "core/scene/Lettering.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace taa {

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -6,6 +6,11 @@
 
 #include <tiny_gltf.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
 namespace taa {
 
 namespace {

@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <new>
+#include <string>
 
 namespace taa {
 

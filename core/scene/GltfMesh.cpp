@@ -10,6 +10,8 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace taa {
 

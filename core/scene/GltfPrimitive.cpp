@@ -9,10 +9,13 @@
 #include <tiny_gltf.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace taa {
 

@@ -1,7 +1,10 @@
 #include "core/scene/Lettering.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <string>
+#include <utility>
 
 namespace taa {
 

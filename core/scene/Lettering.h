@@ -4,6 +4,8 @@
 #include "core/scene/Scene.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace taa {

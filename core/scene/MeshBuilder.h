@@ -3,6 +3,7 @@
 
 #include "core/scene/Scene.h"
 
+#include <cstdint>
 #include <span>
 
 namespace taa {

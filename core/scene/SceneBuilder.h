@@ -5,6 +5,8 @@
 #include "core/scene/Scene.h"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace taa {
 

@@ -4,6 +4,7 @@
 #include "core/scene/Scene.h"
 
 #include <cmath>
+#include <utility>
 
 namespace taa {
 

@@ -4,7 +4,10 @@
 #include "core/scene/Lettering.h"
 #include "core/scene/SceneBuilder.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -1,6 +1,8 @@
 // The rows of the parameter table: one for each field of Settings, in the order of the stages.
 #include "core/settings/ParameterChoices.h"
 
+#include <span>
+
 namespace taa {
 
 namespace {

@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <system_error>
+#include <utility>
 
 namespace taa {
 

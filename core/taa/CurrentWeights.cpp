@@ -3,6 +3,7 @@
 #include "core/taa/TaaPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 

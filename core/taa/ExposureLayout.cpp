@@ -6,6 +6,7 @@
 #include <cassert>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 namespace taa {
 

@@ -3,6 +3,7 @@
 #include "core/taa/Intermediates.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace taa {
 

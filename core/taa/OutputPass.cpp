@@ -2,6 +2,7 @@
 #include "core/taa/OutputPass.h"
 
 #include <string>
+#include <vector>
 
 namespace taa {
 

@@ -6,6 +6,8 @@
 #include "core/taa/ProgramCache.h"
 #include "core/taa/TaaPass.h"
 
+#include <string>
+
 namespace taa {
 
 /// Whether what is shown may differ from the resolved picture (shaders/taa/output.glsl).

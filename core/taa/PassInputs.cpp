@@ -6,7 +6,9 @@
 #include "shaders/shared/ResolveBlock.h"
 
 #include <array>
+#include <cstddef>
 #include <iterator>
+#include <vector>
 
 namespace taa {
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace taa {
 

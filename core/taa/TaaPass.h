@@ -10,6 +10,7 @@
 #include "core/taa/History.h"
 #include "core/taa/Intermediates.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>

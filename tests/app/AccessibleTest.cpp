@@ -16,6 +16,8 @@
 #include <QTabWidget>
 
 #include <set>
+#include <string>
+#include <vector>
 
 namespace taa::app::test {
 namespace {

@@ -8,8 +8,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -14,6 +14,12 @@
 #include <QJsonObject>
 #include <QLineEdit>
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 using namespace taa;
 using namespace taa::app;
 

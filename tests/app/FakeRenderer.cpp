@@ -1,6 +1,11 @@
 #include "tests/app/FakeRenderer.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace taa::app::test {
 

@@ -3,6 +3,12 @@
 
 #include "app/Renderer.h"
 
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace taa::app::test {
 
 /// Remembers what was asked of it. The value of every channel at pixel (x, y) of frame n is x + 100·y + n,

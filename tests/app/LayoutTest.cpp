@@ -10,6 +10,9 @@
 #include <QLabel>
 #include <QSplitterHandle>
 
+#include <string>
+#include <utility>
+
 using namespace taa;
 using namespace taa::app;
 

@@ -14,6 +14,9 @@
 #include <QTabBar>
 #include <QToolButton>
 
+#include <cmath>
+#include <vector>
+
 using namespace taa;
 using namespace taa::app;
 

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -6,7 +6,9 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <span>
 
 using namespace taa::app;
 

@@ -12,6 +12,9 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include <cstddef>
+#include <utility>
+
 using namespace taa;
 using namespace taa::app;
 

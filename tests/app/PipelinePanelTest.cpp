@@ -16,6 +16,8 @@
 #include <QMenu>
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -17,6 +17,8 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

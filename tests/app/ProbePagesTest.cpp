@@ -12,7 +12,9 @@
 #include <QClipboard>
 #include <QTreeView>
 
+#include <algorithm>
 #include <future>
+#include <string>
 
 using namespace taa;
 using namespace taa::app;

@@ -11,6 +11,7 @@
 #include <QTreeView>
 
 #include <map>
+#include <string>
 
 using namespace taa;
 using namespace taa::app;

@@ -19,6 +19,9 @@
 #include <QMenu>
 #include <QPushButton>
 
+#include <string>
+#include <vector>
+
 using namespace taa;
 using namespace taa::app;
 

@@ -19,7 +19,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

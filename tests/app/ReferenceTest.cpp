@@ -6,6 +6,7 @@
 #include <QMenuBar>
 
 #include <limits>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -21,6 +21,10 @@
 #include <QTreeView>
 #include <QWheelEvent>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 namespace taa::app::test {
 namespace {
 

@@ -28,6 +28,8 @@
 #include <QTemporaryDir>
 
 #include <cstring>
+#include <memory>
+#include <string>
 
 using namespace taa;
 using namespace taa::app;

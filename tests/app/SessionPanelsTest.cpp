@@ -24,6 +24,9 @@
 #include <QTemporaryDir>
 #include <QTreeView>
 
+#include <string>
+#include <utility>
+
 using namespace taa;
 using namespace taa::app;
 

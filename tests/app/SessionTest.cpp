@@ -9,6 +9,11 @@
 #include <QCoreApplication>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
 using namespace taa;
 using namespace taa::app;
 

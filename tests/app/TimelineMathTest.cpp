@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 using namespace taa::app;
 
 TEST(TimelineMath, EveryFrameIsFoundWhereItIsDrawn) {

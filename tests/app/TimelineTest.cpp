@@ -10,6 +10,10 @@
 #include <QLineEdit>
 
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -21,6 +21,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace taa;

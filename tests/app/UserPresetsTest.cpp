@@ -18,6 +18,8 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include <vector>
+
 using namespace taa;
 using namespace taa::app;
 

@@ -2,6 +2,7 @@
 #include "app/views/ValueFinder.h"
 #include "tests/app/WindowFixture.h"
 
+#include <memory>
 #include <vector>
 
 using namespace taa;

@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include <set>
+#include <string>
 
 using namespace taa;
 using namespace taa::app;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace taa::app;
 using glm::dvec2;
 using glm::ivec2;

@@ -5,6 +5,8 @@
 #include "app/views/Viewport.h"
 #include "tests/app/WindowFixture.h"
 
+#include <cstddef>
+
 namespace taa::app::test {
 
 class FakeViews : public FakeWindow {

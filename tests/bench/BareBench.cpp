@@ -10,6 +10,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;

@@ -10,6 +10,12 @@
 #include <OpenImageIO/imageio.h>
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace {
 
 namespace fs = std::filesystem;

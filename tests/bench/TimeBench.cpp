@@ -14,6 +14,7 @@
 #include <malloc.h>
 #include <random>
 #include <sstream>
+#include <vector>
 
 namespace {
 

@@ -2,6 +2,7 @@
 #include "tests/support/MotionFixture.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace taa {
 namespace {

@@ -5,8 +5,10 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace taa {
 namespace {

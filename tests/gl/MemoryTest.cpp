@@ -7,8 +7,11 @@
 #include "tests/support/GlTest.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using taa::Error;
 using taa::gl::Buffer;

@@ -2,6 +2,7 @@
 #include "core/render/NoisePass.h"
 #include "tests/support/GlTest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

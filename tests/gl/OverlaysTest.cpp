@@ -3,8 +3,13 @@
 #include "core/inspect/Visualizer.h"
 #include "tests/support/GlTest.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace {
 

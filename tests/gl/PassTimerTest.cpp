@@ -5,6 +5,11 @@
 #include "core/inspect/Profiler.h"
 #include "tests/support/GlTest.h"
 
+#include <chrono>
+#include <ratio>
+#include <string>
+#include <vector>
+
 using taa::gl::PassGroup;
 using taa::gl::PassTimer;
 using taa::gl::TimingMethod;

@@ -5,6 +5,10 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace taa {
 namespace {

@@ -8,6 +8,8 @@
 #include "tests/support/ShaderFolder.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 
 namespace fs = std::filesystem;
 

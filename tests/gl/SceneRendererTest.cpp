@@ -12,6 +12,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <string_view>
+#include <utility>
 
 namespace taa {
 namespace {

@@ -5,6 +5,8 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <string>
+
 using taa::gl::ShaderSource;
 using taa::test::ShaderFolder;
 

@@ -6,6 +6,9 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <cstddef>
+#include <utility>
+
 using taa::Image;
 using taa::gl::Format;
 using taa::gl::Texture;

@@ -5,6 +5,10 @@
 #include "tests/support/GlTest.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace taa {
 namespace {

@@ -7,9 +7,15 @@
 #include "shaders/shared/ViewBlock.h"
 #include "tests/support/GlTest.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace {
 

@@ -5,8 +5,10 @@
 #include "tests/support/ShaderFolder.h"
 #include "tests/support/SmallInspector.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
 namespace fs = std::filesystem;
 

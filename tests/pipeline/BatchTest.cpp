@@ -14,7 +14,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 using nlohmann::json;

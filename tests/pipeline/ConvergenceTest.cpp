@@ -4,6 +4,7 @@
 #include "tests/support/GlTest.h"
 #include "tests/support/ReferenceInputs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <utility>
+#include <vector>
 
 namespace {
 

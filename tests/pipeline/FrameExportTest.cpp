@@ -8,6 +8,8 @@
 #include "tests/support/Paths.h"
 
 #include <cstring>
+#include <filesystem>
+#include <vector>
 
 namespace taa {
 namespace {

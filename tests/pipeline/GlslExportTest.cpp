@@ -12,8 +12,15 @@
 #include "tests/support/Process.h"
 #include "tests/support/ResolveTest.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace taa {
 namespace {

@@ -4,6 +4,12 @@
 #include "core/base/Error.h"
 #include "tests/support/Variants.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace {
 
 using taa::allRows;

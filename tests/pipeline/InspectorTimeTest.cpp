@@ -6,6 +6,8 @@
 #include "tests/support/Variants.h"
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace {
 

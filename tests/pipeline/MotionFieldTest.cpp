@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
+#include <memory>
 #include <numbers>
 
 namespace taa {

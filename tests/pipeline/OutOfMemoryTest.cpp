@@ -7,9 +7,14 @@
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <future>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace taa {
 namespace {

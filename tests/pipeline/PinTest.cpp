@@ -3,6 +3,9 @@
 
 #include <glm/geometric.hpp>
 
+#include <cstddef>
+#include <vector>
+
 using namespace taa;
 using PinTest = taa::test::small::InspectorTest;
 

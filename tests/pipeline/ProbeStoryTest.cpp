@@ -5,10 +5,13 @@
 #include "core/taa/reference/Color.h"
 #include "tests/support/SmallInspector.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <vector>
 
 using namespace taa;
 using ProbeStoryTest = taa::test::small::InspectorTest;

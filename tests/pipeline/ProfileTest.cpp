@@ -4,7 +4,11 @@
 #include "tests/support/GlTest.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 using taa::Inspector;
 using taa::IntermediateId;

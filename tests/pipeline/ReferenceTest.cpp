@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
 
 using taa::Figure;
 using taa::Image;

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <future>
 #include <set>
+#include <utility>
+#include <vector>
 
 using taa::Figure;
 using taa::FrameFigures;

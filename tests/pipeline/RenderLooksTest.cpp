@@ -3,6 +3,9 @@
 #include "tests/support/RenderRecorder.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <cstddef>
+#include <vector>
+
 using taa::IntermediateId;
 using taa::test::onThread::viewOf;
 

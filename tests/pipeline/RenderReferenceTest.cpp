@@ -2,6 +2,8 @@
 #include "tests/support/RenderRecorder.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 using taa::Figure;
 using taa::IntermediateId;

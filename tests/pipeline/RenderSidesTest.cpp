@@ -2,6 +2,7 @@
 #include "core/settings/Parameters.h"
 #include "tests/support/RenderRecorder.h"
 
+#include <cstddef>
 #include <future>
 
 using taa::IntermediateId;

@@ -3,6 +3,11 @@
 #include "tests/support/Variants.h"
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
 
 namespace {
 

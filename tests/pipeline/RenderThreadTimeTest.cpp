@@ -4,6 +4,7 @@
 #include "tests/support/Variants.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 

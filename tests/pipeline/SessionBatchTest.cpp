@@ -9,6 +9,10 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -7,8 +7,11 @@
 #include "tests/support/Variants.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <map>
+#include <string>
+#include <vector>
 
 using namespace taa;
 using taa::test::onThread::viewOf;

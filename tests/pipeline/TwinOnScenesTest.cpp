@@ -8,6 +8,7 @@
 #include "core/settings/Presets.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace taa {

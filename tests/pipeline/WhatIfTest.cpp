@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 using namespace taa;
 using WhatIfTest = taa::test::small::InspectorTest;

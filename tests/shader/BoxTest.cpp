@@ -2,8 +2,12 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/ResolveTest.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <utility>
+#include <vector>
 
 using taa::BoxKind;
 using taa::Image;

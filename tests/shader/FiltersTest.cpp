@@ -4,8 +4,11 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/ResolveTest.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 
 using taa::HistoryFilter;
 using taa::Image;

@@ -3,8 +3,10 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/ResolveTest.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string_view>
 
 using taa::Image;
 using taa::IntermediateId;

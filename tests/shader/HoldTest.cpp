@@ -3,6 +3,7 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/ResolveTest.h"
 
+#include <algorithm>
 #include <vector>
 
 using taa::Image;

@@ -6,6 +6,12 @@
 #include "tests/support/ShaderFolder.h"
 #include "tests/support/Variants.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 using taa::Exposure;
 using taa::History;
 using taa::IntermediateId;

@@ -6,6 +6,7 @@
 #include "tests/support/ShaderFolder.h"
 
 #include <algorithm>
+#include <vector>
 
 using taa::Exposure;
 using taa::History;

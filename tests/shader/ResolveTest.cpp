@@ -5,8 +5,13 @@
 #include "tests/support/CompareImages.h"
 #include "tests/support/Variants.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <vector>
 
 using taa::Image;
 using taa::IntermediateId;

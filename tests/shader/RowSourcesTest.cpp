@@ -5,6 +5,11 @@
 #include "tests/support/ResolveTest.h"
 #include "tests/support/Variants.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace taa {
 namespace {
 

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstring>
 #include <map>
+#include <string>
+#include <vector>
 
 using Offsets = std::map<std::string, int>;
 

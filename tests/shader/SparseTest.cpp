@@ -5,6 +5,9 @@
 
 #include "core/settings/Parameters.h"
 
+#include <algorithm>
+#include <vector>
+
 using taa::Exposure;
 using taa::Image;
 using taa::IntermediateId;

@@ -4,6 +4,11 @@
 #include "tests/support/ResolveTest.h"
 #include "tests/support/Variants.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 using taa::test::FrameShape;
 using taa::test::Variant;
 

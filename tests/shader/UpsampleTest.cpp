@@ -4,6 +4,9 @@
 #include "tests/support/ResolveTest.h"
 #include "tests/support/Variants.h"
 
+#include <cstdint>
+#include <string>
+
 using taa::History;
 using taa::Image;
 using taa::IntermediateId;

@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   std::filesystem::current_path(taa::test::rootFolder());

@@ -3,6 +3,9 @@
 
 #include "core/taa/reference/Stages.h"
 
+#include <array>
+#include <cstddef>
+
 namespace taa::test {
 namespace {
 

@@ -6,6 +6,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+
 namespace taa::test {
 
 /// Everything at rest 1 m away, one color, no jitter, no history. Near plane at 0.1 m.

@@ -5,6 +5,7 @@
 #include "core/settings/Presets.h"
 
 #include <random>
+#include <utility>
 
 namespace taa::test {
 

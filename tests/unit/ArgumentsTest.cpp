@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 using namespace taa::cli;
 using taa::MotionMode;
 using taa::MotionOverride;

@@ -8,9 +8,15 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <functional>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 using taa::IntermediateId;

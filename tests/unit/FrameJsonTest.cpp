@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <random>
+#include <string>
 
 TEST(FrameJson, WritesTheShortestDecimalThatReadsBack) {
   EXPECT_EQ(taa::floatText(0.1f), "0.1");

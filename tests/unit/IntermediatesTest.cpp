@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 using taa::Intermediate;
 using taa::IntermediateId;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string_view>
+#include <vector>
 
 using taa::Figure;
 using taa::FigureInfo;

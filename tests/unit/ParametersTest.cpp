@@ -8,8 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -7,6 +7,8 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 TEST(PictureFile, ReadsBackTheSameBytes) {

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <regex>
+#include <string>
+#include <vector>
 
 namespace {
 

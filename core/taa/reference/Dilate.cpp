@@ -3,6 +3,7 @@
 #include "core/taa/reference/Stages.h"
 #include "core/taa/reference/Upsample.h"
 
+#include <array>
 #include <cstdlib>
 #include <vector>
 

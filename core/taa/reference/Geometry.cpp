@@ -4,6 +4,7 @@
 #include "core/taa/reference/Upsample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 

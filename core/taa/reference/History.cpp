@@ -2,6 +2,7 @@
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 

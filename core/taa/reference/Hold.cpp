@@ -2,7 +2,9 @@
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Stages.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace taa::reference {
 namespace {

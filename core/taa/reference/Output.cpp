@@ -5,7 +5,9 @@
 #include "core/taa/reference/Stages.h"
 #include "core/taa/reference/Upsample.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace taa::reference {
 namespace {

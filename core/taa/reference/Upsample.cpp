@@ -7,6 +7,7 @@
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace taa::reference {
 namespace {

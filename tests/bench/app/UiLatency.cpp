@@ -18,10 +18,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <mutex>
+#include <ratio>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace {
 
