@@ -1,19 +1,15 @@
 // Which tests hold which invariant of the catalogue's list (1 to 67): each has some, and they exist.
-#include "core/base/Files.h"
+#include "tests/support/TestNames.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace taa {
 namespace {
-
-namespace fs = std::filesystem;
 
 using Tests = std::vector<std::string>;
 
@@ -170,22 +166,8 @@ const std::map<int, Tests>& invariants() {
   return all;
 }
 
-/// "Suite.Name" of every test in the sources.
-std::set<std::string> tests() {
-  std::set<std::string> names;
-  const std::regex pattern(R"(\nTEST(?:_[FP])?\((\w+),\s*(\w+)\))");
-  for (const fs::directory_entry& entry :
-       fs::recursive_directory_iterator(fs::path(TAA_SOURCE_DIR) / "tests")) {
-    if (entry.path().extension() != ".cpp") continue;
-    const std::string text = readFile(entry.path().string(), 1 << 20);
-    for (std::sregex_iterator found(text.begin(), text.end(), pattern), end; found != end; ++found)
-      names.insert((*found)[1].str() + "." + (*found)[2].str());
-  }
-  return names;
-}
-
 TEST(Invariants, AreHeldByTestsThatExist) {
-  const std::set<std::string> names = tests();
+  const std::set<std::string> names = test::testNames();
   for (const auto& [number, held] : invariants())
     for (const std::string& name : held) EXPECT_TRUE(names.contains(name)) << number << ": " << name;
 }

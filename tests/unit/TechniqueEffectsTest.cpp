@@ -281,6 +281,27 @@ TEST(TechniqueEffect, DeringingKeepsTheFilteredColorWithinTheNine) {
   }
 }
 
+// ---- The space of the box, catalogue §9
+
+TEST(TechniqueEffect, AxesOfTheBoxAreThoseOfTheSpace) {
+  const float r = 0.75f, g = 0.25f, b = 0.5f;
+  const Inputs inputs = test::constantInputs(3, 3, {r, g, b});
+  const auto expectMean = [&](const char* space, const glm::vec3& wanted) {
+    const glm::vec3 mean = valueOf(inputs, with({space}), IntermediateId::neighborhoodMean);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(mean[k], wanted[k], 1e-6f) << space << ", channel " << k;
+  };
+  const float y = r / 4 + g / 2 + b / 4, co = (r - b) / 2, cg = -r / 4 + g / 2 - b / 4;
+  expectMean("space.color=rgb", {r, g, b});
+  expectMean("space.color=yCoCg", {y, co, cg});
+  expectMean("space.color=yCoCgLifting", {y, 2 * co, 2 * cg});
+  const float luma = 0.2126f * r + 0.7152f * g + 0.0722f * b;
+  expectMean("space.color=yCbCr", {luma, (b - luma) / 1.8556f, (r - luma) / 1.5748f});
+  expectMean("space.tone=reinhardLuma", glm::vec3(r, g, b) / (1 + luma));
+  expectMean("space.tone=reinhardChannel", {r / (1 + r), g / (1 + g), b / (1 + b)});
+  expectMean("space.tone=maxChannel", glm::vec3(r, g, b) / (1 + r));
+  expectMean("space.tone=logarithm", {std::log2(1 + r), std::log2(1 + g), std::log2(1 + b)});
+}
+
 // ---- Neighborhoods, boxes: catalogue §8, §10
 
 struct Range {
@@ -477,6 +498,19 @@ TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
   EXPECT_NEAR(weight("blend.tone=luma"), 1.0 / 101.0, 1e-7);
   EXPECT_NEAR(weight("blend.tone=lumaAsPrinted"), 1.0 / (1.0 + 100.0 / 101.0), 1e-6) << "never below a half";
   EXPECT_EQ(weight("blend.tone=none"), 1.0f);
+}
+
+// Catalogue 13.11, §26, D17: 0.1·(1 − 1/1.001)² of a change from 0 to 1, and a floor of α that ends it.
+TEST(TechniqueEffect, LumaCalmsAlphaToNothingWithoutAFloor) {
+  Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
+  test::setHistory(inputs, glm::vec3(0.0f), 9.0f);
+  const auto alpha = [&](const char* floor) {
+    return valueOf(inputs, with({"weight.source=historyLength", "weight.lumaFlicker=on", floor}),
+                   IntermediateId::alpha)
+        .x;
+  };
+  EXPECT_NEAR(alpha("weight.minimum=0"), 0.1 * std::pow(1.0 - 1.0 / 1.001, 2), 1e-9);
+  EXPECT_EQ(alpha("weight.minimum=0.05"), 0.05f);
 }
 
 TEST(TechniqueEffect, WithoutHistoryTheFilteredOrABlurredColorIsShown) {

@@ -4,6 +4,8 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/Intermediates.h"
+#include "tests/support/TestNames.h"
+#include "tests/unit/TechniqueEffects.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +73,21 @@ TEST(Techniques, SayWhyWhereTheyAreNotThere) {
     const bool isAbsent = row.here.starts_with("Left out: ") || row.here.starts_with("Not yet: ");
     const bool isThere = !codes(row.here).empty() || row.here.starts_with("always");
     EXPECT_NE(isAbsent && row.here.ends_with('.'), isThere && !isAbsent) << row.id << ": " << row.here;
+  }
+}
+
+TEST(Techniques, AreEachShownByATestOfWhatTheyDo) {
+  const std::set<std::string> names = test::testNames();
+  std::set<std::string> ids;
+  for (const Row& row : techniques()) {
+    if (row.here.starts_with("Left out: ")) continue;
+    ids.insert(row.id);
+    EXPECT_TRUE(test::testsOfTechniques().contains(row.id))
+        << row.id << " " << row.name << " has no test of its effect";
+  }
+  for (const auto& [id, tests] : test::testsOfTechniques()) {
+    EXPECT_TRUE(ids.contains(id)) << id << " is no row of the README, or left out there";
+    for (const char* name : tests) EXPECT_TRUE(names.contains(name)) << id << ": there is no test " << name;
   }
 }
 
