@@ -6,6 +6,7 @@
 #include "tests/support/SmallInspector.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
