@@ -7,6 +7,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <cstdlib>
 #include <mutex>
 #include <utility>
 
@@ -70,13 +71,24 @@ std::string text(GLenum name) {
 
 Driver describeDriver() {
   Driver driver{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION)};
-  driver.isSoftware = driver.renderer.find("llvmpipe") != std::string::npos ||
-                      driver.renderer.find("softpipe") != std::string::npos;
+  const auto runsOn = [&](const char* name) { return driver.renderer.find(name) != std::string::npos; };
+  driver.isSoftware = runsOn("llvmpipe") || runsOn("softpipe");
+  driver.isExact = driver.isSoftware && !runsOn("zink");
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &driver.maxTextureSize);
   return driver;
 }
 
 } // namespace
+
+// Mesa 22.3's zink prints "vkCreateGraphicsPipelines failed" and then reads what was not made.
+std::optional<std::string> knownFault(const std::string& renderer, const std::string& version) {
+  constexpr int kFirstGood = 25; // 25.0.7 was tried, and 22.3.6
+  const std::size_t mesa = version.find("Mesa ");
+  if (!renderer.starts_with("zink") || mesa == std::string::npos) return std::nullopt;
+  if (std::atoi(version.c_str() + mesa + 5) >= kFirstGood) return std::nullopt;
+  return say<"cannot draw with the driver zink of this Mesa (%1), which crashes: unset GALLIUM_DRIVER and "
+             "MESA_LOADER_DRIVER_OVERRIDE, or update Mesa to %2">(version.substr(mesa), kFirstGood);
+}
 
 Context::Context() : handles_(std::make_unique<Handles>()) {
   handles_->display = openDisplay();
@@ -87,6 +99,11 @@ Context::Context() : handles_(std::make_unique<Handles>()) {
         say<"cannot use GL without a window: the driver lacks EGL_KHR_surfaceless_context; update it">());
   }
   driver_ = describeDriver();
+  if (const auto fault = knownFault(driver_.renderer, driver_.version)) {
+    eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(handles_->display, handles_->context);
+    throw Error(*fault);
+  }
   glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

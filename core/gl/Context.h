@@ -12,9 +12,15 @@ namespace taa::gl {
 /// What the driver says of itself.
 struct Driver {
   std::string vendor, renderer, version;
-  bool isSoftware = false; ///< llvmpipe or softpipe: results are exact, timer queries around compute lie
+  bool isSoftware =
+      false; ///< rasterizes on the CPU, zink over lavapipe included: timer queries around compute lie
+  bool isExact = false; ///< llvmpipe or softpipe itself: has the bits of the CPU twins
   int maxTextureSize = 0;
 };
+
+/// Why this driver cannot draw the program's passes, where that is known from its name (GL_RENDERER) and
+/// version (GL_VERSION): a sentence to refuse it with, since trying it would end the process.
+std::optional<std::string> knownFault(const std::string& renderer, const std::string& version);
 
 /// Makes the context current on the constructing thread and sets the conventions of design §3 (upper-left
 /// origin, depth 0…1). Use and destroy it on that thread. Throws Error when there is no GL 4.5 to be had.

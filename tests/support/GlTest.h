@@ -18,7 +18,7 @@ class GlTest : public testing::Test {
   static gl::Context& context();
 
   /// Whether results are to be expected bit for bit (llvmpipe) and not within the table's tolerances (a GPU).
-  static bool isExact() { return context().driver().isSoftware; }
+  static bool isExact() { return context().driver().isExact; }
 };
 
 } // namespace taa::test
