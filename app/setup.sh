@@ -1,5 +1,5 @@
 # What app/run and tests/run share: the packages the project needs, and installing those that are missing.
-# Sourced by bash. The names hold for Debian 12 and Ubuntu 24.04.
+# Sourced by bash. The names hold for Debian 13 and 12; tests/run --bare tries both.
 
 # To build the programs and run them on a screen or without one.
 buildPackages=(
@@ -10,7 +10,9 @@ buildPackages=(
   fonts-dejavu-core
 )
 # To test them as well.
-testPackages=(libgtest-dev libbenchmark-dev xvfb xauth clang-format-14)
+testPackages=(libgtest-dev libbenchmark-dev xvfb xauth)
+# Where the system has it (Debian 12): another version would format otherwise.
+formatPackage=clang-format-14
 
 say() { printf '\033[1m==>\033[0m %s\n' "$*" >&2; }
 
@@ -43,6 +45,11 @@ installPackages() {
   say "Updating the package lists"
   "${asRoot[@]}" apt-get update -q </dev/null >&2 || fail "the package lists could not be updated (no network?)"
   "${install[@]}" </dev/null >&2 || fail "apt-get could not install ${missing[*]}"
+}
+
+# Whether the package lists name package $1.
+isKnownPackage() {
+  apt-cache show "$1" >/dev/null 2>&1
 }
 
 # Configures the preset of this name if that was not done yet, and builds it; run in the repository root.
