@@ -52,7 +52,10 @@ bool Screenshot::isComplete() const {
     const ViewResult* result = session.picture(static_cast<int>(view)).get();
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
-    if (isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal) return false;
+    if (isOverTime(wanted[view].id)
+            ? !result->flickerSamples
+            : isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
+      return false;
     if (window_.views()->view(static_cast<int>(view))->isMeasuring()) return false;
     if (wanted[view].other && !(result->other && result->other->exact)) return false;
   }

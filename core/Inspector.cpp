@@ -25,7 +25,7 @@ Image Inspector::image(IntermediateId id, int lane, std::optional<gl::Rect> regi
   const gl::Rect part = region.value_or(gl::Rect{0, 0, width(), height()});
   const gl::PassGroup group(pass_group::kExposure);
   assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= width() && part.y + part.height <= height());
-  if (isOfReference(id)) return parts_->requiredReferenceRows(lane).image(id, part);
+  if (isOfReference(id)) return parts_->referenceImage(id, part, lane);
   return parts_->maker.exposed(parts_->subject, parts_->shown, id, lane).image(id, part);
 }
 

@@ -78,6 +78,9 @@ class Inspector : public InspectedShot {
   // Reference: the frame on show supersampled (core/inspect/References.h). It depends on nothing of a lane
   // but how transparent materials are drawn, and is kept: coming back to the frame finds it. Looking at its
   // rows (isOfReference()) without one: picture() is empty, image() throws Error, probe() gives NaN.
+  /// Makes what those of `ids` need, each row against a reference of so many samples. As refineReference().
+  void makeRows(const std::vector<IntermediateId>& ids, int samples, const Progress& progress = {},
+                int lane = 0);
   /// Draws until it has `samples`, 4 to 1024; with more it starts anew. Reports after each one; cancelled: it
   /// keeps what it has. Throws Error.
   void refineReference(int samples, const Progress& progress = {}, int lane = 0);
@@ -86,7 +89,16 @@ class Inspector : public InspectedShot {
   void setReferenceBudget(std::size_t bytes);
   /// Of the output against it. Throws Error where there is none.
   PictureError referenceError(int lane = 0);
-  /// Figures of the frame on show; those against a reference stay empty where there is none.
+  // Flicker of what is shown up to the frame on show (core/inspect/Flicker.h), whose rows are isOverTime().
+  // Always of exact frames. It is kept, and what the next frame needs of it.
+  /// Against references of so many samples of all its frames, 0: without, so that only the deviation is
+  /// known. Cancelled: goes on from there when it is asked again. Throws Error.
+  void refineFlicker(int samples, const Progress& progress = {}, int lane = 0);
+  std::optional<int> flickerSamples(int lane = 0) const; ///< nothing: there is none
+  /// kLeastFlickerFrames to kMostFlickerFrames; kFlickerFrames unless told otherwise.
+  void setFlickerFrames(int frames);
+  int flickerFrames() const;
+  /// Figures of the frame on show; those against a reference and over time stay empty where there is none.
   FrameFigures figures(const std::vector<Figure>& wanted, int lane = 0);
   /// The same of any frame, exactly, of the first lane, against a reference of so many samples; what is on
   /// show stays. Frame after frame costs one frame each, and its reference. Cancelled: goes on from there

@@ -15,18 +15,24 @@ bool isAgainstReference(Figure figure) {
   return figureInfo(figure).needsReference;
 }
 
+/// The row of the frame alone that a figure is made of.
+std::optional<IntermediateId> rowOf(Figure figure) {
+  const FigureInfo& info = figureInfo(figure);
+  return info.isOverTime ? std::nullopt : findIntermediate(info.row);
+}
+
 /// The rows that figures are made of.
 std::vector<IntermediateId> rowsOf(const std::vector<Figure>& wanted) {
   std::vector<IntermediateId> ids;
   for (const Figure figure : wanted)
-    if (const auto id = findIntermediate(figureInfo(figure).row)) ids.push_back(*id);
+    if (const auto id = rowOf(figure)) ids.push_back(*id);
   return inTableOrder(std::move(ids));
 }
 
 void addRows(FrameFigures& figures, const std::vector<Figure>& wanted, const std::vector<IntermediateId>& ids,
              const std::vector<Image>& rows) {
   for (const Figure figure : wanted)
-    if (const auto id = findIntermediate(figureInfo(figure).row))
+    if (const auto id = rowOf(figure))
       figures.at(figure) =
           figureOf(figure, rows[static_cast<std::size_t>(std::ranges::find(ids, *id) - ids.begin())]);
 }
@@ -39,12 +45,24 @@ void addError(FrameFigures& figures, const std::vector<Figure>& wanted, const Pi
   }
 }
 
+void addFlicker(FrameFigures& figures, const std::vector<Figure>& wanted, const FlickerMaps& maps,
+                int samples) {
+  figures.flickerSamples = samples;
+  for (const Figure figure : wanted) {
+    if (figure == Figure::Deviation) figures.at(figure) = meanOverTime(maps.deviation, maps.frames);
+    if (figure == Figure::Flicker && samples > 0)
+      figures.at(figure) = meanOverTime(maps.flicker, maps.frames);
+  }
+}
+
 } // namespace
 
 FrameFigures Inspector::figures(const std::vector<Figure>& wanted, int lane) {
   FrameFigures figures{.frame = frame(), .lane = lane, .exact = isExact(lane), .values = {}};
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   addRows(figures, wanted, ids, images(ids, lane));
+  if (const std::optional<int> samples = flickerSamples(lane))
+    addFlicker(figures, wanted, parts_->flickers.at(static_cast<std::size_t>(lane)).maps(), *samples);
   ReferenceRows* const reference =
       std::ranges::any_of(wanted, isAgainstReference) ? parts_->referenceRows(lane) : nullptr;
   if (!reference) return figures;
@@ -56,20 +74,17 @@ FrameFigures Inspector::figures(const std::vector<Figure>& wanted, int lane) {
 FrameFigures Inspector::figuresBeside(int frame, const std::vector<Figure>& wanted, int samples,
                                       FigureCursor& cursor, const Progress& progress) {
   Parts& parts = *parts_;
-  const Subject subject = parts.firstLane();
+  const Subject subject = parts.onlyLane(0);
   FrameFigures figures{.frame = frame, .values = {}};
   const bool isCompared = std::ranges::any_of(wanted, isAgainstReference);
-  const ReferencePicture* reference = nullptr;
-  if (isCompared) { // first: it is what takes long, and what is there of it stays
-    const gl::PassGroup group(pass_group::kReference);
-    const ReferenceSubject drawn{referenceRequest(subject.request(0)), frame};
-    reference = parts.references.find(drawn);
-    if (!reference || reference->samples != samples) {
-      cursor.references.setBudget(0); // the one that is being drawn
-      cursor.references.refine(*subject.renderer, drawn, samples, progress);
-      reference = cursor.references.find(drawn);
-    }
-  }
+  const bool isOverTime =
+      std::ranges::any_of(wanted, [](Figure figure) { return figureInfo(figure).isOverTime; });
+  cursor.references.setBudget(0); // the one that is being drawn
+  const Parts::FlickerNeed need{0, frame, std::ranges::count(wanted, Figure::Flicker) > 0 ? samples : 0};
+  // First: it is what takes long, and what is there of it stays.
+  if (isOverTime) parts.fillFlicker(cursor.flicker, cursor.references, need, progress);
+  const ReferencePicture* reference =
+      isCompared ? &parts.referenceOf(subject, frame, samples, cursor.references, progress) : nullptr;
   const gl::PassGroup group(pass_group::kExposure);
   ShownFrame made = parts.makeBeside(frame, cursor.trace, progress);
   const std::vector<IntermediateId> ids = rowsOf(wanted);
@@ -79,13 +94,19 @@ FrameFigures Inspector::figuresBeside(int frame, const std::vector<Figure>& want
     for (const IntermediateId id : ids) rows.push_back(exposure.image(id));
   }
   addRows(figures, wanted, ids, rows);
+  Image output;
+  if (reference || isOverTime)
+    output = parts.maker.expose(subject, made, {IntermediateId::output}, 0).image(IntermediateId::output);
+  parts.maker.recycle(std::move(made));
   if (reference) {
     figures.referenceSamples = samples;
-    const Image output =
-        parts.maker.expose(subject, made, {IntermediateId::output}, 0).image(IntermediateId::output);
     addError(figures, wanted, pictureError(output, reference->mean()));
   }
-  parts.maker.recycle(std::move(made));
+  if (isOverTime) {
+    cursor.flicker.frames.at(frame).shown = shownColors(output);
+    addFlicker(figures, wanted, flickerMaps(cursor.flicker, parts.firstOfFlicker(frame), frame),
+               need.samples);
+  }
   return figures;
 }
 

@@ -44,8 +44,10 @@ void Inspector::keepAside(const std::vector<int>& frames, const Progress& progre
 bool Inspector::isAtHand(const Look& look) const {
   if (!parts_->isOpen() || look.lane >= laneCount()) return false;
   const ShownFrame* frame = parts_->find(look.frame);
-  return isOfReference(look.id) ? frame == &parts_->shown && referenceSamples(look.lane) > 0
-                                : frame != nullptr;
+  if (!isOfReference(look.id) || !frame) return frame != nullptr;
+  if (frame != &parts_->shown) return false;
+  return isOverTime(look.id) ? parts_->flickerRows(look.id, look.lane) != nullptr
+                             : referenceSamples(look.lane) > 0;
 }
 
 bool Inspector::isExact(const Look& look) const {
@@ -64,7 +66,7 @@ DrawnLayers InspectedShot::Parts::layersOf(const Look& look, const std::optional
   if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
   // First: comparing with the reference exposes the output.
   const auto referenceOf = [this](const Look& of) {
-    return isOfReference(of.id) ? Layer{&requiredReferenceRows(of.lane).texture(of.id)} : Layer{};
+    return isOfReference(of.id) ? Layer{referenceTexture(of.id, of.lane)} : Layer{};
   };
   DrawnLayers layers{.row = referenceOf(look), .minus = minus ? referenceOf(*minus) : Layer{}};
   std::erase_if(ids, isOfReference);
@@ -94,7 +96,7 @@ Image Inspector::image(const Look& look, const std::optional<Look>& minus, const
   assert(isAtHand(look) && (!minus || isAtHand(*minus)));
   const gl::PassGroup group(pass_group::kExposure);
   const auto values = [&](const Look& of) {
-    if (isOfReference(of.id)) return parts_->requiredReferenceRows(of.lane).image(of.id, region);
+    if (isOfReference(of.id)) return parts_->referenceImage(of.id, region, of.lane);
     return parts_->maker.exposed(parts_->subject, *parts_->find(of.frame), of.id, of.lane)
         .image(of.id, region);
   };

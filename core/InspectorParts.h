@@ -4,6 +4,7 @@
 #include "core/Inspector.h"
 #include "core/base/EmbeddedFiles.h"
 #include "core/inspect/BackgroundCompiler.h"
+#include "core/inspect/FlickerRows.h"
 #include "core/inspect/FrameMaker.h"
 #include "core/inspect/ReferenceRows.h"
 #include "core/inspect/References.h"
@@ -43,6 +44,8 @@ struct InspectedShot::Parts {
   StageMeter stageMeter{gl::timingMethodFor(context.driver())};
   References references;
   std::array<ReferenceRows, kMostLanes> comparisons; // with the reference, one a lane
+  std::array<FlickerRows, kMostLanes> flickers;      // one a lane
+  int flickerFrames = kFlickerFrames;
   BackgroundCompiler compiler;
 
   bool isOpen() const { return subject.scene != nullptr; }
@@ -78,17 +81,40 @@ struct InspectedShot::Parts {
   DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);
 
   // InspectorTracing.cpp
-  Subject firstLane() const;
-  /// Any frame of the first lane, exactly, without anything exposed; what is on show stays.
-  ShownFrame makeBeside(int frame, TraceCursor& cursor, const Progress& progress);
+  /// A lane as the only one.
+  Subject onlyLane(int lane) const;
+  /// Any frame of a lane as the only one, exactly, without anything exposed; what is on show stays.
+  ShownFrame makeBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane = 0);
+
+  // InspectorFlicker.cpp
+  struct FlickerNeed {
+    int lane = 0, last = 0; ///< the frame whose flicker it is
+    int samples = 0;        ///< of the reference, 0: none
+  };
+  FlickerSubject flickerSubject(int lane) const;
+  /// The first frame that flicker of `last` is taken over.
+  int firstOfFlicker(int last) const;
+  /// What a lane shows in any frame, as a screen is sent it.
+  Image shownBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane);
+  /// Makes what is missing of a window but what the last frame shows.
+  void fillFlicker(FlickerWindow& window, References& drawn, const FlickerNeed& need,
+                   const Progress& progress);
+  /// Those of the frame on show; null where the row is not made.
+  FlickerRows* flickerRows(IntermediateId id, int lane);
 
   // InspectorReference.cpp
+  /// The reference of any frame of the first lane of `of`, found among those at hand or drawn into `drawn`.
+  const ReferencePicture& referenceOf(const Subject& of, int frame, int samples, References& drawn,
+                                      const Progress& progress);
   ReferenceSubject referenceSubject(int lane) const;
-  /// Throws Error where there is not the memory to draw one.
-  void checkReference(int lane) const;
+  /// Throws Error where there is not the memory to draw one, and `more` bytes.
+  void checkReference(int lane, std::size_t more = 0) const;
   /// Those of the frame on show; null where it has no reference.
   ReferenceRows* referenceRows(int lane);
   ReferenceRows& requiredReferenceRows(int lane); ///< throws Error instead
+  /// A row of the reference, single frame or over time; throws Error where it is not made. The texture: null.
+  Image referenceImage(IntermediateId id, const gl::Rect& region, int lane);
+  const gl::Texture* referenceTexture(IntermediateId id, int lane);
   Picture referencePicture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                            const glm::ivec2& size, int lane);
   /// Writes the rows of the reference into records of `region`, where there is one.

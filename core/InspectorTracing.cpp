@@ -21,22 +21,23 @@ bool isCovered(const ProbePin& pin, const PinSpot& spot, const PixelRecord& reco
 
 } // namespace
 
-Subject InspectedShot::Parts::firstLane() const {
-  Subject first = subject;
-  first.lanes.resize(1);
-  return first;
+Subject InspectedShot::Parts::onlyLane(int lane) const {
+  Subject only = subject;
+  only.lanes = {settings(lane)};
+  return only;
 }
 
 // Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
 // last, which the next frame goes on from.
-ShownFrame InspectedShot::Parts::makeBeside(int frame, TraceCursor& cursor, const Progress& progress) {
+ShownFrame InspectedShot::Parts::makeBeside(int frame, TraceCursor& cursor, const Progress& progress,
+                                            int lane) {
   std::vector<Checkpoints> kept(1);
-  kept[0] = checkpoints[0];
+  kept[0] = checkpoints[static_cast<std::size_t>(lane)];
   if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
   const auto watched = std::exchange(maker.watched, {});
   std::optional<ShownFrame> made;
   try {
-    made = maker.replay(firstLane(), kept, frame, 0, progress);
+    made = maker.replay(onlyLane(lane), kept, frame, 0, progress);
   } catch (...) {
     maker.watched = watched;
     throw;
@@ -50,7 +51,7 @@ std::vector<std::optional<TraceSample>> Inspector::traceFrame(int frame, const s
                                                               TraceCursor& cursor, const Progress& progress) {
   Parts& parts = *parts_;
   const gl::PassGroup group(pass_group::kProbe);
-  const Subject subject = parts.firstLane();
+  const Subject subject = parts.onlyLane(0);
   ShownFrame made = parts.makeBeside(frame, cursor, progress);
   const View view = viewAt(scene(), subject.request(0), frame);
   const FrameInputs& inputs = parts.maker.inputs(subject, made, 0);

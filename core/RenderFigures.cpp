@@ -13,6 +13,15 @@ namespace {
 
 constexpr int kFramesAtOnce = 8; ///< in their order, since each goes on from the one before
 
+bool isOverTimeFigure(Figure figure) {
+  return figureInfo(figure).isOverTime;
+}
+
+// Where each takes many frames before it the first of a row is dear.
+int framesAtOnce(const std::vector<Figure>& wanted) {
+  return std::ranges::any_of(wanted, isOverTimeFigure) ? 4 * kFlickerFrames : kFramesAtOnce;
+}
+
 bool needsReferenceFor(Figure figure) {
   return figureInfo(figure).needsReference;
 }
@@ -47,7 +56,11 @@ void RenderWorker::deliverFigures() {
 void RenderWorker::deliver(FrameFigures figures) {
   const bool isWhole =
       !std::ranges::any_of(figures_.wanted, needsReferenceFor) || figures.referenceSamples == reference_.goal;
-  if (figures.lane == 0 && figures.exact && isWhole) figures_.known.insert(figures.frame);
+  const bool lacksFlicker = std::ranges::any_of(figures_.wanted, [&](Figure figure) {
+    const int samples = figureInfo(figure).needsReference ? reference_.goal : 0;
+    return isOverTimeFigure(figure) && figures.flickerSamples.value_or(-1) < samples;
+  });
+  if (figures.lane == 0 && figures.exact && isWhole && !lacksFlicker) figures_.known.insert(figures.frame);
   figures.subject = subject_;
   if (listener_.onFigures) listener_.onFigures(figures);
 }
@@ -56,7 +69,7 @@ void RenderWorker::deliver(FrameFigures figures) {
 // is missing right behind it.
 std::optional<int> RenderWorker::frameOfFigures() const {
   if (figures_.wanted.empty() || figures_.isStopped || figures_.subject != subject_ || !isOpen() ||
-      playing_ || hasFrameGoal() || laneOfReference())
+      playing_ || hasFrameGoal() || laneOfReference() || laneOfFlicker())
     return {};
   const auto [first, last] = playedFrames();
   const auto isMissing = [&, from = first, to = last](int frame) {
@@ -70,7 +83,8 @@ std::optional<int> RenderWorker::frameOfFigures() const {
     for (const int frame : {now + distance, now - distance})
       if (isMissing(frame)) {
         int start = frame; // of those before it as many as one way brings along
-        while (frame < now && frame - start + 1 < kFramesAtOnce && isMissing(start - 1)) --start;
+        while (frame < now && frame - start + 1 < framesAtOnce(figures_.wanted) && isMissing(start - 1))
+          --start;
         return start;
       }
   return {};
@@ -80,7 +94,7 @@ std::optional<int> RenderWorker::frameOfFigures() const {
 void RenderWorker::fillFigures(int frame) {
   if (!figures_.frames || figures_.around != inspector_.frame() || frame < figures_.frames->first ||
       frame > figures_.frames->second) {
-    figures_.frames = {frame, frame + kFramesAtOnce - 1};
+    figures_.frames = {frame, frame + framesAtOnce(figures_.wanted) - 1};
     figures_.around = inspector_.frame();
   }
   const auto [first, last] = playedFrames();

@@ -88,6 +88,7 @@ void RenderWorker::useIdleTime() {
   const Clock::time_point began = Clock::now();
   if (!due || *due > began) {
     if (const std::optional<int> lane = laneOfReference()) return refineReference(*lane);
+    if (const std::optional<int> lane = laneOfFlicker()) return refineFlicker(*lane);
     if (const std::optional<int> frame = frameOfFigures()) fillFigures(*frame);
     return;
   }

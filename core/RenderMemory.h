@@ -37,6 +37,7 @@ struct ReferenceWork {
   std::uint64_t version = 1;   ///< changes with each picture of it that is to be shown
   std::uint64_t stoppedAt = 0; ///< version that it was cancelled or failed for
   bool isTold = false;         ///< somebody was told that it is under way
+  bool isFlickerTold = false;  ///< the same of flicker
 };
 
 struct FigureWork {

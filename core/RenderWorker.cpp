@@ -86,6 +86,7 @@ void RenderWorker::apply(const Wishes& wishes) {
   applyReference(wishes);
   applyFigures(wishes);
   endReference();
+  endFlicker();
   endFigures();
 }
 

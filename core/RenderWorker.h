@@ -42,7 +42,7 @@ class RenderWorker {
   /// Whether work() would do something now, besides playing.
   bool hasGoal() const {
     return hasFrameGoal() || wantsToFillTraces() || laneOfReference() || frameOfFigures() ||
-           isCompilingAhead();
+           laneOfFlicker() || isCompilingAhead();
   }
   /// When there is something to do again without a wish; nothing: never.
   std::optional<Clock::time_point> wakeAt();
@@ -90,6 +90,10 @@ class RenderWorker {
   void applyReference(const Wishes& wishes);
   std::optional<int> laneOfReference() const;
   void refineReference(int lane);
+  int flickerSamplesFor(int lane) const;
+  std::optional<int> laneOfFlicker() const;
+  void refineFlicker(int lane);
+  void endFlicker();
   void endReference();
   void applyFigures(const Wishes& wishes);
   void deliverFigures();

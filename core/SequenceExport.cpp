@@ -76,8 +76,7 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
     const std::string name = inspector.laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
     frame.lanes.push_back(
         {name, inspector.settings(lane), inspector.info(lane), inspector.inputs(lane).block});
-    if (std::ranges::any_of(request.ids, isOfReference))
-      inspector.refineReference(request.picture.referenceSamples, stop, lane);
+    inspector.makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   }
   exportFrame(inspector, std::move(frame), request.ids, path);
 }

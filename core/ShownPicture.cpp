@@ -18,7 +18,7 @@ void makeReference(Inspector& inspector, const PictureRequest& request, const Lo
   if (look.frame)
     throw Error(
         say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame, inspector.frame()));
-  inspector.refineReference(request.referenceSamples, progress, look.lane);
+  inspector.makeRows({look.id}, request.referenceSamples, progress, look.lane);
 }
 
 void checkSides(const Inspector& inspector, const PictureRequest& request) {

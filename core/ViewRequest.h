@@ -66,6 +66,10 @@ struct ViewResult {
   /// output is from it.
   int referenceSamples = 0;
   std::optional<PictureError> error{};
+  /// Of a row over time: samples of the references that went into it, 0: none; nothing: it is not measured
+  /// yet, the picture is empty. And its mean over the picture, where anything was seen before.
+  std::optional<int> flickerSamples{};
+  std::optional<double> flicker{};
   int frame = 0;
   bool exact = true;
   ReasonCounts reasons{};          ///< where they are shown

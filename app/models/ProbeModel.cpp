@@ -109,7 +109,9 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Unit) return tableText(row.unit);
   if (!record_) return {};
   if (!reference::hasValue(*record_, row.id))
-    return column == Value ? QStringLiteral("—") : tr("no reference drawn");
+    return column == Value      ? QStringLiteral("—")
+           : isOverTime(row.id) ? tr("not measured")
+                                : tr("no reference drawn");
   const glm::vec4 value = reference::at(*record_, row.id);
   return column == Value ? valueText(row, value) : valueWords(row, value);
 }

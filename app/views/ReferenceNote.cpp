@@ -6,7 +6,20 @@
 
 namespace taa::app {
 
+namespace {
+
+QString flickerNote(const ViewResult& result) {
+  if (!result.flickerSamples) return QObject::tr("not measured yet: comes while paused");
+  if (!result.flicker) return QObject::tr("nothing in this frame was seen before");
+  const QString mean = QObject::tr("mean %1").arg(*result.flicker, 0, 'f', 5);
+  if (!needsReference(result.request.id)) return mean;
+  return QObject::tr("%1 samples · %2").arg(*result.flickerSamples).arg(mean);
+}
+
+} // namespace
+
 QString referenceNote(const ViewResult& result) {
+  if (isOverTime(result.request.id)) return flickerNote(result);
   if (!isOfReference(result.request.id)) return {};
   if (result.referenceSamples == 0 || !result.error) return QObject::tr("not drawn yet: comes while paused");
   const QString psnr = std::isinf(result.error->psnr)

@@ -84,6 +84,8 @@ struct MetricsArguments {
   ShotArguments shot;
   std::string frames;
   int referenceSamples = 64; ///< 0: nothing is compared with a reference
+  bool flicker = false;      ///< also what is over time: frames before those, and their references
+  int flickerFrames = 16;
   bool json = false, csv = false;
 };
 

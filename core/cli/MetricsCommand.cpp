@@ -5,10 +5,12 @@
 #include "core/cli/Table.h"
 #include "core/io/FrameJson.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -22,35 +24,46 @@ namespace {
 /// Of one lane, frame by frame.
 using LaneFigures = std::vector<FrameFigures>;
 
-std::vector<Figure> figuresWanted(int referenceSamples) {
+std::vector<Figure> figuresWanted(const MetricsArguments& arguments) {
   std::vector<Figure> wanted;
   for (const FigureInfo& info : kFigures)
-    if (referenceSamples > 0 || !info.needsReference) wanted.push_back(info.figure);
+    if ((arguments.referenceSamples > 0 || !info.needsReference) && (arguments.flicker || !info.isOverTime))
+      wanted.push_back(info.figure);
   return wanted;
 }
 
-double meanOf(const LaneFigures& lane, Figure figure) {
+/// Of the frames that have it: nothing changes over time up to the first, or to a cut.
+std::optional<double> meanOf(const LaneFigures& lane, Figure figure) {
   double sum = 0.0;
-  for (const FrameFigures& frame : lane) sum += frame.at(figure).value();
-  return sum / static_cast<double>(lane.size());
+  int count = 0;
+  for (const FrameFigures& frame : lane) {
+    sum += frame.at(figure).value_or(0.0);
+    count += frame.at(figure) ? 1 : 0;
+  }
+  if (count == 0) return {};
+  return sum / count;
 }
 
 /// As few digits as read back as the same number.
-std::string exactText(double value) {
+std::string exactText(const std::optional<double>& known) {
+  if (!known) return "";
+  const double value = *known;
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-std::string shortText(double value) {
+std::string shortText(const std::optional<double>& value) {
+  if (!value) return "-";
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.5g", value);
+  std::snprintf(text.data(), text.size(), "%.5g", *value);
   return text.data();
 }
 
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(exactText(value));
+ordered_json number(const std::optional<double>& value) {
+  if (!value) return nullptr;
+  return std::isfinite(*value) ? ordered_json(*value) : ordered_json(exactText(value));
 }
 
 std::string heading(Figure figure) {
@@ -63,7 +76,7 @@ void printLane(std::ostream& out, const LaneFigures& lane, const std::vector<Fig
   for (const Figure figure : wanted) table[0].push_back(heading(figure));
   for (const FrameFigures& frame : lane) {
     table.push_back({std::to_string(frame.frame)});
-    for (const Figure figure : wanted) table.back().push_back(shortText(frame.at(figure).value()));
+    for (const Figure figure : wanted) table.back().push_back(shortText(frame.at(figure)));
   }
   table.push_back({"mean"});
   for (const Figure figure : wanted) table.back().push_back(shortText(meanOf(lane, figure)));
@@ -78,7 +91,7 @@ void printCsv(std::ostream& out, const std::vector<LaneFigures>& lanes, const Sh
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
     for (const FrameFigures& frame : lanes[lane]) {
       out << frame.frame << ',' << plan.lanes.at(lane).name << ',' << plan.lanes.at(lane).preset;
-      for (const Figure figure : wanted) out << ',' << exactText(frame.at(figure).value());
+      for (const Figure figure : wanted) out << ',' << exactText(frame.at(figure));
       out << '\n';
     }
 }
@@ -90,8 +103,7 @@ ordered_json laneOf(const Inspector& inspector, const LaneFigures& figures, cons
   json.erase("jitterPx");
   for (const FrameFigures& frame : figures) {
     ordered_json row = {{"frame", frame.frame}};
-    for (const Figure figure : wanted)
-      row[std::string(figureInfo(figure).id)] = number(frame.at(figure).value());
+    for (const Figure figure : wanted) row[std::string(figureInfo(figure).id)] = number(frame.at(figure));
     json["frames"].push_back(row);
   }
   for (const Figure figure : wanted)
@@ -103,6 +115,8 @@ void printJson(std::ostream& out, const Inspector& inspector, const std::vector<
                const ShotPlan& plan, int referenceSamples, const std::vector<Figure>& wanted) {
   ordered_json json = shotJson(inspector);
   json["referenceSamples"] = referenceSamples;
+  if (std::ranges::any_of(wanted, [](Figure figure) { return figureInfo(figure).isOverTime; }))
+    json["flickerFrames"] = inspector.flickerFrames();
   for (const Figure figure : wanted) {
     const FigureInfo& info = figureInfo(figure);
     json["figures"].push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
@@ -121,8 +135,9 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   const FrameRange range = parseFrames(arguments.frames);
   const int samples = arguments.referenceSamples;
   if (samples != 0) checkReferenceSamples(samples);
-  const std::vector<Figure> wanted = figuresWanted(samples);
+  const std::vector<Figure> wanted = figuresWanted(arguments);
   Inspector inspector;
+  inspector.setFlickerFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
   std::vector<LaneFigures> lanes(plan.lanes.size());
@@ -131,6 +146,7 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
     inspector.seek(frame, frame == range.first ? progress : Progress());
     for (int lane = 0; lane < inspector.laneCount(); ++lane) {
       if (samples > 0) inspector.refineReference(samples, progress, lane);
+      if (arguments.flicker) inspector.refineFlicker(samples, progress, lane);
       lanes[static_cast<std::size_t>(lane)].push_back(inspector.figures(wanted, lane));
     }
   }

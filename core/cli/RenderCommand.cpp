@@ -160,8 +160,8 @@ void renderFrames(Inspector& inspector, const RenderArguments& arguments, const 
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.seek(frame, frame == range.first ? progress : Progress());
-    for (int lane = 0; isExr && pictures.showsReference() && lane < inspector.laneCount(); ++lane)
-      inspector.refineReference(arguments.referenceSamples, progress, lane);
+    for (int lane = 0; isExr && lane < inspector.laneCount(); ++lane)
+      inspector.makeRows(ids, arguments.referenceSamples, progress, lane);
     if (isExr) {
       written(writeExr(inspector, plan, ids, arguments.folder));
       continue;

@@ -3,6 +3,7 @@
 #include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
+#include "core/inspect/Flicker.h"
 
 #include <CLI/CLI.hpp>
 
@@ -205,6 +206,14 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
   addShotOptions(*command, metrics.shot);
   command->add_option("--frames", metrics.frames, "A..B, both included, or one frame")->required();
   addReferenceSamples(*command, metrics.referenceSamples, "of the reference, 4 to 1024; 0: draw none");
+  command->add_flag(
+      "--flicker", metrics.flicker,
+      "Also measure how much each pixel changes over the last frames, followed along its motion: "
+      "more than its reference does, which is drawn for those frames too, or with "
+      "--reference-samples 0 in all");
+  command->add_option("--flicker-frames", metrics.flickerFrames, "Frames that flicker is taken over, 2 to 64")
+      ->check(CLI::Range(taa::kLeastFlickerFrames, taa::kMostFlickerFrames))
+      ->capture_default_str();
   command->add_flag("--json", metrics.json, "Print JSON");
   command->add_flag("--csv", metrics.csv, "Print comma-separated values, a line for each frame and lane");
   command->callback([&metrics, &progress] { runMetrics(metrics, std::cout, progress); });

@@ -1,6 +1,7 @@
 // Where the figures of frames that are not on show have come to.
 #pragma once
 
+#include "core/inspect/FlickerRows.h"
 #include "core/inspect/PixelTrace.h"
 #include "core/inspect/References.h"
 
@@ -11,6 +12,7 @@ namespace taa {
 struct FigureCursor {
   TraceCursor trace;
   References references;
+  FlickerWindow flicker;
 };
 
 } // namespace taa

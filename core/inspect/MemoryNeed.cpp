@@ -1,6 +1,7 @@
 #include "core/inspect/MemoryNeed.h"
 
 #include "core/base/Say.h"
+#include "core/inspect/FlickerRows.h"
 #include "core/inspect/References.h"
 #include "core/render/SceneRenderer.h"
 #include "core/settings/Parameters.h"
@@ -60,6 +61,8 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     need.reference += lanes.size() * rowBytes(intermediate(id), picturePx);
     drawsReference = true;
   }
+  if (std::ranges::any_of(watched, isOverTime))
+    need.reference += lanes.size() * flickerBytes(picturePx, kFlickerFrames);
   for (std::size_t lane = 0; drawsReference && lane < lanes.size(); ++lane) // one after the other
     drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx));
   need.reference += drawn;

@@ -17,7 +17,7 @@ struct MemoryNeed {
   std::size_t inputs = 0;    ///< of the frame on show and of the one that is made, and what drawing keeps
   std::size_t histories = 0; ///< that a frame is resolved from and into, and those used again
   std::size_t exposures = 0; ///< of what is watched, for both frames
-  std::size_t reference = 0; ///< where rows of it are watched: drawing it, and those rows
+  std::size_t reference = 0; ///< where rows of it are watched: drawing it, those rows and their frames
   std::size_t total() const { return inputs + histories + exposures + reference; }
 };
 

@@ -37,6 +37,16 @@ double mean(const Image& row) {
 
 } // namespace
 
+Image shownColors(const Image& linear) {
+  assert(linear.channels >= 3);
+  Image colors(linear.width, linear.height, 3);
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; ++x)
+      std::transform(linear.at(x, y), linear.at(x, y) + 3, colors.at(x, y),
+                     [](float value) { return static_cast<float>(shown(value)); });
+  return colors;
+}
+
 PictureError pictureError(const Image& picture, const Image& reference) {
   assert(picture.width == reference.width && picture.height == reference.height);
   assert(picture.channels >= 3 && reference.channels >= 3 && !picture.empty());
@@ -55,7 +65,8 @@ std::optional<Figure> findFigure(std::string_view id) {
 }
 
 double figureOf(Figure figure, const Image& row) {
-  assert(!figureInfo(figure).row.empty() && row.channels == 1 && !row.empty());
+  assert(!figureInfo(figure).row.empty() && !figureInfo(figure).isOverTime);
+  assert(row.channels == 1 && !row.empty());
   if (figure != Figure::Rejected && figure != Figure::Clipped) return mean(row);
   const std::array rows{ChangedRow{row, 0.0f}}; // 0: kept
   return 100.0 * shareOfChanged(rows);

@@ -23,6 +23,10 @@ struct PictureError {
   double rmseLinear = 0.0; ///< as the first, but scene-linear and of all there is
 };
 
+/// What a screen is sent of a scene-linear picture, in 0…1: exposure 0, clamped, encoded as sRGB (IEC
+/// 61966-2-1). Three channels, of three at least.
+Image shownColors(const Image& linear);
+
 /// Both have the same size and three channels at least.
 PictureError pictureError(const Image& picture, const Image& reference);
 
@@ -35,7 +39,9 @@ enum class Figure : std::uint8_t {
   HistoryLength,
   Rmse,
   Psnr,
-  RmseLinear
+  RmseLinear,
+  Deviation,
+  Flicker
 };
 
 struct FigureInfo {
@@ -47,9 +53,10 @@ struct FigureInfo {
   std::string_view description;
   std::string_view row;        ///< the intermediate it is made of; empty: of output and reference
   bool needsReference = false; ///< not known of a frame without a reference
+  bool isOverTime = false;     ///< of the frames before, too: not known before those were made
 };
 
-inline constexpr std::array<FigureInfo, 8> kFigures{{
+inline constexpr std::array<FigureInfo, 10> kFigures{{
     {Figure::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
     {Figure::Rejected, "rejected", "Rejected", "%", 0, 100,
      "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
@@ -68,6 +75,14 @@ inline constexpr std::array<FigureInfo, 8> kFigures{{
      true},
     {Figure::RmseLinear, "rmseLinear", "RMSE, scene-linear", "", 0, 1,
      "As RMSE, but scene-linear and not clamped: bright highlights count for what they are.", "", true},
+    {Figure::Deviation, "deviationOverTime", "Deviation over time", "", 0, 0.02,
+     "Standard deviation of what is shown over the last frames, followed along the motion: the mean over all "
+     "pixels that were seen before. It has in it what really changes.",
+     "deviationOverTime", false, true},
+    {Figure::Flicker, "flicker", "Flicker", "", 0, 0.02,
+     "Standard deviation of what is shown over the last frames, followed along the motion, without what the "
+     "reference has of it: the mean over all pixels that were seen before.",
+     "flicker", true, true},
 }};
 
 constexpr const FigureInfo& figureInfo(Figure figure) {
@@ -80,6 +95,8 @@ struct FrameFigures {
   int frame = 0, lane = 0;
   bool exact = true;        ///< of the frame
   int referenceSamples = 0; ///< of the reference that RMSE and PSNR were taken against; 0: there was none
+  /// The same of flicker; 0: only the deviation is known; nothing: neither is.
+  std::optional<int> flickerSamples{};
   std::array<std::optional<double>, kFigures.size()> values;
   std::uint64_t subject = 0; ///< counts what frames were a function of (Status::subject)
 
@@ -87,7 +104,7 @@ struct FrameFigures {
   std::optional<double>& at(Figure figure) { return values[static_cast<std::size_t>(figure)]; }
 };
 
-/// The figure from the picture of its row; expects that it has one.
+/// The figure from the picture of its row; expects that it has one, which is not over time.
 double figureOf(Figure figure, const Image& row);
 
 } // namespace taa

@@ -13,13 +13,23 @@
 namespace taa {
 
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference) {
-  assert(isOfReference(id));
+  assert(isOfReference(id) && !isOverTime(id));
   if (id == IntermediateId::reference) return reference;
   const glm::vec3 is(output), should(reference);
   if (id == IntermediateId::referenceError)
     return {reference::luma(is) - reference::luma(should), 0.0f, 0.0f, 0.0f};
   const glm::vec3 difference = glm::abs(is - should);
   return {std::max({difference.x, difference.y, difference.z}), 0.0f, 0.0f, 0.0f};
+}
+
+gl::Texture rowTexture(const Image& row, const std::string& label) {
+  const bool isColor = row.channels == 3; // GL has no three channels that it must draw into
+  Image texels(row.width, row.height, isColor ? 4 : 1);
+  for (int y = 0; y < row.height; ++y)
+    for (int x = 0; x < row.width; ++x) std::copy_n(row.at(x, y), row.channels, texels.at(x, y));
+  gl::Texture texture({row.width, row.height, 1}, isColor ? gl::Format::RGBA32F : gl::Format::R32F, label);
+  texture.upload(texels);
+  return texture;
 }
 
 bool ReferenceRows::isOf(const Origin& origin) const {
@@ -50,15 +60,7 @@ Image ReferenceRows::image(IntermediateId id, const gl::Rect& region) const {
 
 const gl::Texture& ReferenceRows::texture(IntermediateId id) {
   gl::Texture& texture = textures_[id];
-  if (texture) return texture;
-  const Image row = image(id, {0, 0, reference_.width, reference_.height});
-  const bool isColor = row.channels == 3; // GL has no three channels that it must draw into
-  Image texels(row.width, row.height, isColor ? 4 : 1);
-  for (int y = 0; y < row.height; ++y)
-    for (int x = 0; x < row.width; ++x) std::copy_n(row.at(x, y), row.channels, texels.at(x, y));
-  texture = gl::Texture({row.width, row.height, 1}, isColor ? gl::Format::RGBA32F : gl::Format::R32F,
-                        "reference row");
-  texture.upload(texels);
+  if (!texture) texture = rowTexture(image(id, {0, 0, reference_.width, reference_.height}), "reference row");
   return texture;
 }
 

@@ -11,11 +11,15 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace taa {
 
-/// The value of a row of the reference in one pixel, missing channels 0.
+/// The value of a row of the reference in one pixel, missing channels 0. Expects one of a single frame.
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference);
+
+/// A row of one channel or three as the Visualizer takes it.
+gl::Texture rowTexture(const Image& row, const std::string& label);
 
 /// The rows of one lane of a frame, kept while neither its output nor its reference changes.
 class ReferenceRows {

@@ -186,6 +186,7 @@ RowStory errorStory(Id id, const Teller& t) {
 } // namespace
 
 RowStory outputStory(Id id, const Teller& t) {
+  if (isOverTime(id)) return flickerStory(id, t);
   if (isOfReference(id)) return errorStory(id, t);
   if (id == Id::sharpenDetail) return detailStory(t);
   return id == Id::blurTrust ? trustStory(t) : shownStory(t);

@@ -63,6 +63,7 @@ RowStory lockStory(Id id, const Teller& teller); ///< what of rectification is t
 RowStory validateStory(Id id, const Teller& teller);
 RowStory weightStory(Id id, const Teller& teller);
 RowStory blendStory(Id id, const Teller& teller);
-RowStory outputStory(Id id, const Teller& teller); ///< output and reference
+RowStory outputStory(Id id, const Teller& teller);  ///< output and reference
+RowStory flickerStory(Id id, const Teller& teller); ///< the rows of the reference that are over time
 
 } // namespace taa::story

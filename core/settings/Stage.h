@@ -61,8 +61,8 @@ inline constexpr std::array<StageInfo, 13> kStages{{
      "history.",
      "output"},
     {Stage::Reference, "reference", "Reference",
-     "The same instant, supersampled: what the output should be, and how far it is from it. Drawn while "
-     "somebody looks at it.",
+     "The same instant, supersampled: what the output should be, how far it is from it, and how much more "
+     "it flickers. Drawn while somebody looks at it.",
      ""},
 }};
 

@@ -174,7 +174,15 @@ enum class Visual : std::uint8_t {
   ROW(referenceError, "Error", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                                  \
       "Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.")      \
   ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                          \
-      "Largest difference of output and reference in red, green or blue, scene-linear.")
+      "Largest difference of output and reference in red, green or blue, scene-linear.")                     \
+  ROW(flicker, "Flicker", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                                           \
+      "Standard deviation over the last frames of what is shown (sRGB, 0 to 1), followed along the motion, " \
+      "without what the reference has of it: the root of the difference of variances.")                      \
+  ROW(deviationOverTime, "Deviation over time", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                     \
+      "The same with what really changes: the reference is not taken off.")                                  \
+  ROW(framesFollowed, "Frames followed", Reference, 1, "frames", 0, 16, Scalar, 0,                           \
+      "Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off "        \
+      "before.")
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,
@@ -208,10 +216,19 @@ constexpr const Intermediate& intermediate(IntermediateId id) {
   return kIntermediates[static_cast<std::size_t>(id)];
 }
 
-/// Whether the row comes from the supersampled picture, not from the frame's own resolve. There is a value
-/// only where a reference was made (Inspector::refineReference).
+/// Whether the row comes from the supersampled picture or from other frames, not from the frame's own
+/// resolve. There is a value only where those were made (Inspector::makeRows).
 constexpr bool isOfReference(IntermediateId id) {
   return intermediate(id).stage == Stage::Reference;
+}
+/// Those of them that are of the frames before, too.
+constexpr bool isOverTime(IntermediateId id) {
+  return id == IntermediateId::flicker || id == IntermediateId::deviationOverTime ||
+         id == IntermediateId::framesFollowed;
+}
+/// Those of them that need a reference.
+constexpr bool needsReference(IntermediateId id) {
+  return isOfReference(id) && (!isOverTime(id) || id == IntermediateId::flicker);
 }
 
 /// The rows that a resolve gives, with the pass after it: the table without those of the reference, which are

@@ -339,7 +339,7 @@ TEST_F(BatchMetrics, PrintsFiguresOfEachFrameAndLane) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const json report = json::parse(result.out);
   EXPECT_EQ(report["referenceSamples"], 8);
-  EXPECT_EQ(report["figures"].size(), taa::kFigures.size());
+  EXPECT_EQ(report["figures"].size(), taa::kFigures.size() - 2) << "nothing over time unless it is asked for";
   ASSERT_EQ(report["lanes"].size(), 2u);
   for (const json& lane : report["lanes"]) {
     ASSERT_EQ(lane["frames"].size(), 3u);
@@ -355,6 +355,26 @@ TEST_F(BatchMetrics, PrintsFiguresOfEachFrameAndLane) {
   EXPECT_EQ(std::ranges::count(csv.out, '\n'), 1 + 2 * 3);
   const std::string first = report["lanes"][0]["frames"][0]["rmse"].dump();
   EXPECT_NE(csv.out.find(first), std::string::npos) << "the same number, " << first;
+}
+
+TEST_F(BatchMetrics, PrintsFlickerOverTheLastFramesWhenAskedTo) {
+  const std::vector<std::string> command = {"metrics", "builtin:fan", "--size",           "32x18", "--frames",
+                                            "0..2",    "--flicker",   "--flicker-frames", "2"};
+  const ProcessResult result = batch(joined(command, {"--reference-samples", "4", "--json"}));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["flickerFrames"], 2);
+  const json& frames = report["lanes"][0]["frames"];
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_TRUE(frames[0]["flicker"].is_null()) << "nothing was seen before";
+  EXPECT_GT(frames[2]["flicker"].get<double>(), 0.0);
+  EXPECT_GE(frames[2]["deviationOverTime"].get<double>(), frames[2]["flicker"].get<double>());
+  const double mean = report["lanes"][0]["mean"]["flicker"];
+  EXPECT_DOUBLE_EQ(mean, (frames[1]["flicker"].get<double>() + frames[2]["flicker"].get<double>()) / 2.0);
+  const ProcessResult alone = batch(joined(command, {"--reference-samples", "0", "--csv"}));
+  ASSERT_EQ(alone.exitCode, 0) << alone.err;
+  EXPECT_NE(alone.out.find(",deviationOverTime\n"), std::string::npos) << alone.out;
+  EXPECT_EQ(alone.out.find("flicker"), std::string::npos) << "it needs a reference";
 }
 
 TEST_F(BatchMetrics, ComparesWithNothingWhereNoSamplesAreWanted) {

@@ -257,6 +257,10 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   case Id::referenceError:
   case Id::referenceErrorAbs:
     return !reference::hasValue(probed.record, Id::reference);
+  case Id::flicker:
+  case Id::deviationOverTime:
+  case Id::framesFollowed:
+    return true; // of other frames
   default:
     return false;
   }

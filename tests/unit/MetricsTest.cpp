@@ -92,12 +92,14 @@ TEST(Figures, SayWhatTheyAre) {
     EXPECT_TRUE(ids.insert(info.id).second) << info.id;
     EXPECT_TRUE(info.description.ends_with('.')) << info.id;
     EXPECT_LT(info.low, info.high) << info.id;
-    EXPECT_EQ(info.row.empty(), info.needsReference) << info.id;
+    EXPECT_EQ(info.row.empty(), info.needsReference && !info.isOverTime) << info.id;
     if (info.row.empty()) continue;
     const auto id = taa::findIntermediate(info.row);
     ASSERT_TRUE(id) << info.row;
     EXPECT_EQ(taa::intermediate(*id).channels, 1) << info.row;
-    EXPECT_FALSE(taa::isOfReference(*id)) << info.row;
+    EXPECT_EQ(taa::isOfReference(*id), info.isOverTime) << info.row;
+    EXPECT_EQ(taa::needsReference(*id), info.needsReference) << info.row;
+    EXPECT_EQ(taa::isOverTime(*id), info.isOverTime) << info.row;
   }
   EXPECT_FALSE(taa::findFigure("mse"));
 }

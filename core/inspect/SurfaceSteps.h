@@ -1,0 +1,35 @@
+// Where the surface that the center of a pixel shows was a frame ago, by the scene's exact geometry: what
+// flicker is followed along. No GL.
+#pragma once
+
+#include "core/base/Image.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+
+namespace taa {
+
+/// What the centers of pixels show, drawn without jitter and with the true motion of all objects.
+struct SeenSurfaces {
+  Image objectId;          ///< 0: the sky
+  Image depthView;         ///< m; 0: the sky
+  Image motionPx;          ///< current − previous; see kNoPreviousPosition
+  Image previousDepthView; ///< m, of the same surface a frame ago; 0: the sky or none
+};
+
+/// Channels of what surfaceSteps() gives: the motion, px, and the object that moves.
+inline constexpr int kStepChannels = 3;
+
+/// How the surface of each pixel came there from the frame before: its motion, NaN where it was not seen
+/// then: off the picture, without a previous position, or behind something else. It was seen where one of the
+/// 3×3 pixels around its place shows the same object, and its depth lies between the smallest and the largest
+/// of those that do, give or take a hundredth. (3×3, because the center of a pixel may miss a thin line that
+/// crosses it.)
+Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before);
+
+/// The step at a place of the picture, px: of the pixel that holds it, or the nearest of the eight around it,
+/// where that shows `object`. Nothing where none does or the surface was not seen before.
+std::optional<glm::dvec2> stepAt(const Image& steps, const glm::dvec2& positionPx, float object);
+
+} // namespace taa

@@ -1,0 +1,78 @@
+// Flicker of frames, on the render thread.
+#include "tests/support/RenderRecorder.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+using taa::Figure;
+using taa::IntermediateId;
+using taa::test::onThread::viewOf;
+
+namespace {
+constexpr auto kWork = "Measuring the flicker";
+constexpr int kSamples = 4;
+} // namespace
+
+class RenderFlickerTest : public taa::test::onThread::RenderThreadTest {
+ protected:
+  void goTo(int frame) {
+    thread->setReferenceSamples(kSamples);
+    thread->seek(frame);
+    thread->waitUntilIdle();
+  }
+  bool wasTold() const {
+    return std::ranges::any_of(recorder.works, [](const taa::Work& work) { return work.what == kWork; });
+  }
+};
+
+TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
+  goTo(3);
+  EXPECT_FALSE(wasTold()) << "nobody looks";
+  thread->setViews({viewOf(IntermediateId::deviationOverTime)});
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 2u);
+  EXPECT_FALSE(recorder.pictures.front().flickerSamples) << "at once, as far as it is known";
+  EXPECT_EQ(recorder.pictures.back().flickerSamples, 0) << "no reference was drawn for it";
+  const std::optional<double> deviation = recorder.pictures.back().flicker;
+  ASSERT_TRUE(deviation);
+  thread->setViews({viewOf(IntermediateId::flicker)});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples);
+  ASSERT_TRUE(recorder.pictures.back().flicker);
+  EXPECT_LE(*recorder.pictures.back().flicker, *deviation);
+  EXPECT_TRUE(wasTold());
+  EXPECT_TRUE(recorder.works.back().what.empty());
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
+  goTo(8);
+  recorder.onWork = [&](const taa::Work& work) {
+    if (work.what == kWork && work.done == 2) thread->cancel();
+  };
+  thread->setViews({viewOf(IntermediateId::flicker)});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(wasTold());
+  EXPECT_FALSE(recorder.pictures.back().flickerSamples);
+  EXPECT_TRUE(recorder.works.back().what.empty());
+  recorder.onWork = {};
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples) << "another frame starts again by itself";
+}
+
+TEST_F(RenderFlickerTest, FiguresOfAllPlayedFramesHaveIt) {
+  thread->setPlayback({.range = std::pair(0, 4)});
+  goTo(2);
+  thread->setFigures({Figure::Flicker, Figure::Deviation});
+  thread->waitUntilIdle();
+  std::vector<std::optional<double>> flicker(5);
+  for (const taa::FrameFigures& figures : recorder.figures)
+    if (figures.flickerSamples == kSamples)
+      flicker.at(static_cast<std::size_t>(figures.frame)) = figures.at(Figure::Flicker);
+  EXPECT_FALSE(flicker[0]) << "nothing was seen before";
+  for (std::size_t frame = 1; frame < flicker.size(); ++frame) EXPECT_TRUE(flicker[frame]) << frame;
+  EXPECT_TRUE(recorder.works.back().what.empty());
+}
