@@ -57,7 +57,7 @@ ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
   rows->addWidget(makeTop());
   passes_ = new FigureTable({tr("Pass"), tr("ms"), tr("median"), tr("%")});
   chart_ = new ProfileChart;
-  stages_ = new FigureTable({tr("Stage"), tr("ms"), tr("%")});
+  stages_ = new FigureTable({tr("Stage"), tr("ms"), tr("±"), tr("%")});
   memory_ = new FigureTable({tr("Resource"), tr("MiB"), tr("objects")});
   passesTitle_ = new QLabel(tr("Passes, from the next frame on"));
   stagesTitle_ = new QLabel(tr("Stages of the resolve, when measured"));
@@ -152,14 +152,27 @@ void ProfilerPanel::showMemory() {
 void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   costs_ = costs;
   std::vector<FigureTable::Row> rows;
-  const auto add = [&](const QString& name, double time) {
-    rows.push_back({{name, ms(time), percent(costs.wholeMs > 0.0 ? time / costs.wholeMs : 0.0)}});
+  const auto share = [&](double time) {
+    return percent(costs.whole.median > 0.0 ? time / costs.whole.median : 0.0);
   };
-  for (const StageCost& cost : costs.stages) add(tableText(stageInfo(cost.stage).label), cost.milliseconds);
-  add(tr("Draw and stores"), costs.storeMs);
-  rows.push_back({{tr("All"), ms(costs.wholeMs), {}}, {}, true});
+  for (const StageCost& cost : costs.stages) {
+    const bool isClear = cost.verdict() == CostVerdict::Clear, isNoise = cost.verdict() == CostVerdict::Noise;
+    rows.push_back(
+        {{tableText(stageInfo(cost.stage).label), isNoise ? tr("in the noise") : ms(cost.ms.median),
+          ms(cost.ms.spread()), isClear ? share(cost.ms.median) : QString()},
+         {},
+         false,
+         QString::fromStdString(verdictWords(cost))});
+  }
+  rows.push_back(
+      {{tr("Draw and stores"), ms(costs.store.median), ms(costs.store.spread()), share(costs.store.median)}});
+  rows.push_back({{tr("All"), ms(costs.whole.median), ms(costs.whole.spread()), {}}, {}, true});
   stages_->setRows(rows);
-  stagesTitle_->setText(tr("Stages at frame %1, %2×%3").arg(costs.frame).arg(costs.width).arg(costs.height));
+  stagesTitle_->setText(tr("Stages at frame %1, %2×%3, ± of %4 rounds")
+                            .arg(costs.frame)
+                            .arg(costs.width)
+                            .arg(costs.height)
+                            .arg(costs.rounds));
 }
 
 QString ProfilerPanel::text() const {

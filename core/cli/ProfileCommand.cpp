@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::cli {
@@ -50,9 +51,17 @@ ordered_json profileJson(const std::vector<PassRow>& passes, const FrameProfile&
   for (const PassRow& row : passes)
     json["passes"].push_back(
         {{"name", row.name}, {"medianMs", median(row.milliseconds)}, {"ms", row.milliseconds}});
-  json["stages"] = {{"wholeMs", costs.wholeMs}, {"storeMs", costs.storeMs}, {"rounds", costs.rounds}};
+  json["stages"] = {{"wholeMs", costs.whole.median},
+                    {"wholeRangeMs", {costs.whole.low, costs.whole.high}},
+                    {"storeMs", costs.store.median},
+                    {"storeRangeMs", {costs.store.low, costs.store.high}},
+                    {"rounds", costs.rounds}};
   for (const StageCost& cost : costs.stages)
-    json["stages"]["stages"].push_back({{"stage", stageInfo(cost.stage).id}, {"ms", cost.milliseconds}});
+    json["stages"]["stages"].push_back({{"stage", stageInfo(cost.stage).id},
+                                        {"ms", cost.ms.median},
+                                        {"rangeMs", {cost.ms.low, cost.ms.high}},
+                                        {"isAboveNoise", cost.verdict() == CostVerdict::Clear},
+                                        {"note", verdictWords(cost)}});
   for (const MemoryCost& cost : last.memory)
     json["memory"].push_back({{"name", cost.name}, {"bytes", cost.bytes}, {"objects", cost.objects}});
   json["memoryBytes"] = last.memoryBytes;
@@ -70,12 +79,19 @@ void printPasses(std::ostream& out, const std::vector<PassRow>& passes) {
 }
 
 void printStages(std::ostream& out, const StageCosts& costs) {
-  std::vector<std::vector<std::string>> table{{"STAGE OF THE RESOLVE", "MS", "SHARE"}};
-  for (const StageCost& cost : costs.stages)
-    table.push_back({std::string(stageInfo(cost.stage).label), fixed(cost.milliseconds, 3),
-                     share(cost.milliseconds, costs.wholeMs)});
-  table.push_back({"Draw and stores", fixed(costs.storeMs, 3), share(costs.storeMs, costs.wholeMs)});
-  table.push_back({"All", fixed(costs.wholeMs, 3), ""});
+  std::vector<std::vector<std::string>> table{{"STAGE OF THE RESOLVE", "MS", "±", "SHARE", ""}};
+  const auto add = [&](std::string name, const MeasuredMs& ms, const std::string& part) {
+    table.push_back({std::move(name), fixed(ms.median, 3), fixed(ms.spread(), 3), part, ""});
+  };
+  for (const StageCost& cost : costs.stages) {
+    const bool isClear = cost.verdict() == CostVerdict::Clear;
+    add(std::string(stageInfo(cost.stage).label), cost.ms,
+        isClear ? share(cost.ms.median, costs.whole.median) : "");
+    if (cost.verdict() == CostVerdict::Noise) table.back()[1] = "";
+    table.back().back() = verdictWords(cost);
+  }
+  add("Draw and stores", costs.store, share(costs.store.median, costs.whole.median));
+  add("All", costs.whole, "");
   printTable(out, table);
 }
 

@@ -1,20 +1,20 @@
 // Times programs that end after each stage, in rounds.
 #include "core/inspect/StageMeter.h"
 
-#include "core/base/Median.h"
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace taa {
 
 namespace {
 
-constexpr int kRounds = 9;
+constexpr int kRounds = 15; // so that the range leaves out three of them at each end
 constexpr double kLeastSampleMs = 4.0;
 constexpr int kMostRepeats = 64;
 
@@ -81,14 +81,9 @@ StageCosts StageMeter::result(const ResolvedFrame& frame) const {
   costs.height = frame.inputs.outputHeight();
   costs.rounds = kRounds;
   costs.method = method_;
-  costs.wholeMs = median(times_.back());
-  costs.storeMs = median(times_.front());
-  for (std::size_t program = 1; program < kPrograms.size(); ++program) {
-    std::vector<double> differences; // the rounds of all programs are in the same order
-    for (std::size_t round = 0; round < times_[program].size(); ++round)
-      differences.push_back(times_[program][round] - times_[program - 1][round]);
-    costs.stages.push_back({kPrograms[program], median(std::move(differences))});
-  }
+  costs.whole = measured(times_.back());
+  costs.store = measured(times_.front());
+  costs.stages = stageCosts(std::span(kPrograms).subspan(1), times_);
   return costs;
 }
 

@@ -2,34 +2,19 @@
 // before.
 //
 // Each program sums up and writes what its stages computed, so that the compiler keeps them; the production
-// program is the last one and has no trace of this. The cost of a stage is the median over rounds of the
-// difference within a round, so slow drift of the machine falls out. It may come out a little below zero:
-// then the compiler makes more of the longer program than of the shorter one, or the stage costs less than
-// the noise.
+// program is the last one and has no trace of this. All are drawn in each round, one right after the other,
+// every other round backwards; see stageCosts() for what is made of it.
 #pragma once
 
 #include "core/base/Progress.h"
 #include "core/gl/PassTimer.h"
 #include "core/inspect/Checkpoints.h"
+#include "core/inspect/StageCosts.h"
 
 #include <memory>
 #include <vector>
 
 namespace taa {
-
-struct StageCost {
-  Stage stage = Stage::Jitter;
-  double milliseconds = 0.0;
-};
-
-/// Of one frame of one lane. `stages` in the order in which the resolve runs them; the rest of the whole is
-/// `storeMs`: launching the draw and writing its targets.
-struct StageCosts {
-  int frame = 0, width = 0, height = 0, rounds = 0;
-  gl::TimingMethod method = gl::TimingMethod::Finish;
-  double wholeMs = 0.0, storeMs = 0.0;
-  std::vector<StageCost> stages;
-};
 
 /// Keeps what it has measured of a frame when it is stopped, and goes on from there.
 class StageMeter {

@@ -190,9 +190,12 @@ void FakeRenderer::measureStages() {
   costs.frame = status.info.frame;
   costs.width = status.width;
   costs.height = status.height;
-  costs.wholeMs = 4.0;
-  costs.storeMs = 1.0;
-  costs.stages = {{Stage::Neighborhood, 2.0}, {Stage::Blend, 1.0}};
+  costs.rounds = 15;
+  costs.whole = {4.0, 3.9, 4.2};
+  costs.store = {1.0, 0.9, 1.1};
+  costs.stages = {{Stage::Neighborhood, {2.0, 1.75, 2.125}},
+                  {Stage::BlendWeight, {0.25, -0.5, 0.5}},
+                  {Stage::Blend, {-1.0, -1.5, -0.75}}};
   listener_.onStageCosts(costs);
 }
 

@@ -113,15 +113,24 @@ TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
   EXPECT_TRUE(panel->isVisible());
   ASSERT_TRUE(panel->hasStageCosts());
   const FigureTable* stages = panel->stages();
-  ASSERT_EQ(stages->topLevelItemCount(), 4);
+  ASSERT_EQ(stages->topLevelItemCount(), 5);
   EXPECT_EQ(cell(stages, 0, 0), "Neighborhood");
   EXPECT_EQ(cell(stages, 0, 1), "2.000");
-  EXPECT_EQ(cell(stages, 0, 2), "50.0");
+  EXPECT_EQ(cell(stages, 0, 2), "0.250");
+  EXPECT_EQ(cell(stages, 0, 3), "50.0");
+  EXPECT_EQ(cell(stages, 1, 0), "Blend weight");
+  EXPECT_EQ(cell(stages, 1, 1), "in the noise");
+  EXPECT_EQ(cell(stages, 1, 2), "0.750");
+  EXPECT_EQ(cell(stages, 1, 3), "") << "no share of what is not known";
+  EXPECT_EQ(panel->stages()->rows()[1].tip, "not above the noise, ± 0.750 ms");
+  EXPECT_EQ(cell(stages, 2, 1), "-1.000");
+  EXPECT_EQ(cell(stages, 2, 3), "");
+  EXPECT_TRUE(panel->stages()->rows()[2].tip.startsWith("below 0"));
   session.seek(5);
   settle();
   QTest::mouseClick(panel->measureButton(), Qt::LeftButton);
   settle();
-  EXPECT_EQ(cell(stages, 3, 0), "All");
+  EXPECT_EQ(cell(stages, 4, 0), "All");
   renderer->listener().onWork({"Measuring stages", 1, 99});
   settle();
   EXPECT_FALSE(panel->measureButton()->isEnabled());
@@ -140,7 +149,8 @@ TEST_F(Profiler, SaysHowItTimesAndCopiesAsTextAndCsv) {
   ASSERT_TRUE(test::waitFor([&] { return panel->passes()->topLevelItemCount() == 4; }));
   const QString csv = panel->csv(), text = panel->text();
   EXPECT_TRUE(csv.contains("G-buffer,4.000,4.000,33.3\n")) << csv.toStdString();
-  EXPECT_TRUE(csv.contains("Neighborhood,2.000,50.0\n")) << csv.toStdString();
+  EXPECT_TRUE(csv.contains("Neighborhood,2.000,0.250,50.0\nBlend weight,in the noise,0.750,\n"))
+      << csv.toStdString();
   EXPECT_TRUE(csv.contains("\"history, \"\"kept\"\"\",3.00,5\n")) << csv.toStdString();
   EXPECT_TRUE(text.contains("llvmpipe (test)")) << text.toStdString();
   EXPECT_TRUE(text.contains("glFinish")) << text.toStdString();

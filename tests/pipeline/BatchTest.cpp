@@ -316,6 +316,14 @@ TEST_F(BatchProfile, PrintsPassesStagesAndMemory) {
   EXPECT_EQ(names, (std::vector<std::string>{"G-buffer", "Sky", "Resolve", "Between the passes"}));
   EXPECT_EQ(profile["stages"]["stages"].size(), 10u);
   EXPECT_GT(profile["stages"]["wholeMs"].get<double>(), 0.0);
+  for (const json& stage : profile["stages"]["stages"]) {
+    ASSERT_EQ(stage["rangeMs"].size(), 2u) << stage;
+    const double ms = stage["ms"], low = stage["rangeMs"][0], high = stage["rangeMs"][1];
+    const bool isAbove = ms > high - ms && ms > ms - low;
+    EXPECT_EQ(stage["isAboveNoise"].get<bool>(), isAbove) << stage;
+    EXPECT_EQ(stage["note"].get<std::string>().empty(), isAbove) << stage;
+    EXPECT_LE(low, high) << stage;
+  }
   EXPECT_GT(profile["checkpointBytes"].get<double>(), 0.0);
   EXPECT_TRUE(profile["timing"] == "finish" || profile["timing"] == "queries");
   const ProcessResult text = batch({"profile", "builtin:fan", "--size", "64x36", "--frames", "2"});

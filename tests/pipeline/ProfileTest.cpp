@@ -95,15 +95,18 @@ TEST_F(ProfileTest, StagesAddUpToTheResolve) {
   EXPECT_EQ(costs.frame, 3);
   EXPECT_EQ(costs.width, kWidth);
   std::set<Stage> stages;
-  double sum = costs.storeMs;
+  double sum = costs.store.median;
   for (const taa::StageCost& cost : costs.stages) {
     stages.insert(cost.stage);
-    sum += cost.milliseconds;
+    sum += cost.ms.median;
+    EXPECT_LE(cost.ms.low, cost.ms.median);
+    EXPECT_GE(cost.ms.high, cost.ms.median);
+    EXPECT_LT(cost.ms.spread(), 1e9) << "enough rounds for a range";
   }
   EXPECT_EQ(stages.size(), 10u) << "all but jitter and output";
-  EXPECT_GT(costs.wholeMs, 0.0);
-  EXPECT_GT(costs.wholeMs, costs.storeMs) << "the whole resolve against nothing but its stores";
-  EXPECT_NEAR(sum, costs.wholeMs, 0.5 * costs.wholeMs)
+  EXPECT_GT(costs.whole.median, 0.0);
+  EXPECT_GT(costs.whole.median, costs.store.median) << "the whole resolve against nothing but its stores";
+  EXPECT_NEAR(sum, costs.whole.median, 0.5 * costs.whole.median)
       << "medians of differences, not differences of medians";
   EXPECT_EQ(taa::test::difference(inspector->image(IntermediateId::resolved), before), "");
 }
