@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace taa {

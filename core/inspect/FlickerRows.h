@@ -9,8 +9,12 @@
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 
+#include <glm/vec2.hpp>
+
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace taa {
 
