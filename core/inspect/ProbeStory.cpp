@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace taa {
@@ -92,6 +93,8 @@ std::string objectWords(const Teller& t) {
     return say<"an object that moves rigidly">();
   case ObjectClass::Deforming:
     return say<"an object that deforms">();
+  case ObjectClass::Character:
+    return say<"an object that was given the class of characters">();
   default:
     return say<"the sky">();
   }
@@ -146,10 +149,33 @@ RowStory inputStory(Id id, const Teller& t) {
   return id == Id::depthView ? viewDepthStory(t) : RowStory{readWords(id, t), "", ""};
 }
 
+/// Of rows that are otherwise where TAA is off.
+std::optional<RowStory> storyWithoutTaa(Id id, const Teller& t) {
+  switch (id) {
+  case Id::color:
+    return RowStory{say<"the sample of this frame, at the pixel's center">(), "", ""};
+  case Id::currentFiltered:
+    return RowStory{say<"TAA is off: the sample as it is">(), t.equals(t.tuple(Id::color), id), ""};
+  case Id::sampleConfidence:
+    return RowStory{say<"TAA is off: the nearest sample is all there is">(), t.equals("1", id), ""};
+  case Id::alpha:
+    return RowStory{say<"TAA is off: the current frame alone">(), t.equals("1", id), ""};
+  case Id::alphaChannels:
+    return RowStory{say<"TAA is off: 1 in each">(), "", ""};
+  default:
+    return std::nullopt;
+  }
+}
+
 } // namespace story
 
-RowStory storyOf(IntermediateId id, const ProbedPixel& probed, int digits) {
+RowStory storyOf(IntermediateId id, const ProbedPixel& whole, int digits) {
+  Settings settings = whole.settings;
+  if (!isTaaOn(settings)) settings.output = {}; // nothing of it is done
+  const ProbedPixel probed{whole.record, whole.details, settings, whole.info, whole.pixel};
   const story::Teller teller{probed, digits};
+  if (!isTaaOn(settings))
+    if (const auto other = story::storyWithoutTaa(id, teller)) return *other;
   switch (intermediate(id).stage) {
   case Stage::Inputs:
     return story::inputStory(id, teller);

@@ -63,8 +63,7 @@ std::vector<double> calmAlphas(const Settings& settings, int frames) {
   float length = 0.0f;
   for (int frame = 0; frame < frames; ++frame) {
     const reference::Seen seen = calmPixel(settings, frame);
-    const reference::Weights weights =
-        reference::weigh(settings.weight, length, frame == 0 ? 1.0f : 0.0f, seen);
+    const reference::Weights weights = reference::weigh(settings, length, frame == 0 ? 1.0f : 0.0f, seen);
     reference::Mix mix;
     mix.current = mix.history = glm::vec3(seen.lumaCurrent);
     mix.alpha = weights.alpha;

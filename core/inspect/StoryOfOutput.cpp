@@ -88,6 +88,8 @@ std::string sharpenText(const Teller& t) {
     return c + " + " + b + "^2 × (" + a.corners() + " − 4 × " + c + ") − " + b + " × (1 + 2 × " + b +
            ") × (" + a.cross() + " − 4 × " + c + ")";
   }
+  case Sharpen::Mitchell:
+    return c + " + ((" + a.corners() + " − 4 × " + c + ") + 16 × (" + a.cross() + " − 4 × " + c + ")) / 324";
   }
   return {};
 }
@@ -95,8 +97,10 @@ std::string sharpenText(const Teller& t) {
 /// Where nothing but sharpening was done.
 RowStory sharpStory(const Teller& t) {
   const OutputSettings& output = t.settings().output;
-  const std::string words =
-      say<"the resolved color sharpened: %1">(choiceLabel("output.sharpen", t.settings()));
+  const std::string label = choiceLabel("output.sharpen", t.settings());
+  const std::string words = output.sharpen == Sharpen::Mitchell
+                                ? say<"the resolved color filtered: %1">(label)
+                                : say<"the resolved color sharpened: %1">(label);
   std::string text = sharpenText(t);
   if (isOn(output.dering)) {
     float low = t.details().resolvedAround[0].x, high = low;

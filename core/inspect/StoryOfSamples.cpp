@@ -42,7 +42,12 @@ RowStory dilateStory(Id id, const Teller& t) {
 
 RowStory reprojectStory(Id id, const Teller& t) {
   const glm::vec2 motion = t.pair(Id::dilatedMotion), center = glm::vec2(t.probed.pixel) + 0.5f;
-  if (motion.x >= kNoPreviousPosition) return {say<"there is no previous position">(), "", ""};
+  const bool isInPlace = t.settings().reproject.method == ReprojectMethod::InPlace;
+  if (isInPlace && id == Id::historyPosition)
+    return {say<"the pixel's own center: history is read in place, whatever moves">(),
+            t.equals(t.tuple(center), id), ""};
+  if (motion.x >= kNoPreviousPosition && !(isInPlace && id == Id::onScreen))
+    return {say<"there is no previous position">(), "", ""};
   if (id == Id::historyPosition)
     return {say<"the pixel's center less the motion">(),
             t.equals(t.tuple(center) + " − " + t.tuple(motion), id), ""};

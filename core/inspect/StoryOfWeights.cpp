@@ -106,6 +106,14 @@ RowStory sampleDistanceStory(const Teller& t) {
   case SampleDistance::Gaussian:
     return {say<"less the farther the sample is from the center">(),
             t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
+  case SampleDistance::GaussianMoving: {
+    const std::string moving = "smooth(" + t.number(Id::speed) + ")";
+    return {t.value(Id::alphaSampleDistance) < 1.0f
+                ? say<"it moves: less the farther the sample is from the center">()
+                : say<"all samples count alike where nothing moves">(),
+            t.equals("1 + " + moving + " × (exp(−(" + squared + ") / 0.44) − 1)", Id::alphaSampleDistance),
+            ""};
+  }
   case SampleDistance::Parabola:
     return {say<"less the farther the sample is from the center, unless it moves">(),
             t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",

@@ -69,6 +69,7 @@ double gradientNoise(double x, double y, int index) {
 
 int jitterPeriod(const JitterSettings& settings) {
   assert(settings.period > 0);
+  if (settings.taa == Switch::Off) return 1;
   const std::span<const glm::vec2> points = pointsOf(settings.sequence);
   return points.empty() ? settings.period : static_cast<int>(points.size());
 }
@@ -79,6 +80,7 @@ int jitterIndex(const JitterSettings& settings, int frame) {
 }
 
 glm::vec2 jitterPx(const JitterSettings& settings, int frame, const glm::dvec2& way) {
+  if (settings.taa == Switch::Off) return glm::vec2(0.0f);
   const int index = settings.firstIndex + jitterIndex(settings, frame);
   const std::span<const glm::vec2> points = pointsOf(settings.sequence);
   if (!points.empty()) {

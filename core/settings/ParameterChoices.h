@@ -135,6 +135,12 @@ inline constexpr Choice kDilateMethods[] = {
      "As in HDRP: with each offset the depth of another tap is kept, so that later taps are compared with "
      "the wrong one, and a farther surface may win (catalogue §26, D13)."},
 };
+inline constexpr Choice kReprojectMethods[] = {
+    {"motion", "Where it was", "The pixel's center minus the motion it follows (catalogue §5)."},
+    {"inPlace", "In place",
+     "The pixel's own center: the accumulation buffer before anybody reprojects. Whatever moves leaves a "
+     "trail, and nothing is ever off the screen (catalogue §5, the step before it)."},
+};
 inline constexpr Choice kHistoryFilters[] = {
     {"point", "Point", "The nearest texel: no blur, but half a pixel of error (catalogue 6.0)."},
     {"bilinear", "Bilinear", "One tap; blurs a little in every moving frame (catalogue 6.1)."},
@@ -356,6 +362,9 @@ inline constexpr Choice kSampleDistances[] = {
     {"parabola", "Parabola, at rest",
      "1 − ‖j‖², and 1 from a motion of 1 px on: max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²) (catalogue 13.6, "
      "Donut)."},
+    {"gaussianMoving", "Gaussian, in motion",
+     "At rest all samples count alike; in motion, fully from 1 px on, those near the center are preferred: "
+     "1 − m + m·exp(−‖j‖²/2σ²), m = smoothstep(0, 1, ‖v‖), σ² = 0.22 px² (catalogue 7.7, source 004)."},
 };
 inline constexpr Choice kMaskAlphas[] = {
     {"off", "Off", "The mask does not matter."},
@@ -413,6 +422,9 @@ inline constexpr Choice kSharpens[] = {
     {"reconstruct", "Reconstruct",
      "Resampled by the cubic of Mitchell and Netravali with B = −k: at k = 0 Catmull-Rom, which changes "
      "nothing at a pixel's center (catalogue 18.4, source 000)."},
+    {"mitchell", "Mitchell, B = C = ⅓",
+     "The cubic that Mitchell and Netravali recommend, at the pixels' centers: 1/18, 8/9, 1/18 each way, a "
+     "slight blur that calms what flickers; Reconstruct with k = −⅓ (catalogue 6.6, 18.4, source 000)."},
 };
 
 } // namespace taa

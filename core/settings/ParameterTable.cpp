@@ -21,9 +21,15 @@ constexpr std::span<const Choice> kNoChoices;
 // path, label, stage, kind, effect, unit, minimum, maximum, choices, tooltip, formula, source, relevantWhen,
 // field
 const Parameter kParameters[] = {
+    {"taa.enabled", "TAA", Stage::Jitter, K::Toggle, Effect::Whole, "", 0, 1, kNoChoices,
+     "Off: each frame is shown as it is drawn. The jitter rests at the pixels' centers, the filter of the "
+     "current frame takes the nearest sample alone, α is 1 everywhere, and the output is neither sharpened "
+     "nor blurred nor dithered. History holds the frame before, and all other values are what TAA would make "
+     "of it.",
+     "j = 0, f = c, α = 1", "catalogue J0", "", FIELD(jitter.taa)},
     {"jitter.sequence", "Sequence", Stage::Jitter, K::Choice, Effect::Inputs, "", 0, 17, kJitterSequences,
      "Pattern of sub-pixel offsets the picture is drawn with.", "j = (Φ₂(i) − ½, Φ₃(i) − ½)",
-     "catalogue §2.2", "", FIELD(jitter.sequence)},
+     "catalogue §2.2", "taa.enabled=on", FIELD(jitter.sequence)},
     {"jitter.period", "Period", Stage::Jitter, K::Integer, Effect::Inputs, "frames", 1, 1024, kNoChoices,
      "Frames until the pattern repeats. Longer covers the pixel better and converges slower.",
      "i = first + n mod P", "catalogue J9", "jitter.sequence=halton|r2|hammersley|gradientNoise|whiteNoise",
@@ -44,7 +50,7 @@ const Parameter kParameters[] = {
     {"jitter.projection", "Projection", Stage::Jitter, K::Choice, Effect::Inputs, "", 0, 3,
      kJitterProjections,
      "How the offset gets into the projection. The resolve always believes it is the translation.",
-     "P̃ = T(2jx/W, −2jy/H)·P", "catalogue §2.1", "", FIELD(jitter.projection)},
+     "P̃ = T(2jx/W, −2jy/H)·P", "catalogue §2.1", "taa.enabled=on", FIELD(jitter.projection)},
     {"inputs.precision", "Precision", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 1, kPrecisions,
      "Storage of color and motion.", "", "catalogue §3", "", FIELD(inputs.precision)},
     {"inputs.motion", "Motion from", Stage::Inputs, K::Choice, Effect::Inputs, "", 0, 7, kMotionSources,
@@ -86,6 +92,11 @@ const Parameter kParameters[] = {
     {"dilate.method", "Method", Stage::DilateMotion, K::Choice, Effect::Program, "", 0, 8, kDilateMethods,
      "Whose motion vector a pixel follows.", "v(argmin z over 3×3)", "catalogue §4", "",
      FIELD(dilate.method)},
+    {"reproject.method", "History at", Stage::Reproject, K::Choice, Effect::Program, "", 0, 1,
+     kReprojectMethods,
+     "Where the history of a pixel is read: where its surface was, or at the pixel itself, whatever moves. "
+     "Speed is that of the motion either way.",
+     "q = p − v, or q = p", "catalogue §5, sources 000, 001 and 003", "", FIELD(reproject.method)},
     {"history.filter", "Filter", Stage::SampleHistory, K::Choice, Effect::Program, "", 0, 11, kHistoryFilters,
      "How history is read between its pixels.", "", "catalogue §6", "", FIELD(history.filter)},
     {"history.sharpness", "Sharpness c", Stage::SampleHistory, K::Number, Effect::Uniform, "", 0, 1,
@@ -278,7 +289,7 @@ const Parameter kParameters[] = {
      "id ≠ id′ of all four ⇒ reject", "catalogue 12.3, sources 000 and 004", "", FIELD(validate.object)},
     {"validate.class", "Class", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
      "Rejects history that belongs to another class of objects, as an engine's stencil marks them: sky, "
-     "still, moving as a whole, deforming.",
+     "still, moving as a whole, deforming, or the class that an object is given in the tree of the scene.",
      "class ≠ class′ of all four ⇒ reject", "catalogue 12.2, sources 000 and 003", "",
      FIELD(validate.objectClass)},
     {"validate.normal", "Normal", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
@@ -337,7 +348,7 @@ const Parameter kParameters[] = {
     {"weight.historyContrast", "Calm contrast", Stage::BlendWeight, K::Toggle, Effect::Program, "", 0, 1,
      kNoChoices, "Less of the current frame where the box is large against history.", "α/(1 + (hi − lo)/Lh)",
      "catalogue 13.15, HDRP", "", FIELD(weight.historyContrast)},
-    {"weight.sampleDistance", "Sample distance", Stage::BlendWeight, K::Choice, Effect::Program, "", 0, 2,
+    {"weight.sampleDistance", "Sample distance", Stage::BlendWeight, K::Choice, Effect::Program, "", 0, 3,
      kSampleDistances,
      "Less of the current frame the farther the jitter took its sample from the pixel's center.",
      "α·w(‖j‖)/w(0)", "catalogue 7.7, 13.6", "", FIELD(weight.sampleDistance)},
@@ -393,9 +404,10 @@ const Parameter kParameters[] = {
     {"blend.length", "History length", Stage::Blend, K::Choice, Effect::Program, "", 0, 4, kLengthRules,
      "How N grows from frame to frame.", "N = 1/(α² + (1 − α)²/N)", "catalogue §16, source 004", "",
      FIELD(blend.length)},
-    {"output.sharpen", "Sharpen", Stage::Output, K::Choice, Effect::Program, "", 0, 7, kSharpens,
-     "Sharpens what is shown against the blur of averaging. History is written before, so nothing adds up.",
-     "c + k(c − mean)", "catalogue §18", "", FIELD(output.sharpen)},
+    {"output.sharpen", "Sharpen", Stage::Output, K::Choice, Effect::Program, "", 0, 8, kSharpens,
+     "Sharpens what is shown against the blur of averaging, or filters it. History is written before, so "
+     "nothing adds up.",
+     "c + k(c − mean)", "catalogue §18", "taa.enabled=on", FIELD(output.sharpen)},
     {"output.amount", "Amount", Stage::Output, K::Number, Effect::Uniform, "", 0, 4, kNoChoices,
      "How strongly. 0 changes nothing; constants stay what they are whatever it is.", "k",
      "catalogue §18; Raptor: 0.1, HDRP and Intel: 0.5",
@@ -407,11 +419,11 @@ const Parameter kParameters[] = {
     {"output.dither", "Dither", Stage::Output, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
      "Triangular noise of one step of 8 bits on what is shown, against banding on a screen that has no more. "
      "In square roots, which is near to what screens are sent; never into history.",
-     "(√c + (u₀ + u₁ − 1)/255)²", "catalogue 20.8, Filament", "", FIELD(output.dither)},
+     "(√c + (u₀ + u₁ − 1)/255)²", "catalogue 20.8, Filament", "taa.enabled=on", FIELD(output.dither)},
     {"output.motionBlur", "Motion blur", Stage::Output, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
      "Shows this frame blurred along its motion where that is fast, because the resolved color is not to be "
      "trusted there: none of it to 2 px a frame, all from 15 px.",
-     "mean of 7 taps along ½v; trust = 1 − sat((‖v‖ − 2)/13)", "catalogue 14.4, Playdead", "",
+     "mean of 7 taps along ½v; trust = 1 − sat((‖v‖ − 2)/13)", "catalogue 14.4, Playdead", "taa.enabled=on",
      FIELD(output.motionBlur)},
 };
 

@@ -94,7 +94,11 @@ std::string joinedName(std::string_view path, bool capital) {
 }
 
 bool isProgramConstant(const Parameter& row) {
-  return row.effect == Effect::Program || row.effect == Effect::Storage;
+  return row.effect == Effect::Program || row.effect == Effect::Storage || row.effect == Effect::Whole;
+}
+
+bool isDrawn(const Parameter& row) {
+  return row.effect == Effect::Inputs || row.effect == Effect::Whole;
 }
 
 nlohmann::json jsonValue(const Parameter& row, double value) {
@@ -266,9 +270,8 @@ std::vector<std::byte> settingsBlock(const Settings& settings) {
 }
 
 bool sameInputs(const Settings& a, const Settings& b) {
-  return std::ranges::all_of(parameters(), [&](const Parameter& row) {
-    return row.effect != Effect::Inputs || row.get(a) == row.get(b);
-  });
+  return std::ranges::all_of(parameters(),
+                             [&](const Parameter& row) { return !isDrawn(row) || row.get(a) == row.get(b); });
 }
 
 } // namespace taa

@@ -30,6 +30,7 @@ enum class Effect : std::uint8_t {
   Program, ///< a compile-time constant of the resolve
   Uniform, ///< a number in the resolve's settings block
   Storage, ///< the format of the history
+  Whole,   ///< the scene is drawn differently, and a compile-time constant of the resolve
 };
 
 /// One row. Values travel as double: the enumerator's number, 0 or 1, an integer, or the float.
@@ -89,7 +90,7 @@ std::string programKey(const Settings& settings);
 /// The bytes of SettingsBlock, a multiple of 16.
 std::vector<std::byte> settingsBlock(const Settings& settings);
 
-/// Whether two lanes can share one drawing of the scene: all rows with Effect::Inputs are equal.
+/// Whether two lanes can share one drawing of the scene: all rows that draw it differently are equal.
 bool sameInputs(const Settings& a, const Settings& b);
 
 } // namespace taa

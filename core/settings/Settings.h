@@ -39,6 +39,7 @@ struct JitterSettings {
   std::int32_t firstIndex = 1; ///< index of the sequence at frame 0; index 0 is the corner (−½, −½)
   float scale = 1.0f;          ///< of the offsets, 0 to 1
   JitterProjection projection = JitterProjection::Translation;
+  Switch taa = Switch::On; ///< off: no jitter, and what is drawn is shown as it is
   bool operator==(const JitterSettings&) const = default;
 };
 
@@ -85,6 +86,11 @@ enum class DilateMethod : std::int32_t {
 };
 struct DilateSettings {
   DilateMethod method = DilateMethod::Closest3x3;
+};
+
+enum class ReprojectMethod : std::int32_t { Motion, InPlace };
+struct ReprojectSettings {
+  ReprojectMethod method = ReprojectMethod::Motion; ///< where a pixel's history lies
 };
 
 enum class HistoryFilter : std::int32_t {
@@ -228,7 +234,7 @@ enum class AlphaSource : std::int32_t {
 enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted, Doubled, Added };
 enum class MaskAlpha : std::int32_t { Off, Responsive, Reactive, Exclude };
 enum class FlickerScale : std::int32_t { Relative, Compressed };
-enum class SampleDistance : std::int32_t { None, Gaussian, Parabola };
+enum class SampleDistance : std::int32_t { None, Gaussian, Parabola, GaussianMoving };
 struct WeightSettings {
   AlphaSource source = AlphaSource::HistoryLength;
   float alpha = 0.1f;               ///< weight of the current frame when constant
@@ -280,6 +286,7 @@ enum class Sharpen : std::int32_t {
   InResolve,
   Logarithm,
   Reconstruct,
+  Mitchell,
 };
 struct OutputSettings {
   Sharpen sharpen = Sharpen::None;
@@ -294,6 +301,7 @@ struct Settings {
   JitterSettings jitter;
   InputSettings inputs;
   DilateSettings dilate;
+  ReprojectSettings reproject;
   HistorySettings history;
   CurrentSettings current;
   SpaceSettings space;
@@ -304,6 +312,11 @@ struct Settings {
   BlendSettings blend;
   OutputSettings output;
 };
+
+/// Whether anything is accumulated.
+inline bool isTaaOn(const Settings& settings) {
+  return settings.jitter.taa == Switch::On;
+}
 
 /// Whether the scene is drawn smaller than the picture.
 inline bool isUpsampled(const Settings& settings) {

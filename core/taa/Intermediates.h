@@ -54,8 +54,8 @@ enum class Visual : std::uint8_t {
       "What is laid over the output, without jitter, times its opacity; 0 where nothing is.")                \
   ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
       "How much of the output the overlay hides.")                                                           \
-  ROW(objectClass, "Object class", Inputs, 1, "", 0, 3, Index, 0,                                            \
-      "What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms.")                                 \
+  ROW(objectClass, "Object class", Inputs, 1, "", 0, 4, Index, 0,                                            \
+      "What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms, 4 a character.")                  \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \
       "Step to the neighbor whose motion is used, render px.")                                               \
   ROW(dilatedDepth, "Dilated depth", DilateMotion, 1, "", 0, 1, Depth, 1e-6,                                 \

@@ -20,12 +20,15 @@ const gl::Program& programFor(ProgramCache& programs, const Settings& settings, 
 } // namespace
 
 bool changesOutput(const Settings& settings) {
-  return settings.output.sharpen != Sharpen::None || settings.output.motionBlur == Switch::On ||
-         settings.output.dither == Switch::On || settings.inputs.blended == BlendedAs::After;
+  const OutputSettings& output = settings.output;
+  const bool isFiltered =
+      output.sharpen != Sharpen::None || output.motionBlur == Switch::On || output.dither == Switch::On;
+  return (isTaaOn(settings) && isFiltered) || settings.inputs.blended == BlendedAs::After;
 }
 
 Settings outputSettings(const Settings& settings) {
   Settings relevant;
+  relevant.jitter.taa = settings.jitter.taa;
   relevant.dilate = settings.dilate;
   relevant.output = settings.output;
   relevant.inputs.renderScale = settings.inputs.renderScale;

@@ -97,8 +97,9 @@ constexpr ConstantRow kConstants[] = {
     {alphaMask, [](const Settings& s) { return unless(s.weight.mask != MaskAlpha::Off, 0.0f); }},
     {toneWeightCurrent, [](const Settings& s) { return unless(weighsByLuma(s), 1.0f); }},
     {toneWeightHistory, [](const Settings& s) { return unless(weighsByLuma(s), 1.0f); }},
-    {sharpenDetail, [](const Settings& s) { return unless(s.output.sharpen != Sharpen::None, 0.0f); }},
-    {blurTrust, [](const Settings& s) { return unless(isOn(s.output.motionBlur), 1.0f); }},
+    {sharpenDetail,
+     [](const Settings& s) { return unless(isTaaOn(s) && s.output.sharpen != Sharpen::None, 0.0f); }},
+    {blurTrust, [](const Settings& s) { return unless(isTaaOn(s) && isOn(s.output.motionBlur), 1.0f); }},
 };
 
 struct HeldEntry {

@@ -14,6 +14,7 @@ float sampleDistanceFactor(SampleDistance form, glm::vec2 jitterPx) {
   case SampleDistance::None:
     return 1.0f;
   case SampleDistance::Gaussian:
+  case SampleDistance::GaussianMoving:
     return static_cast<float>(std::exp(-squared / (2.0 * kVariance)));
   case SampleDistance::Parabola:
     return static_cast<float>(std::max(1.0 - squared, 0.0));

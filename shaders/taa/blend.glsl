@@ -115,7 +115,7 @@ vec3 asStored(vec3 color, ivec2 pixel) {
 }
 
 Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float invalid) {
-  bool isRestarted = kBlendRestart == kBlendRestart_blurred && invalid >= 1.0;
+  bool isRestarted = kTaaEnabled && kBlendRestart == kBlendRestart_blurred && invalid >= 1.0;
   precise vec3 current = isRestarted ? blurredRestart(samples) : x.current;
   vec3 history = x.history;
   precise float currentWeight = toneWeight(current);

@@ -146,14 +146,16 @@ float maskWeight(WeightInputs x) {
   return kWeightMask == kWeightMask_exclude && x.mask.y > 0.0 ? 1.0 : 0.0;
 }
 
-/// Less the farther the sample lies from the pixel's center; Donut's (13.6) is 1 again where things move.
+/// Less the farther the sample lies from the pixel's center (7.7): always, only in motion, or, as Donut's (13.6), only
+/// at rest.
 float sampleDistanceFactor(WeightInputs x) {
   if (kWeightSampleDistance == kWeightSampleDistance_none) return 1.0;
   float factor = resolveBlock.weightTerms.x;
   float t = saturated(x.speed);
   precise float moving = (t * t) * (3.0 - 2.0 * t);
   if (kWeightSampleDistance == kWeightSampleDistance_parabola) factor = greater(moving, factor);
-  return factor;
+  precise float inMotion = 1.0 + moving * (factor - 1.0);
+  return kWeightSampleDistance == kWeightSampleDistance_gaussianMoving ? inMotion : factor;
 }
 
 /// What motion adds to α (13.4 to 13.6).
@@ -252,8 +254,10 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   return result;
 }
 
-/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for.
+/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for;
+/// without TAA only the current frame counts.
 float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
+  if (!kTaaEnabled) return 1.0;
   precise float alpha = kUpsampled ? terms.alpha * x.confidence : terms.alpha;
   return greater(greater(alpha, mask), invalid);
 }

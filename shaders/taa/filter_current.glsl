@@ -61,15 +61,17 @@ vec3 sharpenedCurrent(vec3 filteredColor, Samples samples) {
 
 CurrentColor filterCurrent(Samples samples, Place place, float speed) {
   precise vec3 result = samples.color[4];
+  CurrentColor current = CurrentColor(result, 1.0);
   if (kIsUnjitter) result = unjitteredTap(samples);
   if (kIsWeighted) {
     result = weightedSamples(samples);
     if (kMayRing && kCurrentDering) result = boundedBySamples(result, samples);
     result = storable(result); // negative weights overshoot both ways
   }
-  CurrentColor current = CurrentColor(result, 1.0);
-  if (kUpsampled) current = upsampled(samples, place, speed);
-  if (kCurrentSharpen != kCurrentSharpen_none) current.color = sharpenedCurrent(current.color, samples);
+  if (kTaaEnabled) current.color = result;
+  if (kTaaEnabled && kUpsampled) current = upsampled(samples, place, speed);
+  if (kTaaEnabled && kCurrentSharpen != kCurrentSharpen_none)
+    current.color = sharpenedCurrent(current.color, samples);
   expose_currentFiltered(current.color);
   expose_sampleConfidence(current.confidence);
   return current;

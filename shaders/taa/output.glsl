@@ -95,14 +95,14 @@ void showOutput(ivec2 pixel) {
   Place place = placeOf(pixel);
   Samples resolved = readResolved(pixel);
   vec3 sharp = sharpen(resolved, place);
-  vec4 shown = kOutputMotionBlur ? blurredByMotion(pixel, place.texel, sharp) : vec4(sharp, 1.0);
+  vec4 shown = kTaaEnabled && kOutputMotionBlur ? blurredByMotion(pixel, place.texel, sharp) : vec4(sharp, 1.0);
   vec3 color = shown.rgb;
   if (kHasOverlay) {
     vec4 layer = texelAt(u_overlay, place.still);
     precise vec3 covered = color * (1.0 - layer.a) + layer.rgb;
     color = storable(covered);
   }
-  if (kOutputDither) color = dithered(color, pixel);
+  if (kTaaEnabled && kOutputDither) color = dithered(color, pixel);
   expose_sharpenDetail(detailOf(sharp, resolved.color[4]));
   expose_blurTrust(shown.a);
   expose_output(color);

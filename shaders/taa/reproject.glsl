@@ -1,4 +1,4 @@
-// Where the pixel was in the previous frame (catalogue §5). In: the pixel, its motion in px. Out: position in px
+// Where the pixel was in the previous frame (catalogue §5), or the pixel itself where history is read in place. In: the pixel, its motion in px. Out: position in px
 // of the previous picture, whether there is one, whether it lies inside, and the speed.
 
 struct Reprojection {
@@ -26,10 +26,13 @@ bool isOutside(vec2 position) {
 }
 
 Reprojection reproject(ivec2 pixel, vec2 motion) {
-  precise vec2 position = (vec2(pixel) + 0.5) - motion;
+  const bool kIsInPlace = kReprojectMethod == kReprojectMethod_inPlace;
+  precise vec2 center = vec2(pixel) + 0.5;
+  precise vec2 position = center - motion;
+  if (kIsInPlace) position = center;
   Reprojection result;
   result.position = position;
-  result.hasPrevious = motion.x != kNoPreviousPosition;
+  result.hasPrevious = kIsInPlace || motion.x != kNoPreviousPosition;
   // Written so that NaN is off the screen (5.1).
   bool isOnScreen = position.x >= 0.0 && position.x <= resolveBlock.sizePx.x && position.y >= 0.0 &&
                     position.y <= resolveBlock.sizePx.y;

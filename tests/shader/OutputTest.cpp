@@ -26,7 +26,7 @@ const std::vector<IntermediateId> kOutputRows{IntermediateId::sharpenDetail, Int
 // Off, each way to sharpen with and without motion blur.
 std::vector<Settings> outputs() {
   std::vector<Settings> all;
-  for (int method = 0; method <= static_cast<int>(Sharpen::Reconstruct); ++method)
+  for (int method = 0; method <= static_cast<int>(Sharpen::Mitchell); ++method)
     for (const taa::Switch blur : {taa::Switch::Off, taa::Switch::On}) {
       Settings settings;
       settings.output.sharpen = static_cast<Sharpen>(method);

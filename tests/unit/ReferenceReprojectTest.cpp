@@ -79,20 +79,31 @@ TEST(ReferenceDilate, GivesViewDepthInMetersAndZeroForTheSky) {
 
 TEST(ReferenceReproject, SubtractsMotionFromThePixelsCenter) {
   const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
-  const Reprojected reprojected = reproject(inputs, {2.25f, -1.5f}, {3, 1});
+  const Reprojected reprojected = reproject(inputs, {}, {2.25f, -1.5f}, {3, 1});
   EXPECT_EQ(reprojected.position, glm::vec2(1.25f, 3.0f));
   EXPECT_TRUE(reprojected.onScreen);
   EXPECT_FALSE(reprojected.noPrevious);
 }
 
+// The buffer of source 000 before it reprojects: what was at this pixel, whatever moved there since.
+TEST(ReferenceReproject, ReadsHistoryInPlaceWhateverMoves) {
+  const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
+  for (const float motion : {0.0f, 2.25f, -300.0f, std::nanf(""), 65504.0f}) {
+    const Reprojected reprojected = reproject(inputs, {ReprojectMethod::InPlace}, {motion, 3.0f}, {3, 1});
+    EXPECT_EQ(reprojected.position, glm::vec2(3.5f, 1.5f)) << motion;
+    EXPECT_TRUE(reprojected.onScreen && !reprojected.noPrevious) << motion;
+  }
+  EXPECT_EQ(reproject(inputs, {ReprojectMethod::InPlace}, {3.0f, 4.0f}, {3, 1}).speed, 5.0f);
+}
+
 TEST(ReferenceReproject, CountsTheBorderAsInsideAndNanAsOutside) {
   const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
-  EXPECT_TRUE(reproject(inputs, {0.5f, 0.0f}, {0, 0}).onScreen);
-  EXPECT_FALSE(reproject(inputs, {0.50001f, 0.0f}, {0, 0}).onScreen);
-  EXPECT_TRUE(reproject(inputs, {0.0f, -0.5f}, {0, 3}).onScreen);
-  EXPECT_FALSE(reproject(inputs, {0.0f, -0.6f}, {0, 3}).onScreen);
-  EXPECT_FALSE(reproject(inputs, {std::nanf(""), 0.0f}, {0, 0}).onScreen);
-  EXPECT_TRUE(reproject(inputs, {65504.0f, 65504.0f}, {0, 0}).noPrevious);
+  EXPECT_TRUE(reproject(inputs, {}, {0.5f, 0.0f}, {0, 0}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {}, {0.50001f, 0.0f}, {0, 0}).onScreen);
+  EXPECT_TRUE(reproject(inputs, {}, {0.0f, -0.5f}, {0, 3}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {}, {0.0f, -0.6f}, {0, 3}).onScreen);
+  EXPECT_FALSE(reproject(inputs, {}, {std::nanf(""), 0.0f}, {0, 0}).onScreen);
+  EXPECT_TRUE(reproject(inputs, {}, {65504.0f, 65504.0f}, {0, 0}).noPrevious);
 }
 
 TEST(ReferenceReproject, StartsAnewWhereTheHistoryPositionIsOutsideOrNoNumber) {

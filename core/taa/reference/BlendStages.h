@@ -46,6 +46,8 @@ struct Weights {
   glm::vec3 channels{0.0f}; ///< α of red, green and blue
 };
 Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen = {});
+/// α is 1 where TAA is off.
+Weights weigh(const Settings& settings, float historyLength, float invalid, const Seen& seen);
 
 /// The output (catalogue §14–16).
 struct Blended {

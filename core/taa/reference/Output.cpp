@@ -126,7 +126,7 @@ glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3
 Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
                        const glm::ivec2& texel, const Shown& sharp) {
   const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
-  const float speed = reproject(inputs, motion, pixel).speed;
+  const float speed = reproject(inputs, settings.reproject, motion, pixel).speed;
   Shown shown = sharp;
   if (speed >= kUnknownSpeed) return shown;
   shown.trust = 1.0f - saturated((speed - 2.0f) / 13.0f);
@@ -183,6 +183,8 @@ glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>
   if (settings.sharpen == Sharpen::InResolve) result = inResolve(c, current, k);
   if (settings.sharpen == Sharpen::Logarithm) result = inLogarithms(c, k);
   if (settings.sharpen == Sharpen::Reconstruct) result = reconstructed(c, k);
+  if (settings.sharpen == Sharpen::Mitchell)
+    result = c[4] + (differences(c, kCorners) + 16.0f * differences(c, kCross)) / 324.0f;
   return storable(settings.dering == Switch::On ? deringed(result, c) : result);
 }
 
@@ -196,13 +198,13 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
     current[static_cast<std::size_t>(k)] = currentColor(inputs, texel + step);
   }
   Shown shown;
-  const glm::vec3 sharp = sharpen(settings.output, around, current);
+  const OutputSettings output = isTaaOn(settings) ? settings.output : OutputSettings{};
+  const glm::vec3 sharp = sharpen(output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);
   shown.color = shown.sharp = sharp;
-  if (settings.output.motionBlur == Switch::On)
-    shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
+  if (output.motionBlur == Switch::On) shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
   shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);
-  if (settings.output.dither == Switch::On) { // catalogue 20.8
+  if (output.dither == Switch::On) { // catalogue 20.8
     shown.noise = screenNoise(pixel, inputs.frame) / 255.0f;
     shown.smooth = shown.color;
     const glm::vec3 root = larger(squareRoot(shown.color) + shown.noise, glm::vec3(0.0f));

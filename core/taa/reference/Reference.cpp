@@ -145,7 +145,14 @@ glm::vec3 contrastAround(const Inputs& inputs, const glm::ivec2& drawn, const gl
   return (high - low) / larger(current, glm::vec3(1e-5f));
 }
 
+/// Without TAA the sample is taken as it is.
+CurrentSettings currentSettings(const Settings& settings) {
+  if (isTaaOn(settings)) return settings.current;
+  return {.filter = CurrentFilter::Center};
+}
+
 CurrentColor filteredAt(const Inputs& inputs, const Settings& settings, const Place& place, float speed) {
+  if (!isTaaOn(settings)) return {currentColor(inputs, place.texel), 1.0f};
   if (!isUpsampled(settings)) return {filterCurrent(inputs, settings.current, place.texel), 1.0f};
   CurrentColor current = upsample(inputs, settings.current.upsample, place, speed);
   current.color = sharpenCurrent(inputs, settings.current, place.texel, current.color);
@@ -163,16 +170,17 @@ namespace {
 /// What the filters of this frame and of history weigh and how much.
 void describeTaps(const Inputs& inputs, const Settings& settings, const Place& place,
                   const HistorySample& history, Details& details) {
-  const bool isSmaller = isUpsampled(settings);
+  const bool isSmaller = isUpsampled(settings) && isTaaOn(settings);
+  const CurrentSettings current = currentSettings(settings);
   details.sampleOffset = place.offset;
   details.renderRatio = renderRatio(inputs);
   if (isSmaller)
     details.upsampleTaps = upsampleTaps(inputs, settings.current.upsample, place);
   else
-    details.filterWeights = currentWeights(settings.current, inputs.jitterPx);
+    details.filterWeights = currentWeights(current, inputs.jitterPx);
   details.unsharpened = isSmaller
                             ? upsample(inputs, settings.current.upsample, place, details.seen.speed).color
-                            : unsharpenedCurrent(inputs, settings.current, place.texel);
+                            : unsharpenedCurrent(inputs, current, place.texel);
   if (inputs.historyColor.empty()) return;
   HistorySettings read = settings.history;
   if (history.isEdge) read.filter = HistoryFilter::Bilinear;
@@ -203,7 +211,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   set(record, IntermediateId::dilatedDepth, dilated.depth);
   set(record, IntermediateId::dilatedMotion, dilated.motion);
 
-  const Reprojected reprojected = reproject(inputs, dilated.motion, p);
+  const Reprojected reprojected = reproject(inputs, settings.reproject, dilated.motion, p);
   set(record, IntermediateId::historyPosition, reprojected.position);
   set(record, IntermediateId::speed, reprojected.speed);
   set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
@@ -252,9 +260,10 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   seen.velocityChange = match.velocityChange;
   const Divergence divergence = motionDivergence(inputs, settings.weight, texel);
   seen.divergence = divergence.value;
-  const Weights weights = weigh(settings.weight, length, validated.invalid, seen);
+  const Weights weights = weigh(settings, length, validated.invalid, seen);
   recordWeights(record, weights);
-  const bool isBlurred = settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
+  const bool isBlurred =
+      isTaaOn(settings) && settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
   recordBlend(record, blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length,
                                        confidence, dilated.motion, p, inputs.frame}));

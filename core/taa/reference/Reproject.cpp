@@ -1,13 +1,16 @@
-// Stage 2, reproject: pixel center minus motion.
+// Stage 2, reproject: pixel center minus motion, or the center itself.
 #include "core/taa/reference/Stages.h"
 
 #include <cmath>
 
 namespace taa::reference {
-Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm::ivec2& pixel) {
+Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
+                      const glm::ivec2& pixel) {
+  const bool isInPlace = settings.method == ReprojectMethod::InPlace;
   Reprojected result;
-  result.noPrevious = motionPx.x == kNoPreviousPosition;
-  const glm::vec2 q = (glm::vec2(pixel) + 0.5f) - motionPx;
+  result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
+  const glm::vec2 center = glm::vec2(pixel) + 0.5f;
+  const glm::vec2 q = isInPlace ? center : center - motionPx;
   result.position = q;
   result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.outputWidth()) && q.y >= 0.0f &&
                     q.y <= static_cast<float>(inputs.outputHeight()); // NaN is off the screen

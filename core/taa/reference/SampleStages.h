@@ -37,7 +37,8 @@ struct Reprojected {
   bool noPrevious = false; ///< it was behind the previous camera
   float speed = 0.0f;      ///< px a frame
 };
-Reprojected reproject(const Inputs& inputs, const glm::vec2& motionPx, const glm::ivec2& pixel);
+Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
+                      const glm::ivec2& pixel);
 
 /// A weighted set of colors, whose mean a filter is.
 struct Taps {

@@ -77,9 +77,11 @@ float sampleDistanceOf(const WeightSettings& settings, const Seen& seen) {
   if (settings.sampleDistance == SampleDistance::Gaussian)
     return static_cast<float>(std::exp(-squared / (2.0 * 0.22)));
   if (settings.sampleDistance == SampleDistance::None) return 1.0f;
-  const auto atRest = static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0);
   const float t = saturated(seen.speed);
-  return larger((t * t) * (3.0f - 2.0f * t), atRest);
+  const float moving = (t * t) * (3.0f - 2.0f * t);
+  if (settings.sampleDistance == SampleDistance::GaussianMoving)
+    return 1.0f + moving * (static_cast<float>(std::exp(-squared / (2.0 * 0.22))) - 1.0f);
+  return larger(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
 }
 
 /// 1 − (1 − α)^(e/8) by whole powers and square roots, e the nearest eighth to Δt/Δt₀ (catalogue 13.19).
@@ -194,6 +196,14 @@ Weights weigh(const WeightSettings& settings, float historyLength, float invalid
     compose(settings, seen, one);
     result.channels[channel] = alphaOf(one, seen);
   }
+  return result;
+}
+
+Weights weigh(const Settings& settings, float historyLength, float invalid, const Seen& seen) {
+  Weights result = weigh(settings.weight, historyLength, invalid, seen);
+  if (isTaaOn(settings)) return result;
+  result.alpha = 1.0f;
+  result.channels = glm::vec3(1.0f);
   return result;
 }
 
