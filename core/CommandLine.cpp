@@ -51,6 +51,10 @@ void addShot(Line& line, const SessionFile& session, const std::string& cameraFi
   for (const MotionOverride& mode : session.motionModes)
     line.add("--motion-mode",
              mode.node + "=" + std::string(kMotionModes.at(static_cast<std::size_t>(mode.mode)).id));
+  for (const ClassOverride& given : session.objectClasses)
+    line.add("--class", given.object + "=" +
+                            std::string(kObjectClasses.at(static_cast<std::size_t>(given.objectClass)).id));
+  for (const int frame : session.restarts) line.add("--restart", std::to_string(frame));
   line.add("--frames", std::to_string(session.frame));
 }
 

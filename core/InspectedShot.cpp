@@ -56,6 +56,8 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.motionModes.clear();
   next.filter = {};
   next.tracks.clear();
+  next.objectClasses.clear();
+  next.restarts.clear();
   next.renderer->warmUp(next.request(0), progress);
   parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
   parts_->forgetReferences();

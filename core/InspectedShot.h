@@ -5,6 +5,7 @@
 #include "core/gl/Context.h"
 #include "core/render/FrameInputs.h"
 #include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Lanes.h"
@@ -55,6 +56,13 @@ class InspectedShot {
   void setMotionModes(const std::vector<MotionOverride>& modes);
   const ObjectFilter& objectFilter() const;
   void setObjectFilter(const ObjectFilter& filter); ///< as setMotionModes
+  const std::vector<ClassOverride>& objectClasses() const;
+  void setObjectClasses(const std::vector<ClassOverride>& classes); ///< as setMotionModes
+  const std::vector<int>& restarts() const;                         ///< rising
+  /// Frames at which history starts anew, as after a cut, instead of all earlier ones; what is drawn stays as
+  /// it is, motion too. Frames before the first that changes stay as they are; open() forgets them. Throws
+  /// Error naming the frames there are.
+  void setRestarts(std::vector<int> frames);
   const std::vector<CameraTrackHandle>& cameraTracks() const;
   /// Adds a camera, or changes the one of its name, and looks through it; open() forgets it. As setCamera,
   /// but frames before the first that changes stay as they are.

@@ -46,7 +46,7 @@ void InspectedShot::Parts::keepShown() {
 
 void InspectedShot::Parts::trimCheckpoints() {
   for (std::size_t lane = 0; lane < checkpoints.size(); ++lane)
-    checkpoints[lane].trim(checkpointShare(subject, lane, budget), shown.frame, subject.scene->shot);
+    checkpoints[lane].trim(checkpointShare(subject, lane, budget), shown.frame, subject.shot());
 }
 
 void InspectedShot::Parts::goTo(int frame, const Progress& progress) {
@@ -71,7 +71,8 @@ FrameStep InspectedShot::Parts::stepOfRedraw(const Subject& next, const std::vec
                                              bool keepsHistory) const {
   const bool isSameView = next.camera == subject.camera && next.width == subject.width &&
                           next.height == subject.height && next.motionModes == subject.motionModes &&
-                          next.filter == subject.filter && next.track() == subject.track();
+                          next.filter == subject.filter && next.objectClasses == subject.objectClasses &&
+                          next.restarts == subject.restarts && next.track() == subject.track();
   FrameStep step{.frame = shown.frame, .previous = {}, .active = changed, .inputs = {}};
   for (std::size_t index = 0; index < changed.size(); ++index) {
     const ShownLane& lane = shown.lanes[index];
@@ -110,7 +111,7 @@ void InspectedShot::Parts::redraw(Subject next, const std::vector<bool>& changed
   trimCheckpoints();
 }
 
-void InspectedShot::Parts::follow(Subject next, int from) {
+void InspectedShot::Parts::follow(Subject next, int from, bool keepsOld) {
   const auto drop = [&] {
     for (Checkpoints& kept : checkpoints) kept.dropFrom(from);
   };
@@ -118,12 +119,16 @@ void InspectedShot::Parts::follow(Subject next, int from) {
     subject = std::move(next);
     return drop();
   }
-  const bool keepsHistory = from == shown.frame;
+  const bool isPastSame = from == shown.frame;
   ShownFrame made = maker.take();
   const std::vector<bool> all(next.lanes.size(), true);
-  maker.make(next, stepOfRedraw(next, all, keepsHistory), made);
+  FrameStep step = stepOfRedraw(next, all, isPastSame || keepsOld);
+  for (std::size_t lane = 0; lane < all.size(); ++lane) // it may have started a history until now
+    if (isPastSame && !step.previous[lane]) step.previous[lane] = checkpoints[lane].at(from - 1);
+  maker.make(next, step, made);
   for (std::size_t lane = 0; lane < all.size(); ++lane)
-    made.lanes[lane].exact = startsHistory(next, made.frame) || (keepsHistory && shown.lanes[lane].exact);
+    made.lanes[lane].exact = startsHistory(next, made.frame) ||
+                             (isPastSame && shown.lanes[lane].exact && step.previous[lane] != nullptr);
   drop();
   subject = std::move(next);
   show(std::move(made));

@@ -74,8 +74,9 @@ struct InspectedShot::Parts {
   void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
   void prepare(const Settings& settings, std::size_t lane);
   void reloadShaders();
-  /// Another camera track: what lies before frame `from`, the first that changes, stays.
-  void follow(Subject next, int from);
+  /// Another camera track, or other restarts: what lies before frame `from`, the first that changes, stays.
+  /// `keepsOld`: until it is exact the frame on show stands on the history it had, else on none.
+  void follow(Subject next, int from, bool keepsOld = false);
 
   /// What a view draws: rows of the frame, of another one, of the reference.
   DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);

@@ -1,10 +1,12 @@
-// What of the scene is drawn and from where: cameras, flown ones too, motion modes, hidden objects.
+// What of the scene is drawn and from where: cameras, flown ones too, motion modes, classes, hidden objects;
+// and where its history starts.
 #include "core/InspectorParts.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -58,6 +60,42 @@ void InspectedShot::setObjectFilter(const ObjectFilter& filter) {
   next.filter = filter;
   const std::vector<bool> changed(next.lanes.size(), true);
   parts_->redraw(std::move(next), changed, true);
+}
+
+const std::vector<ClassOverride>& InspectedShot::objectClasses() const {
+  return parts_->subject.objectClasses;
+}
+
+void InspectedShot::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  assert(parts_->isOpen());
+  if (classes == objectClasses()) return;
+  checkClassOverrides(scene(), classes);
+  Subject next = parts_->subject;
+  next.objectClasses = classes;
+  const std::vector<bool> changed(next.lanes.size(), true);
+  parts_->redraw(std::move(next), changed, true);
+}
+
+const std::vector<int>& InspectedShot::restarts() const {
+  return parts_->subject.restarts;
+}
+
+void InspectedShot::setRestarts(std::vector<int> frames) {
+  assert(parts_->isOpen());
+  for (const int frame : frames)
+    if (frame < 0 || frame >= frameCount())
+      throw Error(say<"cannot restart the history at frame %1: the shot has frames 0 to %2">(
+          frame, frameCount() - 1));
+  std::ranges::sort(frames);
+  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  std::erase(frames, 0); // history starts there anyway
+  std::vector<int> changed;
+  std::ranges::set_symmetric_difference(frames, restarts(), std::back_inserter(changed));
+  if (changed.empty()) return;
+  Subject next = parts_->subject;
+  next.restarts = std::move(frames);
+  parts_->aside.clear();
+  parts_->follow(std::move(next), changed.front(), true);
 }
 
 const std::vector<CameraTrackHandle>& InspectedShot::cameraTracks() const {

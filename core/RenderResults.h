@@ -61,10 +61,12 @@ struct Status {
   FrameTimes times;
   gl::Driver driver;
   std::vector<int> cuts;       ///< frames at which history starts anew, besides frame 0
+  std::vector<int> restarts;   ///< those at which somebody restarts it, rising
   std::vector<int> keptFrames; ///< those whose history is kept, rising
   Playback playback;
   std::shared_ptr<const SceneOutline> outline; ///< made once, when it was opened
   ObjectFilter filter;
+  std::vector<ClassOverride> objectClasses;
   std::vector<CameraTrackHandle> tracks; ///< flown cameras, which are among `cameras`
   CameraPose pose;                       ///< of the camera at this frame
   bool recording = false;

@@ -54,6 +54,10 @@ void RenderWorker::applyScene(const Wishes& wishes) {
   if (!isOpen()) return;
   if (scene.filter && !(*scene.filter == inspector_.objectFilter()))
     change([&] { inspector_.setObjectFilter(*scene.filter); });
+  if (scene.classes && *scene.classes != inspector_.objectClasses())
+    change([&] { inspector_.setObjectClasses(*scene.classes); });
+  if (scene.restarts && *scene.restarts != inspector_.restarts())
+    change([&] { inspector_.setRestarts(*scene.restarts); });
   if (scene.recording) change([&] { setRecording(*scene.recording); });
   if (!scene.pose) return;
   flight_.pose.reset();

@@ -3,6 +3,7 @@
 
 #include "core/gl/Texture.h"
 #include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 
 #include <glm/vec2.hpp>
@@ -21,10 +22,14 @@ struct SceneWishes {
   std::optional<FlownCameras> cameras; ///< instead of all there are
   std::vector<CameraTrack> tracks;     ///< to add after that; the last one is looked through
   std::optional<std::vector<int>> located;
+  std::optional<std::vector<ClassOverride>> classes;
+  std::optional<std::vector<int>> restarts; ///< frames
 
-  bool isEmpty() const { return !filter && !pose && !recording && !cameras && tracks.empty() && !located; }
+  bool isEmpty() const { return !endReplay() && !located; }
   /// Whether going to a frame is of no use any more.
-  bool endReplay() const { return filter || pose || recording || cameras || !tracks.empty(); }
+  bool endReplay() const {
+    return filter || pose || recording || cameras || !tracks.empty() || classes || restarts;
+  }
 };
 
 /// The camera in somebody's hands.

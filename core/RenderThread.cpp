@@ -198,6 +198,14 @@ void RenderThread::setObjectFilter(const ObjectFilter& filter) {
   parts_->post([&](Wishes& wishes) { wishes.scene.filter = filter; });
 }
 
+void RenderThread::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.classes = classes; });
+}
+
+void RenderThread::setRestarts(const std::vector<int>& frames) {
+  parts_->post([&](Wishes& wishes) { wishes.scene.restarts = frames; });
+}
+
 void RenderThread::fly(const CameraPose& pose) {
   parts_->post([&](Wishes& wishes) { wishes.scene.pose = pose; });
 }

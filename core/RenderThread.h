@@ -60,6 +60,8 @@ class RenderThread {
   /// idle time, of the first lane, the nearest first. None: an empty list.
   void setFigures(const std::vector<Figure>& figures);
   void setObjectFilter(const ObjectFilter& filter);
+  void setObjectClasses(const std::vector<ClassOverride>& classes);
+  void setRestarts(const std::vector<int>& frames); ///< at which history starts anew
   /// Looks from there, from now on; while it plays or records, from the next frame on.
   void fly(const CameraPose& pose);
   /// Keeps the pose of each frame from now on, as a camera "Recorded N"; ended by a jump or the last frame.

@@ -231,9 +231,11 @@ void RenderWorker::sendStatus() {
     if (goal_ && isNear_ && *goal_ != inspector_.frame()) status.goal = goal_;
     status.times = inspector_.times();
     status.cuts = inspector_.scene().shot.cuts;
+    status.restarts = inspector_.restarts();
     status.keptFrames = inspector_.keptFrames();
     status.outline = outline_;
     status.filter = inspector_.objectFilter();
+    status.objectClasses = inspector_.objectClasses();
     status.tracks = inspector_.cameraTracks();
     status.pose = inspector_.cameraPose();
     status.recording = !flight_.recorded.empty();

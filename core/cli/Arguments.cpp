@@ -109,6 +109,16 @@ std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {
   return modes;
 }
 
+std::vector<ClassOverride> objectClassesOf(const ShotArguments& arguments) {
+  std::vector<ClassOverride> classes;
+  for (const std::string& text : arguments.classes) try {
+      classes.push_back(parseClassOverride(text));
+    } catch (const Error& error) {
+      throw UsageError(std::string("--class: ") + error.what());
+    }
+  return classes;
+}
+
 std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments) {
   if (!arguments.cameraPath.empty()) return readCameraTrack(arguments.cameraPath);
   if (arguments.cameraPose.empty()) return {};

@@ -3,6 +3,7 @@
 
 #include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
@@ -32,6 +33,8 @@ struct ShotArguments {
   std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
   std::vector<std::string> assignments; ///< "path=value", applied to every lane
   std::vector<std::string> motionModes; ///< "NODE=MODE"
+  std::vector<std::string> classes;     ///< "OBJECT=CLASS"
+  std::vector<int> restarts;            ///< frames
   int checkpointsMiB = 1024;
   std::string cameraPose, cameraPath; ///< "x,y,z,yaw,pitch[,fov]"; a file
   ObjectFilter filter;
@@ -113,9 +116,10 @@ glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
-std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments);  ///< also Error: its file
-Settings presetSettings(const std::string& name);                          ///< also Error: a preset file
-std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);           ///< also Error: a preset file
+std::vector<ClassOverride> objectClassesOf(const ShotArguments& arguments);
+std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments); ///< also Error: its file
+Settings presetSettings(const std::string& name);                         ///< also Error: a preset file
+std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);          ///< also Error: a preset file
 void assign(std::vector<LaneChoice>& lanes,
             const std::vector<std::string>& assignments); ///< but motion modes
 

@@ -20,8 +20,9 @@ ShotPlan planSession(const ShotArguments& arguments) {
   ObjectFilter filter = session.filter; // and what is said besides
   filter.hidden.insert(filter.hidden.end(), arguments.filter.hidden.begin(), arguments.filter.hidden.end());
   if (!arguments.filter.isolated.empty()) filter.isolated = arguments.filter.isolated;
-  ShotPlan plan{session.source,      session.camera, session.size, {},
-                session.motionModes, session.track,  filter,       session.frame};
+  ShotPlan plan{session.source,        session.camera,  session.size, {},
+                session.motionModes,   session.track,   filter,       session.frame,
+                session.objectClasses, session.restarts};
   std::vector<SessionLane> lanes{session.settings};
   lanes.insert(lanes.end(), session.lanes.begin(), session.lanes.end());
   for (const SessionLane& lane : lanes) {
@@ -30,6 +31,8 @@ ShotPlan planSession(const ShotArguments& arguments) {
   }
   assign(plan.lanes, arguments.assignments);
   for (const MotionOverride& mode : motionModesOf(arguments)) plan.motionModes.push_back(mode);
+  for (const ClassOverride& given : objectClassesOf(arguments)) plan.objectClasses.push_back(given);
+  plan.restarts.insert(plan.restarts.end(), arguments.restarts.begin(), arguments.restarts.end());
   return plan;
 }
 
@@ -38,8 +41,9 @@ ShotPlan planSession(const ShotArguments& arguments) {
 ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
-  return {arguments.source,         arguments.camera,         parseSize(arguments.size), lanesOf(arguments),
-          motionModesOf(arguments), cameraTrackOf(arguments), arguments.filter};
+  return {arguments.source,           arguments.camera,         parseSize(arguments.size), lanesOf(arguments),
+          motionModesOf(arguments),   cameraTrackOf(arguments), arguments.filter,          -1,
+          objectClassesOf(arguments), arguments.restarts};
 }
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
@@ -54,6 +58,8 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   if (plan.track) inspector.setCameraTrack(*plan.track);
   inspector.setMotionModes(plan.motionModes);
   inspector.setObjectFilter(plan.filter);
+  inspector.setObjectClasses(plan.objectClasses);
+  inspector.setRestarts(plan.restarts);
   for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
 }
 

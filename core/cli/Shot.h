@@ -22,6 +22,8 @@ struct ShotPlan {
   std::optional<CameraTrack> track;
   ObjectFilter filter;
   int frame = -1; ///< of a session; −1: none is said
+  std::vector<ClassOverride> objectClasses;
+  std::vector<int> restarts;
 };
 ShotPlan planShot(const ShotArguments& arguments);
 

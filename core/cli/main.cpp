@@ -70,6 +70,16 @@ CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
           "NODE=MODE: motion of the objects of this name; perObject, cameraOnly or none; repeat it for "
           "more")
       ->allow_extra_args(false);
+  command
+      .add_option("--class", shot.classes,
+                  "OBJECT=CLASS: class of the objects of this name and of what is below them; still, moving, "
+                  "deforming or character; repeat it for more")
+      ->allow_extra_args(false);
+  command
+      .add_option("--restart", shot.restarts,
+                  "A frame at which history starts anew, as after a cut; repeat it for more")
+      ->check(CLI::NonNegativeNumber)
+      ->allow_extra_args(false);
   return camera;
 }
 

@@ -78,6 +78,12 @@ CameraTrackHandle Subject::track() const {
   return found == tracks.end() ? nullptr : *found;
 }
 
+Shot Subject::shot() const {
+  Shot shot = scene->shot;
+  shot.cuts.insert(shot.cuts.end(), restarts.begin(), restarts.end());
+  return shot;
+}
+
 FrameRequest Subject::request(std::size_t lane) const {
   return {.camera = camera,
           .width = width,
@@ -86,11 +92,13 @@ FrameRequest Subject::request(std::size_t lane) const {
           .inputs = lanes[lane].inputs,
           .motionModes = motionModes,
           .filter = filter,
-          .track = track()};
+          .track = track(),
+          .objectClasses = objectClasses,
+          .restarts = restarts};
 }
 
 bool startsHistory(const Subject& subject, int frame) {
-  return taa::startsHistory(*subject.scene, frame);
+  return taa::startsHistory(*subject.scene, subject.restarts, frame);
 }
 
 bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {
@@ -213,7 +221,7 @@ ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& 
       next.lanes[lane].exact = true;
       step.previous[lane] = next.lanes[lane].current;
       checkpoints[lane].keep(step.frame, next.lanes[lane].current);
-      checkpoints[lane].trim(checkpointShare(subject, lane, budget), step.frame, subject.scene->shot);
+      checkpoints[lane].trim(checkpointShare(subject, lane, budget), step.frame, subject.shot());
     }
   }
   for (std::size_t lane = 0; lane < lanes; ++lane)

@@ -27,9 +27,13 @@ struct Subject {
 
   ObjectFilter filter;
   std::vector<CameraTrackHandle> tracks; ///< cameras besides the scene's, by their names
+  std::vector<ClassOverride> objectClasses;
+  std::vector<int> restarts; ///< frames at which history starts anew besides the scene's cuts, rising
 
   /// The track that `camera` names; null: a path of the scene's.
   CameraTrackHandle track() const;
+  /// The scene's, with restarts among the cuts: where history starts.
+  Shot shot() const;
   /// What of it a lane draws.
   FrameRequest request(std::size_t lane) const;
 };
@@ -109,7 +113,7 @@ class FrameMaker {
   std::optional<ShownFrame> spare_;
 };
 
-/// Whether frame `frame` may use no history: the first, and after cuts.
+/// Whether frame `frame` may use no history: the first, after cuts and at restarts.
 bool startsHistory(const Subject& subject, int frame);
 
 /// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.

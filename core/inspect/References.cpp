@@ -31,6 +31,8 @@ FrameRequest referenceRequest(const FrameRequest& request) {
   reference.inputs.precision = Precision::Full;
   if (request.inputs.blended != BlendedAs::Mask) reference.inputs.blended = BlendedAs::Before;
   reference.motionModes.clear();
+  reference.objectClasses.clear();
+  reference.restarts.clear();
   return reference;
 }
 

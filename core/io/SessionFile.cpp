@@ -105,6 +105,23 @@ std::vector<std::string> namesFromJson(const json& object, const char* key) {
   return names;
 }
 
+std::vector<ClassOverride> classesFromJson(const json& object) {
+  if (!object.is_object() || object.size() > kMostModes)
+    throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMostModes));
+  std::vector<ClassOverride> classes;
+  for (const auto& [name, given] : object.items())
+    classes.push_back(parseClassOverride(name.substr(0, kLongest) + "=" + textOf(given, "classes")));
+  return classes;
+}
+
+std::vector<int> restartsFromJson(const json& list) {
+  if (!list.is_array() || list.size() > kMostModes)
+    throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMostModes));
+  std::vector<int> frames;
+  for (const json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMostFrame));
+  return frames;
+}
+
 std::vector<MotionOverride> modesFromJson(const json& object) {
   if (!object.is_object() || object.size() > kMostModes)
     throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMostModes));
@@ -124,7 +141,8 @@ json parsed(const std::string& text) {
 SessionFile sessionFromJson(const json& object) {
   checkKeys(object, Part::Session,
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
-             "track", "hidden", "isolated", "motionModes", "checkpointsMiB", "window"});
+             "track", "hidden", "isolated", "motionModes", "classes", "restarts", "checkpointsMiB",
+             "window"});
   if (const json& format = field(object, "format"); format != kFormat)
     throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kFormat));
   SessionFile session;
@@ -147,6 +165,8 @@ SessionFile sessionFromJson(const json& object) {
     session.track = cameraTrackFrom(ordered_json::parse(track->dump()));
   session.filter = {namesFromJson(object, "hidden"), namesFromJson(object, "isolated")};
   session.motionModes = modesFromJson(object.value("motionModes", json::object()));
+  session.objectClasses = classesFromJson(object.value("classes", json::object()));
+  session.restarts = restartsFromJson(object.value("restarts", json::array()));
   session.checkpointsMiB =
       numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMostMiB);
   const json window = object.value("window", json::object());
@@ -195,6 +215,11 @@ std::string sessionToText(const SessionFile& session) {
   for (const MotionOverride& mode : session.motionModes)
     modes[mode.node] = kMotionModes.at(static_cast<std::size_t>(mode.mode)).id;
   object["motionModes"] = modes;
+  json classes = json::object();
+  for (const ClassOverride& given : session.objectClasses)
+    classes[given.object] = kObjectClasses.at(static_cast<std::size_t>(given.objectClass)).id;
+  if (!classes.empty()) object["classes"] = classes;
+  if (!session.restarts.empty()) object["restarts"] = session.restarts;
   object["checkpointsMiB"] = session.checkpointsMiB;
   object["window"] = ordered_json::parse(session.window);
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

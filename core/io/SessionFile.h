@@ -3,6 +3,7 @@
 
 #include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/settings/Settings.h"
 
@@ -33,6 +34,8 @@ struct SessionFile {
   std::optional<CameraTrack> track; ///< looked through instead of `camera`
   ObjectFilter filter;
   std::vector<MotionOverride> motionModes;
+  std::vector<ClassOverride> objectClasses;
+  std::vector<int> restarts; ///< frames at which history starts anew
   int checkpointsMiB = 1024;
   std::string window = "{}"; ///< a JSON object: the window's business
 };

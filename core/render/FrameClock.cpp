@@ -12,12 +12,16 @@ double frameTime(const Scene& scene, int frame) {
   return frame / scene.shot.framesPerSecond;
 }
 
-bool startsHistory(const Scene& scene, int frame) {
+bool isCut(const Scene& scene, int frame) {
   return frame == 0 || std::ranges::find(scene.shot.cuts, frame) != scene.shot.cuts.end();
 }
 
+bool startsHistory(const Scene& scene, std::span<const int> restarts, int frame) {
+  return isCut(scene, frame) || std::ranges::find(restarts, frame) != restarts.end();
+}
+
 int previousFrame(const Scene& scene, int frame) {
-  return startsHistory(scene, frame) ? frame : frame - 1;
+  return isCut(scene, frame) ? frame : frame - 1;
 }
 
 FrameInfo frameInfo(const Scene& scene, const FrameRequest& request, int frame) {
@@ -30,7 +34,7 @@ FrameInfo frameInfo(const Scene& scene, const FrameRequest& request, int frame) 
   info.jitterIndex = jitterIndex(jitter, frame);
   if (jitter.sequence == JitterSequence::Perpendicular) info.jitterWay = jitterWay(scene, request, frame);
   info.jitterPx = request.jitterPx.value_or(jitterPx(jitter, frame, info.jitterWay));
-  info.startsHistory = startsHistory(scene, frame);
+  info.startsHistory = startsHistory(scene, request.restarts, frame);
   return info;
 }
 

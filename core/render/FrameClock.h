@@ -3,15 +3,21 @@
 
 #include "core/scene/Scene.h"
 
+#include <span>
+
 namespace taa {
 
 /// Seconds since frame 0.
 double frameTime(const Scene& scene, int frame);
 
-/// Whether no history may be used: the first frame, and cuts.
-bool startsHistory(const Scene& scene, int frame);
+/// Whether nothing before it is its past: the first frame, and cuts.
+bool isCut(const Scene& scene, int frame);
 
-/// The frame motion refers to: the one before, or the frame itself where history starts.
+/// Whether no history may be used: the first frame, cuts, and frames at which somebody restarts it.
+bool startsHistory(const Scene& scene, std::span<const int> restarts, int frame);
+
+/// The frame motion refers to: the one before, or the frame itself at a cut. Things move on through a
+/// restart.
 int previousFrame(const Scene& scene, int frame);
 
 } // namespace taa

@@ -19,7 +19,7 @@ struct FrameInfo {
   double time = 0.0;               ///< seconds
   int jitterIndex = 0;             ///< 0 to period − 1
   glm::vec2 jitterPx{0.0f};        ///< displacement of image content, x right, y down, |j| ≤ ½
-  bool startsHistory = false;      ///< first frame or cut: no history may be used
+  bool startsHistory = false;      ///< first frame, cut or restart: no history may be used
   double stepSeconds = 1.0 / 60.0; ///< from frame to frame
   glm::dvec2 jitterWay{1.0, 0.0};  ///< jitterWay() of the frame where the jitter lies across it
 };

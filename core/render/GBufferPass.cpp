@@ -185,8 +185,9 @@ shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, s
   const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
   block.normalFromModel = normalMatrix(glm::mat3(world), sign);
   const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
+  const std::optional<ObjectClass> given = view.classes[static_cast<std::size_t>(item.node)];
   block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f,
-                     static_cast<float>(item.objectClass)};
+                     static_cast<float>(given.value_or(item.objectClass))};
   block.uvCell = animatedUv(material.uvAnimation, view.pose.time);
   // What is not followed is deformed as it is now in the previous frame too.
   const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;

@@ -46,7 +46,7 @@ glm::dvec2 turnedTowards(const glm::dvec2& way, const glm::dvec2& goal) {
 glm::dvec2 jitterWay(const Scene& scene, const FrameRequest& request, int frame) {
   std::vector<glm::dvec2> ways; // the latest first
   glm::mat4 now = cameraOf(scene, request, frame).viewFromWorld;
-  for (; !startsHistory(scene, frame) && ways.size() < kLongest; --frame) {
+  for (; !isCut(scene, frame) && ways.size() < kLongest; --frame) {
     const glm::mat4 before = cameraOf(scene, request, frame - 1).viewFromWorld;
     if (const auto way = wayBetween(before, now)) ways.push_back(*way);
     now = before;

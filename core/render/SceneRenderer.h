@@ -6,6 +6,7 @@
 #include "core/render/DrawCounts.h"
 #include "core/render/FrameInputs.h"
 #include "core/scene/CameraTrack.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 #include "core/settings/Settings.h"
@@ -27,8 +28,10 @@ struct FrameRequest {
   InputSettings inputs;
   std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
   ObjectFilter filter = {};
-  CameraTrackHandle track = nullptr;      ///< looked through instead of `camera`
-  std::optional<glm::vec2> jitterPx = {}; ///< instead of what the sequence of `jitter` says
+  CameraTrackHandle track = nullptr;             ///< looked through instead of `camera`
+  std::optional<glm::vec2> jitterPx = {};        ///< instead of what the sequence of `jitter` says
+  std::vector<ClassOverride> objectClasses = {}; ///< of objects by name; others have what moves them
+  std::vector<int> restarts = {}; ///< frames that use no history besides those where the shot is cut
   bool operator==(const FrameRequest&) const = default;
 };
 

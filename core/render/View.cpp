@@ -89,6 +89,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
+  view.classes = givenClasses(scene, request.objectClasses);
   const std::vector<bool> isDrawn = drawnNodes(scene, request.filter);
   for (std::size_t i = 0; i < view.nodes.size(); ++i) view.nodes[i].isVisible &= isDrawn[i];
   const float bias = request.inputs.mipBias;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/render/FrameInputs.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/Pose.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/LightBlock.h"
 
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -17,7 +19,8 @@ struct View {
   Pose pose, previousPose;    ///< the same where history starts; with their times
   shared::FrameBlock block{}; ///< of this frame and, where it says so, of the previous one
   shared::LightBlock lights{};
-  std::vector<NodeState> nodes; ///< as Scene::nodes
+  std::vector<NodeState> nodes;                    ///< as Scene::nodes
+  std::vector<std::optional<ObjectClass>> classes; ///< likewise: those that nodes are given
   JitterProjection projection = JitterProjection::Translation;
 };
 

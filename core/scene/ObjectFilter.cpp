@@ -72,12 +72,17 @@ std::vector<bool> drawnNodes(const SceneOutline& outline, const ObjectFilter& fi
       [&](std::size_t node) { return outline.nodes[node].parent; }, filter);
 }
 
-void checkObjectFilter(const Scene& scene, const ObjectFilter& filter) {
+void checkObjectNames(const Scene& scene, const std::vector<std::string>& names) {
+  if (names.empty()) return;
   Names keys;
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) keys.insert(nodeKey(scene, node));
-  for (const std::vector<std::string>* names : {&filter.hidden, &filter.isolated})
-    for (const std::string& name : *names)
-      if (!keys.contains(name)) throw Error(unknownObject(name, scene));
+  for (const std::string& name : names)
+    if (!keys.contains(name)) throw Error(unknownObject(name, scene));
+}
+
+void checkObjectFilter(const Scene& scene, const ObjectFilter& filter) {
+  checkObjectNames(scene, filter.hidden);
+  checkObjectNames(scene, filter.isolated);
 }
 
 } // namespace taa

@@ -22,6 +22,7 @@ std::string nodeKey(const Scene& scene, std::size_t node);
 std::vector<bool> drawnNodes(const Scene& scene, const ObjectFilter& filter);
 
 /// Throws Error that names some of the nodes there are when a name is of none of them.
+void checkObjectNames(const Scene& scene, const std::vector<std::string>& names);
 void checkObjectFilter(const Scene& scene, const ObjectFilter& filter);
 
 } // namespace taa

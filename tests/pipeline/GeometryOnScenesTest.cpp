@@ -1,6 +1,8 @@
 // Rejection by object, class, normal and velocity on drawn frames, and on history that was kept without them.
 #include "core/Inspector.h"
+#include "core/base/Error.h"
 #include "core/render/SceneRenderer.h"
+#include "core/scene/SceneOutline.h"
 #include "core/settings/Presets.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/Frames.h"
@@ -8,9 +10,12 @@
 #include "tests/support/SmallScene.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace taa {
 namespace {
@@ -99,6 +104,55 @@ TEST_F(GeometryOnScenes, WhatTurnsFacesAnotherWay) {
   EXPECT_EQ(reason(scene, settings, kWidth / 2), 8.0f);
   EXPECT_NEAR(*second(scene, settings, IntermediateId::normalAgreement).at(kWidth / 2, kHeight / 2), 0.5f,
               2e-3f);
+}
+
+// The blades and the guard's wires, all still or moving rigidly, told from the rest as a stencil marks
+// characters.
+TEST_F(GeometryOnScenes, ObjectsThatAreGivenAClassHaveItAndNothingElseChanges) {
+  Inspector inspector;
+  inspector.setSize(kWidth, kHeight);
+  inspector.open("builtin:fan");
+  inspector.seek(3);
+  const Image ids = inspector.image(IntermediateId::objectId);
+  const Image before = inspector.image(IntermediateId::objectClass);
+  const Image color = inspector.image(IntermediateId::color);
+  const SceneOutline outline = outlineOf(inspector.scene(), "builtin:fan");
+  const int node = outline.nodeOf(static_cast<int>(*ids.at(kWidth / 2, kHeight / 2)));
+  ASSERT_GE(node, 0);
+  const std::string name = outline.nodes[static_cast<std::size_t>(node)].key;
+  inspector.setObjectClasses({{name, ObjectClass::Character}});
+  const Image after = inspector.image(IntermediateId::objectClass);
+  const std::vector<std::optional<ObjectClass>> given = givenClasses(outline, inspector.objectClasses());
+  int characters = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const int at = outline.nodeOf(static_cast<int>(*ids.at(x, y)));
+      const bool isGiven = at >= 0 && given[static_cast<std::size_t>(at)].has_value();
+      characters += isGiven ? 1 : 0;
+      ASSERT_EQ(*after.at(x, y), isGiven ? 4.0f : *before.at(x, y)) << x << ", " << y;
+    }
+  EXPECT_GT(characters, 0);
+  EXPECT_EQ(test::difference(inspector.image(IntermediateId::color), color), "");
+  EXPECT_THROW(inspector.setObjectClasses({{"nobody", ObjectClass::Character}}), Error);
+  inspector.open("builtin:fan");
+  EXPECT_TRUE(inspector.objectClasses().empty());
+}
+
+// Sources 000 and 003 mean the characters, which move or not as the background does.
+TEST_F(GeometryOnScenes, ACharacterIsToldFromTheBackgroundWhateverMoves) {
+  Settings settings;
+  settings.validate.objectClass = Switch::On;
+  Scene scene = cardBeforeWall();
+  for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
+    if (scene.nodes[node].mesh < 0) continue;
+    scene.nodes[node].name = "object " + std::to_string(node);
+    request.objectClasses.push_back({scene.nodes[node].name, ObjectClass::Still});
+  }
+  ASSERT_GE(request.objectClasses.size(), 2u);
+  EXPECT_EQ(reason(scene, settings, kBefore), 0.0f) << "all are of one class, though the card moves";
+  request.objectClasses.back().objectClass = ObjectClass::Character;
+  EXPECT_EQ(reason(scene, settings, kBefore), 7.0f);
+  EXPECT_EQ(reason(scene, settings, kElsewhere), 0.0f);
 }
 
 TEST_F(GeometryOnScenes, BuiltInScenesHaveAllClasses) {

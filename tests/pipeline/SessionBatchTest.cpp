@@ -8,6 +8,7 @@
 #include "tests/support/Process.h"
 
 #include <OpenImageIO/imageio.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
@@ -66,6 +67,27 @@ TEST_F(SessionBatchTest, ASessionIsTheSameAsItsFlags) {
   const ProcessResult other =
       batch({"probe", "--session", file().string(), "--set", "weight.minimum=0.5", "--pixel", "30,20"});
   EXPECT_NE(other.out, want.out);
+}
+
+TEST_F(SessionBatchTest, RestartsAndClassesAreFlagsAndPartOfASession) {
+  taa::SessionFile session = taa::readSession(file());
+  session.restarts = {5};
+  writeSession(file(), session);
+  const auto reasonOf = [&](const std::vector<std::string>& arguments) {
+    const ProcessResult result = batch(arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return nlohmann::json::parse(result.out).at("lanes").at(0).at("values").at("rejectReason").get<float>();
+  };
+  const std::vector<std::string> probe{"--pixel", "30,20", "--json"};
+  EXPECT_EQ(reasonOf(joined({"probe", "--session", file().string()}, probe)), 1.0f) << "no history";
+  const std::vector<std::string> at5 = joined(flags("probe"), joined({"--frame", "5"}, probe));
+  EXPECT_NE(reasonOf(at5), 1.0f);
+  EXPECT_EQ(reasonOf(joined(at5, {"--restart", "2", "--restart", "5"})), 1.0f);
+  const ProcessResult late = batch(joined(at5, {"--restart", "240"}));
+  EXPECT_EQ(late.exitCode, 1);
+  EXPECT_NE(late.err.find("frame 240"), std::string::npos) << late.err;
+  EXPECT_EQ(batch(joined(at5, {"--class", "nobody=character"})).exitCode, 1);
+  EXPECT_EQ(batch(joined(at5, {"--class", "rotor=person"})).exitCode, 2);
 }
 
 TEST_F(SessionBatchTest, MistakesAreNamed) {

@@ -3,6 +3,7 @@
 #include "core/io/CameraTrackJson.h"
 #include "core/render/SceneRenderer.h"
 #include "core/render/View.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/SceneOutline.h"
 #include "core/scene/SceneSource.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -48,6 +50,30 @@ TEST(ObjectFilter, HidesAndIsolatesWithWhatIsBelow) {
   EXPECT_EQ(drawnNodes(scene, {{}, {"#2", "tree"}}), Flags({0, 0, 1, 1, 1}));
   EXPECT_EQ(drawnNodes(scene, {{"knob"}, {"house"}}), Flags({1, 1, 1, 0, 0}));
   EXPECT_EQ(drawnNodes(outlineOf(scene, "x"), {{"knob"}, {"house"}}), Flags({1, 1, 1, 0, 0}));
+}
+
+TEST(ObjectClass, IsGivenToAnObjectAndToWhatIsBelowUntilThatHasItsOwn) {
+  using Classes = std::vector<std::optional<ObjectClass>>;
+  const Scene scene = treeScene();
+  constexpr std::nullopt_t kOwn = std::nullopt;
+  const auto character = ObjectClass::Character, still = ObjectClass::Still;
+  EXPECT_EQ(givenClasses(scene, {}), Classes({kOwn, kOwn, kOwn, kOwn, kOwn}));
+  EXPECT_EQ(givenClasses(scene, {{"house", character}}),
+            Classes({character, character, character, character, kOwn}));
+  EXPECT_EQ(givenClasses(scene, {{"#2", still}, {"house", character}}),
+            Classes({character, character, still, still, kOwn}));
+  EXPECT_EQ(givenClasses(outlineOf(scene, "x"), {{"#2", still}, {"house", character}}),
+            Classes({character, character, still, still, kOwn}));
+}
+
+TEST(ObjectClass, IsReadFromAFlag) {
+  EXPECT_EQ(parseClassOverride("rotor & hub=character"),
+            (ClassOverride{"rotor & hub", ObjectClass::Character}));
+  EXPECT_EQ(parseClassOverride("a=b=still"), (ClassOverride{"a=b", ObjectClass::Still}));
+  for (const char* wrong : {"fan", "=still", "fan=", "fan=sky", "fan=person"})
+    EXPECT_THROW(parseClassOverride(wrong), Error) << wrong;
+  EXPECT_NO_THROW(checkClassOverrides(treeScene(), {{"#2", ObjectClass::Still}}));
+  EXPECT_THROW(checkClassOverrides(treeScene(), {{"gate", ObjectClass::Still}}), Error);
 }
 
 TEST(ObjectFilter, NamesTheObjectsThereAre) {

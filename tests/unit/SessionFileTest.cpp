@@ -89,6 +89,23 @@ TEST(SessionFile, KeepsAFlownCameraAndWhatIsHidden) {
   EXPECT_FALSE(sessionFromText(sessionToText(sample()), "it").track);
 }
 
+TEST(SessionFile, KeepsClassesAndRestarts) {
+  SessionFile want = sample();
+  want.objectClasses = {{"rotor & hub", ObjectClass::Character}, {"floor", ObjectClass::Still}};
+  want.restarts = {12, 31};
+  const SessionFile is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.restarts, want.restarts);
+  ASSERT_EQ(is.objectClasses.size(), 2u);
+  for (const ClassOverride& given : want.objectClasses)
+    EXPECT_EQ(std::ranges::count(is.objectClasses, given), 1) << given.object;
+  EXPECT_TRUE(sessionFromText(sessionToText(sample()), "it").restarts.empty());
+  const std::string line = renderCommand(want, {});
+  EXPECT_NE(
+      line.find(" --class 'rotor & hub=character' --class floor=still --restart 12 --restart 31 --frames 31"),
+      std::string::npos)
+      << line;
+}
+
 TEST(SessionFile, RefusesByName) {
   const std::pair<std::string, std::string> cases[] = {
       {changed("colour", 1), "\"colour\""},
@@ -106,6 +123,9 @@ TEST(SessionFile, RefusesByName) {
       {changed("lanes", {{{"preset", "x"}, {"settings", nlohmann::json::object()}, {"more", 1}}}),
        "\"more\""},
       {changed("motionModes", {{"floor", "sideways"}}), "sideways"},
+      {changed("classes", {{"floor", "sky"}}), "floor=sky"},
+      {changed("restarts", 7), "\"restarts\""},
+      {changed("restarts", {1, -1}), "\"restarts\""},
       {changed("hidden", "floor"), "\"hidden\""},
       {changed("isolated", {7}), "\"isolated\""},
       {changed("track", {{"name", "x"}}), "poses"},

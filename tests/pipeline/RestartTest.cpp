@@ -1,0 +1,145 @@
+// History restarted at frames of the shot: empty there as after a cut, what is drawn as without it, and frame
+// n a function all the same.
+#include "core/base/Error.h"
+#include "core/scene/SceneSource.h"
+#include "tests/support/Frames.h"
+#include "tests/support/SmallInspector.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <memory>
+#include <vector>
+
+using namespace taa;
+using taa::test::small::expectSame;
+using taa::test::small::isSame;
+using taa::test::small::kHeight;
+using taa::test::small::kWidth;
+
+namespace {
+
+class RestartTest : public taa::test::small::InspectorTest {
+ protected:
+  static std::vector<Image> all(Inspector& inspector) { return inspector.images(allRows()); }
+  static std::vector<float> reasons(Inspector& inspector) {
+    return inspector.image(IntermediateId::rejectReason).pixels;
+  }
+  static bool isEmpty(Inspector& inspector) {
+    constexpr float kNoHistory = 1.0f;
+    return reasons(inspector) == std::vector<float>(std::size_t{kWidth} * kHeight, kNoHistory);
+  }
+};
+
+} // namespace
+
+TEST_F(RestartTest, HistoryIsEmptyThereAndWhatIsDrawnStays) {
+  auto plain = opened();
+  plain->seek(7);
+  const Image motion = plain->image(IntermediateId::motion), color = plain->image(IntermediateId::color);
+  EXPECT_FALSE(isEmpty(*plain));
+  plain->setRestarts({7});
+  EXPECT_TRUE(plain->isExact()) << "nothing before it counts";
+  EXPECT_TRUE(isEmpty(*plain));
+  EXPECT_TRUE(plain->info().startsHistory);
+  EXPECT_TRUE(isSame(plain->image(IntermediateId::motion), motion)) << "no cut: things have moved";
+  EXPECT_TRUE(isSame(plain->image(IntermediateId::color), color));
+  for (const float length : plain->image(IntermediateId::historyLength).pixels) ASSERT_EQ(length, 1.0f);
+  plain->seek(8);
+  EXPECT_FALSE(isEmpty(*plain));
+  for (const float length : plain->image(IntermediateId::historyLength).pixels) ASSERT_LE(length, 2.0f);
+}
+
+// A history that is begun by hand at frame 7, by the pass alone.
+TEST_F(RestartTest, FramesAfterItAreThoseOfAHistoryThatBeganThere) {
+  const auto restarted = [] {
+    auto inspector = opened();
+    inspector->setRestarts({7});
+    inspector->seek(10);
+    return inspector->image(IntermediateId::resolved);
+  };
+  const Image is = std::async(std::launch::async, restarted).get(); // it has a context of its own
+  const Settings settings;
+  SceneRenderer renderer(std::make_shared<const Scene>(openScene("builtin:fan")));
+  FrameRequest request{
+      .camera = "still", .width = kWidth, .height = kHeight, .jitter = settings.jitter, .inputs = {}};
+  request.camera = openScene("builtin:fan").shot.camera;
+  TaaPass pass;
+  test::Accumulator accumulator;
+  FrameInputs inputs;
+  for (int frame = 7; frame <= 10; ++frame) {
+    renderer.draw(request, frame, inputs);
+    if (frame == 7) inputs.info.startsHistory = true;
+    accumulator.resolve(pass, inputs, settings);
+  }
+  const Image want = accumulator.history().color.download();
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        ASSERT_EQ(is.at(x, y)[channel], want.at(x, y)[channel]) << x << ", " << y;
+}
+
+TEST_F(RestartTest, SeekingPlayingAndSteppingBackGiveTheSameBits) {
+  auto inspector = opened({Settings{}, test::small::otherSettings()});
+  inspector->setCheckpointBudget(0);
+  inspector->setRestarts({9, 5, 9, 0});
+  EXPECT_EQ(inspector->restarts(), (std::vector<int>{5, 9}));
+  const auto both = [&] {
+    std::vector<Image> pictures = inspector->images(allRows(), 0);
+    for (Image& picture : inspector->images(allRows(), 1)) pictures.push_back(std::move(picture));
+    return pictures;
+  };
+  const auto expectBoth = [&](const std::vector<Image>& want, const char* how) {
+    const std::vector<Image> is = both();
+    for (std::size_t i = 0; i < is.size(); ++i)
+      ASSERT_TRUE(isSame(is[i], want[i])) << how << ", picture " << i;
+  };
+  inspector->seek(11);
+  const std::vector<Image> sought = both();
+  inspector->seek(0);
+  while (inspector->frame() < 11) inspector->advance();
+  expectBoth(sought, "played");
+  inspector->seek(13);
+  inspector->seek(11);
+  expectBoth(sought, "stepped back");
+  EXPECT_TRUE(inspector->areAllExact());
+}
+
+TEST_F(RestartTest, TakenAwayEverythingIsAsBefore) {
+  auto inspector = opened();
+  inspector->seek(9);
+  const std::vector<Image> before = all(*inspector);
+  inspector->setRestarts({9});
+  EXPECT_TRUE(isEmpty(*inspector));
+  inspector->setRestarts({});
+  inspector->refine();
+  EXPECT_TRUE(inspector->isExact());
+  expectSame(all(*inspector), before);
+  // One that lies before the frame on show: its history is not this frame's any more until it is made anew.
+  inspector->setRestarts({4});
+  EXPECT_FALSE(inspector->isExact());
+  inspector->refine();
+  const std::vector<Image> restarted = all(*inspector);
+  EXPECT_FALSE(isSame(restarted[static_cast<std::size_t>(IntermediateId::resolved)],
+                      before[static_cast<std::size_t>(IntermediateId::resolved)]));
+  inspector->setRestarts({12}); // one goes, one comes after the frame
+  inspector->refine();
+  expectSame(all(*inspector), before);
+  inspector->setRestarts({12, 14}); // nothing before changes
+  EXPECT_TRUE(inspector->isExact());
+  expectSame(all(*inspector), before);
+}
+
+TEST_F(RestartTest, FramesThatAreNotThereAreNamedAndAnotherSceneHasNone) {
+  auto inspector = opened();
+  try {
+    inspector->setRestarts({3, 240});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "cannot restart the history at frame 240: the shot has frames 0 to 239");
+  }
+  EXPECT_TRUE(inspector->restarts().empty());
+  inspector->setRestarts({3});
+  inspector->open("builtin:fan");
+  EXPECT_TRUE(inspector->restarts().empty());
+}
