@@ -29,10 +29,13 @@ struct Choice {
 };
 
 void addPresets(std::vector<Choice>& choices, const QString& group, const QString& folder) {
+  QString heading = group;
   for (const Preset& preset : builtinPresets()) {
     const QString id = QString::fromStdString(preset.id);
+    if (const PresetGroup* started = startedGroup(preset))
+      heading = QObject::tr("%1: %2").arg(group, tableText(started->label));
     choices.push_back(
-        {{tableText(preset.label), {}, group, id}, Comparison{OtherKind::Preset, {}, preset.id}});
+        {{tableText(preset.label), {}, heading, id}, Comparison{OtherKind::Preset, {}, preset.id}});
   }
   for (const UserPreset& preset : userPresets(folder))
     choices.push_back(

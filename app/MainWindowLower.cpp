@@ -11,6 +11,7 @@
 #include "app/panels/WeightsPanel.h"
 #include "app/widgets/Prompt.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -64,8 +65,9 @@ void MainWindow::showHistory() {
   history.frame = status.info.frame;
   if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
     history.jitterWay = status.info.jitterWay;
-  for (const int cut : status.cuts)
-    if (cut <= history.frame) history.start = cut;
+  for (const std::vector<int>* starts : {&status.cuts, &status.restarts})
+    for (const int start : *starts)
+      if (start <= history.frame) history.start = std::max(history.start, start);
   if (const int active = session_.activePin(); active >= 0) {
     const ProbePin& pin = session_.pins()[static_cast<std::size_t>(active)];
     if (const PixelTrace* trace = plots_->store().traceOf(pin))

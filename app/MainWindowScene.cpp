@@ -65,6 +65,7 @@ void MainWindow::connectScene() {
   connect(scene_, &ScenePanel::isolationAsked, &session_, &Session::setIsolated);
   connect(scene_, &ScenePanel::filterAsked, &session_, &Session::setObjectFilter);
   connect(scene_, &ScenePanel::motionAsked, &session_, &Session::setMotionMode);
+  connect(scene_, &ScenePanel::classAsked, &session_, &Session::setObjectClass);
   connect(scene_, &ScenePanel::locationAsked, &session_, &Session::locate);
   connect(scene_, &ScenePanel::revealAsked, this, [this](glm::ivec2 pixel) {
     reveals_ = true; // the object is selected already
@@ -81,7 +82,7 @@ void MainWindow::connectScene() {
   connect(scene_, &ScenePanel::selectionChanged, this, [this] { menus_->refresh(); });
   connect(&session_, &Session::statusChanged, this, [this, showArea] {
     scene_->setStatus(session_.status());
-    scene_->setChoices(session_.objectFilter(), session_.motionModes());
+    scene_->setChoices(session_.objectFilter(), session_.motionModes(), session_.objectClasses());
     showArea();
   });
   // A new pick selects its object; while time runs on under the probe the selection stays.

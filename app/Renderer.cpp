@@ -38,6 +38,10 @@ class ThreadRenderer final : public Renderer {
   void setPlayback(const Playback& playback) override { thread_.setPlayback(playback); }
   void exportSequence(const SequenceRequest& request) override { thread_.exportSequence(request); }
   void setObjectFilter(const ObjectFilter& filter) override { thread_.setObjectFilter(filter); }
+  void setObjectClasses(const std::vector<ClassOverride>& classes) override {
+    thread_.setObjectClasses(classes);
+  }
+  void setRestarts(const std::vector<int>& frames) override { thread_.setRestarts(frames); }
   void fly(const CameraPose& pose) override { thread_.fly(pose); }
   void setRecording(bool recording) override { thread_.setRecording(recording); }
   void addCameraTrack(const CameraTrack& track) override { thread_.addCameraTrack(track); }

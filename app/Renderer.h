@@ -43,6 +43,8 @@ class Renderer {
   virtual void setPlayback(const Playback& playback) = 0;
   virtual void exportSequence(const SequenceRequest& request) = 0;
   virtual void setObjectFilter(const ObjectFilter& filter) = 0;
+  virtual void setObjectClasses(const std::vector<ClassOverride>& classes) = 0;
+  virtual void setRestarts(const std::vector<int>& frames) = 0;
   virtual void fly(const CameraPose& pose) = 0;
   virtual void setRecording(bool recording) = 0;
   virtual void addCameraTrack(const CameraTrack& track) = 0;

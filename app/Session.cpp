@@ -75,6 +75,8 @@ void Session::deliver() {
   if (!delivery.errors.empty()) { // it may have been one of these that was refused
     motionModes_.giveUp();
     filter_.giveUp();
+    classes_.giveUp();
+    restarts_.giveUp();
   }
   for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
   if (delivery.status) useStatus(std::move(*delivery.status));
@@ -116,8 +118,10 @@ void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
   motionModes_.giveUp();
   filter_.giveUp();
+  classes_.giveUp();
+  restarts_.giveUp();
   flown_.giveUp();
-  history_.forgetCameras();
+  history_.forgetShot();
   ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
@@ -233,6 +237,11 @@ void Session::undo() {
   if (!history_.canUndo()) return;
   const UndoStep step = history_.undo(settings_);
   if (step.camera) return useCamera(step.camera->after, step.camera->before);
+  if (step.restarts) {
+    setRestarts(step.restarts->before);
+    Q_EMIT settingsChanged();
+    return;
+  }
   useSettings(step.settings);
 }
 
@@ -240,6 +249,11 @@ void Session::redo() {
   if (!history_.canRedo()) return;
   const UndoStep step = history_.redo(settings_);
   if (step.camera) return useCamera(step.camera->before, step.camera->after);
+  if (step.restarts) {
+    setRestarts(step.restarts->after);
+    Q_EMIT settingsChanged();
+    return;
+  }
   useSettings(step.settings);
 }
 

@@ -122,8 +122,17 @@ class Session : public QObject {
   void setHidden(const std::string& object, bool hidden);
   void setIsolated(const std::vector<std::string>& objects); ///< none: all are drawn
   void setObjectFilter(const ObjectFilter& filter);
+  /// The class of these objects and of what is below them; nothing: that of what moves them.
+  void setObjectClass(const std::string& object, std::optional<ObjectClass> objectClass);
+  void setObjectClasses(const std::vector<ClassOverride>& classes);
+  const std::vector<ClassOverride>& objectClasses() const { return classes_.value(); }
   /// Which of these are hidden or isolated, by the wishes so far.
   const ObjectFilter& objectFilter() const { return filter_.value(); }
+  /// Frames at which history starts anew, rising, by the wishes so far.
+  const std::vector<int>& restarts() const { return restarts_.value(); }
+  void toggleRestart(int frame); ///< undo takes it back
+  void removeRestarts();         ///< likewise
+  void setRestarts(const std::vector<int>& frames);
   void fly(const CameraPose& pose);
   void setRecording(bool recording);
   void addCameraTrack(const CameraTrack& track);
@@ -163,6 +172,7 @@ class Session : public QObject {
   void useStatus(Status&& status);
   void takeSceneStatus();
   void useSettings(const Settings& settings);
+  void changeRestarts(const std::vector<int>& frames);
   void useCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after);
   void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
@@ -184,6 +194,8 @@ class Session : public QObject {
   SettingsHistory history_;
   Asked<std::vector<MotionOverride>> motionModes_;
   Asked<ObjectFilter> filter_;
+  Asked<std::vector<ClassOverride>> classes_;
+  Asked<std::vector<int>> restarts_;
   Asked<FlownCameras> flown_;
   std::string sceneCamera_; ///< the last one that was not flown
   std::vector<ViewRequest> views_;

@@ -16,6 +16,8 @@ namespace taa::app {
 void Session::takeSceneStatus() {
   motionModes_.arrived(status_.motionModes);
   filter_.arrived(status_.filter);
+  classes_.arrived(status_.objectClasses);
+  restarts_.arrived(status_.restarts);
   FlownCameras flown{{}, status_.camera};
   for (const CameraTrackHandle& track : status_.tracks) flown.tracks.push_back(*track);
   flown_.arrived(flown);
@@ -37,8 +39,7 @@ void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
 }
 
 void Session::setObjectFilter(const ObjectFilter& filter) {
-  if (filter == filter_.value()) return;
-  filter_.ask(filter);
+  filter_.ask(filter); // also where it is the same: what was just opened has none
   ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); });
 }
 
@@ -53,6 +54,41 @@ void Session::setIsolated(const std::vector<std::string>& objects) {
   ObjectFilter filter = filter_.value();
   filter.isolated = objects;
   setObjectFilter(filter);
+}
+
+void Session::setObjectClass(const std::string& object, std::optional<ObjectClass> objectClass) {
+  std::vector<ClassOverride> classes = classes_.value();
+  std::erase_if(classes, [&](const ClassOverride& known) { return known.object == object; });
+  if (objectClass) classes.push_back({object, *objectClass});
+  setObjectClasses(classes);
+}
+
+void Session::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  classes_.ask(classes);
+  ask([&](Renderer& renderer) { renderer.setObjectClasses(classes); });
+}
+
+void Session::toggleRestart(int frame) {
+  std::vector<int> frames = restarts_.value();
+  if (std::erase(frames, frame) == 0) frames.push_back(frame);
+  std::ranges::sort(frames);
+  changeRestarts(frames);
+}
+
+void Session::removeRestarts() {
+  changeRestarts({});
+}
+
+void Session::changeRestarts(const std::vector<int>& frames) {
+  if (frames == restarts_.value()) return;
+  history_.record({settings_, {}, RestartChange{restarts_.value(), frames}}, "");
+  setRestarts(frames);
+  Q_EMIT settingsChanged(); // there is a step more
+}
+
+void Session::setRestarts(const std::vector<int>& frames) {
+  restarts_.ask(frames);
+  ask([&](Renderer& renderer) { renderer.setRestarts(frames); });
 }
 
 void Session::fly(const CameraPose& pose) {

@@ -16,6 +16,8 @@ SessionFile Session::file() const {
   file.size = {status_.width, status_.height};
   file.settings = {presetId_, presetSettings_, settings_};
   file.motionModes = motionModes_.value();
+  file.objectClasses = classes_.value();
+  file.restarts = restarts_.value();
   file.checkpointsMiB = static_cast<int>(status_.checkpointBudget >> 20);
   return file;
 }
@@ -35,6 +37,8 @@ void Session::restore(const SessionFile& file) {
     setCamera(QString::fromStdString(file.camera));
   setObjectFilter(file.filter);
   setMotionModes(file.motionModes);
+  setObjectClasses(file.objectClasses);
+  setRestarts(file.restarts);
   seek(file.frame);
   Q_EMIT settingsChanged(); // the name changes even where no value does
 }

@@ -16,15 +16,15 @@ UndoStep SettingsHistory::step(std::vector<UndoStep>& from, std::vector<UndoStep
   assert(!from.empty());
   UndoStep goal = std::move(from.back());
   from.pop_back();
-  to.push_back({now, goal.camera});
+  to.push_back({now, goal.camera, goal.restarts});
   last_.clear();
   return goal;
 }
 
-void SettingsHistory::forgetCameras() {
-  const auto isOfCamera = [](const UndoStep& step) { return step.camera.has_value(); };
-  std::erase_if(undo_, isOfCamera);
-  std::erase_if(redo_, isOfCamera);
+void SettingsHistory::forgetShot() {
+  const auto isOfShot = [](const UndoStep& step) { return step.camera || step.restarts; };
+  std::erase_if(undo_, isOfShot);
+  std::erase_if(redo_, isOfShot);
   last_.clear();
 }
 

@@ -1,4 +1,5 @@
-// Undo and redo of settings and of flown cameras: states in the order they were made, one for each drag.
+// Undo and redo of settings, flown cameras and restarts: states in the order they were made, one for each
+// drag.
 #pragma once
 
 #include "core/scene/CameraTrack.h"
@@ -15,10 +16,16 @@ struct CameraChange {
   std::optional<CameraTrack> before, after;
 };
 
+/// Frames at which history is restarted, before somebody changed them and after.
+struct RestartChange {
+  std::vector<int> before, after;
+};
+
 /// What a step goes back or on to.
 struct UndoStep {
   Settings settings;
-  std::optional<CameraChange> camera{}; ///< what it takes back or does again; nothing: it was of settings
+  std::optional<CameraChange> camera{};    ///< what it takes back or does again; nothing: it was of settings
+  std::optional<RestartChange> restarts{}; ///< likewise
 };
 
 class SettingsHistory {
@@ -32,8 +39,8 @@ class SettingsHistory {
   UndoStep undo(const Settings& now) { return step(undo_, redo_, now); }
   /// The state after `now`; expects canRedo().
   UndoStep redo(const Settings& now) { return step(redo_, undo_, now); }
-  /// Steps of flown cameras are of a scene that is not open any more.
-  void forgetCameras();
+  /// Steps of flown cameras and of restarts are of a scene that is not open any more.
+  void forgetShot();
 
  private:
   UndoStep step(std::vector<UndoStep>& from, std::vector<UndoStep>& to, const Settings& now);

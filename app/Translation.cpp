@@ -9,6 +9,7 @@
 #include "core/inspect/Visualizer.h"
 #include "core/inspect/WhatIf.h"
 #include "core/scene/MotionMode.h"
+#include "core/scene/ObjectClass.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -69,6 +70,7 @@ void addEach(Collector& texts, Enum last, Text text) {
 void addLists(Collector& texts) {
   for (const FigureInfo& figure : kFigures) texts.add(figure.label, figure.unit, figure.description);
   for (const MotionModeInfo& mode : kMotionModes) texts.add(mode.label);
+  for (const ObjectClassInfo& info : kObjectClasses) texts.add(info.label);
   addEach(texts, ColorMap::Categorical, colorMapName);
   addEach(texts, WhatIfGroup::Preset, whatIfGroupLabel);
   addEach(texts, gl::TimingMethod::Finish, timingWords);
@@ -93,6 +95,7 @@ QStringList tableTexts() {
   addParameters(texts);
   addRows(texts);
   addLists(texts);
+  for (const PresetGroup& group : kPresetGroups) texts.add(group.label);
   for (const Preset& preset : builtinPresets()) texts.add(preset.label, preset.description);
   for (const BuiltinScene& scene : builtinScenes()) texts.add(scene.label, scene.description);
   return texts.take();

@@ -49,6 +49,11 @@ void Menus::makeFrame() {
       });
   makePlayback(menu->addMenu(tr("Speed and &range")));
   makeFrameMarks(menu->addMenu(tr("&Marks")));
+  add(menu, tr("&Restart the history here, or no longer"), keys({"Shift+R"}), [this] {
+    if (window_.session().isOpen()) window_.session().toggleRestart(window_.timeline()->frame());
+  });
+  QAction* restarts = add(menu, tr("Take all restarts awa&y"), {}, [&session] { session.removeRestarts(); });
+  onRefresh([&session, restarts] { restarts->setEnabled(!session.restarts().empty()); });
   makeFigures(menu->addMenu(tr("F&igure under the timeline")));
   add(menu, tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
     session.cancel();

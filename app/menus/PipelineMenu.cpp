@@ -23,18 +23,24 @@ void Menus::makePipeline() {
   QMenu* menu = window_.menuBar()->addMenu(tr("&Pipeline"));
   menu->setToolTipsVisible(true);
   Session& session = window_.session();
+  QAction* taa =
+      addCheck(menu, tr("&TAA, or the frames as they are drawn"), QKeySequence(QStringLiteral("Shift+T")),
+               [&session](bool on) { session.setParameter(QStringLiteral("taa.enabled"), on ? 1.0 : 0.0); });
+  onRefresh([&session, taa] { taa->setChecked(isTaaOn(session.settings())); });
   QMenu* presets = menu->addMenu(tr("&Preset"));
   presets->setToolTipsVisible(true);
   int number = 0;
-  std::string group = builtinPresets().front().group;
+  QMenu* listed = presets;
   for (const Preset& preset : builtinPresets()) {
-    if (preset.group != group) presets->addSeparator();
-    group = preset.group;
+    if (const PresetGroup* group = startedGroup(preset)) {
+      listed = presets->addMenu(tableText(group->label));
+      listed->setToolTipsVisible(true);
+    }
     const QString id = QString::fromStdString(preset.id);
     const QList<QKeySequence> key =
         ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
                       : QList<QKeySequence>();
-    add(presets, tableText(preset.label), key, [&session, id] {
+    add(listed, tableText(preset.label), key, [&session, id] {
       session.setPreset(id);
     })->setToolTip(tableText(preset.description));
   }

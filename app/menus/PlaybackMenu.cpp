@@ -62,8 +62,8 @@ void Menus::makeFrameMarks(QMenu* menu) {
   add(menu, tr("&Mark this frame, or take its mark away"), keys({"K"}),
       [timeline] { timeline->toggleMark(); });
   add(menu, tr("&Name the mark…"), keys({"Shift+K"}), [this] { window_.askForMarkName(); });
-  add(menu, tr("&Previous mark or cut"), keys({"PgUp"}), [timeline] { timeline->goToMark(false); });
-  add(menu, tr("Ne&xt mark or cut"), keys({"PgDown"}), [timeline] { timeline->goToMark(true); });
+  add(menu, tr("&Previous mark, cut or restart"), keys({"PgUp"}), [timeline] { timeline->goToMark(false); });
+  add(menu, tr("Ne&xt mark, cut or restart"), keys({"PgDown"}), [timeline] { timeline->goToMark(true); });
 }
 
 } // namespace taa::app

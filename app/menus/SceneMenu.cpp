@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace taa::app {
@@ -51,15 +52,21 @@ void Menus::makeScene() {
     add(motion, tableText(kMotionModes[mode].label),
         {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
         [scene, mode] { scene->setMotionOfSelected(static_cast<MotionMode>(mode)); });
+  QMenu* classes = menu->addMenu(tr("&Class of the selected object"));
+  int number = static_cast<int>(kMotionModes.size());
+  for (const std::optional<ObjectClass> offered : ScenePanel::classChoices())
+    add(classes, ScenePanel::classLabel(offered),
+        {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(++number))},
+        [scene, offered] { scene->setClassOfSelected(offered); });
   QAction* all = add(menu, tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [scene] { scene->showAll(); });
-  onRefresh([this, fly, record, save, rename, remove, tree, motion, all, flight, scene,
+  onRefresh([this, fly, record, save, rename, remove, tree, motion, classes, all, flight, scene,
              selection = std::vector<QAction*>(std::begin(needSelection), std::end(needSelection))] {
     fly->setChecked(flight->isOn());
     record->setText(flight->isRecording() ? tr("End the &recording") : tr("&Record a flight"));
     for (QAction* action : {save, rename, remove}) action->setEnabled(window_.flownCamera() != nullptr);
     tree->setChecked(window_.left()->currentWidget() == scene && !window_.left()->isHidden());
     for (QAction* action : selection) action->setEnabled(scene->selected() >= 0);
-    motion->setEnabled(scene->selected() >= 0);
+    for (QMenu* choices : {motion, classes}) choices->setEnabled(scene->selected() >= 0);
     all->setEnabled(!(window_.session().objectFilter() == ObjectFilter{}));
   });
 }

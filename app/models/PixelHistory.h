@@ -14,7 +14,7 @@ namespace taa::app {
 struct PixelHistory {
   Settings settings;
   int frame = 0;
-  int start = 0; ///< where history starts at the latest: the first frame, or the last cut
+  int start = 0; ///< where history starts at the latest: the first frame, the last cut or the last restart
   /// Of the active probe, oldest first, up to `frame`; empty: not known.
   std::vector<double> measured;
   QString place;                       ///< of that probe: "(412, 207)"

@@ -98,9 +98,12 @@ std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& t
   return curves;
 }
 
-std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts) {
+std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts,
+                                 const std::vector<int>& restarts) {
   std::vector<ChartMark> marks;
   for (const int cut : cuts) marks.push_back({static_cast<double>(cut), MarkKind::Cut, QObject::tr("cut")});
+  for (const int frame : restarts)
+    marks.push_back({static_cast<double>(frame), MarkKind::Cut, QObject::tr("restart")});
   if (!active) return marks;
   for (const auto& [frame, sample] : active->samples()) {
     const int reason = static_cast<int>(reference::at(sample.record, IntermediateId::rejectReason).x);

@@ -30,7 +30,8 @@ QString plotTitle(IntermediateId id);
 /// A curve for each pin and channel; frames that are not known are gaps.
 std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces);
 
-/// Where history was rejected at a pin, and the cuts of the shot.
-std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts);
+/// Where history was rejected at a pin, the cuts of the shot and its restarts.
+std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts,
+                                 const std::vector<int>& restarts = {});
 
 } // namespace taa::app

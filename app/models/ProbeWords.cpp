@@ -128,6 +128,8 @@ QString classWords(int number) {
     return QObject::tr("moves rigidly");
   case ObjectClass::Deforming:
     return QObject::tr("deforms");
+  case ObjectClass::Character:
+    return QObject::tr("a character");
   }
   return {};
 }

@@ -39,14 +39,19 @@ void SceneTreeModel::setOutline(std::shared_ptr<const SceneOutline> outline) {
   }
   filter_ = {};
   modes_.clear();
+  classes_.clear();
+  given_.assign(count, std::nullopt);
   drawn_.assign(count, true);
   endResetModel();
 }
 
-void SceneTreeModel::setState(const ObjectFilter& filter, const std::vector<MotionOverride>& modes) {
-  if (!outline_ || (filter == filter_ && modes == modes_)) return;
+void SceneTreeModel::setState(const ObjectFilter& filter, const std::vector<MotionOverride>& modes,
+                              const std::vector<ClassOverride>& classes) {
+  if (!outline_ || (filter == filter_ && modes == modes_ && classes == classes_)) return;
   filter_ = filter;
   modes_ = modes;
+  classes_ = classes;
+  given_ = givenClasses(*outline_, classes);
   drawn_ = drawnNodes(*outline_, filter);
   const auto tell = [this](const auto& self, const QModelIndex& parent) -> void {
     const int rows = rowCount(parent);
@@ -74,6 +79,12 @@ MotionMode SceneTreeModel::motionOf(int node) const {
   return mode;
 }
 
+std::optional<ObjectClass> SceneTreeModel::ownClassOf(int node) const {
+  const std::string& key = outline_->nodes[static_cast<std::size_t>(node)].key;
+  const auto found = std::ranges::find(classes_, key, &ClassOverride::object);
+  return found == classes_.end() ? std::nullopt : std::optional(found->objectClass);
+}
+
 QModelIndex SceneTreeModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
   const std::size_t at = parent.isValid() ? static_cast<std::size_t>(nodeOf(parent)) : children_.size() - 1;
@@ -94,6 +105,8 @@ int SceneTreeModel::rowCount(const QModelIndex& parent) const {
 QString SceneTreeModel::label(int node) const {
   const OutlineNode& item = outline_->nodes[static_cast<std::size_t>(node)];
   QString name = qtext(item.key);
+  if (const auto given = given_[static_cast<std::size_t>(node)])
+    name = tr("%1: %2").arg(name, tableText(kObjectClasses[static_cast<std::size_t>(*given)].label));
   switch (item.kind) {
   case NodeKind::Light:
     return tr("%1 (light)").arg(name);

@@ -6,6 +6,7 @@
 #include <QAbstractItemModel>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,15 @@ class SceneTreeModel : public QAbstractItemModel {
 
   void setOutline(std::shared_ptr<const SceneOutline> outline);
   const SceneOutline* outline() const { return outline_.get(); }
-  void setState(const ObjectFilter& filter, const std::vector<MotionOverride>& modes);
+  void setState(const ObjectFilter& filter, const std::vector<MotionOverride>& modes,
+                const std::vector<ClassOverride>& classes = {});
 
   /// −1: no node.
   int nodeOf(const QModelIndex& index) const;
   QModelIndex indexOf(int node, int column = Name) const;
   MotionMode motionOf(int node) const;
+  /// The class that the node itself is given; nothing: that of what it belongs to, or of what moves it.
+  std::optional<ObjectClass> ownClassOf(int node) const;
   /// Whether the filter lets it through.
   bool isDrawn(int node) const { return drawn_.at(static_cast<std::size_t>(node)); }
 
@@ -52,6 +56,8 @@ class SceneTreeModel : public QAbstractItemModel {
   std::vector<bool> drawn_;
   ObjectFilter filter_;
   std::vector<MotionOverride> modes_;
+  std::vector<ClassOverride> classes_;
+  std::vector<std::optional<ObjectClass>> given_; ///< by node, inherited ones too
 };
 
 } // namespace taa::app

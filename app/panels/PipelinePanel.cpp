@@ -37,6 +37,7 @@ bool startsExpanded(Stage stage) {
 
 /// What the settings of a stage come to, for its folded heading: its first relevant choice.
 QString summary(Stage stage, const Settings& settings) {
+  if (stage == Stage::Jitter && !isTaaOn(settings)) return PipelinePanel::tr("TAA off");
   for (const Parameter& row : parameters())
     if (row.stage == stage && row.kind == ParameterKind::Choice && isRelevant(row, settings)) {
       const auto index = static_cast<std::size_t>(row.get(settings));
@@ -145,21 +146,20 @@ QWidget* PipelinePanel::makeTop() {
 void PipelinePanel::setUserPresets(const std::vector<UserPreset>& presets) {
   userPresets_ = presets;
   QStringList labels, descriptions;
-  std::vector<int> separators;
-  std::string_view group = builtinPresets().front().group;
+  std::vector<ChoiceButton::Part> parts;
   for (const Preset& preset : builtinPresets()) {
-    if (preset.group != group) separators.push_back(static_cast<int>(labels.size()));
-    group = preset.group;
+    if (const PresetGroup* group = startedGroup(preset))
+      parts.push_back({static_cast<int>(labels.size()), tableText(group->label)});
     labels << tableText(preset.label);
     descriptions << tableText(preset.description);
   }
-  if (!presets.empty()) separators.push_back(static_cast<int>(labels.size()));
+  if (!presets.empty()) parts.push_back({static_cast<int>(labels.size()), {}});
   for (const UserPreset& preset : presets) {
     labels << preset.label;
     descriptions << tr("Saved from the window.");
   }
   presets_->setChoices(labels, descriptions);
-  presets_->setSeparators(separators);
+  presets_->setParts(parts);
 }
 
 QString PipelinePanel::presetAt(int index) const {

@@ -102,6 +102,8 @@ void PlotsPanel::setStatus(const Status& status) {
   if (store_.setSubject(status.subject)) refreshSoon();
   frame_ = status.info.frame;
   for (CurveChart* chart : charts_) chart->setPlayhead(frame_);
+  if (status.restarts != restarts_) refreshSoon();
+  restarts_ = status.restarts;
   if (status.frameCount == frameCount_ && status.cuts == cuts_) return;
   frameCount_ = std::max(1, status.frameCount);
   cuts_ = status.cuts;
@@ -248,7 +250,7 @@ void PlotsPanel::refresh() {
   const std::vector<PinTrace> traces = store_.tracesOf(pins_);
   const bool hasActive = active_ >= 0 && active_ < static_cast<int>(traces.size());
   const PixelTrace* active = hasActive ? &traces[static_cast<std::size_t>(active_)].trace : nullptr;
-  const std::vector<ChartMark> marks = plotMarks(active, cuts_);
+  const std::vector<ChartMark> marks = plotMarks(active, cuts_, restarts_);
   for (std::size_t row = 0; row < charts_.size(); ++row) {
     charts_[row]->setBounds({0.0, frameCount_ - 1.0});
     charts_[row]->setMarks(marks);

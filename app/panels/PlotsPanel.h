@@ -76,7 +76,7 @@ class PlotsPanel : public QWidget {
   TraceStore store_;
   std::vector<ProbePin> pins_;
   int active_ = -1, frame_ = 0, frameCount_ = 1;
-  std::vector<int> cuts_;
+  std::vector<int> cuts_, restarts_;
   std::vector<PlotRow> rows_;
   std::vector<CurveChart*> charts_;
   Span shown_{0.0, 0.0};

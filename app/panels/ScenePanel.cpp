@@ -29,6 +29,18 @@ constexpr int kMotionWidth = 92;
 
 } // namespace
 
+std::vector<std::optional<ObjectClass>> ScenePanel::classChoices() {
+  std::vector<std::optional<ObjectClass>> choices{std::nullopt};
+  for (std::size_t i = 1; i < kObjectClasses.size(); ++i) // all but the sky
+    choices.emplace_back(static_cast<ObjectClass>(i));
+  return choices;
+}
+
+QString ScenePanel::classLabel(std::optional<ObjectClass> objectClass) {
+  return objectClass ? tableText(kObjectClasses[static_cast<std::size_t>(*objectClass)].label)
+                     : tr("By what moves it");
+}
+
 ScenePanel::ScenePanel(QWidget* parent)
     : QWidget(parent), model_(new SceneTreeModel(this)), shown_(new QSortFilterProxyModel(this)),
       filter_(new QLineEdit), tree_(new QTreeView) {
@@ -135,9 +147,10 @@ void ScenePanel::setStatus(const Status& status) {
   refresh();
 }
 
-void ScenePanel::setChoices(const ObjectFilter& filter, const std::vector<MotionOverride>& modes) {
+void ScenePanel::setChoices(const ObjectFilter& filter, const std::vector<MotionOverride>& modes,
+                            const std::vector<ClassOverride>& classes) {
   choices_ = filter;
-  model_->setState(filter, modes);
+  model_->setState(filter, modes, classes);
   refresh();
 }
 
@@ -255,6 +268,23 @@ void ScenePanel::openMotionMenu(const QPoint& globalPos) {
   menu->popup(globalPos);
 }
 
+void ScenePanel::setClassOfSelected(std::optional<ObjectClass> objectClass) {
+  if (const OutlineNode* node = selectedNode()) Q_EMIT classAsked(node->key, objectClass);
+}
+
+void ScenePanel::openClassMenu(const QPoint& globalPos) {
+  if (!selectedNode()) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const std::optional<ObjectClass> offered : classChoices()) {
+    QAction* action =
+        menu->addAction(classLabel(offered), this, [this, offered] { setClassOfSelected(offered); });
+    action->setCheckable(true);
+    action->setChecked(model_->ownClassOf(selected()) == offered);
+  }
+  menu->popup(globalPos);
+}
+
 void ScenePanel::openMenu(const QPoint& globalPos) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -263,6 +293,7 @@ void ScenePanel::openMenu(const QPoint& globalPos) {
   menu->addAction(tr("Put the probe on it"), this, &ScenePanel::revealSelected)
       ->setEnabled(area().has_value());
   menu->addAction(tr("Motion…"), this, [this, globalPos] { openMotionMenu(globalPos); });
+  menu->addAction(tr("Class…"), this, [this, globalPos] { openClassMenu(globalPos); });
   menu->popup(globalPos);
 }
 

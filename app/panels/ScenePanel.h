@@ -27,7 +27,8 @@ class ScenePanel : public QWidget {
   explicit ScenePanel(QWidget* parent = nullptr);
 
   void setStatus(const Status& status);
-  void setChoices(const ObjectFilter& filter, const std::vector<MotionOverride>& modes);
+  void setChoices(const ObjectFilter& filter, const std::vector<MotionOverride>& modes,
+                  const std::vector<ClassOverride>& classes = {});
   void setArea(const ObjectArea& area);
   /// Selects the object of this number; 0 and unknown ones: nothing.
   void selectObject(int object);
@@ -44,6 +45,10 @@ class ScenePanel : public QWidget {
   void showAll();
   void revealSelected();
   void setMotionOfSelected(MotionMode mode);
+  void setClassOfSelected(std::optional<ObjectClass> objectClass);
+  /// Classes that an object can be given; nothing: that of what moves it.
+  static std::vector<std::optional<ObjectClass>> classChoices();
+  static QString classLabel(std::optional<ObjectClass> objectClass);
 
   QTreeView* tree() const { return tree_; }
   QLineEdit* filterField() const { return filter_; }
@@ -57,6 +62,7 @@ class ScenePanel : public QWidget {
   void isolationAsked(const std::vector<std::string>& objects);
   void filterAsked(const ObjectFilter& filter);
   void motionAsked(const std::string& object, MotionMode mode);
+  void classAsked(const std::string& object, std::optional<ObjectClass> objectClass);
   /// Where these are seen is of interest; none: no longer.
   void locationAsked(const std::vector<int>& objects);
   void revealAsked(glm::ivec2 pixel);
@@ -72,6 +78,7 @@ class ScenePanel : public QWidget {
   QWidget* makeBottom();
   void connectTree();
   void openMotionMenu(const QPoint& globalPos);
+  void openClassMenu(const QPoint& globalPos);
   void openMenu(const QPoint& globalPos);
   void askForLocation();
   void refresh();

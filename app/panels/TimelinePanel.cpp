@@ -153,6 +153,7 @@ void TimelinePanel::setStatus(const Status& status) {
     showNotes();
   }
   if (status.cuts != cuts_) timeline_->setCuts(cuts_ = status.cuts);
+  timeline_->setRestarts(restarts_ = status.restarts);
   if (status.framesPerSecond != shotRate_) {
     shotRate_ = status.framesPerSecond;
     showRates();
@@ -282,6 +283,7 @@ void TimelinePanel::nameMark(const QString& name) {
 
 void TimelinePanel::goToMark(bool after) {
   std::vector<int> frames = cuts_;
+  frames.insert(frames.end(), restarts_.begin(), restarts_.end());
   for (const auto& [frame, name] : marks().all()) frames.push_back(frame);
   if (const auto found = neighborOf(frame(), frames, after)) Q_EMIT seekRequested(*found);
 }

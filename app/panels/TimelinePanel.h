@@ -51,7 +51,7 @@ class TimelinePanel : public QWidget {
   const FrameMarks& marks() const;
   void toggleMark();
   void nameMark(const QString& name); ///< of the frame on show
-  void goToMark(bool after);          ///< or cut
+  void goToMark(bool after);          ///< cut or restart
   int frame() const;
 
   /// Speed, rate, whether it loops, the figure, marks and range of each shot.
@@ -87,7 +87,7 @@ class TimelinePanel : public QWidget {
   QLabel *count_ = nullptr, *jitter_ = nullptr, *time_ = nullptr;
   int frameCount_ = 0;
   double shotRate_ = 0.0; ///< frames per second
-  std::vector<int> cuts_;
+  std::vector<int> cuts_, restarts_;
   Playback playback_;
   std::optional<Figure> figure_;
   QString source_;

@@ -57,6 +57,12 @@ void Timeline::setCuts(const std::vector<int>& cuts) {
   update();
 }
 
+void Timeline::setRestarts(const std::vector<int>& frames) {
+  if (frames == restarts_) return;
+  restarts_ = frames;
+  update();
+}
+
 void Timeline::setKept(const std::vector<int>& frames) {
   if (frames == kept_) return;
   kept_ = frames;
@@ -101,6 +107,7 @@ QString Timeline::textAt(int frame) const {
   if (const auto mark = marks_.find(frame); mark != marks_.end())
     parts << (mark->second.isEmpty() ? tr("mark") : tr("mark “%1”").arg(mark->second));
   if (std::ranges::find(cuts_, frame) != cuts_.end()) parts << tr("cut: history starts anew");
+  if (std::ranges::find(restarts_, frame) != restarts_.end()) parts << tr("history is restarted");
   if (std::ranges::binary_search(kept_, frame)) parts << tr("kept");
   if (!strip_.name.isEmpty()) {
     const auto index = static_cast<std::size_t>(frame);
@@ -159,6 +166,11 @@ void Timeline::paintMarks(QPainter& painter) const {
   painter.setPen(QPen(colors.text, 1, Qt::DashLine));
   for (const int cut : cuts_) {
     const double x = scale().position(cut) + 0.5;
+    painter.drawLine(QPointF(x, 2), QPointF(x, height() - 2));
+  }
+  painter.setPen(QPen(colors.caution, 1, Qt::DashLine));
+  for (const int frame : restarts_) {
+    const double x = scale().position(frame) + 0.5;
     painter.drawLine(QPointF(x, 2), QPointF(x, height() - 2));
   }
   painter.setFont(secondaryFont());

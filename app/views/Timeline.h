@@ -1,4 +1,5 @@
-// The ruler of the shot: playhead, cuts, marks, kept frames, the repeated part, and one figure of each frame.
+// The ruler of the shot: playhead, cuts, restarts, marks, kept frames, the repeated part, and one figure of
+// each frame.
 #pragma once
 
 #include "app/views/TimelineMath.h"
@@ -29,6 +30,7 @@ class Timeline : public QWidget {
   void setFrame(int frame);
   int frame() const { return frame_; }
   void setCuts(const std::vector<int>& cuts);
+  void setRestarts(const std::vector<int>& frames);
   void setKept(const std::vector<int>& frames);
   const std::vector<int>& kept() const { return kept_; }
   void setMarks(const std::map<int, QString>& marks);
@@ -70,7 +72,7 @@ class Timeline : public QWidget {
   void paintHead(QPainter& painter, int frame) const;
 
   int frameCount_ = 1, frame_ = 0;
-  std::vector<int> cuts_, kept_;
+  std::vector<int> cuts_, restarts_, kept_;
   std::map<int, QString> marks_;
   std::optional<std::pair<int, int>> range_;
   TimelineStrip strip_;

@@ -88,6 +88,16 @@ void ChoiceButton::paintEvent(QPaintEvent*) {
       iconPixmap(QStringLiteral("chevron-down"), colors.secondary, kChevron, devicePixelRatioF()));
 }
 
+QMenu* ChoiceButton::partOf(QMenu* menu, const Part& part) {
+  if (part.title.isEmpty()) {
+    menu->addSeparator();
+    return menu;
+  }
+  QMenu* submenu = menu->addMenu(part.title);
+  submenu->setToolTipsVisible(true);
+  return submenu;
+}
+
 void ChoiceButton::openMenu() {
   if (labels_.isEmpty()) {
     Q_EMIT requested();
@@ -96,9 +106,11 @@ void ChoiceButton::openMenu() {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
+  QMenu* at = menu;
   for (int index = 0; index < labels_.size(); ++index) {
-    if (std::ranges::binary_search(separators_, index)) menu->addSeparator();
-    QAction* action = menu->addAction(labels_[index], this, [this, index] { choose(index); });
+    for (const Part& part : parts_)
+      if (part.first == index) at = partOf(menu, part);
+    QAction* action = at->addAction(labels_[index], this, [this, index] { choose(index); });
     connect(action, &QAction::hovered, this, [this, index] {
       if (index != current_) Q_EMIT considered(index);
     });

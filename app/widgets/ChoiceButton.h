@@ -6,6 +6,8 @@
 
 #include <vector>
 
+class QMenu;
+
 namespace taa::app {
 
 class ChoiceButton : public QAbstractButton {
@@ -15,8 +17,12 @@ class ChoiceButton : public QAbstractButton {
 
   /// Labels, and one explanation each (or none).
   void setChoices(const QStringList& labels, const QStringList& explanations = {});
-  /// Draws a line above each of these choices, ascending.
-  void setSeparators(const std::vector<int>& above) { separators_ = above; }
+  /// The choices from `first` on are offered in a submenu of this title; without a title below a line.
+  struct Part {
+    int first = 0;
+    QString title;
+  };
+  void setParts(const std::vector<Part>& ascending) { parts_ = ascending; }
   int current() const { return current_; }
   /// Shows a choice; emits nothing. −1: none.
   void setCurrent(int index);
@@ -41,12 +47,13 @@ class ChoiceButton : public QAbstractButton {
 
  private:
   void openMenu();
+  static QMenu* partOf(QMenu* menu, const Part& part);
   void choose(int index);
   QString caption() const;
 
   QStringList labels_, explanations_;
   QString caption_;
-  std::vector<int> separators_;
+  std::vector<Part> parts_;
   int current_ = -1;
   bool flat_ = false, plain_ = false, dimmed_ = false;
 };

@@ -46,6 +46,8 @@ void FakeRenderer::open(const std::string& source) {
   status.objects = {"floor", "rotor & hub"};
   status.motionModes.clear();
   status.filter = {};
+  status.objectClasses.clear();
+  status.restarts.clear();
   status.tracks.clear();
   status.outline = fakeOutline(source);
   status.frameCount = 240;
@@ -79,6 +81,16 @@ void FakeRenderer::setMotionModes(const std::vector<MotionOverride>& modes) {
 
 void FakeRenderer::setObjectFilter(const ObjectFilter& filter) {
   status.filter = filter;
+  deliver();
+}
+
+void FakeRenderer::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  status.objectClasses = classes;
+  deliver();
+}
+
+void FakeRenderer::setRestarts(const std::vector<int>& frames) {
+  status.restarts = frames;
   deliver();
 }
 

@@ -46,6 +46,8 @@ class FakeRenderer final : public Renderer {
   void setPlayback(const Playback& playback) override;
   void exportSequence(const SequenceRequest& request) override { exported = request; }
   void setObjectFilter(const ObjectFilter& filter) override;
+  void setObjectClasses(const std::vector<ClassOverride>& classes) override;
+  void setRestarts(const std::vector<int>& frames) override;
   void fly(const CameraPose& pose) override;
   void setRecording(bool recording) override;
   void addCameraTrack(const CameraTrack& track) override;
