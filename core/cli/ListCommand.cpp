@@ -53,11 +53,17 @@ Listing listParameters() {
 
 Listing listPresets() {
   Listing list;
+  list.rows.push_back({std::string(kPresetGroups.front().label)});
   for (const Preset& row : builtinPresets()) {
+    if (const PresetGroup* group = startedGroup(row)) {
+      list.rows.emplace_back();
+      list.rows.push_back({std::string(group->label)});
+    }
     list.rows.push_back({row.id, row.label, row.description});
     list.json.push_back({{"id", row.id},
                          {"label", row.label},
                          {"group", row.group},
+                         {"step", row.step},
                          {"description", row.description},
                          {"settings", toJson(row.settings)}});
   }

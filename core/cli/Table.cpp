@@ -19,6 +19,7 @@ void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& 
                 const std::string& indent) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
+    if (row.size() == 1) continue;
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t column = 0; column < row.size(); ++column)
       widths[column] = std::max(widths[column], columns(row[column]));
@@ -26,7 +27,8 @@ void printTable(std::ostream& out, const std::vector<std::vector<std::string>>& 
   for (const std::vector<std::string>& row : rows) {
     std::string line = indent;
     for (std::size_t column = 0; column < row.size(); ++column)
-      line += row[column] + std::string(widths[column] - columns(row[column]) + 2, ' ');
+      line += row.size() == 1 ? row[column]
+                              : row[column] + std::string(widths[column] - columns(row[column]) + 2, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     out << line << '\n';
   }

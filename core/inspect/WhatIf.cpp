@@ -64,7 +64,8 @@ std::vector<Variant> variantsOf(const Settings& settings) {
   std::vector<Variant> variants;
   for (const Group& group : kGroups)
     if (!group.path.empty()) addChoices(group, settings, variants);
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
+    if (!isTaaOn(preset.settings)) continue; // that is another frame, which is not jittered
     Settings used = preset.settings;
     used.jitter = settings.jitter;
     used.inputs = settings.inputs;

@@ -8,21 +8,72 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace taa {
 
 namespace {
 
 constexpr int kFormat = 1;
-constexpr std::string_view kFields[] = {"format", "id", "label", "group", "order", "description", "settings"};
+constexpr std::string_view kFields[] = {"format", "id",          "label", "group",   "order",
+                                        "step",   "description", "base",  "settings"};
 
+/// Settings of the preset of this id, which others change.
+using SettingsOf = std::function<Settings(const std::string& id)>;
+
+Preset presetFromJson(const nlohmann::json& json, const SettingsOf& settingsOf) {
+  for (const auto& [key, value] : json.items())
+    if (std::ranges::find(kFields, key) == std::end(kFields))
+      throw Error(say<"there is no preset field \"%1\"">(key));
+  if (json.at("format") != kFormat)
+    throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kFormat));
+  Preset row{json.at("id"),
+             json.at("label"),
+             json.value("group", ""),
+             json.value("order", 0),
+             json.value("description", ""),
+             json.contains("base") ? settingsOf(json.at("base")) : Settings{},
+             json.value("step", 0)};
+  fromJson(json.at("settings"), row.settings);
+  return row;
+}
+
+/// Calls `read`, whose errors are about `place`.
+template <typename Read>
+Preset readPreset(const std::string& place, Read read) {
+  try {
+    return read();
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
+  } catch (const Error& error) {
+    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
+  }
+}
+
+std::size_t placeOf(const std::string& group) {
+  return static_cast<std::size_t>(std::ranges::find(kPresetGroups, group, &PresetGroup::id) -
+                                  kPresetGroups.begin());
+}
+
+/// One may go on from another, which may stand after it.
 std::vector<Preset> loadBuiltinPresets() {
+  std::map<std::string, nlohmann::json> files;
+  for (const std::string& path : embeddedPaths("resources/presets/")) {
+    nlohmann::json json = nlohmann::json::parse(embeddedText(path));
+    files.emplace(json.at("id"), std::move(json));
+  }
+  const SettingsOf settingsOf = [&](const std::string& id) {
+    return presetFromJson(files.at(id), settingsOf).settings;
+  };
   std::vector<Preset> presets;
-  for (const std::string& path : embeddedPaths("resources/presets/"))
-    presets.push_back(presetFromText(embeddedText(path), path));
-  std::ranges::sort(presets, {}, &Preset::order);
+  for (const auto& [id, json] : files)
+    presets.push_back(readPreset(id, [&] { return presetFromJson(json, settingsOf); }));
+  std::ranges::sort(presets, {}, [](const Preset& row) { return std::pair(placeOf(row.group), row.order); });
   return presets;
 }
 
@@ -31,6 +82,23 @@ std::vector<Preset> loadBuiltinPresets() {
 const std::vector<Preset>& builtinPresets() {
   static const std::vector<Preset> kPresets = loadBuiltinPresets();
   return kPresets;
+}
+
+const std::vector<Preset>& wholePresets() {
+  static const std::vector<Preset> kWhole = [] {
+    std::vector<Preset> whole;
+    std::ranges::copy_if(builtinPresets(), std::back_inserter(whole),
+                         [](const Preset& row) { return row.step == 0; });
+    return whole;
+  }();
+  return kWhole;
+}
+
+const PresetGroup* startedGroup(const Preset& preset) {
+  const auto first = std::ranges::find(builtinPresets(), preset.group, &Preset::group);
+  const std::size_t group = placeOf(preset.group);
+  return first != builtinPresets().end() && first->id == preset.id && group > 0 ? &kPresetGroups.at(group)
+                                                                                : nullptr;
 }
 
 Preset preset(const std::string& idOrPath) {
@@ -45,26 +113,13 @@ Preset preset(const std::string& idOrPath) {
 }
 
 Preset presetFromText(const std::string& text, const std::string& place) {
-  try {
-    const nlohmann::json json = nlohmann::json::parse(text);
-    for (const auto& [key, value] : json.items())
-      if (std::ranges::find(kFields, key) == std::end(kFields))
-        throw Error(say<"there is no preset field \"%1\"">(key));
-    if (json.at("format") != kFormat)
-      throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kFormat));
-    Preset row{json.at("id"),
-               json.at("label"),
-               json.value("group", ""),
-               json.value("order", 0),
-               json.value("description", ""),
-               {}};
-    fromJson(json.at("settings"), row.settings);
-    return row;
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
-  } catch (const Error& error) {
-    throw Error(say<"cannot read preset %1: %2">(place, error.what()));
-  }
+  return readPreset(place, [&] {
+    return presetFromJson(nlohmann::json::parse(text), [](const std::string& id) {
+      const auto base = std::ranges::find(builtinPresets(), id, &Preset::id);
+      if (base == builtinPresets().end()) throw Error(say<"there is no preset \"%1\" to go on from">(id));
+      return base->settings;
+    });
+  });
 }
 
 std::string presetToText(const Preset& row) {
@@ -76,6 +131,7 @@ std::string presetToText(const Preset& row) {
     json["group"] = row.group;
     json["order"] = row.order;
   }
+  if (row.step > 0) json["step"] = row.step;
   json["description"] = row.description;
   json["settings"] = toJson(row.settings);
   return json.dump(2) + "\n";

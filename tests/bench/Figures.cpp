@@ -85,7 +85,7 @@ std::string today() {
 std::string presetsTable(const Figures& figures) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(1);
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
     const auto figure = figures.find(kPresetFigure + preset.id);
     if (figure == figures.end()) continue;
     if (text.tellp() == 0)

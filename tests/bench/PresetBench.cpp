@@ -72,7 +72,7 @@ void resolveOfPreset(benchmark::State& state, const taa::Preset& preset) {
 } // namespace
 
 void taa::bench::registerPresets() {
-  for (const Preset& preset : builtinPresets())
+  for (const Preset& preset : wholePresets())
     benchmark::RegisterBenchmark(("preset/" + preset.id).c_str(),
                                  [&preset](benchmark::State& state) { resolveOfPreset(state, preset); })
         ->UseManualTime()

@@ -290,7 +290,7 @@ int checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string&
 } // namespace
 
 TEST_F(ProbeStoryTest, EveryFormulaGivesTheValueOfItsRowWithEveryPreset) {
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
     auto inspector = opened({preset.settings});
     for (const int frame : {0, 4}) {
       inspector->seek(frame);

@@ -54,7 +54,7 @@ bool hasWord(const std::string& text) {
 TEST_F(StoryLanguageTest, EveryWordIsSaidInTheLanguageThatIsSet) {
   auto inspector = opened();
   inspector->seek(6);
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
     inspector->setSettings(preset.settings);
     const reference::PixelRecord record = inspector->probe(30, 11);
     const reference::Details details = inspector->details(30, 11);

@@ -31,12 +31,12 @@ constexpr int kLanes = 4;
 /// The presets in lots of as many as run beside each other; a last lot draws less than the picture, or
 /// otherwise.
 int lotCount() {
-  return (static_cast<int>(builtinPresets().size()) + kLanes - 1) / kLanes + 1;
+  return (static_cast<int>(wholePresets().size()) + kLanes - 1) / kLanes + 1;
 }
 
 std::vector<Settings> presetLanes(int lot) {
   std::vector<Settings> lanes;
-  const std::vector<Preset>& presets = builtinPresets();
+  const std::vector<Preset>& presets = wholePresets();
   for (std::size_t i = 0; i < presets.size(); ++i)
     if (static_cast<int>(i) / kLanes == lot) lanes.push_back(presets[i].settings);
   if (lot < lotCount() - 1) return lanes;

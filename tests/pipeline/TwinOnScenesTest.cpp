@@ -23,7 +23,7 @@ TEST_P(TwinOnScenesTest, AgreesOnWholeFramesWithEveryPreset) {
   const std::string source = std::string("builtin:") + GetParam();
   const std::string camera = openScene(source).shot.camera;
   TaaPass pass;
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
     test::Player player(source, camera, kWidth, kHeight, preset.settings);
     Exposure exposure(ExposureLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 12; ++frame) {
@@ -69,7 +69,7 @@ TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
   constexpr int kSmallWidth = 80;
   constexpr int kSmallHeight = 45;
   TaaPass pass;
-  for (const Preset& preset : builtinPresets()) {
+  for (const Preset& preset : wholePresets()) {
     test::Player player(source, camera, kSmallWidth, kSmallHeight, preset.settings);
     test::Accumulator blind;
     test::Accumulator glancing;

@@ -57,7 +57,7 @@ std::vector<Variant> eachChoice() {
 
 std::vector<Variant> presetsAndChoices() {
   std::vector<Variant> variants;
-  for (const Preset& preset : builtinPresets()) variants.push_back({preset.id, preset.settings});
+  for (const Preset& preset : wholePresets()) variants.push_back({preset.id, preset.settings});
   for (Variant& variant : eachChoice()) variants.push_back(std::move(variant));
   return variants;
 }
@@ -78,7 +78,8 @@ Settings randomSettings(std::uint32_t seed) {
   std::mt19937 random(seed);
   Settings settings;
   for (const Parameter& row : parameters()) {
-    if (!concernsResolve(row)) continue;
+    // Without TAA most of the others would not be seen.
+    if (!concernsResolve(row) || row.effect == Effect::Whole) continue;
     const double share = static_cast<double>(random()) / 4294967296.0;
     const bool isNumber = row.kind == ParameterKind::Number;
     const double span = row.maximum - row.minimum;

@@ -146,11 +146,13 @@ TEST(Parameters, ReachTheShaderOrTheInputs) {
     Settings settings;
     row.set(settings, otherValue(row, row.get(settings)));
     const bool program = row.effect == Effect::Program || row.effect == Effect::Storage ||
+                         row.effect == Effect::Whole ||
                          row.path == "inputs.renderScale"; // through kUpsampled
     EXPECT_EQ(glslPrelude(settings) != before, program) << row.path;
     EXPECT_EQ(programKey(settings) != programKey(Settings{}), program) << row.path;
     EXPECT_EQ(settingsBlock(settings) != block, row.effect == Effect::Uniform) << row.path;
-    EXPECT_EQ(!sameInputs(settings, Settings{}), row.effect == Effect::Inputs) << row.path;
+    EXPECT_EQ(!sameInputs(settings, Settings{}), row.effect == Effect::Inputs || row.effect == Effect::Whole)
+        << row.path;
   }
   EXPECT_EQ(block.size() % 16, 0u);
 }
@@ -252,6 +254,11 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"falcor",
        {"dilate.method=longest3x3", "history.filter=catmullRom9", "space.color=yCoCg",
         "neighborhood.box=variance", "rectify.method=clamp", "weight.alpha=0.1", "weight.nearClamp=on"}},
+      {"raptor-corrected", // what catalogue §26 says of each defect, D1 to D19
+       {"inputs.motion=objects", "dilate.method=closest3x3", "history.filter=catmullRom9",
+        "current.filter=mitchell", "current.jitterAware=on", "rectify.method=clampThenClip",
+        "weight.source=lumaDifference", "weight.most=0.12", "weight.least=0.03", "blend.tone=luma",
+        "output.sharpen=lumaRatio", "output.amount=0.1"}},
       {"source000",
        {"jitter.period=16", "history.filter=catmullRom5", "current.lumaWeighted=on",
         "neighborhood.gamma=1.25", "rectify.method=clipToFiltered", "weight.alpha=0.1", "blend.tone=luma"}},
@@ -270,19 +277,77 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       applyAssignment(wanted, assignment);
       EXPECT_TRUE(wanted == preset(id).settings) << id << " wants " << assignment;
     }
-  EXPECT_EQ(std::ranges::count(builtinPresets(), "ours", &Preset::group), 6);
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(builtinPresets(), "ours", &Preset::group)) +
+  EXPECT_EQ(std::ranges::count(builtinPresets(), "ours", &Preset::group), 7);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(wholePresets(), "ours", &Preset::group)) +
                 peers.size(),
-            builtinPresets().size());
+            wholePresets().size());
 }
 
 TEST(Presets, DifferFromEachOtherAndSayWhatTheyAre) {
   for (const Preset& row : builtinPresets()) {
-    EXPECT_TRUE(row.group == "ours" || row.group == "engines" || row.group == "sources") << row.id;
+    EXPECT_EQ(std::ranges::count(kPresetGroups, row.group, &PresetGroup::id), 1) << row.id;
     EXPECT_TRUE(row.description.ends_with('.')) << row.id;
     for (const Preset& other : builtinPresets())
       EXPECT_TRUE(&row == &other || !(row.settings == other.settings)) << row.id << " = " << other.id;
   }
+}
+
+// Each source's listings, one after another: every step changes something, and the last is near to the whole
+// pipeline that ends the ladder.
+TEST(Presets, ClimbFromJitterToTheWholePipelineOfEverySource) {
+  const std::vector<std::pair<std::string, std::string>> ladders{{"source000", "source000"},
+                                                                 {"source001", "raptor-corrected"},
+                                                                 {"source002", "source002"},
+                                                                 {"source003", "urp-veryhigh"},
+                                                                 {"source004", "source004"}};
+  for (const auto& [group, whole] : ladders) {
+    const Settings goal = preset(whole).settings;
+    std::vector<const Preset*> rungs;
+    for (const Preset& row : builtinPresets())
+      if (row.group == group && row.step > 0) rungs.push_back(&row);
+    ASSERT_GE(rungs.size(), 7u) << group;
+    EXPECT_EQ(rungs.front()->step, 1) << group;
+    EXPECT_EQ(rungs.front()->settings.weight.alpha, 1.0f) << group << " begins with jitter alone";
+    std::size_t before = differences(rungs.front()->settings, goal).size(), last = before;
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+      EXPECT_EQ(rungs[i]->id, group + "-" + std::to_string(rungs[i]->step));
+      EXPECT_GT(rungs[i]->step, i > 0 ? rungs[i - 1]->step : 0) << rungs[i]->id;
+      const bool isAfter = rungs[i]->order > preset(whole).order;
+      const std::size_t left = differences(rungs[i]->settings, goal).size();
+      if (isAfter) continue;
+      EXPECT_LE(left, last) << rungs[i]->id << " goes away from " << whole;
+      last = left;
+    }
+    EXPECT_LE(last, 9u) << group; // of source 003 URP's own qualities climb the rest
+    EXPECT_LT(last, before) << group;
+  }
+}
+
+// Menus, the window's list and taa-batch all go by the same order, and the first nine have keys.
+TEST(Presets, AreListedByGroupsAndTheFirstNineStayAtHand) {
+  std::vector<std::string> groups;
+  for (const Preset& row : builtinPresets()) {
+    if (groups.empty() || groups.back() != row.group) groups.push_back(row.group);
+    const PresetGroup* started = startedGroup(row);
+    const bool starts =
+        groups.size() > 1 && row.id == std::ranges::find(builtinPresets(), row.group, &Preset::group)->id;
+    EXPECT_EQ(started != nullptr, starts) << row.id;
+    EXPECT_TRUE(!started || started->id == row.group) << row.id;
+  }
+  ASSERT_EQ(groups.size(), kPresetGroups.size()) << "no group stands in two places";
+  for (std::size_t i = 0; i < groups.size(); ++i) EXPECT_EQ(groups[i], kPresetGroups[i].id);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(builtinPresets()[i].step, 0);
+}
+
+TEST(Presets, GoOnFromAnotherPreset) {
+  const auto text = [](const std::string& base) {
+    return R"({"format": 1, "id": "mine", "label": "Mine", "base": ")" + base +
+           R"(", "settings": {"weight": {"alpha": 0.2}}})";
+  };
+  Settings expected = preset("source000").settings;
+  expected.weight.alpha = 0.2f;
+  EXPECT_TRUE(presetFromText(text("source000"), "test").settings == expected);
+  EXPECT_THROW(presetFromText(text("nothing"), "test"), Error);
 }
 
 TEST(Presets, ReadBackFromTheirText) {
