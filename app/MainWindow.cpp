@@ -231,6 +231,7 @@ void MainWindow::showStatus() {
 void MainWindow::showSettings() {
   pipeline_->setSettings(session_.settings(), session_.presetSettings());
   pipeline_->setPreset(QString::fromStdString(session_.presetId()), session_.isPresetChanged());
+  views_->setSpaces(session_.settings().space, session_.otherLanes());
   showStatus();
 }
 

@@ -11,6 +11,7 @@
 #include "app/widgets/Chooser.h"
 #include "app/widgets/Prompt.h"
 #include "core/settings/Presets.h"
+#include "core/taa/reference/Known.h"
 
 #include <algorithm>
 #include <optional>
@@ -48,6 +49,7 @@ void MainWindow::connectComparing() {
   // Lanes first: what is asked of them waits until they are there.
   connect(views_, &ViewArea::requestsChanged, this, [this] {
     session_.setOtherPresets(views_->comparedPresets());
+    views_->setSpaces(session_.settings().space, session_.otherLanes());
     session_.setViews(views_->requests());
   });
   connect(views_, &ViewArea::comparisonRequested, this, &MainWindow::chooseComparison);
@@ -114,7 +116,8 @@ void MainWindow::showHover(int view) {
                        const QString& before) {
     if (!values) return;
     const auto count = std::min(values->size(), static_cast<std::size_t>(intermediate(id).channels));
-    text += before + tupleText(std::span(*values).first(count), 5);
+    const bool isNone = isOfHistory(id) && session_.status().info.startsHistory;
+    text += before + (isNone ? tr("no history yet") : tupleText(std::span(*values).first(count), 5));
   };
   const ViewPanel* panel = views_->view(view);
   add(viewport->valueAt(*pixel), panel->id(),

@@ -109,6 +109,7 @@ class Session : public QObject {
   void setFigures(const std::vector<Figure>& figures); ///< arrive by figuresArrived
   /// Presets that views are compared with: lanes 1, 2 … next to that of the settings.
   void setOtherPresets(const QStringList& idsOrPaths);
+  const std::vector<Settings>& otherLanes() const { return otherLanes_; } ///< their settings
   void reloadShaders();
   void cancel();
   void exportSequence(const SequenceRequest& request);

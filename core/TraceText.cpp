@@ -1,6 +1,8 @@
 #include "core/TraceText.h"
 
 #include "core/io/FrameJson.h"
+#include "core/taa/ChannelNames.h"
+#include "core/taa/reference/Known.h"
 
 #include <sstream>
 #include <utility>
@@ -9,7 +11,8 @@ namespace taa {
 
 using nlohmann::ordered_json;
 
-std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows) {
+std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
+                     const SpaceSettings& space) {
   std::ostringstream text;
   text << "pin,frame,x,y";
   for (const IntermediateId id : rows) {
@@ -18,7 +21,7 @@ std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<Inte
       text << ',' << row.name;
       continue;
     }
-    for (const std::string& channel : channelNames(row)) text << ',' << row.name << '.' << channel;
+    for (const std::string& channel : channelNames(row, space)) text << ',' << row.name << '.' << channel;
   }
   text << '\n';
   for (std::size_t pin = 0; pin < traces.size(); ++pin)
@@ -26,13 +29,17 @@ std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<Inte
       text << pin + 1 << ',' << frame << ',' << sample.pixel.x << ',' << sample.pixel.y;
       for (const IntermediateId id : rows)
         for (int channel = 0; channel < intermediate(id).channels; ++channel)
-          text << ',' << floatText(reference::at(sample.record, id)[channel]);
+          text << ','
+               << (reference::isKnown(sample.record, id)
+                       ? floatText(reference::at(sample.record, id)[channel])
+                       : "");
       text << '\n';
     }
   return text.str();
 }
 
-ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows) {
+ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
+                       const SpaceSettings& space) {
   ordered_json json = ordered_json::array();
   for (std::size_t pin = 0; pin < traces.size(); ++pin) {
     const ProbePin& place = traces[pin].pin;
@@ -41,8 +48,9 @@ ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<In
       ordered_json values;
       for (const IntermediateId id : rows) {
         const Intermediate& row = intermediate(id);
-        const std::vector<std::string> channels = channelNames(row);
-        for (int channel = 0; channel < row.channels; ++channel) {
+        const std::vector<std::string> channels = channelNames(row, space);
+        if (!reference::isKnown(sample.record, id)) values[std::string(row.name)] = nullptr;
+        for (int channel = 0; channel < row.channels && reference::isKnown(sample.record, id); ++channel) {
           const ordered_json value = floatJson(reference::at(sample.record, id)[channel]);
           if (row.channels == 1)
             values[std::string(row.name)] = value;

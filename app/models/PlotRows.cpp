@@ -3,6 +3,8 @@
 #include "app/Text.h"
 
 #include "core/render/FrameInputs.h"
+#include "core/taa/ChannelNames.h"
+#include "core/taa/reference/Known.h"
 
 #include <QCoreApplication>
 #include <QJsonObject>
@@ -25,7 +27,8 @@ std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int ch
   for (const auto& [frame, sample] : trace.samples()) {
     if (!points.empty() && frame != expected) points.emplace_back(expected, kGap);
     const float value = reference::at(sample.record, id)[channel];
-    const bool isValue = std::isfinite(value) && std::abs(value) < kNoPreviousPosition;
+    const bool isValue = reference::isKnown(sample.record, id) && std::isfinite(value) &&
+                         std::abs(value) < kNoPreviousPosition;
     points.emplace_back(frame, isValue ? static_cast<double>(value) : kGap);
     expected = frame + 1;
   }
@@ -79,9 +82,10 @@ QString plotTitle(IntermediateId id) {
   return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(row.unit));
 }
 
-std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces) {
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces,
+                              const SpaceSettings& space) {
   const Intermediate& info = intermediate(row.id);
-  const std::vector<std::string> channels = channelNames(info);
+  const std::vector<std::string> channels = channelNames(info, space);
   std::vector<Curve> curves;
   for (std::size_t pin = 0; pin < traces.size(); ++pin)
     for (int channel = 0; channel < info.channels; ++channel) {

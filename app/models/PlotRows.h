@@ -3,6 +3,7 @@
 
 #include "app/views/CurveChart.h"
 #include "core/inspect/PixelTrace.h"
+#include "core/settings/Settings.h"
 
 #include <QJsonArray>
 
@@ -27,8 +28,10 @@ std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json);
 /// "α", "Motion, px".
 QString plotTitle(IntermediateId id);
 
-/// A curve for each pin and channel; frames that are not known are gaps.
-std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces);
+/// A curve for each pin and channel; frames that are not known are gaps. `space`: of the settings that made
+/// them.
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces,
+                              const SpaceSettings& space);
 
 /// Where history was rejected at a pin, the cuts of the shot and its restarts.
 std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts,

@@ -6,6 +6,7 @@
 #include "app/widgets/IconButton.h"
 
 #include "core/TraceText.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -101,6 +102,11 @@ void PlotsPanel::makeTop() {
 void PlotsPanel::setStatus(const Status& status) {
   if (store_.setSubject(status.subject)) refreshSoon();
   frame_ = status.info.frame;
+  if (status.settings.space.color != space_.color) {
+    space_ = status.settings.space;
+    makeChips(); // with other names of channels
+    refreshSoon();
+  }
   for (CurveChart* chart : charts_) chart->setPlayhead(frame_);
   if (status.restarts != restarts_) refreshSoon();
   restarts_ = status.restarts;
@@ -203,7 +209,7 @@ void PlotsPanel::makeChips() {
     chip->setPopupMode(QToolButton::InstantPopup);
     chip->setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(chip);
-    const std::vector<std::string> channels = channelNames(info);
+    const std::vector<std::string> channels = channelNames(info, space_);
     for (int channel = 0; info.channels > 1 && channel < info.channels; ++channel) {
       QAction* action = menu->addAction(QString::fromStdString(channels[static_cast<std::size_t>(channel)]));
       action->setCheckable(true);
@@ -254,7 +260,7 @@ void PlotsPanel::refresh() {
   for (std::size_t row = 0; row < charts_.size(); ++row) {
     charts_[row]->setBounds({0.0, frameCount_ - 1.0});
     charts_[row]->setMarks(marks);
-    charts_[row]->setCurves(plotCurves(rows_[row], traces));
+    charts_[row]->setCurves(plotCurves(rows_[row], traces, space_));
   }
   fill_->setVisible(!pins_.empty());
   summary_->setText(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
@@ -267,7 +273,7 @@ void PlotsPanel::refresh() {
 QString PlotsPanel::csv() const {
   std::vector<IntermediateId> ids;
   for (const PlotRow& row : rows_) ids.push_back(row.id);
-  return QString::fromStdString(traceCsv(store_.tracesOf(pins_), ids));
+  return QString::fromStdString(traceCsv(store_.tracesOf(pins_), ids, space_));
 }
 
 void PlotsPanel::copyCsv() {

@@ -78,6 +78,7 @@ class PlotsPanel : public QWidget {
   int active_ = -1, frame_ = 0, frameCount_ = 1;
   std::vector<int> cuts_, restarts_;
   std::vector<PlotRow> rows_;
+  SpaceSettings space_; ///< of the settings that made the values
   std::vector<CurveChart*> charts_;
   Span shown_{0.0, 0.0};
   QTimer refresh_; ///< while it plays, a few times a second are enough

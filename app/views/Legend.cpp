@@ -6,6 +6,7 @@
 #include "app/views/RangeMath.h"
 
 #include "core/inspect/ColorMap.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QImage>
 #include <QObject>
@@ -60,12 +61,12 @@ QImage hueDisk(int size) {
   return disk;
 }
 
-QString channelText(const Intermediate& row, const ViewStyle& style) {
-  if (row.channels == 1) return {};
+QString channelText(const LegendSubject& subject) {
+  if (subject.row.channels == 1) return {};
   QString shown;
-  const std::vector<std::string> names = channelNames(intermediate(row.id)); // of a difference, too
-  for (int channel = 0; channel < row.channels; ++channel)
-    if (isShown(style, channel)) {
+  const std::vector<std::string> names = channelNames(subject.row, subject.space);
+  for (int channel = 0; channel < subject.row.channels; ++channel)
+    if (isShown(subject.style, channel)) {
       if (!shown.isEmpty()) shown += QLatin1Char(' ');
       shown += QString::fromStdString(names[static_cast<std::size_t>(channel)]);
     }
@@ -177,7 +178,7 @@ void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeCol
   if (hasExposure(row) && style.exposure != 0)
     writer.digits(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
                                                 shortText(style.exposure)));
-  writer.quiet(channelText(row, style));
+  writer.quiet(channelText(subject));
   writer.plain(subject.note);
   if (!subject.isDifference) return;
   writer.quiet(row.channels > 1

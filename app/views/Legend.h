@@ -4,6 +4,7 @@
 #include "app/views/LegendFlow.h"
 
 #include "core/RenderThread.h"
+#include "core/settings/Settings.h"
 
 #include <QString>
 
@@ -16,13 +17,15 @@ struct LegendSubject {
   bool isDifference = false;
   QString note{};                        ///< of the reference: samples and errors
   const ReasonCounts* reasons = nullptr; ///< of this picture; null: not known yet
+  SpaceSettings space{};                 ///< names the channels
 };
 
 /// One side of what is looked at.
 struct ViewContent {
   Intermediate row; ///< of a difference: a signed one
   ViewStyle style;
-  QString text; ///< row and settings
+  QString text;          ///< row and settings
+  SpaceSettings space{}; ///< of the settings that make it: names the channels
 };
 
 /// What it shows, in which range and colors.

@@ -133,6 +133,16 @@ void ViewArea::setSettingsName(const QString& name) {
   for (ViewPanel* view : views_) view->setSettingsName(name);
 }
 
+void ViewArea::setSpaces(const SpaceSettings& own, const std::vector<Settings>& others) {
+  const QStringList presets = comparedPresets();
+  for (ViewPanel* view : views_) {
+    const Comparison& comparison = view->comparison();
+    const auto lane = static_cast<std::size_t>(presets.indexOf(QString::fromStdString(comparison.preset)));
+    const bool isOther = comparison.kind == OtherKind::Preset && lane < others.size();
+    view->setSpaces(own, isOther ? others[lane].space : own);
+  }
+}
+
 // Only two views can be one above the other; four are two by two.
 void ViewArea::arrange() {
   const double aspect = static_cast<double>(std::max(1, pictureSize_.x)) / std::max(1, pictureSize_.y);

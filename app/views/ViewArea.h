@@ -50,6 +50,8 @@ class ViewArea : public QWidget {
   void setPictureSize(glm::ivec2 size);
   void setMarks(const std::vector<PinMark>& marks);
   void setSettingsName(const QString& name);
+  /// What the box is made in by the settings, and by those of comparedPresets().
+  void setSpaces(const SpaceSettings& own, const std::vector<Settings>& others);
   void setPlaying(bool playing);
   /// Draws a frame around these pixels in all views.
   void setFramed(const std::optional<gl::Rect>& box);

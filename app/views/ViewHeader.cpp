@@ -10,6 +10,7 @@
 #include "app/widgets/IntermediateRow.h"
 #include "app/widgets/NumberField.h"
 #include "app/widgets/OverflowPopup.h"
+#include "core/taa/ChannelNames.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -131,20 +132,19 @@ void ViewHeader::connectControls() {
 }
 
 void ViewHeader::editStyle(const ViewStyle& style) {
-  setContent(row_, style);
+  setContent(row_, style, space_);
   Q_EMIT styleEdited(style);
 }
 
-void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style) {
+void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style, const SpaceSettings& space) {
   row_ = row;
   style_ = style;
+  space_ = space;
   name_->setCaption(tableText(row.label));
   name_->setToolTip(intermediateToolTip(row));
   QStringList names;
   if (row.channels > 1)
-    for (const std::string& name : channelNames(intermediate(row.id)))
-      names // of a difference, too
-          << QString::fromStdString(name);
+    for (const std::string& name : channelNames(row, space)) names << QString::fromStdString(name);
   channels_->setNames(names);
   channels_->setShown({style.red, style.green, style.blue});
   low_->setValue(style.low);

@@ -4,6 +4,7 @@
 
 #include "core/Comparison.h"
 #include "core/inspect/Visualizer.h"
+#include "core/settings/Settings.h"
 
 #include <QWidget>
 
@@ -24,7 +25,8 @@ class ViewHeader : public QWidget {
 
   explicit ViewHeader(QChar letter, QWidget* parent = nullptr);
 
-  void setContent(const Intermediate& row, const ViewStyle& style);
+  /// `space`: of the settings that make it; it names the channels.
+  void setContent(const Intermediate& row, const ViewStyle& style, const SpaceSettings& space);
   void setZoom(double zoom, bool fit);
   void setActive(bool active);
   void setAlwaysAuto(bool always);
@@ -78,6 +80,7 @@ class ViewHeader : public QWidget {
   bool active_ = false;
   Intermediate row_;
   ViewStyle style_;
+  SpaceSettings space_;
   bool compares_ = false;
   ChoiceButton* name_ = nullptr;
   ChannelButtons* channels_ = nullptr;

@@ -61,13 +61,13 @@ const ViewStyle& ViewPanel::style() const {
 
 void ViewPanel::refresh() {
   const Intermediate row = shownRow();
-  header_->setContent(row, style());
+  header_->setContent(row, style(), space_);
   header_->setAlwaysAuto(alwaysAuto_);
   header_->setComparing(static_cast<bool>(comparison_), hasDifference(), showing_);
-  viewport_->setContent({row, drawn(style()), sideText(false)});
-  viewport_->setOther(comparison_
-                          ? std::optional(ViewContent{intermediate(otherId()), otherStyle(), sideText(true)})
-                          : std::nullopt);
+  viewport_->setContent({row, drawn(style()), sideText(false), space_});
+  viewport_->setOther(comparison_ ? std::optional(ViewContent{intermediate(otherId()), otherStyle(),
+                                                              sideText(true), otherSpace_})
+                                  : std::nullopt);
   viewport_->setShowing(showing_);
   viewport_->setShowsGrid(shows(Overlay::Grid));
   viewport_->setLegendWhole(shows(Overlay::WholeLegend));

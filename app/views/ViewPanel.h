@@ -10,6 +10,7 @@
 #include "core/Comparison.h"
 #include "core/RenderThread.h"
 #include "core/ShownPicture.h"
+#include "core/settings/Settings.h"
 
 #include <QJsonObject>
 #include <QStringList>
@@ -74,6 +75,8 @@ class ViewPanel : public QWidget {
   void setPeeking(bool peeking);
   /// What the settings in force are called: "balanced*".
   void setSettingsName(const QString& name);
+  /// What the box is made in by the settings of both sides.
+  void setSpaces(const SpaceSettings& own, const SpaceSettings& other);
 
   /// Counts the visible values below the range, to set it by.
   void setHistogramShown(bool shown);
@@ -128,6 +131,7 @@ class ViewPanel : public QWidget {
   Showing showing_ = Showing::First;
   std::array<bool, kOverlayCount> overlays_{false, false, false, false, true, false};
   QString settingsName_;
+  SpaceSettings space_, otherSpace_;
   bool wantsRange_ = false, alwaysAuto_ = false;
   ViewHeader* header_;
   Viewport* viewport_;

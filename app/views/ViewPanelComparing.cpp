@@ -137,6 +137,13 @@ void ViewPanel::setSettingsName(const QString& name) {
   refresh();
 }
 
+void ViewPanel::setSpaces(const SpaceSettings& own, const SpaceSettings& other) {
+  if (own.color == space_.color && other.color == otherSpace_.color) return;
+  space_ = own;
+  otherSpace_ = other;
+  refresh();
+}
+
 void ViewPanel::setOverlay(Overlay overlay, bool on) {
   if (shows(overlay) == on) return;
   overlays_[static_cast<std::size_t>(overlay)] = on;

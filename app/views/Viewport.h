@@ -27,6 +27,8 @@ class Viewport : public QWidget {
   void setPictureSize(glm::ivec2 size);
   /// What legend and overlays speak of.
   void setContent(const ViewContent& content);
+  const ViewContent& shownContent() const { return content_; }
+  const std::optional<ViewContent>& otherContent() const { return other_; }
   /// The other side, when there is one.
   void setOther(const std::optional<ViewContent>& other);
   void setShowing(Showing showing);

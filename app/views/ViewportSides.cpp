@@ -204,6 +204,7 @@ LegendFlow Viewport::legend(Showing showing, bool isFolded) const {
     if (isOfResult && totalOf(result_->reasons) > 0) subject.reasons = &result_->reasons;
     if (isOfOther && totalOf(otherSide()->reasons) > 0) subject.reasons = &otherSide()->reasons;
     if (isOfResult) subject.note = referenceNote(*result_);
+    subject.space = content.space;
     return subject;
   };
   const LegendSubject main = subjectOf(onlyOther);

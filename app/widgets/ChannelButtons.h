@@ -15,6 +15,7 @@ class ChannelButtons : public QWidget {
 
   /// Two or three names; fewer: nothing to choose.
   void setNames(const QStringList& names);
+  const QStringList& names() const { return names_; }
   void setShown(const std::array<bool, 3>& shown);
   QRect button(int channel) const;
   QSize sizeHint() const override;

@@ -4,6 +4,8 @@
 #include "app/Text.h"
 #include "app/Theme.h"
 
+#include "core/taa/ChannelNames.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -21,12 +23,10 @@ constexpr int kLetter = 14;
 } // namespace
 
 QString intermediateToolTip(const Intermediate& row) {
-  QStringList channels;
-  for (const std::string& name : channelNames(row)) channels << QString::fromStdString(name);
   const QString unit =
       row.unit.empty() ? QString() : QStringLiteral(" · ") + tableText(row.unit).toHtmlEscaped();
   const QString names =
-      channels.size() > 1 ? QStringLiteral(" · ") + channels.join(QLatin1Char(' ')) : QString();
+      row.channels > 1 ? QStringLiteral(" · ") + QString::fromStdString(channelNamesText(row)) : QString();
   return QStringLiteral("<b>%1</b>%2%3<br>%4<br><br><code>%5</code>")
       .arg(tableText(row.label), unit, names, tableText(row.description).toHtmlEscaped(), qtext(row.name));
 }

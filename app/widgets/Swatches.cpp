@@ -26,15 +26,16 @@ Swatches::Swatches(const QString& caption, QWidget* parent) : QWidget(parent), c
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
-void Swatches::setColors(const std::array<std::array<float, 3>, 9>& linear) {
+void Swatches::setColors(const std::optional<Colors>& linear) {
   const auto byte = [](float value) {
     return static_cast<int>(std::lround(255.0f * srgbEncoded(value > 0 ? std::min(value, 1.0f) : 0.0f)));
   };
-  for (std::size_t i = 0; i < linear.size(); ++i)
-    colors_[i] = QColor(byte(linear[i][0]), byte(linear[i][1]), byte(linear[i][2]));
   values_ = linear;
+  for (std::size_t i = 0; linear && i < colors_.size(); ++i)
+    colors_[i] = QColor(byte((*linear)[i][0]), byte((*linear)[i][1]), byte((*linear)[i][2]));
   QStringList texts;
-  for (int cell = 0; cell < 9; ++cell) texts << cellText(cell);
+  for (int cell = 0; linear && cell < 9; ++cell) texts << cellText(cell);
+  if (!linear) texts << tr("no color");
   setAccessibleDescription(texts.join(QStringLiteral("; ")));
   update();
 }
@@ -56,10 +57,11 @@ QRect Swatches::cellRect(int cell) const {
 }
 
 QString Swatches::cellText(int cell) const {
+  if (!values_) return tr("no color");
   const auto signedText = [](int step) { return shortText(step); };
   return QStringLiteral("(%1, %2)  %3")
       .arg(signedText(cell % 3 - 1), signedText(cell / 3 - 1),
-           tupleText(values_.at(static_cast<std::size_t>(cell)), 5));
+           tupleText(values_->at(static_cast<std::size_t>(cell)), 5));
 }
 
 QSize Swatches::sizeHint() const {
@@ -80,11 +82,13 @@ bool Swatches::event(QEvent* event) {
 void Swatches::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
-  for (int cell = 0; cell < 9; ++cell) {
+  if (!values_)
+    painter.fillRect(0, 0, 3 * cellRect(0).width(), 3 * kCell, QBrush(colors.line, Qt::BDiagPattern));
+  for (int cell = 0; values_ && cell < 9; ++cell) {
     const QColor& color = colors_[static_cast<std::size_t>(cell)];
     painter.fillRect(cellRect(cell), color);
     if (!isWide_) continue;
-    const auto& [red, green, blue] = values_[static_cast<std::size_t>(cell)];
+    const auto& [red, green, blue] = (*values_)[static_cast<std::size_t>(cell)];
     painter.setFont(numberFont());
     painter.setPen(color.lightness() > 128 ? Qt::black : Qt::white);
     painter.drawText(cellRect(cell), Qt::AlignCenter,

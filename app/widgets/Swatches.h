@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 namespace taa::app {
 
@@ -14,8 +15,11 @@ class Swatches : public QWidget {
  public:
   explicit Swatches(const QString& caption, QWidget* parent = nullptr);
 
-  /// Scene-linear colors, row-major; encoded as the views encode them, without exposure.
-  void setColors(const std::array<std::array<float, 3>, 9>& linear);
+  using Colors = std::array<std::array<float, 3>, 9>;
+
+  /// Scene-linear colors, row-major; encoded as the views encode them, without exposure. Nothing: there are
+  /// none.
+  void setColors(const std::optional<Colors>& linear);
   /// Room for the luma of each pixel in its cell; else only the tooltip has values.
   void setWide(bool wide);
   /// Of the pixel in a cell: where it is from the middle one, and its color.
@@ -32,7 +36,7 @@ class Swatches : public QWidget {
  private:
   QString caption_;
   std::array<QColor, 9> colors_;
-  std::array<std::array<float, 3>, 9> values_{};
+  std::optional<Colors> values_;
   bool isWide_ = false;
 };
 

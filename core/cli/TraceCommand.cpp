@@ -38,12 +38,12 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
     }
   }
   if (!arguments.json) {
-    out << traceCsv(traces, rows);
+    out << traceCsv(traces, rows, inspector.settings().space);
     return;
   }
   nlohmann::ordered_json json = shotJson(inspector);
   json["lane"] = laneJson(inspector, plan.lanes[0], 0);
-  json["pins"] = traceJson(traces, rows);
+  json["pins"] = traceJson(traces, rows, inspector.settings().space);
   out << json.dump(2) << '\n';
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/Intermediates.h"
 
 #include <string>
@@ -57,11 +58,9 @@ std::string parameterHtml(const Parameter& row) {
 }
 
 std::string intermediateHtml(const Intermediate& row) {
-  std::string channels;
-  for (const std::string& name : channelNames(row)) channels += (channels.empty() ? "" : ", ") + name;
   return "<tr><td><b>" + shown(row.label) + "</b><br><code>" + std::string(row.name) + "</code></td><td>" +
-         shown(row.description) + "</td><td>" + escaped(channels) + "</td><td>" + shown(row.unit) +
-         "</td></tr>\n";
+         shown(row.description) + "</td><td>" + escaped(channelNamesText(row)) + "</td><td>" +
+         shown(row.unit) + "</td></tr>\n";
 }
 
 constexpr std::string_view kTable = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";

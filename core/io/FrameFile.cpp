@@ -3,6 +3,7 @@
 #include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
+#include "core/taa/ChannelNames.h"
 
 #include <OpenImageIO/imageio.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -43,7 +44,7 @@ OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm:
   const Intermediate& row = intermediate(part.id);
   const FrameLane& lane = frame.lanes.at(static_cast<std::size_t>(part.lane));
   OIIO::ImageSpec spec(sizePx.x, sizePx.y, row.channels, OIIO::TypeFloat);
-  spec.channelnames = channelNames(row);
+  spec.channelnames = channelNames(row, lane.settings.space);
   spec.attribute("oiio:subimagename", partName(lane, part.id));
   // Lossless; higher levels take longer and save nothing on the noise in the last bits of floats.
   spec.attribute("compression", "zip:1");

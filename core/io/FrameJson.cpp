@@ -1,8 +1,12 @@
 #include "core/io/FrameJson.h"
 
+#include "core/taa/ChannelNames.h"
+#include "core/taa/reference/Known.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace taa {
@@ -20,6 +24,18 @@ std::string_view visualName(Visual visual) {
   constexpr std::array<std::string_view, 10> kNames = {"color",  "box",      "depth",  "scalar", "signed",
                                                        "vector", "position", "normal", "mask",   "index"};
   return kNames.at(static_cast<std::size_t>(visual));
+}
+
+/// {"rgb": ["R", "G", "B"], …}
+ordered_json channelsBySpace(const Intermediate& row) {
+  ordered_json json;
+  Settings settings;
+  const Parameter& color = parameter("space.color");
+  for (std::size_t choice = 0; choice < color.choices.size(); ++choice) {
+    color.set(settings, static_cast<double>(choice));
+    json[std::string(color.choices[choice].id)] = channelNames(row, settings.space);
+  }
+  return json;
 }
 
 } // namespace
@@ -40,28 +56,30 @@ ordered_json floatJson(float value) {
   return shortest;
 }
 
-ordered_json recordJson(const reference::PixelRecord& record) {
+ordered_json recordJson(const reference::PixelRecord& record, const SpaceSettings& space) {
   ordered_json json;
   for (const Intermediate& row : kIntermediates) {
-    if (!reference::hasValue(record, row.id)) continue;
     ordered_json& values = json[std::string(row.name)];
+    if (!reference::isKnown(record, row.id)) continue;
     int channel = 0;
-    for (const std::string& name : channelNames(row))
+    for (const std::string& name : channelNames(row, space))
       values[name] = floatJson(reference::at(record, row.id)[channel++]);
   }
   return json;
 }
 
 ordered_json intermediateJson(const Intermediate& row) {
-  return {{"id", row.name},
-          {"label", row.label},
-          {"stage", stageInfo(row.stage).id},
-          {"channels", channelNames(row)},
-          {"unit", row.unit},
-          {"range", {floatJson(row.low), floatJson(row.high)}},
-          {"visual", visualName(row.visual)},
-          {"tolerance", floatJson(row.tolerance)},
-          {"description", row.description}};
+  ordered_json json = {{"id", row.name},
+                       {"label", row.label},
+                       {"stage", stageInfo(row.stage).id},
+                       {"channels", channelNames(row, SpaceSettings{})},
+                       {"unit", row.unit},
+                       {"range", {floatJson(row.low), floatJson(row.high)}},
+                       {"visual", visualName(row.visual)},
+                       {"tolerance", floatJson(row.tolerance)},
+                       {"description", row.description}};
+  if (row.visual == Visual::Box) json["channelsBySpace"] = channelsBySpace(row);
+  return json;
 }
 
 ordered_json parameterJson(const Parameter& row) {

@@ -17,10 +17,11 @@ std::string floatText(float value);
 /// A number that prints as floatText; what JSON has no number for is that text.
 nlohmann::ordered_json floatJson(float value);
 
-/// {"color": {"R": …, "G": …, "B": …}, "depth": {"Z": …}, …}: every row, in the table's order.
-nlohmann::ordered_json recordJson(const reference::PixelRecord& record);
+/// {"color": {"R": …, "G": …, "B": …}, "depth": {"Z": …}, …}: every row, in the table's order, null where
+/// there is no value; `space`: of the settings that made it.
+nlohmann::ordered_json recordJson(const reference::PixelRecord& record, const SpaceSettings& space);
 
-/// A row of the table of intermediates.
+/// A row of the table of intermediates; "channels" are those of the default settings, "channelsBySpace" all.
 nlohmann::ordered_json intermediateJson(const Intermediate& row);
 
 /// A row of the table of parameters.

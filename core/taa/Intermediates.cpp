@@ -57,28 +57,6 @@ std::vector<IntermediateId> rowsOfResolve(const std::vector<IntermediateId>& wat
   return rows;
 }
 
-std::vector<std::string> channelNames(const Intermediate& row) {
-  switch (row.visual) {
-  case Visual::Color:
-    return {"R", "G", "B"};
-  case Visual::Box:
-    return {"Y", "Co", "Cg"};
-  case Visual::Normal:
-    return {"X", "Y", "Z"};
-  case Visual::Vector:
-  case Visual::Position:
-    return {"X", "Y"};
-  case Visual::Depth:
-    return {"Z"};
-  case Visual::Scalar:
-  case Visual::Signed:
-  case Visual::Mask:
-  case Visual::Index:
-    break;
-  }
-  return {"V"};
-}
-
 std::string_view rejectReasonText(int reason) {
   static constexpr std::string_view kTexts[] = {
       "kept",     "no history",     "no previous position", "off screen",     "depth",

@@ -110,7 +110,8 @@ enum class Visual : std::uint8_t {
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
       "Depth stored with the history, the best match of the four texels around; 0: the sky.")                \
   ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                         \
-      "Relative difference of expected and stored depth; above what is allowed history is rejected.")        \
+      "Relative difference of expected and stored depth; the depth test rejects what is above the allowed "  \
+      "one.")                                                                                                \
   ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
       "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
   ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index, 0,                        \
@@ -252,9 +253,6 @@ std::vector<IntermediateId> mainRows();
 
 /// The same set in the order of the table, each row once.
 std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids);
-
-/// Names of the channels in files and probe rows, "R G B", "X Y", "Y Co Cg" …; as many as the row has.
-std::vector<std::string> channelNames(const Intermediate& row);
 
 /// A reject reason in words ("kept", "off screen", …).
 std::string_view rejectReasonText(int reason);

@@ -158,6 +158,21 @@ TEST_F(Plots, SeveralProbesAndChannelsAreToldApartWithoutColor) {
   EXPECT_EQ(plots()->charts().back()->curves().size(), 4u);
 }
 
+TEST_F(Plots, NameChannelsByTheSettingsOfTheValues) {
+  plots()->setRows({{IntermediateId::boxMin}});
+  const auto first = [&](ColorSpace space) {
+    session.setParameter("space.color", static_cast<double>(space));
+    goTo(session.status().info.frame == 1 ? 2 : 1);
+    refresh();
+    EXPECT_FALSE(plots()->charts().back()->curves().empty());
+    return plots()->charts().back()->curves()[1].name;
+  };
+  EXPECT_EQ(first(ColorSpace::Rgb), "1 (3, 2) G");
+  EXPECT_TRUE(plots()->csv().startsWith(QStringLiteral("pin,frame,x,y,boxMin.R,boxMin.G,boxMin.B\n")));
+  EXPECT_EQ(first(ColorSpace::YCbCr), "1 (3, 2) Cb");
+  EXPECT_EQ(first(ColorSpace::YCoCg), "1 (3, 2) Co");
+}
+
 TEST_F(Plots, ForgetWhatIsNoLongerTrue) {
   goTo(5);
   goTo(6);

@@ -3,6 +3,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/widgets/ChannelButtons.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/NumberField.h"
@@ -37,6 +38,21 @@ TEST_F(ViewOverlays, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
   EXPECT_TRUE(asked().style.markClipped && asked().style.arrows);
   key(Qt::Key_J);
   EXPECT_FALSE(asked().style.markRejected);
+}
+
+TEST_F(ViewOverlays, ChannelsOfABoxAreNamedByTheSettings) {
+  window.showIntermediate(IntermediateId::boxMin, false);
+  const auto names = [&] {
+    return view()->header()->findChild<ChannelButtons*>()->names().join(QLatin1Char(' '));
+  };
+  EXPECT_EQ(names(), "Y Co Cg");
+  session.setParameter("space.color", static_cast<double>(ColorSpace::Rgb));
+  settle();
+  EXPECT_EQ(names(), "R G B");
+  EXPECT_EQ(viewport()->shownContent().space.color, ColorSpace::Rgb) << "of which the legend is made";
+  view()->setComparison({OtherKind::Preset, {}, "balanced"});
+  settle();
+  EXPECT_EQ(viewport()->otherContent()->space.color, ColorSpace::YCoCg) << "the other side has its own";
 }
 
 TEST_F(ViewOverlays, TheGridCanBeSwitchedOff) {

@@ -5,6 +5,7 @@
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
@@ -270,7 +271,8 @@ TEST(BatchMistakes, ComparingIsOfOnePictureAndWhatThereIs) {
 
 TEST_F(BatchTest, ProbesWhatItExports) {
   const fs::path folder = freshFolder();
-  const std::vector<std::string> choices = {"--set", "rectify.method=clamp"};
+  const std::vector<std::string> choices = {"--set", "rectify.method=clamp", "--set", "space.color=rgb"};
+  const taa::SpaceSettings space{taa::ColorSpace::Rgb};
   ASSERT_EQ(render(folder, joined({"--frames", "5", "--emit", "all"}, choices)).exitCode, 0);
   for (const char* place : {"0,0", "63,35", "31,17"}) {
     const ProcessResult result = batch(joined(
@@ -280,7 +282,7 @@ TEST_F(BatchTest, ProbesWhatItExports) {
     EXPECT_EQ(lane["settings"]["rectify"]["method"], "clamp");
     for (const taa::Intermediate& row : taa::kResolveRows) {
       const std::string id(row.name);
-      const std::vector<std::string> channels = taa::channelNames(row);
+      const std::vector<std::string> channels = taa::channelNames(row, space);
       const taa::Image image = taa::readPart(folder / "frame.0005.exr", id, channels);
       for (std::size_t channel = 0; channel < channels.size(); ++channel) {
         const float probed = floatOf(lane["values"][id][channels[channel]]);

@@ -4,6 +4,7 @@
 #include "core/Inspector.h"
 #include "core/gl/Memory.h"
 #include "core/settings/Parameters.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 
@@ -42,7 +43,8 @@ TEST_F(FrameExportTest, WritesTheSameValuesAFewAtATimeAsAllAtOnce) {
     const std::vector<Image> expected = inspector.images(ids, lane);
     for (std::size_t index = 0; index < ids.size(); ++index) {
       const Intermediate& row = intermediate(ids[index]);
-      const Image read = readPart(path, partName(frame.lanes[std::size_t(lane)], row.id), channelNames(row));
+      const Image read = readPart(path, partName(frame.lanes[std::size_t(lane)], row.id),
+                                  channelNames(row, frame.lanes[std::size_t(lane)].settings.space));
       ASSERT_EQ(read.pixels.size(), expected[index].pixels.size()) << row.name;
       EXPECT_EQ(
           std::memcmp(read.pixels.data(), expected[index].pixels.data(), read.pixels.size() * sizeof(float)),

@@ -5,6 +5,7 @@
 #include "core/render/SceneRenderer.h"
 #include "core/scene/BuiltinScenes.h"
 #include "core/scene/SceneSource.h"
+#include "core/taa/reference/Known.h"
 #include "tests/support/SmallInspector.h"
 
 #include <algorithm>
@@ -224,13 +225,13 @@ TEST_F(ReferenceTest, SaysWhereThereIsNone) {
   EXPECT_THROW(inspector->refineReference(1025), taa::Error);
   const taa::PixelRecord record = inspector->probe(3, 4);
   for (const IntermediateId id : kRows) {
-    EXPECT_FALSE(taa::reference::hasValue(record, id));
+    EXPECT_FALSE(taa::reference::isKnown(record, id));
     const taa::Picture picture =
         inspector->picture(id, taa::defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
     EXPECT_EQ(std::ranges::count(picture.rgba, 0), 4 * kWidth * kHeight) << "nothing is covered";
   }
   inspector->refineReference(4);
-  EXPECT_TRUE(taa::reference::hasValue(inspector->probe(3, 4), IntermediateId::referenceError));
+  EXPECT_TRUE(taa::reference::isKnown(inspector->probe(3, 4), IntermediateId::referenceError));
   const taa::Picture picture = inspector->picture(IntermediateId::reference, {}, {}, kWidth, kHeight);
   EXPECT_EQ(picture.rgba[3], 255);
 }

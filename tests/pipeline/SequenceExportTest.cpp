@@ -5,6 +5,7 @@
 #include "core/base/Files.h"
 #include "core/io/FrameFile.h"
 #include "core/io/GifFile.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/Paths.h"
 #include "tests/support/SmallInspector.h"
 
@@ -176,7 +177,7 @@ TEST_F(SequenceExportTest, WritesValuesAsParts) {
   EXPECT_EQ(partNames(folder_ / "shot.0004.exr"), (std::vector<std::string>{"resolved", "alpha"}));
   inspector->seek(4);
   const Image read =
-      readPart(folder_ / "shot.0004.exr", "alpha", channelNames(intermediate(IntermediateId::alpha)));
+      readPart(folder_ / "shot.0004.exr", "alpha", channelNames(intermediate(IntermediateId::alpha), {}));
   EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::alpha)));
 }
 
@@ -194,7 +195,7 @@ TEST_F(SequenceExportTest, PartsOfTheReferenceSayHowManySamplesItHas) {
   inspector->seek(3);
   inspector->refineReference(5);
   const Image read =
-      readPart(path, "referenceError", channelNames(intermediate(IntermediateId::referenceError)));
+      readPart(path, "referenceError", channelNames(intermediate(IntermediateId::referenceError), {}));
   EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::referenceError)));
 }
 

@@ -137,7 +137,7 @@ TEST_F(TraceTest, IsWhatTaaBatchPrints) {
   PinTrace range{pin, {}};
   for (int frame = 2; frame <= 9; ++frame) range.trace.add(frame, *traced.trace.at(frame));
   const std::string here =
-      traceCsv({range}, {IntermediateId::alpha, IntermediateId::resolved, IntermediateId::rejectReason});
+      traceCsv({range}, {IntermediateId::alpha, IntermediateId::resolved, IntermediateId::rejectReason}, {});
   const auto printed =
       test::runProcess({test::binary("taa-batch").string(), "trace", "builtin:fan", "--size", "32x18",
                         "--pixel", "20,7", "--frames", "2..9", "--emit", "alpha,resolved,rejectReason"});

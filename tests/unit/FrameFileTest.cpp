@@ -3,6 +3,7 @@
 
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ TEST(FrameFile, ReadsBackEveryPartBitForBit) {
   for (const taa::FramePart& part : frame.parts) {
     const taa::Intermediate& row = taa::intermediate(part.id);
     EXPECT_EQ(names[static_cast<std::size_t>(part.id)], row.name);
-    const taa::Image read = taa::readPart(exrPath("all"), std::string(row.name), taa::channelNames(row));
+    const taa::Image read = taa::readPart(exrPath("all"), std::string(row.name), taa::channelNames(row, {}));
     EXPECT_TRUE(sameBits(read, part.image)) << row.name;
   }
 }
@@ -87,7 +88,7 @@ TEST(FrameFile, PutsTheLaneBeforeTheName) {
   const taa::FrameFile frame = everything({"A", "B"});
   writeFrameFile(exrPath("lanes"), frame);
   const taa::Image b = taa::readPart(exrPath("lanes"), "B.motion",
-                                     taa::channelNames(taa::intermediate(IntermediateId::motion)));
+                                     taa::channelNames(taa::intermediate(IntermediateId::motion), {}));
   EXPECT_TRUE(sameBits(
       b, frame.parts[taa::kIntermediateCount + static_cast<std::size_t>(IntermediateId::motion)].image));
   EXPECT_EQ(taa::readPartAttribute(exrPath("lanes"), "B.motion", "taa:lane"), "B");

@@ -37,7 +37,7 @@ TEST(FrameJson, WritesWhatIsNoNumberAsText) {
 TEST(FrameJson, GivesEveryRowOfARecordItsChannels) {
   taa::reference::PixelRecord record{};
   taa::reference::at(record, taa::IntermediateId::motion) = {1.5f, -2.0f, 9.0f, 9.0f};
-  const nlohmann::ordered_json json = taa::recordJson(record);
+  const nlohmann::ordered_json json = taa::recordJson(record, {});
   EXPECT_EQ(json.size(), taa::kIntermediateCount);
   for (const taa::Intermediate& row : taa::kIntermediates)
     EXPECT_EQ(json[std::string(row.name)].size(), static_cast<std::size_t>(row.channels)) << row.name;

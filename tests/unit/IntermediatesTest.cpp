@@ -67,14 +67,6 @@ TEST(Intermediates, AnUnknownNameIsToldWhatThereIs) {
   }
 }
 
-TEST(Intermediates, HaveAsManyChannelNamesAsChannels) {
-  for (const Intermediate& row : kIntermediates) {
-    const std::vector<std::string> names = taa::channelNames(row);
-    EXPECT_EQ(static_cast<int>(names.size()), row.channels) << row.name;
-    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << row.name;
-  }
-}
-
 TEST(Intermediates, EveryRejectReasonHasItsOwnText) {
   std::set<std::string_view> texts;
   for (int reason = 0; reason <= 9; ++reason) texts.insert(taa::rejectReasonText(reason));

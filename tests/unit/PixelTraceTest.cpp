@@ -59,11 +59,11 @@ TEST(TraceText, WritesALineForEachFrameOfEachPin) {
   traces[0].trace.add(1, sampleOf(1.0f, {0.0f, 0.0f, 0.0f}));
   traces[1].trace.add(1, sampleOf(0.5f, {1.0f, 2.0f, 3.0f}, {9, 8}));
   const std::vector<IntermediateId> rows{IntermediateId::alpha, IntermediateId::resolved};
-  EXPECT_EQ(traceCsv(traces, rows), "pin,frame,x,y,alpha,resolved.R,resolved.G,resolved.B\n"
-                                    "1,1,4,5,1,0,0,0\n"
-                                    "1,2,4,5,0.1,0.25,0.5,1\n"
-                                    "2,1,9,8,0.5,1,2,3\n");
-  const nlohmann::ordered_json json = traceJson(traces, rows);
+  EXPECT_EQ(traceCsv(traces, rows, {}), "pin,frame,x,y,alpha,resolved.R,resolved.G,resolved.B\n"
+                                        "1,1,4,5,1,0,0,0\n"
+                                        "1,2,4,5,0.1,0.25,0.5,1\n"
+                                        "2,1,9,8,0.5,1,2,3\n");
+  const nlohmann::ordered_json json = traceJson(traces, rows, {});
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[0]["frames"][1]["values"]["alpha"].dump(), "0.1");
   EXPECT_EQ(json[1]["follow"], "surface");

@@ -10,7 +10,6 @@
 #include <glm/vec4.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace taa::reference {
 
@@ -45,7 +44,7 @@ struct Inputs {
   int outputHeight() const { return outputPx.y > 0 ? outputPx.y : height(); }
 };
 
-/// Every intermediate of one pixel; missing channels are 0, rows without a value NaN (hasValue()).
+/// Every intermediate of one pixel; missing channels are 0, rows without a value NaN (isKnown() of Known.h).
 using PixelRecord = std::array<glm::vec4, kIntermediateCount>;
 
 inline glm::vec4& at(PixelRecord& record, IntermediateId id) {
@@ -53,12 +52,6 @@ inline glm::vec4& at(PixelRecord& record, IntermediateId id) {
 }
 inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
   return record[static_cast<std::size_t>(id)];
-}
-
-/// Whether the record says something about the row: always, unless it is one of the reference and there was
-/// none. (Where the reference itself is NaN its rows look as if there was none.)
-inline bool hasValue(const PixelRecord& record, IntermediateId id) {
-  return !isOfReference(id) || !std::isnan(at(record, id).x);
 }
 
 /// What the pixel leaves in the layers that only some settings keep; see History.
