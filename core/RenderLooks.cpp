@@ -77,7 +77,7 @@ void RenderWorker::deliverShares() {
   attempt([&] {
     StageShares shares{
         .frame = inspector_.frame(), .startsHistory = inspector_.info().startsHistory, .stages = {}};
-    shares.stages = sharesOf(inspector_.images(shareRows()));
+    shares.stages = sharesOf(inspector_.images(shareRows()), inspector_.settings());
     if (listener_.onStageShares) listener_.onStageShares(std::move(shares));
   });
 }

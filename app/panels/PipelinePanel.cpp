@@ -59,7 +59,7 @@ QString shareText(const StageShare& stage, bool startsHistory) {
   switch (stage.stage) {
   case Stage::DilateMotion:
     return isNone ? PipelinePanel::tr("changed nothing")
-                  : PipelinePanel::tr("%1 follow a neighbor").arg(share);
+                  : PipelinePanel::tr("%1 take another motion").arg(share);
   case Stage::Reproject:
     return isNone ? PipelinePanel::tr("all on the screen")
                   : PipelinePanel::tr("%1 off the screen").arg(share);

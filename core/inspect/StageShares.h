@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/settings/Settings.h"
 #include "core/taa/Intermediates.h"
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace taa {
 /// How a stage's share is to be read.
 struct StageShare {
   Stage stage{};
-  double share = 0.0; ///< 0 to 1: neighbor followed, off the screen, pulled, rejected, changed for showing
+  double share = 0.0; ///< 0 to 1: another motion taken, off the screen, pulled, rejected, changed for showing
 };
 
 /// Of the stages of which "changed nothing" can be said.
@@ -23,7 +24,7 @@ struct StageShares {
 
 /// The rows that sharesOf() wants, in its order.
 const std::vector<IntermediateId>& shareRows();
-/// From pictures of shareRows().
-std::vector<StageShare> sharesOf(const std::vector<Image>& rows);
+/// From pictures of shareRows(), made with `settings`.
+std::vector<StageShare> sharesOf(const std::vector<Image>& rows, const Settings& settings);
 
 } // namespace taa
