@@ -5,6 +5,10 @@
 #include "app/Theme.h"
 #include "app/models/ProbeWords.h"
 
+#include "core/inspect/ProbeHeadline.h"
+#include "core/taa/ChannelNames.h"
+#include "core/taa/reference/Known.h"
+
 #include <QFont>
 #include <QFontMetrics>
 #include <QSize>
@@ -19,8 +23,8 @@ namespace {
 constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
 constexpr int kFraction = 12;      ///< characters kept free after the whole part of a value
 
-QString valueText(const Intermediate& row, const glm::vec4& value) {
-  const std::vector<std::string> names = channelNames(row);
+QString valueText(const Intermediate& row, const glm::vec4& value, const SpaceSettings& space) {
+  const std::vector<std::string> names = channelNames(row, space);
   QStringList lines;
   for (int channel = 0; channel < row.channels; ++channel) {
     const QString number = alignedText(value[channel], kFraction);
@@ -108,12 +112,10 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (column == Name) return tableText(row.label);
   if (column == Unit) return tableText(row.unit);
   if (!record_) return {};
-  if (!reference::hasValue(*record_, row.id))
-    return column == Value      ? QStringLiteral("—")
-           : isOverTime(row.id) ? tr("not measured")
-                                : tr("no reference drawn");
-  const glm::vec4 value = reference::at(*record_, row.id);
-  return column == Value ? valueText(row, value) : valueWords(row, value);
+  const Settings& settings = pixel_ ? pixel_->settings : Settings{};
+  if (column == Meaning) return qtext(meaningOf(row.id, *record_, settings));
+  if (!reference::isKnown(*record_, row.id)) return QStringLiteral("—");
+  return valueText(row, reference::at(*record_, row.id), settings.space);
 }
 
 QVariant ProbeModel::data(const QModelIndex& index, int role) const {

@@ -13,6 +13,9 @@
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
 
+#include "core/inspect/ProbeHeadline.h"
+#include "core/taa/reference/Known.h"
+
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QJsonArray>
@@ -254,7 +257,8 @@ void ProbePanel::setResult(const ProbeResult& result) {
   result_ = result;
   const PixelRecord& record = result.around[kMiddle];
   place_->setText(tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame));
-  QStringList lines = probeSummary(record, result.settings);
+  QStringList lines;
+  for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
   if (result.spot.state == PinState::Hidden)
     lines.prepend(tr("The surface is behind something here: these are the values of what hides it"));
   summary_->setText(lines.join(QLatin1Char('\n')));
@@ -268,6 +272,10 @@ void ProbePanel::setResult(const ProbeResult& result) {
 void ProbePanel::showColors() {
   const ProbeResult& result = *result_;
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
+    if (!reference::isKnown(result.around[kMiddle], kNeighbors[i])) {
+      swatches_[i]->setColors({});
+      continue;
+    }
     std::array<std::array<float, 3>, 9> colors{};
     for (std::size_t pixel = 0; pixel < std::min(colors.size(), result.around.size()); ++pixel) {
       const glm::vec4 value = reference::at(result.around[pixel], kNeighbors[i]);
@@ -305,7 +313,10 @@ QString ProbePanel::valueText(IntermediateId fallback) const {
   if (!result_) return {};
   const auto selected = table_->hasFocus() ? model_->idOf(table_->currentIndex()) : std::nullopt;
   const IntermediateId id = selected.value_or(fallback);
-  return rowText(intermediate(id), reference::at(result_->around[kMiddle], id));
+  const PixelRecord& record = result_->around[kMiddle];
+  if (!reference::isKnown(record, id))
+    return model_->data(model_->indexOf(id, ProbeModel::Meaning), Qt::DisplayRole).toString();
+  return rowText(intermediate(id), reference::at(record, id));
 }
 
 QString ProbePanel::summary() const {

@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/inspect/StoryText.h"
 #include "core/scene/ObjectClass.h"
+#include "core/taa/ChannelNames.h"
 #include "core/taa/reference/Color.h"
 
 #include <array>
@@ -15,7 +16,7 @@ namespace taa {
 
 namespace story {
 
-std::string Teller::number(double x) const {
+std::string numberText(double x, int digits) {
   if (std::isnan(x)) return "nan";
   if (std::isinf(x)) return x < 0 ? "−inf" : "inf";
   std::array<char, 40> text{};
@@ -24,17 +25,20 @@ std::string Teller::number(double x) const {
   return (x < 0 ? "−" : "") + std::string(text.data(), end.ptr);
 }
 
-std::string Teller::tuple(const glm::vec2& v) const {
-  return "(" + number(static_cast<double>(v.x)) + ", " + number(static_cast<double>(v.y)) + ")";
+std::string tupleText(const glm::vec2& v, int digits) {
+  const auto number = [digits](float x) { return numberText(static_cast<double>(x), digits); };
+  return "(" + number(v.x) + ", " + number(v.y) + ")";
 }
 
-std::string Teller::tuple(const glm::vec3& v) const {
-  return "(" + number(static_cast<double>(v.x)) + ", " + number(static_cast<double>(v.y)) + ", " +
-         number(static_cast<double>(v.z)) + ")";
+std::string tupleText(const glm::vec3& v, int digits) {
+  const auto number = [digits](float x) { return numberText(static_cast<double>(x), digits); };
+  return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
 }
 
-std::string Teller::percent(double share) const {
-  return Teller{probed, 3}.number(std::round(share * 1000.0) / 10.0) + " %";
+std::string percentText(double share) {
+  const double tenths = std::round(share * 1000.0);
+  const bool isLong = std::fabs(tenths) >= 10000.0; // without an exponent, "1060 %"
+  return numberText(isLong ? std::round(tenths / 10.0) : tenths / 10.0, isLong ? 9 : 3) + " %";
 }
 
 std::string Teller::equals(const std::string& expression, Id id) const {
@@ -47,9 +51,7 @@ glm::vec3 Teller::box(const glm::vec3& color) const {
 }
 
 std::string Teller::channelName(int channel) const {
-  static constexpr std::array<std::array<const char*, 3>, 5> kNames{
-      {{"R", "G", "B"}, {"Y", "Co", "Cg"}, {"Y", "Co", "Cg"}, {"Y", "Cb", "Cr"}, {"Y", "Co", "Cg"}}};
-  return kNames[static_cast<std::size_t>(settings().space.color)][static_cast<std::size_t>(channel)];
+  return channelNames(intermediate(Id::boxMin), settings().space)[static_cast<std::size_t>(channel)];
 }
 
 std::string call(const std::string& function, std::initializer_list<std::string> arguments) {

@@ -5,6 +5,7 @@
 #include "core/taa/reference/Color.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -18,6 +19,7 @@ constexpr std::array<std::size_t, 5> kDiagonals{4, 0, 2, 6, 8};
 RowStory toneStory(Id id, const Teller& t) {
   const ToneWeight tone = t.settings().blend.tone;
   if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return {say<"not asked for">(), "", ""};
+  if (id == Id::toneWeightHistory && t.details().isFirst) return {say<"there is no history yet">(), "", ""};
   const bool isCurrent = id == Id::toneWeightCurrent;
   const bool isBlurred = t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f;
   glm::vec3 color = t.color(isCurrent ? Id::currentFiltered : Id::historyRectified);
@@ -71,11 +73,35 @@ RowStory lengthStory(const Teller& t) {
   return {};
 }
 
-/// `words`, and what storing the color does to it.
-std::string storedWords(const Teller& t, const std::string& words) {
-  const Precision precision = t.settings().history.precision;
-  const int bits = precision == Precision::Unorm8 ? 8 : precision == Precision::Unorm10 ? 10 : 0;
-  return bits == 0 ? words : say<"%1, rounded to the %2 bits it is stored with">(words, bits);
+bool isPerChannel(const Teller& t) {
+  return t.settings().weight.source == AlphaSource::ContrastPerChannel;
+}
+
+/// Mixed with bounded highlights: each color divided by one more than its channel, or than its largest
+/// channel, and taken back; or on another curve, whose way back is told in words. Where the largest bounds
+/// all, a share in each channel is not told.
+RowStory boundedStory(const Teller& t, const std::string& words) {
+  const ToneWeight tone = t.settings().blend.tone;
+  const bool isBounded = tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel;
+  const auto red = [&](Id id) { return t.number(reference::compress(t.color(id), t.settings().blend).x); };
+  const std::string past = red(Id::historyRectified);
+  const std::string share =
+      isPerChannel(t) ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
+  const std::string mix = past + " + " + share + " × (" + red(Id::currentFiltered) + " − " + past + ")";
+  const glm::vec3 mixed = reference::compress(mixedColor(t), t.settings().blend);
+  if (!isBounded)
+    return {say<"%1, mixed as the curve has them: %2; then taken back from it">(
+                words, choiceLabel("blend.tone", t.settings())),
+            mix + " = " + t.number(mixed.x), say<"R, as the curve has it">()};
+  const std::string told = say<"%1, mixed with bounded highlights">(words);
+  // With the largest channel bounding all, a share in each would move the bound itself.
+  if (isPerChannel(t) && tone == ToneWeight::MaxChannel) return {told, "", ""};
+  const float bound =
+      tone == ToneWeight::MaxChannel ? std::fmax(mixed.x, std::fmax(mixed.y, mixed.z)) : mixed.x;
+  return {told,
+          storedText(t, "(" + mix + ") / (1 − " + t.number(bound) + ")", 0) + " = " +
+              t.number(t.color(Id::resolved).x),
+          "R"};
 }
 
 /// The mean of the pixel and its diagonals.
@@ -84,29 +110,7 @@ RowStory restartStory(const Teller& t) {
   for (const std::size_t k : kDiagonals)
     sum += (sum.empty() ? "" : " + ") + t.number(t.details().filterSamples[k].x);
   return {storedWords(t, say<"history starts with the mean of the pixel and its diagonals">()),
-          "(" + sum + ") / 5 = " + t.number(t.color(Id::resolved).x), "R"};
-}
-
-/// Mixed with bounded highlights: each color divided by one more than its channel, or than its largest
-/// channel; or on another curve. Where the largest bounds all, a share in each channel is not told.
-RowStory boundedStory(const Teller& t, const std::string& words) {
-  const ToneWeight tone = t.settings().blend.tone;
-  const bool isBounded = tone == ToneWeight::ReinhardChannel || tone == ToneWeight::MaxChannel;
-  const auto red = [&](Id id) { return t.number(reference::compress(t.color(id), t.settings().blend).x); };
-  const std::string past = red(Id::historyRectified);
-  const bool isPerChannel = t.settings().weight.source == AlphaSource::ContrastPerChannel;
-  const std::string share = isPerChannel ? t.number(t.color(Id::alphaChannels).x) : t.number(Id::blendFactor);
-  // With the largest channel bounding all, a share in each would move the bound itself.
-  const bool isShort = !isPerChannel || tone != ToneWeight::MaxChannel;
-  return {isBounded
-              ? say<"%1, mixed with bounded highlights">(words)
-              : say<"%1, mixed as the curve has them: %2">(words, choiceLabel("blend.tone", t.settings())),
-          isShort ? past + " + " + share + " × (" + red(Id::currentFiltered) + " − " + past +
-                        ") = " + red(Id::resolved)
-                  : "",
-          !isShort    ? ""
-          : isBounded ? say<"R, its highlights bounded">()
-                      : say<"R, as the curve has it">()};
+          storedText(t, "(" + sum + ") / 5", 0) + " = " + t.number(t.color(Id::resolved).x), "R"};
 }
 
 /// Mixed in each channel by its own α.
@@ -119,26 +123,32 @@ RowStory channelsStory(const Teller& t) {
   }
   const std::string history = t.tuple(Id::historyRectified);
   return {storedWords(t, say<"mixed in each channel by its own α">()),
-          t.equals(history + " + " + share + " × (" + t.tuple(Id::currentFiltered) + " − " + history + ")",
+          t.equals(storedText(t, history + " + " + share + " × (" + t.tuple(Id::currentFiltered) + " − " +
+                                     history + ")"),
                    Id::resolved),
           ""};
 }
 
+/// Whether nothing of history is in the color.
+bool isCurrentAlone(const Teller& t) {
+  const glm::vec3 channels = t.color(Id::alphaChannels);
+  return isPerChannel(t) ? std::fmin(channels.x, std::fmin(channels.y, channels.z)) >= 1.0f
+                         : t.value(Id::blendFactor) >= 1.0f;
+}
+
 RowStory resolvedStory(const Teller& t) {
-  const float factor = t.value(Id::blendFactor);
-  const ToneWeight tone = t.settings().blend.tone;
-  const std::string words = storedWords(t, say<"%1 current, the rest history">(t.percent(Id::blendFactor)));
   const bool isBlurred = t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f;
   if (isBlurred) return restartStory(t);
-  if (factor >= 1.0f)
+  if (isCurrentAlone(t))
     return {storedWords(t, say<"the current frame alone">()),
-            t.equals(t.tuple(Id::currentFiltered), Id::resolved), ""};
-  if (reference::mixesCompressed(tone)) return boundedStory(t, words);
-  if (t.settings().weight.source == AlphaSource::ContrastPerChannel) return channelsStory(t);
+            t.equals(storedText(t, t.tuple(Id::currentFiltered)), Id::resolved), ""};
+  const std::string words = storedWords(t, say<"%1 current, the rest history">(t.percent(Id::blendFactor)));
+  if (reference::mixesCompressed(t.settings().blend.tone)) return boundedStory(t, words);
+  if (isPerChannel(t)) return channelsStory(t);
   const std::string history = t.tuple(Id::historyRectified);
   return {words,
-          t.equals(history + " + " + t.number(Id::blendFactor) + " × (" + t.tuple(Id::currentFiltered) +
-                       " − " + history + ")",
+          t.equals(storedText(t, history + " + " + t.number(Id::blendFactor) + " × (" +
+                                     t.tuple(Id::currentFiltered) + " − " + history + ")"),
                    Id::resolved),
           ""};
 }

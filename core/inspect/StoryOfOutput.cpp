@@ -4,6 +4,7 @@
 
 #include "core/base/Say.h"
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/Known.h"
 
 #include <array>
 #include <cmath>
@@ -150,21 +151,23 @@ RowStory detailStory(const Teller& t) {
   if (t.settings().output.sharpen == Sharpen::None) return {say<"not asked for">(), "", ""};
   const float sharp = reference::luma(t.details().shown.sharp);
   const float before = reference::luma(t.details().resolvedAround[4]);
-  return {t.value(Id::sharpenDetail) >= 0
-              ? say<"made brighter: luma of the sharpened color less that of the resolved one">()
-              : say<"made darker: luma of the sharpened color less that of the resolved one">(),
+  const float detail = t.value(Id::sharpenDetail);
+  return {detail > 0   ? say<"made brighter: luma of the sharpened color less that of the resolved one">()
+          : detail < 0 ? say<"made darker: luma of the sharpened color less that of the resolved one">()
+                       : say<"luma of the sharpened color is that of the resolved one">(),
           t.equals(t.number(sharp) + " − " + t.number(before), Id::sharpenDetail), ""};
 }
 
 RowStory trustStory(const Teller& t) {
   if (!isOn(t.settings().output.motionBlur)) return {say<"not asked for">(), "", ""};
   if (t.value(Id::speed) >= kNoPreviousPosition) return {say<"the motion is not known">(), "", ""};
-  return {say<"fast surfaces are blurred along their motion">(),
+  return {t.value(Id::blurTrust) < 1.0f ? say<"fast surfaces are blurred along their motion">()
+                                        : say<"not blurred: it is no faster than 2 px a frame">(),
           t.equals("1 − clamp((" + t.number(Id::speed) + " − 2) / 13, 0, 1)", Id::blurTrust), ""};
 }
 
 RowStory errorStory(Id id, const Teller& t) {
-  if (!reference::hasValue(t.probed.record, Id::reference))
+  if (!reference::isKnown(t.probed.record, Id::reference))
     return {say<"there is no reference yet">(), "", ""};
   const glm::vec3 is = t.color(Id::output), should = t.color(Id::reference);
   switch (id) {

@@ -12,6 +12,20 @@
 
 namespace taa::story {
 
+std::string targetText(RectifyMethod method) {
+  switch (method) {
+  case RectifyMethod::Clamp:
+  case RectifyMethod::ClampForget:
+  case RectifyMethod::ClipToCenter:
+  case RectifyMethod::ClampThenClip:
+    return say<"the middle of the box">();
+  case RectifyMethod::ShrinkAxes:
+    return say<"the mean">();
+  default:
+    return say<"the current color">();
+  }
+}
+
 namespace {
 
 /// What rectification moves, in box space.
@@ -117,17 +131,20 @@ std::string wayText(const Teller& t, const Clip& clip) {
   return "";
 }
 
-/// How far history was pulled, and how much of that holds.
+/// How far history was pulled, and what that is a part of.
 std::string pulledWords(const Teller& t) {
+  const std::string target = targetText(t.settings().rectify.method);
   const std::string amount = t.percent(Id::clipAmount), applied = t.percent(Id::rectifyStrength);
   const std::string held = t.percent(static_cast<double>(t.details().held.share));
-  const bool isRelaxed = isOn(t.settings().rectify.relaxAtRest), isHeld = t.details().held.share > 0.0f;
+  const bool isRelaxed = t.value(Id::rectifyStrength)<1.0f, isHeld = t.details().held.share> 0.0f;
+  if (!(t.value(Id::clipAmount) > 0.0f))
+    return say<"outside of the box, but nothing of the correction is applied">();
+  const std::string words = say<"pulled %1 of the way to %2">(amount, target);
   if (isRelaxed && isHeld)
-    return say<"pulled %1 of the way into the box, of which %2 are applied, and %3 of that are taken back">(
-        amount, applied, held);
-  if (isRelaxed) return say<"pulled %1 of the way into the box, of which %2 are applied">(amount, applied);
-  if (isHeld) return say<"pulled %1 of the way into the box, and %2 of that are taken back">(amount, held);
-  return say<"pulled %1 of the way into the box">(amount);
+    return say<"%1: %2 of the correction, of which %3 are taken back">(words, applied, held);
+  if (isRelaxed) return say<"%1: %2 of the correction">(words, applied);
+  if (isHeld) return say<"%1: the correction, of which %2 are taken back">(words, held);
+  return words;
 }
 
 /// Where the printed way back from box space cuts channels off (§26, D7), how it does; else nothing.
@@ -153,9 +170,15 @@ std::string selectedWords(const Teller& t, const Clip& clip) {
   return say<"of the nine samples that at %1 is nearest to history">(step);
 }
 
+/// Some methods leave history where it is outside of the box, too.
 std::string keptWords(const Teller& t) {
-  if (t.settings().rectify.method == RectifyMethod::Select)
-    return say<"history is one of the nine samples: kept as it is">();
+  const RectifyMethod method = t.settings().rectify.method;
+  if (method == RectifyMethod::Select) return say<"history is one of the nine samples: kept as it is">();
+  if (method == RectifyMethod::ClipToHull || method == RectifyMethod::ClipToBoth)
+    return say<"history lies within the slabs around the samples: kept as it is">();
+  const Clip clip = clipOf(t);
+  if (clip.h != glm::clamp(clip.h, clip.low, clip.high))
+    return say<"no wall of the box is hit on the way to the current color: kept as it is">();
   return say<"history lies inside the box: kept as it is">();
 }
 
@@ -235,8 +258,11 @@ RowStory clipStory(const Teller& t) {
   const Clip clip = clipOf(t);
   if (!clip.result.moved) return {keptWords(t), "", ""};
   std::string text = amountText(t, clip);
-  const std::string words = say<"history was pulled %1 of the way: %2">(
-      t.percent(Id::clipAmount), choiceLabel("rectify.method", t.settings()));
+  const std::string method = choiceLabel("rectify.method", t.settings());
+  const std::string words =
+      t.value(Id::clipAmount) > 0.0f
+          ? say<"history was pulled %1 of the way: %2">(t.percent(Id::clipAmount), method)
+          : say<"history is outside, but not pulled: %1">(method);
   if (text.empty()) return {words, "", ""};
   if (isOn(t.settings().rectify.relaxAtRest)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
   if (t.details().held.share > 0.0f)
@@ -249,7 +275,8 @@ RowStory strengthStory(const Teller& t) {
   if (rectify.method == RectifyMethod::None) return {say<"nothing is rectified">(), "", ""};
   if (!isOn(rectify.relaxAtRest)) return {say<"all of the correction is applied">(), "", ""};
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  return {say<"less is applied where little moves">(),
+  return {t.value(Id::rectifyStrength) < 1.0f ? say<"less is applied where little moves">()
+                                              : say<"all of the correction is applied">(),
           t.equals(n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) + ") × clamp((" +
                        t.number(Id::speed) + " / " + n(rectify.restSpeed) + ")^2, 0, 1)",
                    Id::rectifyStrength),

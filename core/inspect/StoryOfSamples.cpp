@@ -177,6 +177,14 @@ RowStory momentStory(Id id, const Teller& t) {
   return {words, rounded(extreme(set), extreme(five)) + first(id), t.channelName(0)};
 }
 
+/// What motion does to γ.
+std::string gammaMotionWords(const NeighborhoodSettings& chosen, float speed) {
+  if (speed == 0.0f) return say<"as chosen: nothing moves">();
+  return chosen.gammaMoving < chosen.gamma   ? say<"smaller by motion">()
+         : chosen.gammaMoving > chosen.gamma ? say<"larger by motion">()
+                                             : say<"as chosen">();
+}
+
 RowStory gammaStory(const Teller& t) {
   const NeighborhoodSettings& chosen = t.settings().neighborhood;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
@@ -184,11 +192,11 @@ RowStory gammaStory(const Teller& t) {
   if (isOn(chosen.motionGamma)) {
     text = n(chosen.gammaMoving) + " + (" + text + " − " + n(chosen.gammaMoving) + ") × clamp(1 − " +
            t.number(Id::speed) + " / " + n(chosen.gammaSpeed) + ", 0, 1)^2";
-    words = say<"smaller by motion">();
+    words = gammaMotionWords(chosen, t.value(Id::speed));
   }
   if (isOn(chosen.resolutionGamma)) {
     text = "(" + text + ") × clamp(1188 / " + std::to_string(t.details().picturePx.y) + ", 0.75, 1)";
-    words = say<"%1, smaller for tall pictures">(words);
+    if (t.details().picturePx.y > 1188) words = say<"%1, smaller for tall pictures">(words);
   }
   if (isOn(chosen.contrastGamma) && !t.details().isFirst) {
     const SpaceSettings& space = t.settings().space;
@@ -200,12 +208,17 @@ RowStory gammaStory(const Teller& t) {
                                             n(mean) + " − " + n(half), n(mean) + " + " + n(half)});
     text += " + " + n(chosen.contrastGrowth) + " × smooth((|" + current + " − " + past + "| / " +
             call("max", {current, past, "0.15"}) + " − 0.05) / 0.5)";
-    words = say<"%1, larger by contrast">(words);
+    const float now = reference::boxLuma(hood.samples[4], space);
+    const float then = std::fmin(
+        std::fmax(reference::boxLuma(t.box(t.color(Id::historyRaw)), space), mean - half), mean + half);
+    if (std::fabs(now - then) > 0.05f * std::fmax(std::fmax(now, then), 0.15f))
+      words = say<"%1, larger by contrast">(words);
   }
   if (isOn(chosen.maskRelax)) {
     text =
         "(" + text + ") × (1 + 1.5 × " + n(std::fmax(t.value(Id::reactive), t.value(Id::responsive))) + ")";
-    words = say<"%1, wider by the mask">(words);
+    if (std::fmax(t.value(Id::reactive), t.value(Id::responsive)) > 0.0f)
+      words = say<"%1, wider by the mask">(words);
   }
   return {words, t.equals(text, Id::boxGamma), ""};
 }

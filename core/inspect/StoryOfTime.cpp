@@ -1,6 +1,7 @@
 // What flicker says of a pixel.
 #include "core/base/Say.h"
 #include "core/inspect/StoryText.h"
+#include "core/taa/reference/Known.h"
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ RowStory excessStory(const Teller& t) {
 } // namespace
 
 RowStory flickerStory(Id id, const Teller& t) {
-  if (!reference::hasValue(t.probed.record, id)) return {say<"it is not measured yet">(), "", ""};
+  if (!reference::isKnown(t.probed.record, id)) return {say<"it is not measured yet">(), "", ""};
   if (id == Id::flicker) return excessStory(t);
   if (id == Id::deviationOverTime) return deviationStory(t);
   return {t.value(id) < 2.0f ? say<"what is seen here was not seen in the frame before">()

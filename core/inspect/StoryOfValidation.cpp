@@ -16,7 +16,11 @@ RowStory mismatchStory(const Teller& t) {
   if (expected == 0.0f || stored == 0.0f)
     return {expected == stored ? say<"the sky, as before">() : say<"the sky against a surface">(), "", ""};
   const bool isMore = t.value(Id::depthMismatch) > t.value(Id::depthAllowed);
-  return {isMore ? say<"more than is allowed: another surface">() : say<"no more than is allowed">(),
+  const bool isTested = isOn(t.settings().validate.depth);
+  return {isMore     ? isTested ? say<"more than is allowed: another surface">()
+                                : say<"more than a depth test would allow, but none runs">()
+              : isTested ? say<"no more than is allowed">()
+                     : say<"no more than a depth test would allow">(),
           t.equals("|" + t.number(Id::depthExpected) + " − " + t.number(Id::historyDepth) + "| / " +
                        t.number(Id::depthExpected),
                    Id::depthMismatch),
@@ -31,8 +35,10 @@ RowStory allowedStory(const Teller& t) {
   if (hasSlope)
     text += " + " + n(validate.slopeAllowance) + " × " + n(t.details().slope) + " / " +
             t.number(Id::depthExpected);
-  return {hasSlope ? say<"the tolerance, and more for the surface's slope">() : say<"the tolerance">(),
-          t.equals(text, Id::depthAllowed), ""};
+  std::string words =
+      hasSlope ? say<"the tolerance, and more for the surface's slope">() : say<"the tolerance">();
+  if (!isOn(validate.depth)) words = say<"%1, of a depth test that does not run">(words);
+  return {words, t.equals(text, Id::depthAllowed), ""};
 }
 
 /// `reason` is what the table calls it.
@@ -57,9 +63,28 @@ std::string rejectedWords(const Teller& t, const std::string& reason) {
   }
 }
 
+/// Those that run, by what they would reject for.
+std::string testsText(const ValidateSettings& validate) {
+  std::string text;
+  const auto add = [&text](bool runs, reference::RejectReason reason) {
+    if (runs) text += (text.empty() ? "" : ", ") + sayLabel(rejectReasonText(static_cast<int>(reason)));
+  };
+  add(validate.offScreen != OffScreen::Keep, reference::RejectReason::OffScreen);
+  add(isOn(validate.depth), reference::RejectReason::Depth);
+  add(isOn(validate.object), reference::RejectReason::Object);
+  add(isOn(validate.objectClass), reference::RejectReason::Class);
+  add(isOn(validate.normal), reference::RejectReason::Normal);
+  add(isOn(validate.speed), reference::RejectReason::Speed);
+  add(validate.velocity != VelocityTest::None, reference::RejectReason::Velocity);
+  return text;
+}
+
 RowStory reasonStory(const Teller& t) {
   const int reason = static_cast<int>(t.value(Id::rejectReason));
-  if (reason == 0) return {say<"all tests passed">(), "", ""};
+  if (reason == 0) {
+    const std::string tests = testsText(t.settings().validate);
+    return {tests.empty() ? say<"kept: no test runs">() : say<"kept: all tests passed (%1)">(tests), "", ""};
+  }
   return {rejectedWords(t, sayLabel(rejectReasonText(reason))), "", ""};
 }
 
@@ -102,8 +127,9 @@ RowStory velocityStory(const Teller& t) {
 RowStory validateStory(Id id, const Teller& t) {
   switch (id) {
   case Id::depthExpected:
-    return {t.value(id) == 0.0f ? say<"the sky, or nothing before">()
-                                : say<"where the surface was in the previous frame">(),
+    return {t.value(id) == 0.0f   ? say<"the sky, or nothing before">()
+            : t.details().isFirst ? say<"where the surface would have been a frame before">()
+                                  : say<"where the surface was in the previous frame">(),
             "", ""};
   case Id::historyDepth:
     return {t.details().isFirst ? say<"there is no history yet">()
@@ -114,6 +140,7 @@ RowStory validateStory(Id id, const Teller& t) {
   case Id::depthAllowed:
     return allowedStory(t);
   case Id::historyObjectId:
+    if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
     return {t.value(id) == 0.0f                    ? say<"the sky, or not kept">()
             : t.value(id) == t.value(Id::objectId) ? say<"the same object">()
                                                    : say<"another object than now">(),

@@ -9,6 +9,16 @@
 
 namespace taa::story {
 
+double framesTaken(double stepSeconds, const WeightSettings& weight) {
+  const double eighths = std::round(stepSeconds * static_cast<double>(weight.referenceRate) * 8.0);
+  return std::fmin(std::fmax(eighths, 1.0), 64.0) / 8.0;
+}
+
+float alphaBeforeRejection(const reference::PixelRecord& record) {
+  const auto value = [&record](Id id) { return reference::at(record, id).x; };
+  return std::fmax(value(Id::alphaFrameRate) * value(Id::sampleConfidence), value(Id::alphaMask));
+}
+
 namespace {
 
 std::string likeness(const Teller& t) {
@@ -49,14 +59,16 @@ RowStory floorStory(const Teller& t) {
   const std::string minimum = t.number(static_cast<double>(t.settings().weight.minimum));
   if (t.settings().weight.source == AlphaSource::HistoryLength)
     return {say<"as chosen">(), t.equals(minimum, Id::alphaFloor), ""};
-  return {say<"no more than the source's own">(),
+  return {t.value(Id::alphaFloor) < t.settings().weight.minimum ? say<"no more than the source's own">()
+                                                                : say<"as chosen">(),
           t.equals(call("min", {t.number(Id::alphaBase), minimum}), Id::alphaFloor), ""};
 }
 
 RowStory flickerStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const reference::Seen& seen = t.details().seen;
-  if (!isOn(weight.lumaFlicker) || !seen.hasHistory) return {say<"not asked for, or no history">(), "", ""};
+  if (!isOn(weight.lumaFlicker)) return {say<"not asked for">(), "", ""};
+  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
   const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
   const std::string now =
       t.number(static_cast<double>(isCompressed ? seen.compressedCurrent : seen.lumaCurrent));
@@ -64,32 +76,35 @@ RowStory flickerStory(const Teller& t) {
       t.number(static_cast<double>(isCompressed ? seen.compressedHistory : seen.lumaHistory));
   const std::string most =
       isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
-  return {say<"less where luma differs from history">(),
+  return {t.value(Id::alphaLumaFlicker) < 1.0f ? say<"less where luma differs from history">()
+                                               : say<"luma is that of history">(),
           t.equals("(1 − |" + now + " − " + then + "| / " + most + ")^2", Id::alphaLumaFlicker), ""};
 }
 
 RowStory clampStory(const Teller& t) {
   const reference::Seen& seen = t.details().seen;
-  if (!isOn(t.settings().weight.nearClamp) || !seen.hasHistory)
-    return {say<"not asked for, or no history">(), "", ""};
+  if (!isOn(t.settings().weight.nearClamp)) return {say<"not asked for">(), "", ""};
+  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
   const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
   const float past = seen.boxHistoryRaw;
   const float wall = std::fmin(std::fabs(past - seen.boxLow), std::fabs(past - seen.boxHigh));
   if (!(wall + width > 0.0f)) return {say<"the box has no width">(), "", ""};
   const std::string far = t.number(static_cast<double>(wall));
   return {
-      say<"less where history is near a wall of the box">(),
+      t.value(Id::alphaNearClamp) < 1.0f ? say<"less where history is near a wall of the box">()
+                                         : say<"history is far from the walls of the box">(),
       t.equals(far + " / (" + far + " + " + t.number(static_cast<double>(width)) + ")", Id::alphaNearClamp),
       ""};
 }
 
 RowStory contrastStory(const Teller& t) {
   const reference::Seen& seen = t.details().seen;
-  if (!isOn(t.settings().weight.historyContrast) || !seen.hasHistory)
-    return {say<"not asked for, or no history">(), "", ""};
+  if (!isOn(t.settings().weight.historyContrast)) return {say<"not asked for">(), "", ""};
+  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
   if (!(seen.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
   const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
-  return {say<"less where the box is large against history">(),
+  return {t.value(Id::alphaHistoryContrast) < 1.0f ? say<"less where the box is large against history">()
+                                                   : say<"the box has no width">(),
           t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
                        t.number(static_cast<double>(seen.boxHistory)) + ")",
                    Id::alphaHistoryContrast),
@@ -104,7 +119,8 @@ RowStory sampleDistanceStory(const Teller& t) {
   case SampleDistance::None:
     return {say<"not asked for">(), "", ""};
   case SampleDistance::Gaussian:
-    return {say<"less the farther the sample is from the center">(),
+    return {t.value(Id::alphaSampleDistance) < 1.0f ? say<"less the farther the sample is from the center">()
+                                                    : say<"the sample lies at the center">(),
             t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
   case SampleDistance::GaussianMoving: {
     const std::string moving = "smooth(" + t.number(Id::speed) + ")";
@@ -115,7 +131,9 @@ RowStory sampleDistanceStory(const Teller& t) {
             ""};
   }
   case SampleDistance::Parabola:
-    return {say<"less the farther the sample is from the center, unless it moves">(),
+    return {t.value(Id::alphaSampleDistance) < 1.0f
+                ? say<"less the farther the sample is from the center, unless it moves">()
+                : say<"the sample lies at the center, or it moves">(),
             t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",
                                   call("max", {"1 − (" + squared + ")", "0"})}),
                      Id::alphaSampleDistance),
@@ -152,7 +170,8 @@ RowStory motionStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const std::string x =
       "clamp(" + t.number(Id::speed) + " / " + t.number(static_cast<double>(weight.motionSpeed)) + ", 0, 1)";
-  const std::string words = say<"motion of %1 px">(t.number(Id::speed));
+  const std::string words =
+      t.value(Id::speed) > 0 ? say<"motion of %1 px">(t.number(Id::speed)) : say<"nothing moves">();
   switch (weight.motion) {
   case MotionAlpha::None:
     return {say<"not asked for">(), "", ""};
@@ -171,7 +190,8 @@ RowStory motionStory(const Teller& t) {
   }
   case MotionAlpha::Doubled: {
     const std::string alpha = t.number(static_cast<double>(calmed(t)));
-    return {say<"motion of %1 px doubles α at most">(t.number(Id::speed)),
+    return {t.value(Id::speed) > 0 ? say<"motion of %1 px doubles α at most">(t.number(Id::speed))
+                                   : say<"nothing moves">(),
             t.equals(x + " × (" + call("min", {"2 × " + alpha, "1"}) + " − " + alpha + ")", Id::alphaMotion),
             ""};
   }
@@ -197,16 +217,16 @@ std::string joinedText(const Teller& t, bool withBase) {
 }
 
 double frames(const Teller& t) {
-  const double eighths =
-      std::round(t.details().seen.stepSeconds * static_cast<double>(t.settings().weight.referenceRate) * 8.0);
-  return std::fmin(std::fmax(eighths, 1.0), 64.0) / 8.0;
+  return framesTaken(t.details().seen.stepSeconds, t.settings().weight);
 }
 
 RowStory frameRateStory(const Teller& t) {
   const std::string joined = joinedText(t, false);
   if (!isOn(t.settings().weight.frameRate) || frames(t) == 1.0)
-    return {say<"as long as the frame it is meant for">(), t.equals(joined, Id::alphaFrameRate), ""};
-  return {say<"for a frame that takes as long as %1">(t.number(frames(t))),
+    return {isOn(t.settings().weight.frameRate) ? say<"as long as the frame it is meant for">()
+                                                : say<"not asked for: whatever time the frame takes">(),
+            t.equals(joined, Id::alphaFrameRate), ""};
+  return {say<"for a frame that counts as %1">(t.number(frames(t))),
           t.equals("1 − (1 − (" + joined + "))^" + t.number(frames(t)), Id::alphaFrameRate), ""};
 }
 
@@ -216,13 +236,14 @@ RowStory maskStory(const Teller& t) {
   case MaskAlpha::Off:
     return {say<"not asked for">(), "", ""};
   case MaskAlpha::Responsive:
-    return {say<"the mask asks for more">(),
+    return {t.value(Id::alphaMask) > 0 ? say<"the mask asks for that much">() : say<"not masked">(),
             t.equals(t.number(static_cast<double>(weight.maskAlpha)) + " × " +
                          call("max", {t.number(Id::reactive), t.number(Id::responsive)}),
                      Id::alphaMask),
             ""};
   case MaskAlpha::Reactive:
-    return {say<"as much as was blended in">(), t.equals(t.number(Id::reactive), Id::alphaMask), ""};
+    return {t.value(Id::alphaMask) > 0 ? say<"as much as was blended in">() : say<"nothing was blended in">(),
+            t.equals(t.number(Id::reactive), Id::alphaMask), ""};
   case MaskAlpha::Exclude:
     return {t.value(Id::alphaMask) > 0 ? say<"the mask leaves history out">() : say<"not masked">(), "", ""};
   }
@@ -244,7 +265,10 @@ RowStory divergenceStory(const Teller& t) {
 RowStory invalidStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
   if (invalid == 0.0f) return {say<"history was kept">(), "", ""};
-  const std::string words = invalid < 1.0f ? say<"history counts less">() : say<"history was dropped">();
+  const std::string words = invalid >= 1.0f ? say<"history was dropped">()
+                            : invalid > alphaBeforeRejection(t.probed.record)
+                                ? say<"history counts less">()
+                                : say<"it counted no more before">();
   const ValidateSettings& validate = t.settings().validate;
   const auto reason = static_cast<reference::RejectReason>(static_cast<int>(t.value(Id::rejectReason)));
   const bool isSoft = validate.action == RejectAction::RaiseAlpha && reason >= reference::RejectReason::Depth;
@@ -297,9 +321,23 @@ RowStory alphaStory(const Teller& t) {
     return {say<"history was rejected: the current frame alone">(), t.equals("1", Id::alpha), ""};
   std::string words =
       say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
-  if (t.value(Id::alphaMotion) > 0) words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
-  if (invalid > 0) words = say<"%1; raised where history was rejected">(words);
+  if (t.value(Id::alphaFloor) == t.value(Id::alpha) && t.value(Id::alphaBase) < t.value(Id::alphaFloor))
+    words = say<"%1; no less than the floor">(words);
+  const float mask = t.value(Id::alphaMask), alpha = t.value(Id::alpha);
+  const bool isComposed = alpha > std::fmax(mask, invalid); // else it is not motion that it comes from
+  if (isComposed && t.value(Id::alphaMotion) > 0 && calmed(t) < 1.0f)
+    words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
+  if (mask > 0 && mask == alpha && mask > t.value(Id::alphaFrameRate) * t.value(Id::sampleConfidence))
+    words = say<"%1; raised where the mask asks for it">(words);
+  if (invalid > alphaBeforeRejection(t.probed.record))
+    words = say<"%1; raised where history was rejected">(words);
   return {words, t.equals(alphaText(t, true), Id::alpha), ""};
+}
+
+RowStory relaxStory(const Teller& t) {
+  if (!isOn(t.settings().neighborhood.maskRelax)) return {say<"not asked for">(), "", ""};
+  return {t.value(Id::alphaRelax) < 1.0f ? say<"less where the mask relaxes the box">() : say<"not masked">(),
+          t.equals("1 / (1 + 0.5 × " + t.number(t.details().seen.relax) + ")", Id::alphaRelax), ""};
 }
 
 RowStory changeStory(const Teller& t) {
@@ -326,9 +364,7 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alphaHistoryContrast:
     return contrastStory(t);
   case Id::alphaRelax:
-    return {say<"less where the mask relaxes the box">(),
-            t.equals("1 / (1 + 0.5 × " + t.number(static_cast<double>(t.details().seen.relax)) + ")", id),
-            ""};
+    return relaxStory(t);
   case Id::alphaSampleDistance:
     return sampleDistanceStory(t);
   case Id::alphaMotion:

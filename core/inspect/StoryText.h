@@ -15,6 +15,19 @@ namespace taa::story {
 
 using Id = IntermediateId;
 
+/// `digits` significant ones, "−0.25".
+std::string numberText(double x, int digits = 4);
+std::string tupleText(const glm::vec2& v, int digits = 4);
+std::string tupleText(const glm::vec3& v, int digits = 4);
+/// "31.4 %"
+std::string percentText(double share);
+/// α without what is asked for because history was rejected.
+float alphaBeforeRejection(const reference::PixelRecord& record);
+/// Where the way leads that the clip amount is a share of: "the middle of the box".
+std::string targetText(RectifyMethod method);
+/// How many frames of the reference rate a step counts as (catalogue 13.19): eighths, 1/8 to 8.
+double framesTaken(double stepSeconds, const WeightSettings& weight);
+
 /// The pixel, and how its numbers are written.
 struct Teller {
   const ProbedPixel& probed;
@@ -26,13 +39,13 @@ struct Teller {
   const Settings& settings() const { return probed.settings; }
   const reference::Details& details() const { return probed.details; }
 
-  std::string number(double x) const;
+  std::string number(double x) const { return numberText(x, digits); }
   std::string number(Id id) const { return number(static_cast<double>(value(id))); }
-  std::string tuple(const glm::vec2& v) const;
-  std::string tuple(const glm::vec3& v) const;
+  std::string tuple(const glm::vec2& v) const { return tupleText(v, digits); }
+  std::string tuple(const glm::vec3& v) const { return tupleText(v, digits); }
   std::string tuple(Id id) const { return tuple(color(id)); }
   std::string number(float x) const { return number(static_cast<double>(x)); }
-  std::string percent(double share) const;
+  std::string percent(double share) const { return percentText(share); }
   std::string percent(Id id) const { return percent(static_cast<double>(value(id))); }
   /// "expression = value"
   std::string equals(const std::string& expression, Id id) const;
@@ -49,6 +62,12 @@ std::string call(const std::string& function, std::span<const std::string> argum
 /// "(a × b + c × d) / (a + c)", without those that weigh nothing; "a × b + c × d" where they are not divided.
 std::string weightedMean(const Teller& teller, std::span<const float> weights, std::span<const float> values,
                          bool isDivided = true);
+/// The color as it is mixed, before it is stored.
+glm::vec3 mixedColor(const Teller& teller);
+/// `words`, and what storing the color does to it.
+std::string storedWords(const Teller& teller, const std::string& words);
+/// An expression of the color, or of one channel of it, as it is stored: rounded.
+std::string storedText(const Teller& teller, const std::string& expression, int channel = -1);
 /// Label of the choice that the settings have.
 std::string choiceLabel(std::string_view path, const Settings& settings);
 bool isOn(Switch value);

@@ -2,7 +2,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/Numbers.h"
 #include "app/models/ProbeModel.h"
-#include "app/models/ProbeWords.h"
+#include "core/inspect/ProbeHeadline.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
@@ -24,132 +24,6 @@ QString cell(const ProbeModel* model, IntermediateId id, int column) {
 }
 
 } // namespace
-
-TEST(ProbeWords, SayWhyHistoryWasRejected) {
-  const Intermediate& row = intermediate(IntermediateId::rejectReason);
-  EXPECT_EQ(valueWords(row, glm::vec4(0)).toStdString(), rejectReasonText(0));
-  EXPECT_EQ(valueWords(row, glm::vec4(3)).toStdString(), rejectReasonText(3));
-  EXPECT_EQ(valueWords(intermediate(IntermediateId::depth), glm::vec4(0)), "sky");
-  EXPECT_EQ(valueWords(intermediate(IntermediateId::motion), glm::vec4(65504)), "no previous");
-}
-
-TEST(ProbeWords, TellHowAlphaCameAbout) {
-  reference::PixelRecord record;
-  record.fill(glm::vec4(0));
-  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
-                                    IntermediateId::alphaSampleDistance})
-    reference::at(record, calm).x = 1.0f;
-  reference::at(record, IntermediateId::historyKeptLength).x = 7;
-  reference::at(record, IntermediateId::alphaBase).x = 0.125f;
-  reference::at(record, IntermediateId::alphaFloor).x = 0.1f;
-  reference::at(record, IntermediateId::alpha).x = 0.125f;
-  const QString lines = probeSummary(record, {}).join('\n');
-  EXPECT_TRUE(lines.contains(QStringLiteral("N = 7 → α = max(1/(7 + 1), 0.1) = 0.125")))
-      << lines.toStdString();
-  reference::at(record, IntermediateId::rejectReason).x = 4;
-  EXPECT_TRUE(
-      probeSummary(record, {}).join('\n').contains(QString::fromStdString(std::string(rejectReasonText(4)))));
-}
-
-// The sentence is that of the source chosen, with every term that took part.
-TEST(ProbeWords, TellOfTheSourceThatWasChosen) {
-  reference::PixelRecord record;
-  record.fill(glm::vec4(0));
-  const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
-  Settings settings;
-  const auto line = [&] { return probeSummary(record, settings).at(1); };
-  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
-                                    IntermediateId::alphaSampleDistance})
-    set(calm, 1.0f);
-  set(IntermediateId::historyKeptLength, 1.3f);
-  set(IntermediateId::alphaBase, 0.0625f);
-  set(IntermediateId::alphaFloor, 0.0625f);
-  set(IntermediateId::alpha, 0.0625f);
-  settings.weight.source = AlphaSource::LumaDifference;
-  EXPECT_EQ(line(), QStringLiteral("α = luma difference 0.0625"));
-  settings.weight.source = AlphaSource::Constant;
-  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625"));
-  set(IntermediateId::alphaBase, 1.0f);
-  set(IntermediateId::alphaLumaFlicker, 0.5f);
-  set(IntermediateId::alpha, 0.5f);
-  EXPECT_EQ(line(), QStringLiteral("α = constant 1 × 0.5 = 0.5")) << "a product that ends like its value";
-  set(IntermediateId::alphaBase, 0.0625f);
-  set(IntermediateId::alphaFloor, 0.04f);
-  set(IntermediateId::alpha, 0.04f);
-  EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5, 0.04) = 0.04"));
-  set(IntermediateId::alphaFloor, 0.0f);
-  set(IntermediateId::alphaMotion, 0.25f);
-  set(IntermediateId::alpha, 0.2734375f);
-  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by motion = 0.2734"));
-  set(IntermediateId::alphaMask, 0.5f);
-  set(IntermediateId::alpha, 0.5f);
-  EXPECT_EQ(line(), QStringLiteral("α = max(constant 0.0625 × 0.5 and 0.25 by motion, 0.5 by mask) = 0.5"));
-  set(IntermediateId::alphaMask, 0.0f);
-  set(IntermediateId::alphaSampleDistance, 0.25f);
-  set(IntermediateId::alpha, 0.5f);
-  settings.weight.frameRate = Switch::On;
-  EXPECT_EQ(line(),
-            QStringLiteral("α = constant 0.0625 × 0.5 × 0.25 and 0.25 by motion by the frame's time = 0.5"));
-  settings.weight.frameRate = Switch::Off;
-  set(IntermediateId::alphaSampleDistance, 1.0f);
-  set(IntermediateId::alphaMotion, 0.0f);
-  settings.inputs.renderScale = 0.5f;
-  set(IntermediateId::alphaLumaFlicker, 1.0f);
-  set(IntermediateId::sampleConfidence, 0.5f);
-  set(IntermediateId::alpha, 0.03125f);
-  EXPECT_EQ(line(), QStringLiteral("α = κ 0.5 × (constant 0.0625) = 0.03125"));
-  settings.inputs.renderScale = 1.0f;
-  set(IntermediateId::alphaLumaFlicker, 0.5f);
-  set(IntermediateId::alphaDivergence, 0.25f);
-  set(IntermediateId::alpha, 0.2734375f);
-  EXPECT_EQ(line(), QStringLiteral("α = constant 0.0625 × 0.5 and 0.25 by divergence = 0.2734"));
-  set(IntermediateId::alphaDivergence, 0.0f);
-  settings.weight.source = AlphaSource::ContrastPerChannel;
-  reference::at(record, IntermediateId::alphaChannels) = {0.5f, 0.25f, 0.125f, 0.0f};
-  EXPECT_TRUE(line().contains(QStringLiteral("= 0.2734, of channels "))) << line().toStdString();
-}
-
-// Soft rejection leaves history its part; hard rejection does not.
-TEST(ProbeWords, TellHowMuchARejectionTakes) {
-  reference::PixelRecord record;
-  record.fill(glm::vec4(0));
-  const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
-  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
-                                    IntermediateId::alphaSampleDistance})
-    set(calm, 1.0f);
-  Settings settings;
-  settings.weight.source = AlphaSource::Constant;
-  set(IntermediateId::alphaBase, 0.125f);
-  set(IntermediateId::rejectReason, 6.0f);
-  set(IntermediateId::alphaInvalid, 0.5f);
-  set(IntermediateId::alpha, 0.5f);
-  EXPECT_TRUE(probeSummary(record, settings).at(0).contains(QStringLiteral("counts less: another object")));
-  EXPECT_EQ(probeSummary(record, settings).at(1),
-            QStringLiteral("α = constant 0.125, at least 0.5 when rejected = 0.5"));
-  set(IntermediateId::alphaInvalid, 1.0f);
-  EXPECT_TRUE(probeSummary(record, settings).at(0).contains(QStringLiteral("rejected: another object")));
-  EXPECT_EQ(valueWords(intermediate(IntermediateId::objectClass), glm::vec4(3)), "deforms");
-}
-
-TEST(ProbeWords, SayWhatIsShownInsteadOfTheResolvedColor) {
-  reference::PixelRecord record{};
-  Settings settings;
-  EXPECT_EQ(probeSummary(record, settings).size(), 3);
-  settings.output.sharpen = Sharpen::Laplacian;
-  settings.output.motionBlur = Switch::On;
-  reference::at(record, IntermediateId::blurTrust).x = 1.0f;
-  EXPECT_EQ(probeSummary(record, settings).size(), 3) << "neither changes anything here";
-  reference::at(record, IntermediateId::sharpenDetail).x = -0.25f;
-  EXPECT_EQ(probeSummary(record, settings).last(), QStringLiteral("Shown sharpened: 0.25 darker"));
-  reference::at(record, IntermediateId::blurTrust).x = 0.6f;
-  EXPECT_EQ(probeSummary(record, settings).last(),
-            QStringLiteral("Shown sharpened: 0.25 darker, 40 % motion blur"));
-  reference::at(record, IntermediateId::overlayAlpha).x = 0.5f;
-  EXPECT_EQ(probeSummary(record, {}).last(), QStringLiteral("Shown 50 % hidden by the overlay"));
-}
 
 TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
   ProbeModel model;
@@ -195,6 +69,44 @@ TEST(ProbeModel, ARowIsAsHighAsItsChannelsWhateverTheirValues) {
   record.fill(glm::vec4(-1.0f / 3.0f));
   model.setRecord(record);
   for (const Intermediate& row : kIntermediates) EXPECT_EQ(height(row.id), before.at(row.id)) << row.label;
+}
+
+// What a box is made in depends on the settings of the values, and so do the names of its channels.
+TEST(ProbeModel, NamesChannelsByTheSettingsOfTheValues) {
+  ProbeModel model;
+  ProbeResult result;
+  result.around.resize(9);
+  const auto names = [&](ColorSpace space) {
+    result.settings.space.color = space;
+    model.setPixel(result);
+    QString text;
+    for (const QString& line : cell(&model, IntermediateId::boxMin, ProbeModel::Value).split('\n'))
+      text += line.section(QChar(QChar::Nbsp), 0, 0) + QLatin1Char(' ');
+    return text.trimmed().toStdString();
+  };
+  EXPECT_EQ(names(ColorSpace::Rgb), "R G B");
+  EXPECT_EQ(names(ColorSpace::YCoCg), "Y Co Cg");
+  EXPECT_EQ(names(ColorSpace::YCbCr), "Y Cb Cr");
+}
+
+TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
+  ProbeModel model;
+  reference::PixelRecord record{};
+  reference::at(record, IntermediateId::rejectReason).x = 1.0f;
+  model.setRecord(record);
+  EXPECT_EQ(cell(&model, IntermediateId::historyRaw, ProbeModel::Value), "—");
+  EXPECT_EQ(cell(&model, IntermediateId::historyRaw, ProbeModel::Meaning), "no history yet");
+  EXPECT_NE(cell(&model, IntermediateId::resolved, ProbeModel::Value), "—");
+}
+
+TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
+  session.setPick(glm::ivec2(12, 7));
+  settle();
+  const ProbeResult& result = *session.probe();
+  QString lines;
+  for (const std::string& line : probeHeadline(result.around[4], result.settings, result.info))
+    lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QString::fromStdString(line);
+  EXPECT_EQ(window.probe()->summary(), lines);
 }
 
 TEST_F(ProbeTable, ShowsTheValuesAtThePick) {

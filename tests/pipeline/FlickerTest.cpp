@@ -3,6 +3,7 @@
 #include "core/inspect/Flicker.h"
 #include "core/base/Error.h"
 #include "core/inspect/FigureCursor.h"
+#include "core/taa/reference/Known.h"
 #include "tests/support/SmallInspector.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ TEST_F(FlickerTest, IsOnlyThereOnceItIsMade) {
   const auto inspector = small();
   inspector->seek(6);
   for (const IntermediateId id : kRows) {
-    EXPECT_FALSE(taa::reference::hasValue(inspector->probe(3, 4), id));
+    EXPECT_FALSE(taa::reference::isKnown(inspector->probe(3, 4), id));
     EXPECT_THROW(inspector->image(id), taa::Error);
     EXPECT_FALSE(inspector->isAtHand({.id = id}));
   }
