@@ -70,7 +70,9 @@ void MainWindow::copyProbe(ProbeFormat format) {
                             status.height},
                            {result->x, result->y},
                            {{{"", session_.presetId(), result->settings, result->info},
-                             result->around[result->around.size() / 2]}}};
+                             result->around[result->around.size() / 2],
+                             {},
+                             result->details}}};
   const std::string text = format == ProbeFormat::Json       ? probeJson(report).dump(2) + "\n"
                            : format == ProbeFormat::Markdown ? probeMarkdown(report)
                                                              : probeText(report);

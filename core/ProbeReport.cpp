@@ -1,7 +1,9 @@
 #include "core/ProbeReport.h"
 
 #include "core/base/Say.h"
+#include "core/inspect/ProbeHeadline.h"
 #include "core/io/FrameJson.h"
+#include "core/taa/reference/Known.h"
 
 #include <array>
 
@@ -11,7 +13,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string valuesText(const Intermediate& row, const glm::vec4& value, const char* between) {
+std::string valuesText(const Intermediate& row, const reference::PixelRecord& record, const char* between) {
+  if (!reference::isKnown(record, row.id)) return "—";
+  const glm::vec4& value = reference::at(record, row.id);
   std::string text;
   for (int channel = 0; channel < row.channels; ++channel)
     text += (channel > 0 ? between : "") + floatText(value[channel]);
@@ -37,10 +41,59 @@ ordered_json whatIfJson(const WhatIfRow& row) {
   return json;
 }
 
+/// Bars would end the cell.
+std::string inMarkdown(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
+  return escaped;
+}
+
+std::string listOf(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "- " + line + "\n";
+  return text;
+}
+
 std::string placeText(const ProbeReport& report, const LaneFacts& lane) {
   return say<"pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8">(
       report.pixel.x, report.pixel.y, lane.info.frame, report.shot.source, report.shot.camera,
       report.shot.width, report.shot.height, lane.preset);
+}
+
+/// What the window tells of a row; nothing without details.
+RowStory storyOf(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
+  if (!lane.details) return {};
+  return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel});
+}
+
+/// "R: half(0.5) = 0.5"
+std::string formulaText(const RowStory& story) {
+  return (story.subject.empty() ? "" : story.subject + ": ") + story.formula;
+}
+
+/// Words and formula as lines below a row.
+std::string linesOf(const RowStory& story, const std::string& indent) {
+  std::string text;
+  for (const std::string& line : {story.words, formulaText(story)})
+    if (!line.empty()) text += indent + line + "\n";
+  return text;
+}
+
+std::vector<std::string> headlineOf(const ProbedLane& lane) {
+  return probeHeadline(lane.record, lane.lane.settings, lane.lane.info);
+}
+
+ordered_json storiesJson(const ProbedLane& lane, const glm::ivec2& pixel) {
+  ordered_json json;
+  for (const Intermediate& row : kIntermediates) {
+    const RowStory story = storyOf(lane, pixel, row.id);
+    ordered_json& told = json[std::string(row.name)] = {{"words", story.words}};
+    if (const std::string meaning = meaningOf(row.id, lane.record, lane.lane.settings); !meaning.empty())
+      told["meaning"] = meaning;
+    if (!story.formula.empty()) told["formula"] = story.formula;
+    if (!story.subject.empty()) told["of"] = story.subject;
+  }
+  return json;
 }
 
 /// Rows of a stage; `tell` gets each.
@@ -81,7 +134,9 @@ ordered_json probeJson(const ProbeReport& report) {
   json["pixel"] = {report.pixel.x, report.pixel.y};
   for (const ProbedLane& lane : report.lanes) {
     ordered_json row = laneJson(lane.lane);
-    row["values"] = recordJson(lane.record);
+    row["headline"] = headlineOf(lane);
+    row["values"] = recordJson(lane.record, lane.lane.settings.space);
+    if (lane.details) row["stories"] = storiesJson(lane, report.pixel);
     for (const WhatIfRow& variant : lane.whatIf) row["whatIf"].push_back(whatIfJson(variant));
     json["lanes"].push_back(row);
   }
@@ -92,11 +147,30 @@ std::string probeText(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
     text += (text.empty() ? "" : "\n") + placeText(report, lane.lane) + "\n";
+    for (const std::string& line : headlineOf(lane)) text += line + "\n";
     forEachRow([&](const StageInfo&, const Intermediate& row, bool) {
-      text += std::string(row.name) + " " + valuesText(row, reference::at(lane.record, row.id), " ");
+      text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
-      text += "\n";
+      text += "\n" + linesOf(storyOf(lane, report.pixel, row.id), "  ");
     });
+  }
+  return text;
+}
+
+std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
+  std::string text;
+  for (const std::string& line : headlineOf(lane)) text += line + "\n";
+  for (const StageInfo& stage : kStages) {
+    bool isAny = false;
+    for (const Intermediate& row : kIntermediates) {
+      if (row.stage != stage.stage || (isOfReference(row.id) && !reference::isKnown(lane.record, row.id)))
+        continue;
+      if (!isAny) text += std::string(stage.label) + "\n";
+      isAny = true;
+      text += "  " + std::string(row.label) + "  " + valuesText(row, lane.record, "  ");
+      if (!row.unit.empty()) text += " " + std::string(row.unit);
+      text += "\n" + linesOf(storyOf(lane, pixel, row.id), "      ");
+    }
   }
   return text;
 }
@@ -104,12 +178,13 @@ std::string probeText(const ProbeReport& report) {
 std::string probeMarkdown(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
-    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) +
-            "\n\n| Stage | Intermediate | Value | Unit |\n|---|---|---|---|\n";
+    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) + "\n\n" +
+            listOf(headlineOf(lane)) +
+            "\n| Stage | Intermediate | Value | Unit | What happened |\n|---|---|---|---|---|\n";
     forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
       text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +
-              valuesText(row, reference::at(lane.record, row.id), ", ") + " | " + std::string(row.unit) +
-              " |\n";
+              valuesText(row, lane.record, ", ") + " | " + std::string(row.unit) + " | " +
+              inMarkdown(storyOf(lane, report.pixel, row.id).words) + " |\n";
     });
   }
   return text;

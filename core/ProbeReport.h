@@ -1,15 +1,18 @@
-// A probed pixel to hand on: as JSON, plain text or Markdown; the same from taa-batch and from the window.
+// A probed pixel to hand on, with what the window tells of it: as JSON, plain text or Markdown; the same from
+// taa-batch and from the window.
 #pragma once
 
 #include "core/inspect/ProbeStory.h"
 #include "core/inspect/WhatIf.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
+#include "core/taa/reference/Details.h"
 #include "core/taa/reference/Reference.h"
 
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,7 +37,8 @@ nlohmann::ordered_json laneJson(const LaneFacts& lane);
 struct ProbedLane {
   LaneFacts lane;
   reference::PixelRecord record{};
-  std::vector<WhatIfRow> whatIf{}; ///< empty: not asked for
+  std::vector<WhatIfRow> whatIf{};                     ///< empty: not asked for
+  std::shared_ptr<const reference::Details> details{}; ///< what stories are made from; null: none are told
 };
 struct ProbeReport {
   ShotFacts shot;
@@ -43,8 +47,11 @@ struct ProbeReport {
 };
 
 nlohmann::ordered_json probeJson(const ProbeReport& report);
-/// Every row by stages, exact: "alpha 0.125".
+/// The headline, then every row by stages, exact: "alpha 0.125", below it what happened there and its
+/// formula.
 std::string probeText(const ProbeReport& report);
+/// The same for people, rows by their labels and only those with a value; of one lane.
+std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel);
 /// A table for an issue or a page, each row with its unit.
 std::string probeMarkdown(const ProbeReport& report);
 

@@ -7,6 +7,7 @@
 #include "core/io/FrameJson.h"
 
 #include <cstddef>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -15,28 +16,6 @@
 namespace taa::cli {
 
 namespace {
-
-std::string valuesText(const Intermediate& row, const glm::vec4& value) {
-  std::string text;
-  for (int channel = 0; channel < row.channels; ++channel)
-    text += (channel > 0 ? "  " : "") + floatText(value[channel]);
-  if (row.id == IntermediateId::rejectReason)
-    text += " (" + std::string(rejectReasonText(static_cast<int>(value.x))) + ")";
-  return text;
-}
-
-void printRecord(std::ostream& out, const PixelRecord& record) {
-  for (const StageInfo& stage : kStages) {
-    std::vector<std::vector<std::string>> rows;
-    for (const Intermediate& row : kIntermediates)
-      if (row.stage == stage.stage && reference::hasValue(record, row.id))
-        rows.push_back(
-            {std::string(row.label), valuesText(row, reference::at(record, row.id)), std::string(row.unit)});
-    if (rows.empty()) continue;
-    out << stage.label << '\n';
-    printTable(out, rows, "  ");
-  }
-}
 
 void printWhatIf(std::ostream& out, const std::vector<WhatIfRow>& variants) {
   std::vector<std::vector<std::string>> rows{
@@ -73,6 +52,7 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   for (int lane = 0; lane < inspector.laneCount(); ++lane) {
     const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
     ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probe(pixel.x, pixel.y, lane)};
+    probed.details = std::make_shared<reference::Details>(inspector.details(pixel.x, pixel.y, lane));
     if (arguments.whatIf) probed.whatIf = inspector.whatIf(pixel.x, pixel.y, lane);
     report.lanes.push_back(std::move(probed));
   }
@@ -84,7 +64,7 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
     if (!lane.lane.name.empty())
       out << (&lane == report.lanes.data() ? "" : "\n") << "LANE " << lane.lane.name << ": "
           << lane.lane.preset << '\n';
-    printRecord(out, lane.record);
+    out << probeTable(lane, pixel);
     if (!lane.whatIf.empty()) printWhatIf(out, lane.whatIf);
   }
 }

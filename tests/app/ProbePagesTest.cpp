@@ -1,7 +1,6 @@
 // The pages of the probe panel, what its rows tell, and what is copied.
 #include "app/views/ProbePages.h"
 #include "app/models/ProbeModel.h"
-#include "app/models/ProbeWords.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/ColorSpaceView.h"
 #include "app/widgets/FigureTable.h"
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <future>
+#include <memory>
 #include <string>
 
 using namespace taa;
@@ -98,11 +98,13 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
     inspector.setSize(64, 36);
     inspector.open("builtin:fan");
     inspector.seek(5);
-    const ProbeReport report{
-        {inspector.source(), inspector.camera(),
-         inspector.driver().renderer + ", " + inspector.driver().version, 64, 36},
-        {40, 14},
-        {{{"", "balanced", inspector.settings(), inspector.info()}, inspector.probe(40, 14)}}};
+    const ProbeReport report{{inspector.source(), inspector.camera(),
+                              inspector.driver().renderer + ", " + inspector.driver().version, 64, 36},
+                             {40, 14},
+                             {{{"", "balanced", inspector.settings(), inspector.info()},
+                               inspector.probe(40, 14),
+                               {},
+                               std::make_shared<reference::Details>(inspector.details(40, 14))}}};
     return probeJson(report).dump(2) + "\n";
   };
   EXPECT_EQ(copied, std::async(std::launch::async, printed).get());
