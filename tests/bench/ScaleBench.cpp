@@ -4,6 +4,7 @@
 #include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/base/Median.h"
+#include "core/taa/ChannelNames.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 
@@ -54,7 +55,7 @@ void writePlainly(const std::vector<IntermediateId>& ids, const std::vector<taa:
   for (std::size_t index = 0; index < ids.size(); ++index) {
     const taa::Intermediate& row = taa::intermediate(ids[index]);
     OIIO::ImageSpec& spec = specs.emplace_back(kWidth, kHeight, row.channels, OIIO::TypeFloat);
-    spec.channelnames = taa::channelNames(row);
+    spec.channelnames = taa::channelNames(row, {});
     spec.attribute("oiio:subimagename", std::string(row.name));
     spec.attribute("compression", "zip:1");
   }
