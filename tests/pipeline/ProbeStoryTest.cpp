@@ -186,7 +186,7 @@ TEST_F(ProbeStoryTest, EveryChoiceOfAStageIsToldWithItsOwnFormula) {
        {"weight.source", "weight.motion", "weight.mask", "weight.sampleDistance", "blend.length",
         "blend.tone", "space.color", "space.tone", "rectify.method", "neighborhood.shape", "neighborhood.box",
         "neighborhood.weights", "current.filter", "current.sharpen", "weight.flickerScale", "history.filter",
-        "output.sharpen", "validate.velocity"})
+        "output.sharpen", "validate.velocity", "reproject.method"})
     for (std::size_t choice = 0; choice < parameter(path).choices.size(); ++choice) {
       Settings settings;
       for (const char* on : {"weight.lumaFlicker=on", "weight.nearClamp=on", "weight.historyContrast=on",
