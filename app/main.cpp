@@ -10,7 +10,6 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
-#include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/io/SessionFile.h"
 
@@ -165,7 +164,6 @@ int run(QApplication& application, const Arguments& arguments) {
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
   begin(window, arguments);
-  session.undoStack().clear(); // what was asked for at the start is where it begins
   if (isScreenshot) {
     auto* screenshot = new Screenshot(window, QString::fromStdString(arguments.screenshot),
                                       screenshotFrame(arguments), [](int code, const QString& text) {
@@ -190,7 +188,6 @@ int main(int argc, char** argv) {
       std::fputs(end->text.c_str(), end->code == 0 ? stdout : stderr);
       return end->code;
     }
-    if (!arguments.screenshot.empty() && !arguments.force) taa::refuseToReplace({arguments.screenshot});
     qInstallMessageHandler(printMessage);
     choosePlatform(!arguments.screenshot.empty());
     chooseShaders(arguments);

@@ -18,17 +18,16 @@ namespace {
 
 /// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
 /// counted on: it goes only when the new is there.
-void checkSize(int width, int height, const std::vector<Settings>& lanes,
-               const std::vector<IntermediateId>& watched, const gl::Driver& driver) {
+void checkSize(const glm::ivec2& size, const std::vector<Settings>& lanes,
+               const std::vector<IntermediateId>& watched, const gl::Driver& driver, bool hasFog) {
   const int most = driver.maxTextureSize;
-  if (width < 4 || height < 4 || width > most || height > most)
+  if (size.x < 4 || size.y < 4 || size.x > most || size.y > most)
     throw Error(say<"cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side">(
-        width, height, most));
+        size.x, size.y, most));
   // Asked before anything is allocated: a software driver does not run out of memory, its process is killed.
   const std::optional<std::size_t> available = gl::availableMemory(driver);
   if (!available) return;
-  const std::string refusal =
-      memoryRefusal(memoryNeed(lanes, {width, height}, watched), {width, height}, *available);
+  const std::string refusal = memoryRefusal(memoryNeed(lanes, size, watched, hasFog), size, *available);
   if (!refusal.empty()) throw Error(refusal);
 }
 
@@ -74,7 +73,7 @@ const Scene& InspectedShot::scene() const {
 
 void InspectedShot::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
-  checkSize(width, height, parts_->subject.lanes, parts_->watched(), driver());
+  checkSize({width, height}, parts_->subject.lanes, parts_->watched(), driver(), parts_->hasFog());
   Subject next = parts_->subject;
   next.width = width;
   next.height = height;
@@ -94,7 +93,7 @@ int InspectedShot::height() const {
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMostLanes)
     throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMostLanes));
-  checkSize(width(), height(), lanes, parts_->watched(), driver());
+  checkSize({width(), height()}, lanes, parts_->watched(), driver(), parts_->hasFog());
 }
 
 void InspectedShot::setLanes(const std::vector<Settings>& lanes) {

@@ -49,6 +49,7 @@ struct InspectedShot::Parts {
   BackgroundCompiler compiler;
 
   bool isOpen() const { return subject.scene != nullptr; }
+  bool hasFog() const { return isOpen() && !subject.scene->fog.empty(); }
   const ShownLane& lane(int index) const { return shown.lanes.at(static_cast<std::size_t>(index)); }
   const Settings& settings(int index) const { return subject.lanes.at(static_cast<std::size_t>(index)); }
   const FrameInputs& inputs(int index) {

@@ -22,7 +22,7 @@ void InspectedShot::Parts::checkReference(int index, std::size_t more) const {
   if (!available) return;
   const glm::ivec2 size(subject.width, subject.height);
   const std::string refusal =
-      referenceRefusal(referenceBytes(settings(index), size) + more, size, *available);
+      referenceRefusal(referenceBytes(settings(index), size, hasFog()) + more, size, *available);
   if (!refusal.empty()) throw Error(refusal);
 }
 

@@ -2,7 +2,6 @@
 // color alone.
 #pragma once
 
-#include "app/Drags.h"
 #include "app/views/CurveLegend.h"
 
 #include <QChartView>
@@ -27,7 +26,7 @@ struct ChartMark {
   bool operator==(const ChartMark&) const = default;
 };
 
-class CurveChart : public QChartView, public Draggable {
+class CurveChart : public QChartView {
   Q_OBJECT
  public:
   /// `xTitle`: what x counts; also before its value in the readout: "frame 41".
@@ -53,7 +52,6 @@ class CurveChart : public QChartView, public Draggable {
   QString readout() const;
   double xAt(double viewX) const;
   double viewXOf(double x) const;
-  void cancelDrag() override;
   QSize sizeHint() const override { return {400, 120}; }
 
  Q_SIGNALS:

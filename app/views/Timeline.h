@@ -2,7 +2,6 @@
 // each frame.
 #pragma once
 
-#include "app/Drags.h"
 #include "app/views/TimelineMath.h"
 
 #include <QString>
@@ -22,7 +21,7 @@ struct TimelineStrip {
   bool operator==(const TimelineStrip&) const = default;
 };
 
-class Timeline : public QWidget, public Draggable {
+class Timeline : public QWidget {
   Q_OBJECT
  public:
   explicit Timeline(QWidget* parent = nullptr);
@@ -46,7 +45,6 @@ class Timeline : public QWidget, public Draggable {
   QRectF handle(bool isLast) const;
   /// What there is to say about a frame: "frame 41 · kept · cut · α 0.12".
   QString textAt(int frame) const;
-  void cancelDrag() override;
   QSize sizeHint() const override;
 
  Q_SIGNALS:
@@ -78,8 +76,7 @@ class Timeline : public QWidget, public Draggable {
   std::map<int, QString> marks_;
   std::optional<std::pair<int, int>> range_;
   TimelineStrip strip_;
-  int dragged_ = -1;   ///< frame under a drag: shown before the picture has followed
-  int pressFrame_ = 0; ///< on show when the drag began
+  int dragged_ = -1; ///< frame under a drag: shown before the picture has followed
   int hovered_ = -1;
   std::optional<bool> handle_; ///< the handle under a drag: whether it is the last
 };

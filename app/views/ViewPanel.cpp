@@ -152,12 +152,12 @@ void ViewPanel::normalize() {
 void ViewPanel::setAlwaysAuto(bool always) {
   alwaysAuto_ = always;
   refresh();
-  Q_EMIT contentChanged();
   Q_EMIT requestChanged();
 }
 
 void ViewPanel::resetStyle() {
-  if (alwaysAuto_) setAlwaysAuto(false);
+  alwaysAuto_ = false;
+  refresh();
   setStyle(isDifference() ? differenceStyle(intermediate(id_)) : defaultStyle(intermediate(id_)));
 }
 

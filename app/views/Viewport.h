@@ -2,7 +2,6 @@
 // once.
 #pragma once
 
-#include "app/Drags.h"
 #include "app/Pins.h"
 #include "app/views/Legend.h"
 #include "app/views/ViewportMath.h"
@@ -19,7 +18,7 @@
 
 namespace taa::app {
 
-class Viewport : public QWidget, public Draggable {
+class Viewport : public QWidget {
   Q_OBJECT
  public:
   explicit Viewport(QWidget* parent = nullptr);
@@ -71,7 +70,6 @@ class Viewport : public QWidget, public Draggable {
   const std::shared_ptr<const ViewResult>& result() const { return result_; }
   ShownLegend shownLegend() const;
 
-  void cancelDrag() override;
   void fit();
   void oneToOne();
   void zoomBy(double notches);
@@ -126,7 +124,7 @@ class Viewport : public QWidget, public Draggable {
   const ViewSide* otherSide() const; ///< that is there; null: none
 
   glm::ivec2 size_{0};
-  ViewCamera camera_, pressCamera_; ///< now, and when a drag began
+  ViewCamera camera_;
   ViewContent content_;
   std::optional<ViewContent> other_;
   Showing showing_ = Showing::First;

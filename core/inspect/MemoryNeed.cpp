@@ -31,15 +31,15 @@ std::string sizeText(const glm::ivec2& picturePx) {
 
 } // namespace
 
-std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx) {
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx, bool hasFog) {
   FrameRequest request;
   request.inputs = settings.inputs;
   const InputSettings drawn = referenceRequest(request).inputs;
-  return inputBytes(drawn, picturePx) + scratchBytes(drawn, picturePx);
+  return inputBytes(drawn, picturePx, hasFog) + scratchBytes(drawn, picturePx, hasFog);
 }
 
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                      const std::vector<IntermediateId>& watched) {
+                      const std::vector<IntermediateId>& watched, bool hasFog) {
   MemoryNeed need;
   std::size_t largestHistory = 0, scratch = 0, drawn = 0;
   bool drawsReference = false;
@@ -48,8 +48,8 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     const auto before = lanes.begin() + static_cast<std::ptrdiff_t>(lane);
     if (std::none_of(lanes.begin(), before,
                      [&](const Settings& other) { return sameInputs(other, settings); }))
-      need.inputs += kFrames * inputBytes(settings.inputs, picturePx);
-    scratch = std::max(scratch, scratchBytes(settings.inputs, picturePx));
+      need.inputs += kFrames * inputBytes(settings.inputs, picturePx, hasFog);
+    scratch = std::max(scratch, scratchBytes(settings.inputs, picturePx, hasFog));
     const std::size_t history = historyBytes(picturePx.x, picturePx.y, settings);
     largestHistory = std::max(largestHistory, history);
     need.histories += kHistoriesOfLane * history;
@@ -64,7 +64,7 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
   if (std::ranges::any_of(watched, isOverTime))
     need.reference += lanes.size() * flickerBytes(picturePx, kFlickerFrames);
   for (std::size_t lane = 0; drawsReference && lane < lanes.size(); ++lane) // one after the other
-    drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx));
+    drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx, hasFog));
   need.reference += drawn;
   need.inputs += scratch;
   need.histories += kFreeHistories * largestHistory;

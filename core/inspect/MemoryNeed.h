@@ -21,11 +21,12 @@ struct MemoryNeed {
   std::size_t total() const { return inputs + histories + exposures + reference; }
 };
 
+/// `hasFog`: whether the scene has some.
 MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
-                      const std::vector<IntermediateId>& watched);
+                      const std::vector<IntermediateId>& watched, bool hasFog = false);
 
 /// Drawing the reference alone, bytes.
-std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx);
+std::size_t referenceBytes(const Settings& settings, const glm::ivec2& picturePx, bool hasFog = false);
 
 /// "512 MiB", "2.4 GiB".
 std::string bytesText(std::size_t bytes);

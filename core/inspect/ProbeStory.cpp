@@ -138,6 +138,11 @@ std::string readWords(Id id, const Teller& t) {
   case Id::responsive:
     return t.value(id) > 0 ? say<"a material that changes without motion">()
                            : say<"no material that changes without motion">();
+  case Id::fog:
+  case Id::fogOpacity:
+    return t.value(Id::fogOpacity) > 0
+               ? say<"the fog before it takes %1 of the surface's light">(t.percent(Id::fogOpacity))
+               : say<"no fog lies before it">();
   default:
     return t.value(Id::overlayAlpha) > 0
                ? say<"%1 of the output is hidden by it">(t.percent(Id::overlayAlpha))

@@ -17,6 +17,8 @@ constexpr std::pair<std::string_view, std::string_view> kNames[] = {
     {"GBufferPass blended", "Blended surfaces"},
     {"ReactivePass", "Reactive mask"},
     {"CameraMotionPass", "Camera motion"},
+    {"FogPass march", "Fog march"},
+    {"FogPass", "Fog"},
     {"NoisePass", "Noise and range"},
     {"TaaPass", "Resolve"},
     {"OutputPass", "Output"},

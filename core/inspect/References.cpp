@@ -29,6 +29,9 @@ FrameRequest referenceRequest(const FrameRequest& request) {
   // the mean of colors as they are; metrics clip that mean, as a screen does.
   reference.inputs = {};
   reference.inputs.precision = Precision::Full;
+  reference.inputs.fogSteps = 0;
+  reference.inputs.fogNoise = InputNoise::None;
+  reference.inputs.fogDensity = request.inputs.fogDensity;
   if (request.inputs.blended != BlendedAs::Mask) reference.inputs.blended = BlendedAs::Before;
   reference.motionModes.clear();
   reference.objectClasses.clear();

@@ -22,6 +22,7 @@ reference::Inputs twinInputs(const FrameInputs& inputs, const History* previous,
   twin.previousDepth = read(inputs.previousDepth);
   twin.mask = read(inputs.mask);
   twin.overlay = read(inputs.overlay);
+  twin.fog = read(inputs.fog);
   if (previous) {
     twin.historyColor = read(previous->color);
     twin.historySurface = read(previous->surface);

@@ -35,8 +35,10 @@ struct FrameInputs {
   gl::Texture objectId; ///< R32UI, 0 = sky
   gl::Texture previousDepth; ///< R32F, view depth the surface had in the previous frame, m; 0 = sky or none
   // None where the settings ask for none.
-  gl::Texture mask;       ///< RG8: reactive (what was blended in), responsive (what changes without motion)
-  gl::Texture overlay;    ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  gl::Texture mask;    ///< RG8: reactive (what was blended in), responsive (what changes without motion)
+  gl::Texture overlay; ///< RGBA16F, premultiplied, not jittered: what is laid over the output
+  // None where the scene has none.
+  gl::Texture fog; ///< as color: light that fog scatters to the camera; alpha: what it takes of the surface's
   glm::ivec2 outputPx{0}; ///< size of the picture that is made of them; 0: their own
   int width() const { return color.width(); }
   int height() const { return color.height(); }

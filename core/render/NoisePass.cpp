@@ -1,6 +1,5 @@
 #include "core/render/NoisePass.h"
 
-#include "core/render/NoiseTile.h"
 #include "shaders/shared/NoiseBlock.h"
 
 #include <cassert>
@@ -14,15 +13,11 @@ bool NoisePass::isNeeded(const InputSettings& settings) {
 }
 
 gl::Program NoisePass::compile(const Variant& variant) {
-  const auto constant = [](const char* name, InputNoise value) {
-    return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
-  };
   const auto flag = [](const char* name, bool value) {
     return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
   };
-  const std::string prelude = constant("kNoise", variant.noise) + constant("kNoNoise", InputNoise::None) +
-                              constant("kBlueNoise", InputNoise::Blue) +
-                              flag("kTriangular", variant.isTriangular) + flag("kClipped", variant.isClipped);
+  const std::string prelude = noisePrelude(variant.noise) + flag("kTriangular", variant.isTriangular) +
+                              flag("kClipped", variant.isClipped);
   return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/noise.frag", prelude),
           "NoisePass"};
 }
@@ -40,10 +35,6 @@ void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, Fra
   const Variant variant{settings.noise, settings.noiseTriangular == Switch::On,
                         settings.range == DynamicRange::Ldr};
   if (!programs_.contains(variant)) programs_.emplace(variant, compile(variant));
-  if (!tile_) {
-    tile_ = gl::Texture({kNoiseTileSize, kNoiseTileSize}, gl::Format::R32F, "blue noise");
-    tile_.upload(blueNoiseTile());
-  }
   if (!other_ || other_.size() != out.color.size() || other_.format() != out.color.format())
     other_ = gl::Texture(out.color.size(), out.color.format(), "color");
   const shared::NoiseBlock block{
@@ -56,7 +47,7 @@ void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, Fra
   pass.uniformBlock(2, frame);
   pass.uniformBlock(6, block_);
   pass.texture(0, out.color, nearest_);
-  pass.texture(1, tile_, nearest_);
+  pass.texture(NoiseSource::kUnit, source_.tile(), nearest_);
   pass.drawFullscreen();
   std::swap(out.color, other_);
 }

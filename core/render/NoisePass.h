@@ -4,6 +4,7 @@
 
 #include "core/gl/RenderPass.h"
 #include "core/render/FrameInputs.h"
+#include "core/render/NoiseSource.h"
 #include "core/settings/Settings.h"
 
 #include <compare>
@@ -32,8 +33,8 @@ class NoisePass {
   static gl::Program compile(const Variant& variant);
 
   std::map<Variant, gl::Program> programs_; ///< made when they are first asked for
-  gl::Texture tile_;                        ///< likewise
-  gl::Texture other_;                       ///< what is drawn into, then exchanged
+  NoiseSource source_;
+  gl::Texture other_; ///< what is drawn into, then exchanged
   gl::Buffer block_;
   gl::Sampler nearest_;
 };

@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
 #include "core/render/CameraMotionPass.h"
+#include "core/render/FogPass.h"
 #include "core/render/GBufferPass.h"
 #include "core/render/NoisePass.h"
 #include "core/render/ReactivePass.h"
@@ -57,18 +58,21 @@ void fitInputs(const FrameRequest& request, FrameInputs& out) {
       out.*row.texture = gl::Texture();
 }
 
-std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
   std::size_t sum = 0;
   for (const InputTexture& row : inputTextures(settings))
     if (row.isNeeded) sum += gl::textureBytes({size.x, size.y}, row.format);
+  if (hasFog && settings.fogDensity > 0.0f)
+    sum += gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
   return sum;
 }
 
-std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx) {
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog) {
   const glm::ivec2 size = drawnSize(picturePx, settings.renderScale);
   const std::size_t color = gl::textureBytes({size.x, size.y}, inputTextures(settings).front().format);
   return (NoisePass::isNeeded(settings) ? color : 0) +
+         (hasFog && settings.fogDensity > 0.0f ? FogPass::scratchBytes(settings, color) : 0) +
          (settings.mask == MaskSource::AutoReactive ? color : 0);
 }
 
@@ -80,15 +84,18 @@ struct SceneRenderer::Parts {
   CameraMotionPass cameraMotion;
   NoisePass noise;
   ReactivePass reactive;
+  std::unique_ptr<FogPass> fog; ///< where the scene has some
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
 
   Parts(std::shared_ptr<const Scene> scene_, const Progress& progress)
-      : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene) {}
+      : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene),
+        fog(scene->fog.empty() ? nullptr : std::make_unique<FogPass>()) {}
 
   void draw(const FrameRequest& request, int frame, FrameInputs& out, const Progress& warmUp);
   void drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
                     const Progress& warmUp);
   void drawBlended(const InputSettings& settings, const FrameInputs& out, const Progress& warmUp);
+  void drawFog(const FrameRequest& request, const View& view, FrameInputs& out);
 };
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
@@ -130,6 +137,12 @@ void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const Fram
   gbuffer.drawBlended(*scene, resources, frame, target, warmUp);
 }
 
+void SceneRenderer::Parts::drawFog(const FrameRequest& request, const View& view, FrameInputs& out) {
+  if (drawsFog(*scene, request.inputs)) return fog->draw(*scene, request, view, frame, out);
+  out.fog = gl::Texture();
+  if (fog) fog->rest();
+}
+
 void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameInputs& out,
                                 const Progress& warmUp) {
   const View view = viewAt(*scene, request, number);
@@ -142,6 +155,7 @@ void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameIn
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
   drawBlended(request.inputs, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask);
+  drawFog(request, view, out);
   if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out);
   if (NoisePass::isNeeded(request.inputs)) noise.draw(request.inputs, frame, out);
 }
@@ -177,11 +191,14 @@ void SceneRenderer::reloadShaders() {
   CameraMotionPass cameraMotion = parts_->cameraMotion.reloaded();
   ReactivePass reactive = parts_->reactive.reloaded();
   NoisePass noise = parts_->noise.reloaded();
+  std::optional<FogPass> fog;
+  if (parts_->fog) fog.emplace(parts_->fog->reloaded());
   parts_->gbuffer.reloadShaders();
   parts_->sky = std::move(sky);
   parts_->cameraMotion = std::move(cameraMotion);
   parts_->reactive = std::move(reactive);
   parts_->noise = std::move(noise);
+  if (fog) *parts_->fog = std::move(*fog);
 }
 
 } // namespace taa

@@ -41,9 +41,9 @@ glm::ivec2 drawnSize(const glm::ivec2& picturePx, float renderScale);
 /// Makes the textures that are drawn for a request, with undefined contents; keeps those that fit.
 void fitInputs(const FrameRequest& request, FrameInputs& out);
 /// What the textures of a frame's inputs take for a picture, and what the renderer keeps besides while it
-/// draws them; bytes.
-std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx);
-std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx);
+/// draws them; bytes. `hasFog`: whether the scene has some.
+std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog = false);
+std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog = false);
 
 /// Owns the scene's GPU resources. Needs the current context for its whole life.
 class SceneRenderer {

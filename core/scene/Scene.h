@@ -92,6 +92,17 @@ struct Sky {
   bool sunEnabled = true;
 };
 
+/// A cone of fog in the beam of a lamp, equally dense everywhere.
+struct FogCone {
+  int node = -1;                              ///< middle of its small end; it opens along the node's −z
+  float length = 1.0f;                        ///< m
+  float startRadius = 0.0f, endRadius = 1.0f; ///< m; the end is not the smaller one
+  float density = 0.1f;                       ///< extinction, 1/m
+  glm::vec3 light{1.0f};                      ///< radiance that endless fog would have at the small end
+  float fading = 0.0f;                        ///< share of it that is lost on the way to the large end
+};
+inline constexpr int kMostFogCones = 4; ///< of a scene
+
 /// How long a scene is and what is asked for first.
 struct Shot {
   int frames = 240;
@@ -111,6 +122,7 @@ struct Scene {
   std::vector<Animation> animations; ///< the first one plays
   std::vector<SceneCamera> cameras;
   std::vector<Light> lights;
+  std::vector<FogCone> fog; ///< at most kMostFogCones
   Sky sky;
   Shot shot;
   Bounds bounds;                     ///< world space, at rest

@@ -70,6 +70,33 @@ inline constexpr Choice kInputNoises[] = {
     {"blueNoise", "Blue noise",
      "A tile of 32×32 by void-and-cluster, moved on by the golden ratio in each of 256 frames: no low "
      "frequencies in space, evenly spread in time (catalogue 20.2)."},
+    {"whiteNoise", "White noise",
+     "A hash of pixel and frame, 256 of them: neighbors and frames have nothing to do with each other, what "
+     "the others are measured against (catalogue §20)."},
+};
+inline constexpr Choice kFogNoises[] = {
+    {"none", "None", "All rays stop at the same distances: the fog has as many levels as steps, in bands."},
+    {"gradientNoise", "Gradient noise",
+     "Interleaved gradient noise, another in each of 64 frames; neighbors differ much, along lines "
+     "(catalogue 20.1)."},
+    {"blueNoise", "Blue noise",
+     "A tile of 32×32, moved on by the golden ratio in each of 256 frames: what TAA averages best (catalogue "
+     "20.2, Raptor)."},
+    {"whiteNoise", "White noise",
+     "A hash of pixel and frame: clumps in space and in time, which TAA averages worst (catalogue §20)."},
+};
+inline constexpr Choice kFogHistories[] = {
+    {"none", "None", "The fog of this frame alone: its noise is left to the resolve."},
+    {"kept", "Kept",
+     "The mean over the last frames: less noise, and where the fog's light moves it drags behind (catalogue "
+     "20.5)."},
+    {"clamped", "Clamped",
+     "The mean of the frames before, channel by channel clamped to the smallest and largest of this frame's "
+     "3×3, then averaged with it: what moved on leaves no trail (catalogue 20.5, 10.1, 11.1; Vallario's idea "
+     "in source 001)."},
+    {"largestAsPrinted", "Largest, as printed",
+     "As in Raptor: the larger one of the mean of the frames before and this frame is averaged with it. "
+     "Trails stay, and noise makes the fog brighter than it is (catalogue 20.5)."},
 };
 inline constexpr Choice kMotionSources[] = {
     {"objects", "Objects", "Each object's own motion, the camera's included (catalogue 3.2 to 3.7)."},

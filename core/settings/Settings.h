@@ -57,7 +57,8 @@ enum class MotionSource : std::int32_t {
 enum class BlendedAs : std::int32_t { Mask, Dithered, Before, BeforeWithMotion, After };
 enum class MaskSource : std::int32_t { None, Material, Opacity, AutoReactive };
 enum class DynamicRange : std::int32_t { Hdr, Ldr };
-enum class InputNoise : std::int32_t { None, Gradient, Blue };
+enum class InputNoise : std::int32_t { None, Gradient, Blue, White };
+enum class FogHistory : std::int32_t { None, Kept, Clamped, LargestAsPrinted };
 struct InputSettings {
   Precision precision = Precision::Half; ///< color and motion as 16 or 32-bit floats
   MotionSource motion = MotionSource::Objects;
@@ -70,6 +71,13 @@ struct InputSettings {
   float noiseAmount = 1.0f;            ///< width of the noise, 1/255
   DynamicRange range = DynamicRange::Hdr; ///< of the shaded color
   Switch noiseTriangular = Switch::On;    ///< two noises summed: twice as wide, variance the same everywhere
+  // Of scenes with fog.
+  std::int32_t fogSteps = 12;               ///< of the march through it, 0 to 128; 0: the integral itself
+  float fogDensity = 1.0f;                  ///< factor on the scene's, 0 to 8
+  InputNoise fogNoise = InputNoise::Blue;   ///< where in its step a ray's samples lie
+  Switch fogAnimated = Switch::On;          ///< another noise in each frame
+  FogHistory fogHistory = FogHistory::None; ///< what becomes of the fog of frames before
+  std::int32_t fogFrames = 8;               ///< that are averaged then, with this one; 2 to 16
   bool operator==(const InputSettings&) const = default;
 };
 

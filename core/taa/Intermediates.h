@@ -54,6 +54,10 @@ enum class Visual : std::uint8_t {
       "What is laid over the output, without jitter, times its opacity; 0 where nothing is.")                \
   ROW(overlayAlpha, "Overlay opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                    \
       "How much of the output the overlay hides.")                                                           \
+  ROW(fog, "Fog", Inputs, 3, "", 0, 1, Color, 1e-3,                                                          \
+      "Light that fog adds to the color; 0 where there is none.")                                            \
+  ROW(fogOpacity, "Fog opacity", Inputs, 1, "", 0, 1, Scalar, 1e-3,                                          \
+      "How much of the surface's light the fog takes: 1 − transmittance.")                                   \
   ROW(objectClass, "Object class", Inputs, 1, "", 0, 4, Index, 0,                                            \
       "What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms, 4 a character.")                  \
   ROW(dilatedOffset, "Dilated offset", DilateMotion, 2, "px", -1, 1, Vector, 0,                              \

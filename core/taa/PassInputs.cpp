@@ -15,7 +15,7 @@ namespace taa {
 namespace {
 
 // Units of shaders/taa/inputs.glsl for what a frame may be without.
-constexpr unsigned kMaskUnit = 14, kOverlayUnit = 15;
+constexpr unsigned kFogUnit = 13, kMaskUnit = 14, kOverlayUnit = 15;
 
 shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settings, int historyState,
                                const TargetPixels& target) {
@@ -39,7 +39,7 @@ shared::ResolveBlock makeBlock(const FrameInputs& inputs, const Settings& settin
   return block;
 }
 
-// What is read where a frame has no mask and no overlay.
+// What is read where a frame has no fog, no mask and no overlay.
 gl::Texture blackTexel() {
   gl::Texture texture({.width = 1, .height = 1}, gl::Format::RGBA8, "nothing");
   texture.clear(0.0f, 0.0f, 0.0f, 0.0f);
@@ -71,6 +71,7 @@ void PassInputs::bind(gl::RenderPass& pass, const FrameInputs& inputs) const {
   const gl::Texture* textures[] = {&inputs.color,  &inputs.depth,    &inputs.motion,
                                    &inputs.normal, &inputs.objectId, &inputs.previousDepth};
   for (unsigned unit = 0; unit < std::size(textures); ++unit) pass.texture(unit, *textures[unit], nearest_);
+  pass.texture(kFogUnit, inputs.fog ? inputs.fog : nothing_, nearest_);
   pass.texture(kMaskUnit, inputs.mask ? inputs.mask : nothing_, nearest_);
   pass.texture(kOverlayUnit, inputs.overlay ? inputs.overlay : nothing_, nearest_);
 }

@@ -1,12 +1,7 @@
 // Random numbers of a pixel in a frame, to round or to show colors with (catalogue 20.6, 20.8). In: the pixel. Out: 13 bits
 // each; white, so nothing of the jitter's period is in them.
 
-/// PCG's permutation (O'Neill 2014; Jarzynski and Olano 2020).
-uint hashed(uint x) {
-  uint state = x * 747796405u + 2891336453u;
-  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-  return (word >> 22u) ^ word;
-}
+#include "include/random.glsl"
 
 uint ditherSeed(ivec2 pixel) {
   return hashed(hashed(hashed(uint(pixel.x)) + uint(pixel.y)) + uint(resolveBlock.state.w));

@@ -18,6 +18,7 @@ layout(binding = 9) uniform sampler2D u_historyNormal; // world space
 layout(binding = 10) uniform sampler2D u_historyMotion; // px
 layout(binding = 11) uniform sampler2D u_historyLock;   // life, luma
 layout(binding = 12) uniform sampler2D u_historyLumas;  // of the last four frames, latest first
+layout(binding = 13) uniform sampler2D u_fog;           // scattered light, opacity; one black texel when there is none
 layout(binding = 14) uniform sampler2D u_mask;          // reactive, responsive; one black texel when none is drawn
 layout(binding = 15) uniform sampler2D u_overlay;       // premultiplied, not jittered; likewise
 
@@ -107,6 +108,8 @@ Samples readInputs(Place place) {
   expose_responsive(texelAt(u_mask, texel).g);
   expose_overlay(texelAt(u_overlay, place.still).rgb);
   expose_overlayAlpha(texelAt(u_overlay, place.still).a);
+  expose_fog(texelAt(u_fog, texel).rgb);
+  expose_fogOpacity(texelAt(u_fog, texel).a);
   expose_objectClass(texelFetch(u_normal, texel, 0).w);
   return samples;
 }

@@ -42,6 +42,7 @@ void expectSame(const FrameInputs& a, const FrameInputs& b, const std::string& w
   EXPECT_TRUE(isSame(a.objectId, b.objectId)) << "object id, " << what;
   EXPECT_TRUE(isSame(a.previousDepth, b.previousDepth)) << "previous depth, " << what;
   EXPECT_TRUE(isSame(a.mask, b.mask)) << "mask, " << what;
+  EXPECT_TRUE(isSame(a.fog, b.fog)) << "fog, " << what;
   EXPECT_TRUE(isSame(a.overlay, b.overlay)) << "overlay, " << what;
 }
 

@@ -1,5 +1,6 @@
 // The noise that is added to the shaded color (invariants 4 and 64).
 #include "core/render/NoisePass.h"
+#include "core/taa/reference/Random.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ Moments momentsOf(const std::vector<float>& values, std::size_t first, std::size
 }
 
 TEST_F(NoiseTest, HasTheMomentsOfItsForm) {
-  for (const InputNoise noise : {InputNoise::Gradient, InputNoise::Blue}) {
+  for (const InputNoise noise : {InputNoise::Gradient, InputNoise::Blue, InputNoise::White}) {
     const Moments uniform = momentsOf(noiseOf(noise, Switch::Off), 0, 1);
     EXPECT_NEAR(uniform.mean, 0.0, 0.002);
     EXPECT_NEAR(uniform.variance, 1.0 / 12.0, 0.002);
@@ -93,6 +94,20 @@ TEST_F(NoiseTest, AveragesToNothingInEachPixelOverTime) {
     EXPECT_LT(worst, 0.05) << "white noise: σ = 0.051 after 64 frames, the largest of 4096 about 0.18";
     EXPECT_NEAR(mean.variance, 1.0 / 6.0, 0.01);
   }
+}
+
+// The same 13 bits of a hash that what is stored is rounded with, of two other channels.
+TEST_F(NoiseTest, IsWhiteByTheHashOfPixelAndFrame) {
+  const std::vector<float> all = noiseOf(InputNoise::White, Switch::On);
+  for (const int frame : {0, 5, 63})
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kSize; ++x) {
+        const std::size_t at =
+            (static_cast<std::size_t>(frame) * kSize + static_cast<std::size_t>(y)) * kSize +
+            static_cast<std::size_t>(x);
+        const auto bits = reference::randomBits({x, y}, frame, 5) + reference::randomBits({x, y}, frame, 6);
+        ASSERT_NEAR(all[at], (static_cast<float>(bits) + 1.0f) / 8192.0f - 1.0f, 1e-4f);
+      }
 }
 
 // Invariant 4: u(1, 0), u(0, 1) and u(1, 1) of frame 0.

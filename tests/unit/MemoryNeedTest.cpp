@@ -35,6 +35,19 @@ TEST(MemoryNeed, CountsTheInputsOfTwoFramesInTheFormatsTheyHave) {
   EXPECT_EQ(needOf({"inputs.renderScale=0.5"}).inputs, 2 * 32 * kPixels / 4);
 }
 
+// Of a scene with fog: what it adds, kept with the frame, and before that is done as it was marched and the
+// color that is drawn into; with a history also the mean of the frames before. 8 bytes a pixel each.
+TEST(MemoryNeed, CountsFogWhereTheSceneHasSome) {
+  const auto inputs = [](const char* assignment) {
+    Settings settings;
+    applyAssignment(settings, assignment);
+    return memoryNeed({settings}, {100, 50}, {}, true).inputs;
+  };
+  EXPECT_EQ(inputs("inputs.fogSteps=4"), (2 * 40 + 16) * kPixels);
+  EXPECT_EQ(inputs("inputs.fogHistory=clamped"), (2 * 40 + 24) * kPixels);
+  EXPECT_EQ(inputs("inputs.fogDensity=0"), 2 * 32 * kPixels);
+}
+
 // Color 8 or 16, surface 8, and the layers that settings ask for.
 TEST(MemoryNeed, CountsTheHistoriesThatLivePlayingAtOnce) {
   EXPECT_EQ(needOf({"history.precision=half"}).histories, 7 * 16 * kPixels);

@@ -36,6 +36,9 @@ void recordInputs(PixelRecord& record, const Inputs& inputs, const Place& place)
       inputs.overlay.empty() ? glm::vec4(0.0f) : inputs.overlay.texel(place.still.x, place.still.y);
   set(record, IntermediateId::overlay, glm::vec3(overlay));
   set(record, IntermediateId::overlayAlpha, overlay.w);
+  const glm::vec4 fog = inputs.fog.empty() ? glm::vec4(0.0f) : inputs.fog.texel(p.x, p.y);
+  set(record, IntermediateId::fog, glm::vec3(fog));
+  set(record, IntermediateId::fogOpacity, fog.w);
   set(record, IntermediateId::objectClass, inputs.normal.texel(p.x, p.y).w);
 }
 

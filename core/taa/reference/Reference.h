@@ -24,6 +24,7 @@ struct Inputs {
   Texels previousDepth;  ///< 1
   Texels mask;           ///< 2: reactive, responsive; empty: none
   Texels overlay;        ///< 4, premultiplied; empty: none
+  Texels fog;            ///< 4: scattered light, opacity; empty: none
   Texels historyColor;   ///< 4; empty: no history
   Texels historySurface; ///< 2: N, view depth
   Texels resolved;       ///< 3 or more: what all pixels resolved to; empty: nothing is known of stage Output
