@@ -16,6 +16,7 @@ Scene makeLightsScene();       ///< LightsScene.cpp
 Scene makeFoliageScene();      ///< FoliageScene.cpp
 Scene makeGalleryScene();      ///< GalleryScene.cpp
 Scene makeGlassScene();        ///< GlassScene.cpp
+Scene makeFogScene();          ///< FogScene.cpp
 Scene makeCrowdScene();        ///< CrowdScene.cpp
 
 } // namespace taa

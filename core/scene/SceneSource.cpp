@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-constexpr std::array kMakers{
-    makeFanScene,   makeFenceScene,     makeDisocclusionScene, makeCutScene,     makeThinScene,
-    makeTextScene,  makeFirefliesScene, makeLightsScene,       makeFoliageScene, makeGalleryScene,
-    makeGlassScene, makeCrowdScene}; // in the order of builtinScenes()
+constexpr std::array kMakers{makeFanScene,     makeFenceScene,   makeDisocclusionScene, makeCutScene,
+                             makeThinScene,    makeTextScene,    makeFirefliesScene,    makeLightsScene,
+                             makeFoliageScene, makeGalleryScene, makeGlassScene,        makeFogScene,
+                             makeCrowdScene}; // in the order of builtinScenes()
 
 Scene makeBuiltin(const std::string& source) {
   const std::string_view id = std::string_view(source).substr(kBuiltinPrefix.size());
@@ -53,6 +53,8 @@ const std::vector<BuiltinScene>& builtinScenes() {
        "One labelled object for each source of motion: camera, rigid, skin, morph, wind, cache"},
       {"glass", "Glass",
        "Panes of glass, particles, a flip-book and a ticker: what no motion vector tells the history"},
+      {"fog", "Fog",
+       "Two lamps in a hazy hall, their beams marched in few steps: banding, and noise that TAA averages"},
       {"crowd", "Crowd",
        "Six hundred things, a million triangles: small, thin and far ones that spin, walk and run"}};
   return scenes;
