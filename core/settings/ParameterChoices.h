@@ -159,8 +159,21 @@ inline constexpr Choice kDilateMethods[] = {
      "As printed in Raptor's chapter 11: where all nine are sky the motion of pixel (0, 0) is taken, because "
      "the search starts from there and finds nothing nearer (catalogue §26, D4)."},
     {"closestXAsPrinted", "Closest ×, as printed",
-     "As in HDRP: with each offset the depth of another tap is kept, so that later taps are compared with "
-     "the wrong one, and a farther surface may win (catalogue §26, D13)."},
+     "As in HDRP: with each offset the depth of the next tap is kept, which then is as near as itself and "
+     "taken as well, so that the motion of the lower left is read wherever any of the four is no farther "
+     "than the pixel (catalogue §26, D13)."},
+    {"farthest3x3", "Farthest 3×3",
+     "Motion of the farthest surface among nine: what a test for the smallest depth finds once depth is "
+     "reversed, as in Godot since 4.3 (catalogue 4.1)."},
+};
+inline constexpr Choice kDilateTies[] = {
+    {"center", "The pixel itself", "Only what is really nearer takes its place (catalogue 4.1)."},
+    {"first", "The first",
+     "The search starts with nothing, from the upper left, so that on what faces the camera the motion of "
+     "that neighbor is read (catalogue 4.1, Playdead, Godot)."},
+    {"last", "The last",
+     "What is as near takes its place as well, so that the neighbor at the lower right is read (catalogue "
+     "§4, source 002, whose step() holds for equal depths)."},
 };
 inline constexpr Choice kReprojectMethods[] = {
     {"motion", "Where it was", "The pixel's center minus the motion it follows (catalogue §5)."},

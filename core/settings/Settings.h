@@ -91,9 +91,13 @@ enum class DilateMethod : std::int32_t {
   LongestCross,
   Closest3x3AsPrinted,
   ClosestXAsPrinted,
+  Farthest3x3,
 };
+enum class DilateTies : std::int32_t { Center, First, Last };
 struct DilateSettings {
   DilateMethod method = DilateMethod::Closest3x3;
+  DilateTies ties = DilateTies::Center; ///< which of equally near ones
+  Switch upLeft = Switch::Off;          ///< motion is read one texel up and to the left of that
 };
 
 enum class ReprojectMethod : std::int32_t { Motion, InPlace };

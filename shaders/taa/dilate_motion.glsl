@@ -12,32 +12,48 @@ const bool kIsClosestX2 = kDilateMethod == kDilateMethod_closestX2;
 const bool kIsAsPrinted = kDilateMethod == kDilateMethod_closest3x3AsPrinted;
 const bool kIsCross = kDilateMethod == kDilateMethod_closestCross || kDilateMethod == kDilateMethod_longestCross;
 const bool kIsX = kDilateMethod == kDilateMethod_closestX || kIsClosestX2;
+const bool kIsFarthest = kDilateMethod == kDilateMethod_farthest3x3;
+/// Searches that start with nothing look at the pixel itself in its turn.
+const bool kStartsEmpty = kIsAsPrinted || (kDilateTies == kDilateTies_first && !kIsLongest);
 
-/// Whether neighbor k of 3×3 (row-major) is asked. The pixel itself is where the search starts.
+/// Whether neighbor k of 3×3 (row-major) is asked. The pixel itself is where the search starts, or one of them.
 bool isCandidate(int k) {
-  if (kIsX) return k % 2 == 0 && k != 4;
-  if (kIsCross) return k % 2 == 1;
-  return k != 4 || kIsAsPrinted;
+  if (k == 4) return kStartsEmpty;
+  if (kIsX) return k % 2 == 0;
+  return !kIsCross || k % 2 == 1;
 }
 
-/// × may reach two pixels (4.4). May lie outside the picture.
+/// × may reach two pixels (4.4). May lie outside the picture. Raptor's loop goes column by column.
 ivec2 neighborOf(ivec2 pixel, int k) {
   const int kReach = kIsClosestX2 ? 2 : 1;
-  return pixel + kReach * ivec2(k % 3 - 1, k / 3 - 1);
+  return pixel + kReach * (kIsAsPrinted ? ivec2(k / 3 - 1, k % 3 - 1) : ivec2(k % 3 - 1, k / 3 - 1));
 }
 
-/// Reversed depth: the largest is the closest. Ties, and sky all around, keep the pixel itself. As printed the
-/// search starts from pixel (0, 0) at the far plane, and stays there when all is sky (§26, D4).
+/// Whether a depth takes the place of the one that was found so far. Reversed: the larger is the closer.
+bool isPreferred(float depth, float found) {
+  bool isBetter = kIsFarthest ? depth < found : depth > found;
+  return isBetter || (kDilateTies == kDilateTies_last && depth == found);
+}
+
+/// What the search starts with: as printed the far plane (D4), or nothing, which every depth is preferred to.
+float firstDepth(ivec2 pixel) {
+  if (kIsAsPrinted) return 0.0;
+  if (kStartsEmpty) return kIsFarthest ? 2.0 : -1.0;
+  return texelAt(u_depth, pixel).r;
+}
+
+/// The closest or the farthest. Ties, and sky all around, keep the pixel itself unless chosen otherwise. As printed the
+/// search starts from pixel (0, 0), and stays there when all is sky (§26, D4).
 ivec2 closestOf(ivec2 pixel, out float closest) {
   ivec2 chosen = kIsAsPrinted ? ivec2(0) : pixel;
-  closest = kIsAsPrinted ? 0.0 : texelAt(u_depth, pixel).r;
+  closest = firstDepth(pixel);
   for (int k = 0; k < 9; ++k) {
     if (!isCandidate(k)) continue;
     ivec2 neighbor = neighborOf(pixel, k);
     float depth = texelAt(u_depth, neighbor).r;
-    bool isCloser = depth > closest;
-    closest = mix(closest, depth, isCloser);
-    chosen = mix(chosen, neighbor, bvec2(isCloser));
+    bool isChosen = isPreferred(depth, closest);
+    closest = mix(closest, depth, isChosen);
+    chosen = mix(chosen, neighbor, bvec2(isChosen));
   }
   return clamped(chosen);
 }
@@ -63,7 +79,8 @@ ivec2 longestOf(ivec2 pixel) {
   return chosen;
 }
 
-/// As HDRP prints it: with each diagonal goes the depth of the next one in this order (§26, D13).
+/// As HDRP prints it: with each diagonal goes the depth of the next one in this order (§26, D13). Its step() holds for
+/// equal depths, so that from the first that is no farther on each next one is compared with itself, and the last wins.
 ivec2 closestXAsPrinted(ivec2 pixel, out float depth) {
   const ivec2 kSteps[4] = ivec2[](ivec2(1, 1), ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1));
   float depths[4];
@@ -71,7 +88,7 @@ ivec2 closestXAsPrinted(ivec2 pixel, out float depth) {
   ivec2 chosen = pixel;
   float closest = texelAt(u_depth, pixel).r;
   for (int k = 0; k < 4; ++k) {
-    if (depths[k] > closest) {
+    if (depths[k] >= closest) {
       closest = depths[(k + 1) % 4];
       chosen = clamped(pixel + kSteps[k]);
     }
@@ -90,6 +107,10 @@ DilatedMotion dilateMotion(ivec2 pixel) {
     chosen = closestXAsPrinted(pixel, result.depth);
   } else {
     chosen = closestOf(pixel, result.depth);
+  }
+  if (kDilateUpLeft) { // Godot's tile has a border that it leaves out here
+    chosen = clamped(chosen - 1);
+    result.depth = texelAt(u_depth, chosen).r;
   }
   result.offset = vec2(chosen - pixel);
   result.motion = pictureMotion(texelAt(u_motion, chosen).rg);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -52,22 +53,25 @@ TEST(ReferenceDilate, TakesTheFirstOfEquallyNearNeighborsAndStaysInThePicture) {
   EXPECT_EQ(dilateMotion(inputs, kClosest, {0, 1}).offset, glm::ivec2(0, 1));
 }
 
-// Catalogue §26, D13: each tap is compared with the depth of the one after the last chosen.
-TEST(ReferenceDilate, AsHdrpPrintsItAFartherTapMayWin) {
-  Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
-  inputs.depth.at(1, 1)[0] = 0.1f;
-  inputs.depth.at(2, 2)[0] = 0.3f;  // first, and the nearest
-  inputs.depth.at(0, 0)[0] = 0.05f; // second: this is what is kept with the first
-  inputs.depth.at(2, 0)[0] = 0.2f;  // third: nearer than 0.05
-  inputs.depth.at(0, 2)[0] = 0.15f; // fourth: kept with the third
-  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestX}, {1, 1}).offset, glm::ivec2(1, 1));
-  const Dilated printed = dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1});
-  EXPECT_EQ(printed.offset, glm::ivec2(1, -1));
-  EXPECT_EQ(printed.depth, 0.2f) << "of the pixel that was chosen";
-  inputs.depth.at(0, 2)[0] = 0.25f; // now it is nearer than itself, which is kept with the third, is not
-  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1}).offset, glm::ivec2(1, -1));
-  for (float& depth : inputs.depth.pixels) depth = 0.1f;
-  EXPECT_EQ(dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1}).offset, glm::ivec2(0));
+// Catalogue §26, D13: with each tap the depth of the next one is kept, and step() holds for equal depths:
+// from the first that is no farther than the pixel on, each is compared with itself, and the last of them
+// wins.
+TEST(ReferenceDilate, AsHdrpPrintsItTheLowerLeftWinsWhereAnyIsNoFarther) {
+  const auto chosen = [](const std::array<float, 4>& depths) { // in the order of the comparisons
+    Inputs inputs = constantInputs(3, 3, glm::vec3(0.5f));
+    inputs.depth.at(1, 1)[0] = 0.1f;
+    inputs.depth.at(2, 2)[0] = depths[0];
+    inputs.depth.at(0, 0)[0] = depths[1];
+    inputs.depth.at(2, 0)[0] = depths[2];
+    inputs.depth.at(0, 2)[0] = depths[3];
+    return dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1});
+  };
+  const Dilated printed = chosen({0.3f, 0.05f, 0.2f, 0.01f}); // the last is the farthest of all
+  EXPECT_EQ(printed.offset, glm::ivec2(-1, 1));
+  EXPECT_EQ(printed.depth, 0.01f) << "of the texel that was chosen";
+  EXPECT_EQ(chosen({0.05f, 0.05f, 0.2f, 0.01f}).offset, glm::ivec2(-1, 1));
+  EXPECT_EQ(chosen({0.1f, 0.1f, 0.1f, 0.1f}).offset, glm::ivec2(-1, 1)) << "as near is near enough";
+  EXPECT_EQ(chosen({0.05f, 0.05f, 0.05f, 0.05f}).offset, glm::ivec2(0)) << "all are farther";
 }
 
 TEST(ReferenceDilate, GivesViewDepthInMetersAndZeroForTheSky) {

@@ -16,9 +16,12 @@ float viewDepth(float depth, const glm::vec4& depthTerms) {
 
 namespace {
 
-/// Steps to the neighbors that are asked, in the order in which a tie is decided.
+/// Steps to the neighbors that are asked, in the order in which a tie is decided: row by row, and in Raptor's
+/// loop column by column.
 std::vector<glm::ivec2> candidates(DilateMethod method) {
-  if (method == DilateMethod::ClosestX2) return {{-2, -2}, {2, -2}, {-2, 2}, {2, 2}};
+  if (method == DilateMethod::Closest3x3AsPrinted)
+    return {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}};
+  if (method == DilateMethod::ClosestX2) return {{-2, -2}, {2, -2}, {0, 0}, {-2, 2}, {2, 2}};
   const bool isCross = method == DilateMethod::ClosestCross || method == DilateMethod::LongestCross;
   std::vector<glm::ivec2> steps;
   for (int dy = -1; dy <= 1; ++dy) {
@@ -32,15 +35,25 @@ std::vector<glm::ivec2> candidates(DilateMethod method) {
   return steps;
 }
 
-/// The nearest of them, 4.1 to 4.4. Reversed depth: larger is nearer; a tie keeps what came first.
-void findClosest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
-  for (const glm::ivec2& step : candidates(method)) {
+/// The nearest of them, 4.1 to 4.4, or the farthest. Reversed depth: larger is nearer. Starts from what
+/// `result` holds, or from the first of them.
+void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel,
+                 Dilated& result) {
+  const bool startsFromFar = settings.method == DilateMethod::Closest3x3AsPrinted;
+  bool hasAny = settings.ties != DilateTies::First || startsFromFar;
+  const auto isPreferred = [&](float depth) {
+    if (!hasAny) return true;
+    if (depth == result.depth) return settings.ties == DilateTies::Last;
+    return settings.method == DilateMethod::Farthest3x3 ? depth < result.depth : depth > result.depth;
+  };
+  for (const glm::ivec2& step : candidates(settings.method)) {
+    if (step == glm::ivec2(0) && hasAny && settings.ties != DilateTies::First && !startsFromFar) continue;
     const glm::ivec2 neighbor = clampedToDrawn(pixel + step, inputs);
     const float depth = inputs.depth.texel(neighbor.x, neighbor.y).x;
-    if (depth > result.depth) {
-      result.depth = depth;
-      result.offset = neighbor - pixel;
-    }
+    if (!isPreferred(depth)) continue;
+    hasAny = true;
+    result.depth = depth;
+    result.offset = neighbor - pixel;
   }
 }
 
@@ -63,15 +76,15 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
   }
 }
 
-/// HDRP's four taps as printed (D13): a tap that is nearer than what is kept is chosen, but the depth kept
-/// with it is the next tap's.
+/// HDRP's four taps as printed (D13): a tap that is no farther than what is kept is chosen, but the depth
+/// kept with it is the next tap's.
 void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilated& result) {
   const auto tap = [&](int dx, int dy) { return clampedToDrawn(pixel + glm::ivec2(dx, dy), inputs); };
   const std::array taps{tap(1, 1), tap(-1, -1), tap(1, -1), tap(-1, 1), tap(1, 1)};
   const auto depthAt = [&inputs](const glm::ivec2& p) { return inputs.depth.texel(p.x, p.y).x; };
   float kept = result.depth;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (!(depthAt(taps[k]) > kept)) continue;
+    if (!(depthAt(taps[k]) >= kept)) continue;
     kept = depthAt(taps[k + 1]);
     result.offset = taps[k] - pixel;
   }
@@ -93,15 +106,20 @@ Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const
   case DilateMethod::Closest3x3AsPrinted: // starts from nothing at texel (0, 0): D4
     result.depth = 0.0f;
     result.offset = -texel;
-    findClosest(inputs, settings.method, texel, result);
+    findClosest(inputs, settings, texel, result);
     break;
   case DilateMethod::ClosestXAsPrinted:
     findClosestXAsPrinted(inputs, texel, result);
     break;
   default:
-    findClosest(inputs, settings.method, texel, result);
+    findClosest(inputs, settings, texel, result);
   }
-  const glm::ivec2 chosen = texel + result.offset;
+  glm::ivec2 chosen = texel + result.offset;
+  if (settings.upLeft == Switch::On) { // Godot's missing border
+    chosen = clampedToDrawn(chosen - 1, inputs);
+    result.offset = chosen - texel;
+    result.depth = inputs.depth.texel(chosen.x, chosen.y).x;
+  }
   const glm::vec2 motion(inputs.motion.texel(chosen.x, chosen.y));
   result.motion = motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
   return result;
