@@ -20,6 +20,7 @@ reference::Seen calmPixel(const Settings& settings, int frame) {
   seen.lumaCurrent = seen.lumaHistory = kGray;
   seen.boxCurrent = seen.boxHistoryRaw = seen.boxHistory = seen.boxLow = seen.boxHigh = kGray;
   seen.compressedCurrent = seen.compressedHistory = kGray / (1.0f + kGray);
+  seen.maxCurrent = seen.maxHistory = kGray / (1.0f + kGray);
   seen.depth = 1.0f;
   seen.jitterPx = jitterPx(settings.jitter, frame); // its length alone matters, whatever way the camera moves
   return seen;
@@ -70,6 +71,7 @@ std::vector<double> calmAlphas(const Settings& settings, int frames) {
     mix.channels = weights.channels;
     mix.historyLength = length;
     mix.frame = frame;
+    mix.isFirst = frame == 0;
     length = reference::blend(settings, mix).historyLength;
     alphas.push_back(static_cast<double>(weights.alpha));
   }

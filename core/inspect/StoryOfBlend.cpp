@@ -49,8 +49,15 @@ RowStory factorStory(const Teller& t) {
 RowStory lengthStory(const Teller& t) {
   const float alpha = t.value(Id::alpha);
   const std::string a = t.number(Id::alpha), n = t.number(Id::historyKeptLength);
+  const bool isTo16 = t.settings().blend.length == LengthRule::CountTo16;
+  if (isTo16 && t.details().isFirst) return {say<"the first frame is not counted">(), "", ""};
+  if (isTo16 && (alpha < 1.0f || t.details().seen.decays))
+    return {say<"one more, and no more than 16">(),
+            t.equals(call("min", {n + " + " + t.number(Id::sampleConfidence), "16"}), Id::historyLength), ""};
   if (alpha >= 1.0f) return {say<"history starts anew">(), t.equals("1", Id::historyLength), ""};
   switch (t.settings().blend.length) {
+  case LengthRule::CountTo16:
+    break;
   case LengthRule::Count:
     return {say<"one more, by how much the samples say">(),
             t.equals(n + " + " + t.number(Id::sampleConfidence), Id::historyLength), ""};

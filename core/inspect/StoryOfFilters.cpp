@@ -105,6 +105,10 @@ RowStory historyStory(Id id, const Teller& t) {
   if (id == Id::depthEdge) return {edgeWords(t), "", ""};
   if (id == Id::historyRawLength && t.settings().history.length == LengthFrom::PixelAsPrinted)
     return {say<"as many frames' worth of samples were stored in this pixel, whatever it showed">(), "", ""};
+  if (id == Id::historyRawLength && t.settings().history.length == LengthFrom::Bilinear)
+    return {say<"as many frames' worth of samples were stored around %1, by bilinear interpolation">(
+                t.tuple(t.details().readPosition)),
+            "", ""};
   if (id == Id::historyRawLength)
     return {say<"as many frames' worth of samples were stored around %1">(t.tuple(t.details().readPosition)),
             "", ""};

@@ -285,15 +285,20 @@ RowStory strengthStory(const Teller& t) {
 
 RowStory keptLengthStory(const Teller& t) {
   const float before = t.value(Id::historyRawLength), kept = t.value(Id::historyKeptLength);
+  const bool isDecayed = t.details().seen.decays && t.value(Id::alphaInvalid) > 0.0f;
+  const std::string left =
+      isDecayed ? t.number(Id::historyRawLength) + " × (1 − " + t.number(Id::alphaInvalid) + ")"
+                : t.number(Id::historyRawLength);
   if (before == kept)
     return {say<"as long as before">(), t.equals(t.number(Id::historyRawLength), Id::historyKeptLength), ""};
-  const std::string forgotten = call("min", {t.number(Id::historyRawLength), t.number(1.6216216)});
+  const bool forgets = t.settings().rectify.method == RectifyMethod::ClampForget &&
+                       kept != before * (1.0f - (isDecayed ? t.value(Id::alphaInvalid) : 0.0f));
+  if (!forgets) return {say<"it decays by what is rejected">(), t.equals(left, Id::historyKeptLength), ""};
+  const std::string forgotten = call("min", {left, t.number(1.6216216)});
   const std::string held = t.number(static_cast<double>(t.details().held.share));
-  return {
-      say<"clamped history forgets">(),
-      t.equals(forgotten + " + " + held + " × (" + t.number(Id::historyRawLength) + " − " + forgotten + ")",
-               Id::historyKeptLength),
-      ""};
+  return {say<"clamped history forgets">(),
+          t.equals(forgotten + " + " + held + " × (" + left + " − " + forgotten + ")", Id::historyKeptLength),
+          ""};
 }
 
 } // namespace

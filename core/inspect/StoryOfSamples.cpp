@@ -73,7 +73,7 @@ Set setOf(const Teller& t, const std::vector<reference::Member>& members) {
   set.isEqual = kind == MomentWeights::Equal;
   for (const reference::Member& member : members) {
     set.values.push_back(t.box(member.color).x);
-    set.weights.push_back(reference::momentWeight(kind, member));
+    set.weights.push_back(reference::momentWeight(t.settings(), member));
   }
   return set;
 }
@@ -191,7 +191,7 @@ RowStory gammaStory(const Teller& t) {
   std::string text = n(chosen.gamma), words = say<"as chosen">();
   if (isOn(chosen.motionGamma)) {
     text = n(chosen.gammaMoving) + " + (" + text + " − " + n(chosen.gammaMoving) + ") × clamp(1 − " +
-           t.number(Id::speed) + " / " + n(chosen.gammaSpeed) + ", 0, 1)^2";
+           speedText(t, chosen.gammaSpeedIn) + " / " + n(chosen.gammaSpeed) + ", 0, 1)^2";
     words = gammaMotionWords(chosen, t.value(Id::speed));
   }
   if (isOn(chosen.resolutionGamma)) {
@@ -252,6 +252,15 @@ RowStory wallStory(Id id, const Teller& t) {
 }
 
 } // namespace
+
+std::string speedText(const Teller& t, SpeedUnit unit) {
+  const glm::ivec2& size = t.details().picturePx;
+  if (unit == SpeedUnit::Pixels) return t.number(Id::speed);
+  if (unit == SpeedUnit::Lines1080) return t.number(Id::speed) + " × 1080 / " + std::to_string(size.y);
+  const glm::vec2 motion = t.pair(Id::dilatedMotion);
+  return "1080 × √((" + t.number(motion.x) + " / " + std::to_string(size.x) + ")^2 + (" + t.number(motion.y) +
+         " / " + std::to_string(size.y) + ")^2)";
+}
 
 RowStory sampleStory(Id id, const Teller& t) {
   return intermediate(id).stage == Stage::DilateMotion ? dilateStory(id, t) : reprojectStory(id, t);

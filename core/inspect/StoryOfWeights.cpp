@@ -21,10 +21,11 @@ float alphaBeforeRejection(const reference::PixelRecord& record) {
 
 namespace {
 
-std::string likeness(const Teller& t) {
+/// Of lumas, or of those of colors over 1 + their largest channel.
+std::string likeness(const Teller& t, bool isCompressed) {
   const reference::Seen& seen = t.details().seen;
-  const std::string now = t.number(static_cast<double>(seen.lumaCurrent));
-  const std::string then = t.number(static_cast<double>(seen.lumaHistory));
+  const std::string now = t.number(isCompressed ? seen.maxCurrent : seen.lumaCurrent);
+  const std::string then = t.number(isCompressed ? seen.maxHistory : seen.lumaHistory);
   return "(1 − |" + now + " − " + then + "| / " + call("max", {now, then, "0.2"}) + ")^2";
 }
 
@@ -38,9 +39,11 @@ std::string baseText(const Teller& t) {
   case AlphaSource::HistoryLength:
     return "1 / (" + t.number(Id::historyKeptLength) + " + 1)";
   case AlphaSource::LumaDifference:
-    return n(weight.most) + " + " + likeness(t) + " × (" + n(weight.least) + " − " + n(weight.most) + ")";
+  case AlphaSource::LumaDifferenceCompressed:
+    return n(weight.most) + " + " + likeness(t, weight.source == AlphaSource::LumaDifferenceCompressed) +
+           " × (" + n(weight.least) + " − " + n(weight.most) + ")";
   case AlphaSource::LumaDifferenceAsPrinted:
-    return likeness(t);
+    return likeness(t, true);
   case AlphaSource::Contrast:
   case AlphaSource::ContrastPerChannel:
     return "1 − (0.25 + 0.6 × clamp(|" + n(seen.boxHigh) + " − " + n(seen.boxLow) + "| / " +
@@ -168,8 +171,8 @@ std::string calmText(const Teller& t, bool withBase) {
 
 RowStory motionStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
-  const std::string x =
-      "clamp(" + t.number(Id::speed) + " / " + t.number(static_cast<double>(weight.motionSpeed)) + ", 0, 1)";
+  const std::string x = "clamp(" + speedText(t, weight.motionSpeedIn) + " / " +
+                        t.number(static_cast<double>(weight.motionSpeed)) + ", 0, 1)";
   const std::string words =
       t.value(Id::speed) > 0 ? say<"motion of %1 px">(t.number(Id::speed)) : say<"nothing moves">();
   switch (weight.motion) {
@@ -205,6 +208,7 @@ std::string joinedText(const Teller& t, bool withBase) {
   const auto join = [&](Id term) {
     if (t.value(term) > 0.0f) text = "1 − (1 − (" + text + ")) × (1 − " + t.number(term) + ")";
   };
+  if (weight.motion == MotionAlpha::SquaredAsPrinted) text = call("max", {text + " − 0.025", "0"});
   if (weight.motion == MotionAlpha::Doubled)
     text += " + " + t.number(Id::alphaMotion);
   else if (weight.motion == MotionAlpha::Added)
@@ -264,9 +268,10 @@ RowStory divergenceStory(const Teller& t) {
 
 RowStory invalidStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
+  if (t.details().seen.isFrozen) return {say<"history outside is kept whole, as printed">(), "", ""};
   if (invalid == 0.0f) return {say<"history was kept">(), "", ""};
   const std::string words = invalid >= 1.0f ? say<"history was dropped">()
-                            : invalid > alphaBeforeRejection(t.probed.record)
+                            : t.details().seen.decays || invalid > alphaBeforeRejection(t.probed.record)
                                 ? say<"history counts less">()
                                 : say<"it counted no more before">();
   const ValidateSettings& validate = t.settings().validate;
@@ -285,8 +290,12 @@ std::string alphaText(const Teller& t, bool withBase) {
   const bool isScaled = isOn(t.settings().weight.frameRate) && frames(t) != 1.0;
   std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, withBase);
   if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
-  if (t.value(Id::alphaMask) > 0 || t.value(Id::alphaInvalid) > 0)
-    text = call("max", {text, t.number(Id::alphaMask), t.number(Id::alphaInvalid)});
+  const bool isMasked = t.value(Id::alphaMask) > 0, isInvalid = t.value(Id::alphaInvalid) > 0;
+  if (t.details().seen.decays && isInvalid) {
+    if (isMasked) text = call("max", {text, t.number(Id::alphaMask)});
+    return call("min", {text + " + " + t.number(Id::alphaInvalid), "1"});
+  }
+  if (isMasked || isInvalid) text = call("max", {text, t.number(Id::alphaMask), t.number(Id::alphaInvalid)});
   return text;
 }
 
@@ -297,6 +306,7 @@ RowStory channelsStory(const Teller& t) {
     return {say<"α in each, %1">(t.number(Id::alpha)), "", ""};
   if (t.value(Id::alphaInvalid) >= 1.0f)
     return {say<"history was rejected: the current frame alone">(), "", ""};
+  if (t.details().seen.isFrozen) return {say<"history alone: nothing of the current frame">(), "", ""};
   const float contrast = t.details().seen.contrast.x;
   reference::PixelRecord record = t.probed.record;
   const auto set = [&](Id id, float value) { reference::at(record, id).x = value; };
@@ -306,8 +316,10 @@ RowStory channelsStory(const Teller& t) {
   const Teller teller{red, t.digits};
   if (weight.motion == MotionAlpha::Doubled) {
     const float alpha = calmed(teller);
-    set(Id::alphaMotion, reference::saturated(t.value(Id::speed) / weight.motionSpeed) *
-                             (std::fmin(2.0f * alpha, 1.0f) - alpha));
+    const float speed = reference::speedIn(weight.motionSpeedIn, t.value(Id::speed), t.details().seen.motion,
+                                           t.details().picturePx);
+    set(Id::alphaMotion,
+        reference::saturated(speed / weight.motionSpeed) * (std::fmin(2.0f * alpha, 1.0f) - alpha));
   }
   const std::string words = say<"of each channel's own contrast, red's is %1: base %2">(
       t.number(contrast), teller.number(Id::alphaBase));
@@ -319,6 +331,8 @@ RowStory alphaStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
   if (invalid >= 1.0f)
     return {say<"history was rejected: the current frame alone">(), t.equals("1", Id::alpha), ""};
+  if (t.details().seen.isFrozen)
+    return {say<"history alone: nothing of the current frame">(), t.equals("0", Id::alpha), ""};
   std::string words =
       say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
   if (t.value(Id::alphaFloor) == t.value(Id::alpha) && t.value(Id::alphaBase) < t.value(Id::alphaFloor))
@@ -329,7 +343,7 @@ RowStory alphaStory(const Teller& t) {
     words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
   if (mask > 0 && mask == alpha && mask > t.value(Id::alphaFrameRate) * t.value(Id::sampleConfidence))
     words = say<"%1; raised where the mask asks for it">(words);
-  if (invalid > alphaBeforeRejection(t.probed.record))
+  if (invalid > 0 && (t.details().seen.decays || invalid > alphaBeforeRejection(t.probed.record)))
     words = say<"%1; raised where history was rejected">(words);
   return {words, t.equals(alphaText(t, true), Id::alpha), ""};
 }

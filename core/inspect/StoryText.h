@@ -68,6 +68,8 @@ glm::vec3 mixedColor(const Teller& teller);
 std::string storedWords(const Teller& teller, const std::string& words);
 /// An expression of the color, or of one channel of it, as it is stored: rounded.
 std::string storedText(const Teller& teller, const std::string& expression, int channel = -1);
+/// The pixel's speed in a unit.
+std::string speedText(const Teller& teller, SpeedUnit unit);
 /// Label of the choice that the settings have.
 std::string choiceLabel(std::string_view path, const Settings& settings);
 bool isOn(Switch value);

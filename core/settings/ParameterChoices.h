@@ -211,6 +211,9 @@ inline constexpr Choice kLengthsFrom[] = {
     {"reprojected", "History position", "N of the nearest texel to where the surface was (catalogue §16)."},
     {"pixelAsPrinted", "Own pixel, as printed",
      "As in Bevy: N of the same pixel a frame ago, whatever was there (catalogue §26, D15)."},
+    {"bilinear", "Bilinear",
+     "N of the four texels around, as colors are read: no hard step where a part of them is new (catalogue "
+     "§16, Godot)."},
 };
 inline constexpr Choice kCurrentFilters[] = {
     {"center", "Center", "The pixel's own sample (catalogue 7.0)."},
@@ -301,10 +304,20 @@ inline constexpr Choice kNeighborhoodShapes[] = {
      "two to its right, so that even and odd columns see the box from different places (catalogue 8.7, "
      "MiniEngine)."},
 };
+inline constexpr Choice kSpeedUnits[] = {
+    {"px", "Pixels", "Of the picture, however many it has."},
+    {"lines1080", "Pixels of 1080 lines", "‖v‖·1080/H: the same for a picture of any size (DiligentFX)."},
+    {"picture1080", "1080ths of the picture",
+     "‖(vx/W, vy/H)‖·1080, as of a motion in texture coordinates: across it counts less than down (Godot, "
+     "source 002)."},
+};
 inline constexpr Choice kMomentWeights[] = {
     {"equal", "Equal", "Every sample counts alike."},
-    {"luma", "Luma", "Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7, Godot)."},
+    {"luma", "Luma", "Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7)."},
     {"distance", "Distance", "exp(−¾ r²): near samples count more (catalogue 10.7, DiligentFX)."},
+    {"boxLuma", "Luma of the box",
+     "1/(1 + Y) with the luma of the box's space: of compressed colors all weights lie between ½ and 1 "
+     "(catalogue 10.7, Godot)."},
 };
 inline constexpr Choice kBoxKinds[] = {
     {"minMax", "Min-max", "From the smallest to the largest sample (catalogue 10.1)."},
@@ -342,8 +355,8 @@ inline constexpr Choice kOffScreens[] = {
     {"reject", "Reject", "Outside the picture there is no history (catalogue 5.1)."},
     {"margin", "With margin", "Half a pixel earlier, so that no filter reads beyond (catalogue 5.3, HDRP)."},
     {"oneSided", "One-sided, as printed",
-     "As in the first listing of source 002: only the left edge is tested, the others streak "
-     "(catalogue 5.7, D9)."},
+     "As in the first listing of source 002: only the left edge is tested, the others streak; and beyond it "
+     "nothing of the current frame is taken, α = 0, instead of nothing of history (catalogue 5.7, D9)."},
 };
 inline constexpr Choice kVelocityTests[] = {
     {"none", "None", "Motion may change as it likes."},
@@ -356,6 +369,9 @@ inline constexpr Choice kRejectActions[] = {
     {"raiseAlpha", "Raise α",
      "The history stays, and α is at least a value of choice; only what is off the screen or has no history "
      "starts anew (catalogue §12, soft)."},
+    {"decay", "Decay",
+     "By the share r that is rejected N falls to N(1 − r) and α rises by r: a whole r starts anew "
+     "(catalogue 12.5, 13.3, Godot)."},
 };
 inline constexpr Choice kAlphaSources[] = {
     {"constant", "Constant", "The same α everywhere (catalogue 13.1)."},
@@ -367,22 +383,27 @@ inline constexpr Choice kAlphaSources[] = {
     {"contrast", "Contrast", "Less of it where the box is large against the pixel's luma (catalogue 13.14)."},
     {"depth", "Depth", "More history far away; none for the sky (catalogue 13.8)."},
     {"lumaDifferenceAsPrinted", "Luma difference, as printed",
-     "As printed in Raptor's chapter 11: the weights are swapped, so that equal luma takes only the current "
-     "frame and nothing is averaged (catalogue 13.12, D1)."},
+     "As printed in Raptor's chapter 11: of colors over 1 + their largest channel, and the weights are "
+     "swapped, so that equal luma takes only the current frame and nothing is averaged (catalogue 13.12, "
+     "D1)."},
     {"contrastPerChannel", "Contrast, by channel",
      "Each of red, green and blue by its own contrast, as Raptor's weights are vectors; N counts with the "
      "α of luma (catalogue 13.14, 14.2)."},
     {"confidence", "Confidence",
      "1 over a confidence that grows by 10 in each frame without motion and is 1 with it, between two "
      "limits. Wants N counted likewise (catalogue §16, Bevy)."},
+    {"lumaDifferenceCompressed", "Luma difference, compressed",
+     "As Luma difference, of colors over 1 + their largest channel: the corrected form of source 001, with "
+     "limits of 1 and 0 (catalogue 13.12)."},
 };
 inline constexpr Choice kMotionAlphas[] = {
     {"none", "None", "Motion does not matter."},
     {"linear", "Linear", "‖v‖/v₀ (catalogue 13.6)."},
-    {"squared", "Squared", "(‖v‖/v₀)² with pixels (catalogue 13.4)."},
+    {"squared", "Squared",
+     "(‖v‖/v₀)² with pixels, on top of α, where source 000 starts 0.025 below it (catalogue 13.4)."},
     {"squaredAsPrinted", "Squared, as printed",
-     "As printed in source 000: the square of a length in fractions of the picture, which stays near 0 "
-     "(catalogue 13.4, D11)."},
+     "As printed in source 000: from α − 0.025 to 1 by the square of a length in fractions of the picture, "
+     "which stays near 0, so that all there is to it is 0.025 less (catalogue 13.4, D11)."},
     {"doubled", "Doubled", "α grows to 2α at v₀ and no further (catalogue 13.6, HDRP)."},
     {"added", "Added",
      "α + ‖v‖/v₀, up to 1: v₀ is 1/k of the picture's width, 19.2 px of 1920 for k = 100, 1.92 px for k = "
@@ -392,7 +413,8 @@ inline constexpr Choice kMotionAlphas[] = {
 inline constexpr Choice kFlickerScales[] = {
     {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (catalogue 13.11, Filament)."},
     {"compressed", "Compressed",
-     "Of lumas after c/(1 + c), against 1.001: dark differences count for little (catalogue 13.11, Godot)."},
+     "Of lumas after c/(1 + c), 0.299 R + 0.587 G + 0.114 B and at least 0.0001, against 1.001: dark "
+     "differences count for little (catalogue 13.11, Godot)."},
 };
 inline constexpr Choice kSampleDistances[] = {
     {"none", "None",
@@ -442,6 +464,9 @@ inline constexpr Choice kLengthRules[] = {
     {"reciprocal", "1/α",
      "As if every α were the mean's, so that after motion the count starts low again: w′ = 1/(2 − w) of "
      "history's weight (catalogue §16, Intel, MiniEngine, DiligentFX)."},
+    {"countTo16", "Count to 16",
+     "N + 1, and never more than 16; the first frame of all is not counted, so that the second replaces it "
+     "(catalogue §16, Godot)."},
 };
 inline constexpr Choice kSharpens[] = {
     {"none", "None", "What is resolved is shown."},

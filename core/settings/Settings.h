@@ -120,7 +120,7 @@ enum class HistoryFilter : std::int32_t {
   Cubic5AsPrinted,
 };
 enum class HistoryBorder : std::int32_t { Edge, Black };
-enum class LengthFrom : std::int32_t { Reprojected, PixelAsPrinted };
+enum class LengthFrom : std::int32_t { Reprojected, PixelAsPrinted, Bilinear };
 struct HistorySettings {
   HistoryFilter filter = HistoryFilter::CatmullRom5;
   Switch dering = Switch::On;            ///< clamp to the filter's own taps; cubics and Lanczos
@@ -168,8 +168,10 @@ struct SpaceSettings {
   ToneSpace tone = ToneSpace::ReinhardLuma;
 };
 
+/// What a speed is counted in: px, px of a picture of 1080 lines, or 1080ths of the picture across and down.
+enum class SpeedUnit : std::int32_t { Pixels, Lines1080, Picture1080 };
 enum class NeighborhoodShape : std::int32_t { Cross, Square3x3, X, Rounded, Alternate, Varying, Pairs };
-enum class MomentWeights : std::int32_t { Equal, Luma, Distance };
+enum class MomentWeights : std::int32_t { Equal, Luma, Distance, BoxLuma };
 enum class BoxKind : std::int32_t { MinMax, Variance, Intersection };
 struct NeighborhoodSettings {
   NeighborhoodShape shape = NeighborhoodShape::Square3x3;
@@ -186,6 +188,7 @@ struct NeighborhoodSettings {
   MomentWeights weights = MomentWeights::Equal;
   Switch maskRelax = Switch::Off; ///< wider box and less of the current frame where the mask is set
   Switch unjitter = Switch::Off;  ///< samples around where the pixel's center landed
+  SpeedUnit gammaSpeedIn = SpeedUnit::Pixels; ///< unit of gammaSpeed
 };
 
 enum class RectifyMethod : std::int32_t {
@@ -214,7 +217,7 @@ struct RectifySettings {
 
 enum class OffScreen : std::int32_t { Keep, Reject, Margin, OneSided };
 enum class VelocityTest : std::int32_t { None, Vector, Length };
-enum class RejectAction : std::int32_t { Restart, RaiseAlpha };
+enum class RejectAction : std::int32_t { Restart, RaiseAlpha, Decay };
 struct ValidateSettings {
   OffScreen offScreen = OffScreen::Reject;
   Switch depth = Switch::On;
@@ -242,6 +245,7 @@ enum class AlphaSource : std::int32_t {
   LumaDifferenceAsPrinted,
   ContrastPerChannel,
   Confidence,
+  LumaDifferenceCompressed,
 };
 enum class MotionAlpha : std::int32_t { None, Linear, Squared, SquaredAsPrinted, Doubled, Added };
 enum class MaskAlpha : std::int32_t { Off, Responsive, Reactive, Exclude };
@@ -268,6 +272,7 @@ struct WeightSettings {
   SampleDistance sampleDistance = SampleDistance::None; ///< less the farther the sample is from the center
   Switch frameRate = Switch::Off;                       ///< α as if frames took 1/referenceRate
   float referenceRate = 60.0f;                          ///< frames a second that α is meant for
+  SpeedUnit motionSpeedIn = SpeedUnit::Pixels;          ///< unit of motionSpeed
 };
 
 enum class ToneWeight : std::int32_t {
@@ -281,7 +286,14 @@ enum class ToneWeight : std::int32_t {
   WhitePoint,
 };
 enum class Restart : std::int32_t { Filtered, Blurred };
-enum class LengthRule : std::int32_t { Variance, Count, VarianceAsPrinted, Confidence, Reciprocal };
+enum class LengthRule : std::int32_t {
+  Variance,
+  Count,
+  VarianceAsPrinted,
+  Confidence,
+  Reciprocal,
+  CountTo16,
+};
 struct BlendSettings {
   ToneWeight tone = ToneWeight::Luma;
   float white = 4.0f; ///< scene-linear color that the curve of a white point takes to 1

@@ -51,7 +51,8 @@ vec3 mixed(vec3 current, vec3 history, vec3 factor) {
     result = current == history ? history : decompressed(between);
   }
   // A share of 0 does not go through compression and back (invariant 65).
-  if (kUpsampled) result = mix(result, history, lessThanEqual(factor, vec3(0.0)));
+  const bool kMayKeepAll = kUpsampled || kValidateOffScreen == kValidateOffScreen_oneSided;
+  if (kMayKeepAll) result = mix(result, history, lessThanEqual(factor, vec3(0.0)));
   return mix(result, current, greaterThanEqual(factor, vec3(1.0)));
 }
 
@@ -72,6 +73,11 @@ float framesAfter(float alpha, float framesBefore, float confidence, vec2 motion
   if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
   if (kBlendLength == kBlendLength_reciprocal) frames = alpha > 1e-6 ? greater(confidence / alpha, 1.0) : framesBefore;
   if (kBlendLength == kBlendLength_confidence) frames = confidenceAfter(framesBefore, motion);
+  if (kBlendLength == kBlendLength_countTo16) {
+    precise float counted = framesBefore + (kUpsampled ? confidence : 1.0);
+    frames = lesser(counted, 16.0);
+    if (kDecays || !hasHistory()) return hasHistory() ? frames : 0.0; // what decayed to nothing counts from there
+  }
   return mix(frames, 1.0, alpha >= 1.0);
 }
 

@@ -15,6 +15,7 @@ struct WeightInputs {
   float divergence;     // 0 to 1
   vec2 mask;            // reactive, responsive
   float confidence;     // κ
+  bool isFrozen;        // nothing of the current frame is taken
 };
 
 struct Weight {
@@ -24,10 +25,12 @@ struct Weight {
 
 const bool kHasChannelWeights = kWeightSource == kWeightSource_contrastPerChannel;
 
-/// 1 where current and history have the same luma, squared (13.10).
+/// 1 where current and history have the same luma, squared (13.10); source 001 takes that of colors compressed by their
+/// largest channel (13.12).
 float lumaLikeness(WeightInputs x) {
-  precise float current = luma(x.current);
-  precise float history = luma(x.history);
+  const bool kIsCompressed = kWeightSource != kWeightSource_lumaDifference;
+  precise float current = luma(kIsCompressed ? compressMax(x.current) : x.current);
+  precise float history = luma(kIsCompressed ? compressMax(x.history) : x.history);
   float largest = greater(greater(current, history), 0.2);
   precise float likeness = 1.0 - abs(current - history) / largest;
   precise float squared = likeness * likeness;
@@ -73,7 +76,7 @@ float confidenceWeight(WeightInputs x) {
 float baseWeight(WeightInputs x) {
   precise float base = settings.weightAlpha;
   if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.frames + 1.0);
-  if (kWeightSource == kWeightSource_lumaDifference)
+  if (kWeightSource == kWeightSource_lumaDifference || kWeightSource == kWeightSource_lumaDifferenceCompressed)
     base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
   if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // §26, D1
   if (kWeightSource == kWeightSource_contrast || kHasChannelWeights) base = contrastWeight(x);
@@ -91,12 +94,19 @@ float leastWeight(float base) {
   return lesser(base, settings.weightMinimum);
 }
 
+/// Luma of a compressed color with Godot's weights, those of Rec. 601, and its floor.
+float godotLuma(vec3 color) {
+  precise vec3 c = reinhardChannel(color);
+  precise float result = (0.299 * c.r + 0.587 * c.g) + 0.114 * c.b;
+  return greater(result, 0.0001);
+}
+
 /// Less where luma differs (13.11), of compressed colors with Godot's divisor.
 float lumaFlickerFactor(WeightInputs x) {
   if (!kWeightLumaFlicker) return 1.0;
   const bool kIsCompressed = kWeightFlickerScale == kWeightFlickerScale_compressed;
-  precise float current = luma(kIsCompressed ? reinhardChannel(x.current) : x.current);
-  precise float history = luma(kIsCompressed ? reinhardChannel(x.history) : x.history);
+  precise float current = kIsCompressed ? godotLuma(x.current) : luma(x.current);
+  precise float history = kIsCompressed ? godotLuma(x.history) : luma(x.history);
   float largest = greater(current, history);
   precise float divisor = 0.001 + largest;
   if (kIsCompressed) divisor = greater(largest, 1.001);
@@ -161,7 +171,10 @@ float sampleDistanceFactor(WeightInputs x) {
 /// What motion adds to α (13.4 to 13.6).
 float motionWeight(WeightInputs x, float alpha) {
   if (kWeightMotion == kWeightMotion_none) return 0.0;
-  precise float share = saturated(x.speed / settings.weightMotionSpeed);
+  float speed = x.speed;
+  if (kWeightMotionSpeedIn == kWeightMotionSpeedIn_lines1080) speed = speedOfLines(x.speed);
+  if (kWeightMotionSpeedIn == kWeightMotionSpeedIn_picture1080) speed = speedOfPicture(x.dilated.motion);
+  precise float share = saturated(speed / settings.weightMotionSpeed);
   precise float squared = share * share;
   precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
   precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: §26, D11
@@ -246,6 +259,8 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
   precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);
   precise float added = calmed + result.motion;
+  precise float below = greater(calmed - 0.025, 0.0); // lerp(α − 0.025, 1, ‖v‖²)
+  if (kWeightMotion == kWeightMotion_squaredAsPrinted) moved = joined(below, result.motion);
   if (kWeightMotion == kWeightMotion_doubled) moved = added;
   if (kWeightMotion == kWeightMotion_added) moved = lesser(added, 1.0);
   if (kWeightVelocityChange) moved = joined(moved, result.velocityChange);
@@ -254,12 +269,15 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   return result;
 }
 
-/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for;
+/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for, or
+/// more by as much as is rejected where N decays as well;
 /// without TAA only the current frame counts.
 float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
   if (!kTaaEnabled) return 1.0;
   precise float alpha = kUpsampled ? terms.alpha * x.confidence : terms.alpha;
-  return greater(greater(alpha, mask), invalid);
+  precise float raised = greater(alpha, mask) + invalid;
+  if (x.isFrozen) return 0.0;
+  return kDecays ? lesser(raised, 1.0) : greater(greater(alpha, mask), invalid);
 }
 
 Weight blendWeight(WeightInputs x, Samples samples, float invalid) {

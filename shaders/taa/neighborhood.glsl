@@ -27,15 +27,18 @@ bool isInX(int k) { return k % 2 == 0; }
 /// What the box may depend on besides the colors of this frame.
 struct Moved {
   vec3 history; // scene-linear, as it was read
+  vec2 motion;  // px
   float speed;  // px a frame
   float depth;  // view depth of whose motion it is, m; 0: sky
 };
 
 /// What a sample counts (10.7). Taps that vary count as the diagonals that they stand for.
-float momentWeight(int k, vec3 color) {
+float momentWeight(int k, vec3 color, vec3 boxed) {
   precise float byLuma = 1.0 / (1.0 + luma(color));
+  precise float byBoxLuma = 1.0 / (1.0 + boxLuma(boxed));
   float byDistance = k == 4 ? 1.0 : (k % 2 == 1 ? 0.47236655 : 0.22313016);
   if (kNeighborhoodWeights == kNeighborhoodWeights_luma) return byLuma;
+  if (kNeighborhoodWeights == kNeighborhoodWeights_boxLuma) return byBoxLuma;
   return kNeighborhoodWeights == kNeighborhoodWeights_distance ? byDistance : 1.0;
 }
 
@@ -120,7 +123,7 @@ Moments measure(Samples samples, vec3 boxed[9], bool isMember[9]) {
   result.highest = boxed[kFirst];
   for (int k = 0; k < 9; ++k) {
     if (!isMember[k]) continue;
-    precise float weight = momentWeight(k, samples.color[k]);
+    precise float weight = momentWeight(k, samples.color[k], boxed[k]);
     precise vec3 difference = boxed[k] - boxed[4];
     total = total + weight;
     sum = sum + weight * difference;
@@ -188,7 +191,10 @@ float contrastGrowth(Moments moments, vec3 center, vec3 historyColor) {
 float gammaUsed(Moments moments, vec3 center, Moved moved, vec2 mask) {
   precise float gamma = settings.neighborhoodGamma;
   if (kNeighborhoodMotionGamma) { // 10.8
-    precise float rest = saturated(1.0 - moved.speed / settings.neighborhoodGammaSpeed);
+    float speed = moved.speed;
+    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_lines1080) speed = speedOfLines(moved.speed);
+    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_picture1080) speed = speedOfPicture(moved.motion);
+    precise float rest = saturated(1.0 - speed / settings.neighborhoodGammaSpeed);
     gamma = settings.neighborhoodGammaMoving + (gamma - settings.neighborhoodGammaMoving) * (rest * rest);
   }
   if (kNeighborhoodResolutionGamma) { // 10.9: of both γ that are chosen, not of what follows from colors

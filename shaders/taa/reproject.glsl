@@ -15,6 +15,19 @@ float speedOf(vec2 motion) {
   return mix(kNoPreviousPosition, speed, speed <= kNoPreviousPosition);
 }
 
+/// Speed in px of a picture of 1080 lines.
+float speedOfLines(float speed) {
+  precise float result = speed * (1080.0 / resolveBlock.sizePx.y);
+  return result;
+}
+
+/// Speed in 1080ths of the picture, across and down.
+float speedOfPicture(vec2 motion) {
+  precise vec2 share = motion / resolveBlock.sizePx;
+  precise float result = 1080.0 * speedOf(share);
+  return result;
+}
+
 /// Whether the history position lies outside for the chosen rule. Written so that NaN does.
 bool isOutside(vec2 position) {
   float margin = kValidateOffScreen == kValidateOffScreen_margin ? 0.5 : 0.0; // what a filter reads beyond (5.3)

@@ -39,18 +39,20 @@ void main() {
   vec3 current = filtered.color;
   Samples measured = samples;
   if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
-  Moved moved = Moved(history.color, reprojection.speed, viewDepth(dilated.depth));
+  Moved moved = Moved(history.color, dilated.motion, reprojection.speed, viewDepth(dilated.depth));
   Neighborhood around = boundNeighborhood(measured, place.texel, current, moved);
   stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);
   stage_ends(kStage_validate_history, vec4(validity.invalid, validity.velocityChange, 0.0, 0.0));
   float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
+  history.frames = framesLeft(history.frames, validity);
   RectifiedHistory rectified = rectifyHistory(history, around, current, reprojection.speed, held);
   stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.frames));
   WeightInputs weighed =
       WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
-                   validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence);
+                   validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence,
+                   validity.isFrozen);
   Weight weight = blendWeight(weighed, samples, validity.invalid);
   stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);

@@ -245,6 +245,21 @@ vec3 historyColor(vec2 x) {
   return historySixteen(x);
 }
 
+/// N of the four texels around, mixed by their distance (Godot).
+float bilinearLength(vec2 position) {
+  precise vec2 corner = floor(position - 0.5);
+  precise vec2 f = position - (corner + 0.5);
+  ivec2 first = ivec2(corner);
+  float topLeft = historyAt(u_historySurface, first).r;
+  float topRight = historyAt(u_historySurface, first + ivec2(1, 0)).r;
+  float bottomLeft = historyAt(u_historySurface, first + ivec2(0, 1)).r;
+  float bottomRight = historyAt(u_historySurface, first + 1).r;
+  precise float top = topLeft + f.x * (topRight - topLeft);
+  precise float bottom = bottomLeft + f.x * (bottomRight - bottomLeft);
+  precise float result = top + f.y * (bottom - top);
+  return result;
+}
+
 HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   HistorySample result;
   result.color = historyColor(position);
@@ -261,6 +276,7 @@ HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   }
   if (kHistoryLength == kHistoryLength_pixelAsPrinted) // §26, D15
     result.frames = historyAt(u_historySurface, pixel).r;
+  if (kHistoryLength == kHistoryLength_bilinear) result.frames = bilinearLength(position);
   return result;
 }
 

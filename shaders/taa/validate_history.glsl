@@ -18,6 +18,7 @@ struct Validity {
   int reason;
   float invalid;        // least α: 1 where history is dropped, 0 where it is kept
   float velocityChange; // px a frame
+  bool isFrozen;        // beyond the border that is tested as printed: nothing of the current frame is taken
 };
 
 /// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
@@ -80,8 +81,14 @@ int rejectReason(Reprojection reprojection, bool isDeeper, GeometryMatch geometr
   return hasHistory() ? reason : kRejectReason_noHistory;
 }
 
+/// Source 002's first test of the border keeps all of the history that it finds invalid (§26, D9).
+bool isFrozenBy(int reason) {
+  return kValidateOffScreen == kValidateOffScreen_oneSided && reason == kRejectReason_offScreen;
+}
+
 /// Least α for a reason: what is off the screen or not there starts anew whatever is chosen.
 float invalidity(int reason, float changed) {
+  if (isFrozenBy(reason)) return 0.0;
   bool isSoft = kValidateAction == kValidateAction_raiseAlpha && reason >= kRejectReason_depth;
   float whole = mix(1.0, settings.validateSoftAlpha, isSoft);
   precise float part = changed * whole;
@@ -109,5 +116,13 @@ Validity validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reproj
   expose_depthMismatch(match.mismatch);
   expose_depthAllowed(allowed);
   expose_rejectReason(float(reason));
-  return Validity(reason, invalidity(reason, changed), geometry.velocityChange);
+  return Validity(reason, invalidity(reason, changed), geometry.velocityChange, isFrozenBy(reason));
+}
+
+const bool kDecays = kValidateAction == kValidateAction_decay;
+
+/// N once it has decayed by what is rejected (Godot).
+float framesLeft(float frames, Validity validity) {
+  precise float left = frames * (1.0 - validity.invalid);
+  return kDecays ? left : frames;
 }

@@ -47,8 +47,11 @@ TEST(WeightNumbers, TheLumaDifferenceAsPrintedTrustsWhatDiffers) {
   WeightSettings settings;
   settings.source = AlphaSource::LumaDifferenceAsPrinted;
   settings.minimum = 0.0f;
-  const auto alpha = [&settings](float history) {
-    return weigh(settings, 5.0f, 0.0f, lumas(0.5f, history)).alpha;
+  const auto alpha = [&settings](float history) { // of grays over 1 + their largest channel
+    Seen seen = lumas(0.5f, history);
+    seen.maxCurrent = 0.5f / 1.5f;
+    seen.maxHistory = history / (1.0f + history);
+    return weigh(settings, 5.0f, 0.0f, seen).alpha;
   };
   EXPECT_EQ(alpha(0.5f), 1.0f);
   EXPECT_GT(alpha(0.5f), alpha(0.6f));

@@ -74,13 +74,20 @@ float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint
 }
 
 /// N after the frame (catalogue §16), of a sample of confidence κ.
-float lengthAfter(float alpha, float before, float confidence, LengthRule rule, const glm::vec2& motion) {
+float lengthAfter(const Settings& settings, const Mix& mix) {
+  const LengthRule rule = settings.blend.length;
+  const float alpha = mix.alpha, before = mix.historyLength, confidence = mix.confidence;
+  if (rule == LengthRule::CountTo16) {
+    if (mix.isFirst) return 0.0f;
+    const float counted = before + confidence < 16.0f ? before + confidence : 16.0f;
+    return alpha >= 1.0f && settings.validate.action != RejectAction::Decay ? 1.0f : counted;
+  }
   if (alpha >= 1.0f) return 1.0f;
   if (rule == LengthRule::Reciprocal) {
     if (!(alpha > 1e-6f)) return before;
     return confidence / alpha > 1.0f ? confidence / alpha : 1.0f;
   }
-  if (rule == LengthRule::Confidence) return confidenceAfter(before, motion);
+  if (rule == LengthRule::Confidence) return confidenceAfter(before, mix.motion);
   if (rule == LengthRule::Count) return before + confidence;
   const float rest = 1.0f - alpha;
   const float variance = alpha * alpha + (rest * rest) / before;
@@ -101,13 +108,13 @@ Blended blend(const Settings& settings, const Mix& mix) {
   glm::vec3 factors(result.factor);
   if (settings.weight.source == AlphaSource::ContrastPerChannel)
     for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
-  const glm::vec3 color = mixed(mix.current, mix.history, factors, settings.blend, isUpsampled(settings));
+  const bool mayKeepAll = isUpsampled(settings) || settings.validate.offScreen == OffScreen::OneSided;
+  const glm::vec3 color = mixed(mix.current, mix.history, factors, settings.blend, mayKeepAll);
   for (int i = 0; i < 3; ++i) {
     const float channel = isBad(color[i]) ? mix.current[i] : color[i];
     result.resolved[i] = stored(settings.history, channel, mix, static_cast<std::uint32_t>(i));
   }
-  result.historyLength =
-      lengthAfter(mix.alpha, mix.historyLength, mix.confidence, settings.blend.length, mix.motion);
+  result.historyLength = lengthAfter(settings, mix);
   return result;
 }
 

@@ -17,10 +17,12 @@ struct Seen {
   bool hasHistory = false;
   float lumaCurrent = 0.0f, lumaHistory = 0.0f; ///< filtered; rectified
   float boxCurrent = 0.0f, boxHistoryRaw = 0.0f, boxHistory = 0.0f, boxLow = 0.0f, boxHigh = 0.0f;
-  float compressedCurrent = 0.0f, compressedHistory = 0.0f; ///< luma of c/(1 + c)
+  float compressedCurrent = 0.0f, compressedHistory = 0.0f; ///< Godot's luma of c/(1 + c)
+  float maxCurrent = 0.0f, maxHistory = 0.0f;               ///< luma of c/(1 + its largest channel)
   glm::vec3 contrast{0.0f}; ///< range of the nine samples over the filtered color
   float depth = 0.0f;       ///< device
   float speed = 0.0f;       ///< px a frame
+  glm::ivec2 picturePx{0};  ///< size of the picture
   glm::vec2 motion{0.0f};   ///< px
   glm::vec2 motionUv{0.0f};
   glm::vec2 mask{0.0f};        ///< reactive, responsive
@@ -30,6 +32,8 @@ struct Seen {
   float confidence = 1.0f;     ///< κ
   glm::vec2 jitterPx{0.0f};
   double stepSeconds = 1.0 / 60.0;
+  bool isFrozen = false; ///< nothing of the current frame is taken
+  bool decays = false;   ///< what is rejected is added to α
 };
 /// Bevy's confidence after a frame (catalogue §16).
 float confidenceAfter(float before, const glm::vec2& motionPx);
@@ -68,6 +72,7 @@ struct Mix {
   glm::vec2 motion{0.0f};  ///< px
   glm::ivec2 pixel{0};     ///< it and the frame's number choose the dither
   int frame = 0;
+  bool isFirst = false; ///< there is no history
 };
 Blended blend(const Settings& settings, const Mix& mix);
 

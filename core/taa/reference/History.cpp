@@ -150,6 +150,18 @@ glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const 
   return settings.filter == HistoryFilter::Point ? taps.each[0].color : meanOf(taps, settings);
 }
 
+/// N of the four texels around, mixed by their distance, as Godot reads it.
+float bilinearLength(const Inputs& inputs, const glm::vec2& position) {
+  const Place x = placeAt(position.x), y = placeAt(position.y);
+  const auto at = [&](int i, int j) {
+    const glm::ivec2 texel = clampedToPicture({x.texel + i, y.texel + j}, inputs);
+    return inputs.historySurface.texel(texel.x, texel.y).x;
+  };
+  const float top = at(0, 0) + x.fraction * (at(1, 0) - at(0, 0));
+  const float bottom = at(0, 1) + x.fraction * (at(1, 1) - at(0, 1));
+  return top + y.fraction * (bottom - top);
+}
+
 /// Whether view depth spans more than a share of the farthest among the nine pixels (catalogue 6.8).
 bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
   constexpr float kSky = 1e30f; // m
@@ -238,7 +250,9 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
                              : filtered(inputs, settings, q));          // negative lobes overshoot both ways
   const bool isOfPixel = settings.length == LengthFrom::PixelAsPrinted; // D15
   const glm::ivec2 nearest = clampedToPicture(isOfPixel ? pixel : texelOf(q), inputs);
-  result.length = inputs.historySurface.texel(nearest.x, nearest.y).x;
+  result.length = settings.length == LengthFrom::Bilinear
+                      ? bilinearLength(inputs, q)
+                      : inputs.historySurface.texel(nearest.x, nearest.y).x;
   return result;
 }
 

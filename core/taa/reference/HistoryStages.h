@@ -19,7 +19,7 @@ struct Member {
   std::size_t distance = 0; ///< steps from the center along the axes that it weighs as, 0 to 2
 };
 /// What it counts for mean and deviation (catalogue 10.7).
-float momentWeight(MomentWeights weights, const Member& member);
+float momentWeight(const Settings& settings, const Member& member);
 /// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
 struct Neighborhood {
   glm::vec3 mean{0.0f};
@@ -40,6 +40,7 @@ struct Moved {
   float speed = 0.0f;      ///< px a frame
   float relax = 0.0f;      ///< the larger mask
   float depth = 0.0f;      ///< view depth of whose motion it is, m; 0: sky
+  glm::vec2 motion{0.0f};  ///< px
 };
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
@@ -138,8 +139,11 @@ struct Validated {
   float depthMismatch = 0.0f; ///< relative to depthExpected
   float depthAllowed = 0.0f;  ///< the largest mismatch that is kept
   RejectReason reason = RejectReason::Kept;
-  float invalid = 0.0f; ///< least α
+  float invalid = 0.0f;  ///< least α; where N decays, what is added to α
+  bool isFrozen = false; ///< outside as printed (D9): nothing of the current frame is taken
 };
+/// N of history that may decay by what is rejected (Godot).
+float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated);
 Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
                           const Reprojected& reprojected, const glm::vec2& readPosition,
                           const glm::ivec2& pixel, const GeometryMatch& geometry = {});

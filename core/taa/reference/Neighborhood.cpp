@@ -85,7 +85,7 @@ void measureMembers(const std::vector<Member>& members, const Settings& settings
     const glm::vec3 sample = toBox(member.color, settings.space);
     result.min = smaller(result.min, sample);
     result.max = larger(result.max, sample);
-    const float weight = momentWeight(settings.neighborhood.weights, member);
+    const float weight = momentWeight(settings, member);
     const glm::vec3 e = sample - center; // about the center: no cancellation in high dynamic range
     first = first + weight * e;
     second = second + weight * (e * e);
@@ -148,7 +148,9 @@ float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborho
   const NeighborhoodSettings& chosen = settings.neighborhood;
   float gamma = chosen.gamma;
   if (chosen.motionGamma == Switch::On) {
-    const float rest = saturated(1.0f - moved.speed / chosen.gammaSpeed);
+    const glm::ivec2 picturePx(inputs.outputWidth(), inputs.outputHeight());
+    const float speed = speedIn(chosen.gammaSpeedIn, moved.speed, moved.motion, picturePx);
+    const float rest = saturated(1.0f - speed / chosen.gammaSpeed);
     gamma = chosen.gammaMoving + (gamma - chosen.gammaMoving) * (rest * rest);
   }
   // Of what is chosen, as Godot multiplies its base; what follows from colors does not know of pixels.
@@ -181,8 +183,11 @@ void boundByMoments(BoxKind kind, Neighborhood& n) {
 
 } // namespace
 
-float momentWeight(MomentWeights weights, const Member& member) {
+float momentWeight(const Settings& settings, const Member& member) {
   constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
+  const MomentWeights weights = settings.neighborhood.weights;
+  if (weights == MomentWeights::BoxLuma)
+    return 1.0f / (1.0f + boxLuma(toBox(member.color, settings.space), settings.space));
   if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(member.color));
   return weights == MomentWeights::Distance ? kByDistance[member.distance] : 1.0f;
 }

@@ -119,6 +119,12 @@ Kept keptOf(const Geometry& geometry, const Held& held) {
           held.keptLumas};
 }
 
+/// Rec. 601's weights, and never quite 0 (catalogue 13.11).
+float godotLuma(const glm::vec3& c) {
+  const float y = (0.299f * c.x + 0.587f * c.y) + 0.114f * c.z;
+  return y > 0.0001f ? y : 0.0001f;
+}
+
 Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
             const glm::vec3& historyRaw, const glm::vec3& history, const Neighborhood& n) {
   const auto boxed = [&space](const glm::vec3& color) { return boxLuma(toBox(color, space), space); };
@@ -131,8 +137,10 @@ Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& c
   seen.boxHistory = boxed(history);
   seen.boxLow = boxLuma(n.boxMin, space);
   seen.boxHigh = boxLuma(n.boxMax, space);
-  seen.compressedCurrent = luma(compress(current, ToneSpace::ReinhardChannel));
-  seen.compressedHistory = luma(compress(history, ToneSpace::ReinhardChannel));
+  seen.compressedCurrent = godotLuma(compress(current, ToneSpace::ReinhardChannel));
+  seen.compressedHistory = godotLuma(compress(history, ToneSpace::ReinhardChannel));
+  seen.maxCurrent = luma(compress(current, ToneSpace::MaxChannel));
+  seen.maxHistory = luma(compress(history, ToneSpace::MaxChannel));
   seen.stepSeconds = inputs.stepSeconds;
   return seen;
 }
@@ -230,9 +238,10 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
 
   const glm::vec2 mask = maskAt(inputs, texel);
   const float largestMask = mask.x > mask.y ? mask.x : mask.y;
-  const Neighborhood neighborhood = measureNeighborhood(
-      inputs, settings, current, texel,
-      {history.color, reprojected.speed, largestMask, viewDepth(dilated.depth, inputs.depthTerms)});
+  const Neighborhood neighborhood =
+      measureNeighborhood(inputs, settings, current, texel,
+                          {history.color, reprojected.speed, largestMask,
+                           viewDepth(dilated.depth, inputs.depthTerms), dilated.motion});
   recordNeighborhood(record, neighborhood);
 
   const Geometry geometry = geometryOf(inputs, dilated, texel);
@@ -247,12 +256,14 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   recordHeld(record, held);
   const Clipped rectified =
       rectifyHistory(inputs, settings, history.color, current, neighborhood, {reprojected.speed, held.share});
-  const float length = lengthKept(settings, history.length, rectified, held.share);
+  const float left = lengthLeft(settings.validate, history.length, validated);
+  const float length = lengthKept(settings, left, rectified, held.share);
   recordRectified(record, rectified, length);
 
   Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
   seen.depth = dilated.depth;
   seen.speed = reprojected.speed;
+  seen.picturePx = {inputs.outputWidth(), inputs.outputHeight()};
   seen.contrast = contrastAround(inputs, texel, current);
   seen.motion = dilated.motion;
   seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
@@ -263,13 +274,16 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   seen.velocityChange = match.velocityChange;
   const Divergence divergence = motionDivergence(inputs, settings.weight, texel);
   seen.divergence = divergence.value;
+  seen.isFrozen = validated.isFrozen;
+  seen.decays = settings.validate.action == RejectAction::Decay;
   const Weights weights = weigh(settings, length, validated.invalid, seen);
   recordWeights(record, weights);
   const bool isBlurred =
       isTaaOn(settings) && settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
   const glm::vec3 shown = isBlurred ? blurredRestart(inputs, texel) : current;
-  recordBlend(record, blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length,
-                                       confidence, dilated.motion, p, inputs.frame}));
+  recordBlend(record,
+              blend(settings, {shown, rectified.value, weights.alpha, weights.channels, length, confidence,
+                               dilated.motion, p, inputs.frame, inputs.historyColor.empty()}));
   Shown output;
   if (!inputs.resolved.empty()) recordOutput(record, output = showOutput(inputs, settings, p));
   if (kept) *kept = keptOf(geometry, held);

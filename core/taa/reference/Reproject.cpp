@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace taa::reference {
+
+float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx) {
+  if (unit == SpeedUnit::Pixels) return speed;
+  if (unit == SpeedUnit::Lines1080) return speed * (1080.0f / static_cast<float>(picturePx.y));
+  const glm::vec2 share = motionPx / glm::vec2(picturePx);
+  const float length = std::sqrt(share.x * share.x + share.y * share.y);
+  return 1080.0f * (length <= kNoPreviousPosition ? length : kNoPreviousPosition);
+}
+
 Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
                       const glm::ivec2& pixel) {
   const bool isInPlace = settings.method == ReprojectMethod::InPlace;

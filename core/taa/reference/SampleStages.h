@@ -40,6 +40,9 @@ struct Reprojected {
 Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
                       const glm::ivec2& pixel);
 
+/// A speed in another unit than px, of its motion, px, and the picture's size.
+float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx);
+
 /// A weighted set of colors, whose mean a filter is.
 struct Taps {
   struct Tap {

@@ -95,10 +95,16 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
     changed = saturated((geometry.velocityChange - settings.velocityLimit) * settings.velocityGain);
   result.reason = reasonOf(inputs, settings, reprojected, geometry, result, changed);
   if (result.reason == RejectReason::Kept) return result;
+  result.isFrozen = result.reason == RejectReason::OffScreen && settings.offScreen == OffScreen::OneSided;
+  if (result.isFrozen) return result;
   const bool isSoft = settings.action == RejectAction::RaiseAlpha && result.reason >= RejectReason::Depth;
   const float whole = isSoft ? settings.softAlpha : 1.0f;
   result.invalid = result.reason == RejectReason::Velocity ? changed * whole : whole;
   return result;
+}
+
+float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated) {
+  return settings.action == RejectAction::Decay ? length * (1.0f - validated.invalid) : length;
 }
 
 } // namespace taa::reference

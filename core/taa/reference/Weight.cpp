@@ -16,9 +16,9 @@ float smaller(float a, float b) {
 }
 
 /// u² of Lottes and Playdead (catalogue 13.10): 1 where luma is the same.
-float likeness(const Seen& seen) {
-  const float most = larger(larger(seen.lumaCurrent, seen.lumaHistory), 0.2f);
-  const float u = 1.0f - std::fabs(seen.lumaCurrent - seen.lumaHistory) / most;
+float likeness(float current, float history) {
+  const float most = larger(larger(current, history), 0.2f);
+  const float u = 1.0f - std::fabs(current - history) / most;
   return u * u;
 }
 
@@ -34,9 +34,11 @@ float baseOf(const WeightSettings& settings, float historyLength, const Seen& se
   case AlphaSource::HistoryLength:
     return 1.0f / (historyLength + 1.0f);
   case AlphaSource::LumaDifference:
-    return settings.most + likeness(seen) * (settings.least - settings.most);
-  case AlphaSource::LumaDifferenceAsPrinted:
-    return likeness(seen);
+    return settings.most + likeness(seen.lumaCurrent, seen.lumaHistory) * (settings.least - settings.most);
+  case AlphaSource::LumaDifferenceCompressed:
+    return settings.most + likeness(seen.maxCurrent, seen.maxHistory) * (settings.least - settings.most);
+  case AlphaSource::LumaDifferenceAsPrinted: // D1
+    return likeness(seen.maxCurrent, seen.maxHistory);
   case AlphaSource::Contrast:
   case AlphaSource::ContrastPerChannel:
     return byContrast(std::fabs(seen.boxHigh - seen.boxLow) / larger(seen.boxCurrent, 1e-5f));
@@ -105,7 +107,8 @@ float byFrameRate(const WeightSettings& settings, float alpha, double stepSecond
 
 /// What motion adds to α (catalogue 13.4 to 13.6).
 float motionTerm(const WeightSettings& settings, const Seen& seen, float alpha) {
-  const float x = saturated(seen.speed / settings.motionSpeed);
+  const float speed = speedIn(settings.motionSpeedIn, seen.speed, seen.motion, seen.picturePx);
+  const float x = saturated(speed / settings.motionSpeed);
   switch (settings.motion) {
   case MotionAlpha::None:
     return 0.0f;
@@ -151,6 +154,7 @@ void compose(const WeightSettings& settings, const Seen& seen, Weights& result) 
   alpha = alpha < 1.0f ? alpha : 1.0f;
   result.motion = motionTerm(settings, seen, alpha);
   const auto join = [&alpha](float term) { alpha = 1.0f - (1.0f - alpha) * (1.0f - term); };
+  if (settings.motion == MotionAlpha::SquaredAsPrinted) alpha = larger(alpha - 0.025f, 0.0f); // 13.4
   if (settings.motion == MotionAlpha::Doubled) {
     alpha = alpha + result.motion;
   } else if (settings.motion == MotionAlpha::Added) {
@@ -163,9 +167,12 @@ void compose(const WeightSettings& settings, const Seen& seen, Weights& result) 
   result.byFrameRate = byFrameRate(settings, alpha, seen.stepSeconds);
 }
 
-/// α of what was composed: by κ (catalogue §22), and no less than the mask and invalid history ask for.
+/// α of what was composed: by κ (catalogue §22), and no less than the mask and invalid history ask for; more
+/// by what is rejected where N decays.
 float alphaOf(const Weights& weights, const Seen& seen) {
-  return larger(larger(weights.byFrameRate * seen.confidence, weights.mask), weights.invalid);
+  if (seen.isFrozen) return 0.0f;
+  const float asked = larger(weights.byFrameRate * seen.confidence, weights.mask);
+  return seen.decays ? smaller(asked + weights.invalid, 1.0f) : larger(asked, weights.invalid);
 }
 
 } // namespace
