@@ -277,7 +277,7 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"raptor-corrected", // what catalogue §26 says of each defect, D1 to D19
        {"inputs.motion=objects", "dilate.method=closest3x3", "history.filter=catmullRom9",
         "current.filter=mitchell", "current.jitterAware=on", "rectify.method=clampThenClip",
-        "weight.source=lumaDifference", "weight.most=0.12", "weight.least=0.03", "blend.tone=luma",
+        "weight.source=lumaDifferenceCompressed", "weight.most=0.12", "weight.least=0.03", "blend.tone=luma",
         "output.sharpen=lumaRatio", "output.amount=0.1"}},
       {"source000",
        {"jitter.period=16", "history.filter=catmullRom5", "current.lumaWeighted=on",
