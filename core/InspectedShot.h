@@ -19,7 +19,7 @@
 
 namespace taa {
 
-/// Of 1280 × 720 with the default settings it holds 72 histories.
+/// Of 1280 × 720 with the default settings it holds 48 histories.
 inline constexpr std::size_t kDefaultCheckpointBudget = std::size_t(1) << 30;
 /// What a program can be asked for, MiB.
 inline constexpr int kMostCheckpointMiB = 1 << 20;

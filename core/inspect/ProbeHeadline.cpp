@@ -131,6 +131,7 @@ std::string doubtText(const Values& v, const std::string& kept) {
         say<"%1, although it is a ghost, %2 of the result: %3, and in a color that is none of those around">(
             kept, percentText(1.0 - static_cast<double>(v.of(Id::blendFactor))), surfaceText(v)));
   }
+  if (v.of(Id::geometricFlicker) > 0) return say<"%1, for single frames miss a thin feature here">(kept);
   // What was allowed only for the slope is worth knowing where it is much.
   const float mismatch = v.of(Id::depthMismatch);
   const float tolerance = v.settings.validate.depthTolerance;
@@ -181,8 +182,8 @@ std::string calmText(const Values& v, const std::string& source) {
     product *= v.of(calm);
   }
   const bool isByLength = v.settings.weight.source == AlphaSource::HistoryLength;
-  return isByLength || product < v.of(Id::alphaFloor) ? say<"max(%1, %2)">(text, v.number(Id::alphaFloor))
-                                                      : text;
+  if (isByLength || product < v.of(Id::alphaFloor)) text = say<"max(%1, %2)">(text, v.number(Id::alphaFloor));
+  return v.of(Id::alphaFlicker) == 1.0f ? text : text + " × " + v.number(Id::alphaFlicker);
 }
 
 /// And what motion adds (catalogue §13), and how much the samples say where fewer are drawn (§22).
@@ -253,6 +254,7 @@ HistoryDoubt historyDoubt(const reference::PixelRecord& record, const Settings& 
   const Values v{record, settings};
   if (v.of(Id::rejectReason) != 0.0f || v.of(Id::blendFactor) >= 1.0f) return HistoryDoubt::None;
   if (v.of(Id::onScreen) == 0.0f) return HistoryDoubt::OffScreen;
+  if (v.of(Id::geometricFlicker) > 0.0f) return HistoryDoubt::None;
   const bool isUnlike = isUnlikeAround(v, Id::historyRectified);
   if (v.of(Id::depthMismatch) > v.of(Id::depthAllowed))
     return isUnlike ? HistoryDoubt::Ghost : HistoryDoubt::OtherSurface;
@@ -293,6 +295,7 @@ std::string depthMeaning(Id id, const Values& v) {
   switch (id) {
   case Id::depthMismatch:
     if (!isOther) return say<"same surface">();
+    if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
     return isTested ? say<"another surface">() : say<"another surface, not tested">();
   case Id::depthAllowed:
     return isTested ? "" : say<"not tested">();

@@ -131,6 +131,11 @@ std::string wayText(const Teller& t, const Clip& clip) {
   return "";
 }
 
+/// Whether a part of the correction is applied: at rest, or at geometric flicker.
+bool isPartial(const Teller& t) {
+  return isOn(t.settings().rectify.relaxAtRest) || t.value(Id::rectifyStrength) < 1.0f;
+}
+
 /// How far history was pulled, and what that is a part of.
 std::string pulledWords(const Teller& t) {
   const std::string target = targetText(t.settings().rectify.method);
@@ -190,7 +195,7 @@ RowStory rectifiedStory(const Teller& t) {
   if (!clip.result.moved) return {keptWords(t), "", ""};
   const bool isSelected = rectify.method == RectifyMethod::Select;
   const std::string words = isSelected ? selectedWords(t, clip) : pulledWords(t);
-  if (isOn(rectify.relaxAtRest) || t.details().held.share > 0.0f) {
+  if (isPartial(t) || t.details().held.share > 0.0f) {
     const std::string raw = t.tuple(Id::historyRaw);
     const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
                               t.number(static_cast<double>(t.details().held.share)) + ")";
@@ -264,7 +269,7 @@ RowStory clipStory(const Teller& t) {
           ? say<"history was pulled %1 of the way: %2">(t.percent(Id::clipAmount), method)
           : say<"history is outside, but not pulled: %1">(method);
   if (text.empty()) return {words, "", ""};
-  if (isOn(t.settings().rectify.relaxAtRest)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
+  if (isPartial(t)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
   if (t.details().held.share > 0.0f)
     text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().held.share)) + ")";
   return {words, t.equals(text, Id::clipAmount), ""};
@@ -273,14 +278,20 @@ RowStory clipStory(const Teller& t) {
 RowStory strengthStory(const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
   if (rectify.method == RectifyMethod::None) return {say<"nothing is rectified">(), "", ""};
-  if (!isOn(rectify.relaxAtRest)) return {say<"all of the correction is applied">(), "", ""};
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  const bool isRelaxed = isOn(rectify.relaxAtRest), isFlicker = t.value(Id::geometricFlicker) > 0.0f;
+  const std::string relaxed = n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) +
+                              ") × clamp((" + t.number(Id::speed) + " / " + n(rectify.restSpeed) +
+                              ")^2, 0, 1)";
+  if (isFlicker)
+    return {
+        say<"single frames miss a thin feature at rest">(),
+        t.equals((isRelaxed ? "(" + relaxed + ") × " : "") + n(rectify.flickerStrength), Id::rectifyStrength),
+        ""};
+  if (!isRelaxed) return {say<"all of the correction is applied">(), "", ""};
   return {t.value(Id::rectifyStrength) < 1.0f ? say<"less is applied where little moves">()
                                               : say<"all of the correction is applied">(),
-          t.equals(n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) + ") × clamp((" +
-                       t.number(Id::speed) + " / " + n(rectify.restSpeed) + ")^2, 0, 1)",
-                   Id::rectifyStrength),
-          ""};
+          t.equals(relaxed, Id::rectifyStrength), ""};
 }
 
 RowStory keptLengthStory(const Teller& t) {

@@ -13,13 +13,18 @@ namespace {
 RowStory mismatchStory(const Teller& t) {
   const float expected = t.value(Id::depthExpected), stored = t.value(Id::historyDepth);
   if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
+  const bool countsNearer = t.settings().validate.depthDirection == DepthDirection::Nearer;
+  if (countsNearer && t.value(Id::depthMismatch) == 0.0f && stored != expected)
+    return {say<"farther than expected: it hid nothing">(), "", ""};
   if (expected == 0.0f || stored == 0.0f)
     return {expected == stored ? say<"the sky, as before">() : say<"the sky against a surface">(), "", ""};
   const bool isMore = t.value(Id::depthMismatch) > t.value(Id::depthAllowed);
   const bool isTested = isOn(t.settings().validate.depth);
-  return {isMore     ? isTested ? say<"more than is allowed: another surface">()
+  const bool isFlicker = t.value(Id::geometricFlicker) > 0.0f;
+  return {isFlicker  ? say<"more than is allowed, of a thin feature at rest">()
+          : isMore   ? isTested ? say<"more than is allowed: another surface">()
                                 : say<"more than a depth test would allow, but none runs">()
-              : isTested ? say<"no more than is allowed">()
+            : isTested ? say<"no more than is allowed">()
                      : say<"no more than a depth test would allow">(),
           t.equals("|" + t.number(Id::depthExpected) + " − " + t.number(Id::historyDepth) + "| / " +
                        t.number(Id::depthExpected),
@@ -31,7 +36,7 @@ RowStory allowedStory(const Teller& t) {
   const ValidateSettings& validate = t.settings().validate;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
   std::string text = n(validate.depthTolerance);
-  const bool hasSlope = t.value(Id::depthExpected) != 0.0f && t.value(Id::depthView) != 0.0f;
+  const bool hasSlope = t.value(Id::depthExpected) != 0.0f && t.value(Id::dilatedDepth) != 0.0f;
   if (hasSlope)
     text += " + " + n(validate.slopeAllowance) + " × " + n(t.details().slope) + " / " +
             t.number(Id::depthExpected);
@@ -39,6 +44,17 @@ RowStory allowedStory(const Teller& t) {
       hasSlope ? say<"the tolerance, and more for the surface's slope">() : say<"the tolerance">();
   if (!isOn(validate.depth)) words = say<"%1, of a depth test that does not run">(words);
   return {words, t.equals(text, Id::depthAllowed), ""};
+}
+
+RowStory flickerStory(const Teller& t) {
+  if (!findsFlicker(t.settings())) return {say<"not asked for">(), "", ""};
+  if (t.value(Id::geometricFlicker) > 0.0f)
+    return {say<"nothing parts by more than %1 px, and what is nearer is thin: single frames miss it">(
+                t.number(t.settings().validate.restLimit)),
+            "", ""};
+  if (t.value(Id::depthMismatch) > t.value(Id::depthAllowed))
+    return {say<"something moves against it, or what is nearer is not thin">(), "", ""};
+  return {say<"its depth is that of history">(), "", ""};
 }
 
 /// `reason` is what the table calls it.
@@ -81,6 +97,8 @@ std::string testsText(const ValidateSettings& validate) {
 
 RowStory reasonStory(const Teller& t) {
   const int reason = static_cast<int>(t.value(Id::rejectReason));
+  if (reason == 0 && t.value(Id::geometricFlicker) > 0.0f)
+    return {say<"kept: depth differs at rest, of a thin feature that single frames miss">(), "", ""};
   if (reason == 0) {
     const std::string tests = testsText(t.settings().validate);
     return {tests.empty() ? say<"kept: no test runs">() : say<"kept: all tests passed (%1)">(tests), "", ""};
@@ -133,12 +151,14 @@ RowStory validateStory(Id id, const Teller& t) {
             "", ""};
   case Id::historyDepth:
     return {t.details().isFirst ? say<"there is no history yet">()
-                                : say<"of the four stored around, the one that fits best">(),
+                                : say<"of the depths stored around, the one that fits best">(),
             "", ""};
   case Id::depthMismatch:
     return mismatchStory(t);
   case Id::depthAllowed:
     return allowedStory(t);
+  case Id::geometricFlicker:
+    return flickerStory(t);
   case Id::historyObjectId:
     if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
     return {t.value(id) == 0.0f                    ? say<"the sky, or not kept">()

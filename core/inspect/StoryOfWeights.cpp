@@ -151,7 +151,7 @@ float calmed(const Teller& t) {
   for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
                         Id::alphaSampleDistance})
     alpha *= t.value(calm);
-  return std::fmin(std::fmax(alpha, t.value(Id::alphaFloor)), 1.0f);
+  return std::fmin(std::fmax(alpha, t.value(Id::alphaFloor)), 1.0f) * t.value(Id::alphaFlicker);
 }
 
 /// Base, calmed, no less than the floor.
@@ -164,9 +164,12 @@ std::string calmText(const Teller& t, bool withBase) {
     text = (isProduct ? text : "(" + text + ")") + " × " + t.number(calm);
     isProduct = true;
   }
-  const bool isFloored =
-      t.settings().weight.source == AlphaSource::HistoryLength || calmed(t) <= t.value(Id::alphaFloor);
-  return isFloored ? call("max", {text, t.number(Id::alphaFloor)}) : text;
+  const float flicker = t.value(Id::alphaFlicker);
+  const bool isFloored = t.settings().weight.source == AlphaSource::HistoryLength ||
+                         calmed(t) <= t.value(Id::alphaFloor) * flicker;
+  if (isFloored) text = call("max", {text, t.number(Id::alphaFloor)});
+  if (flicker == 1.0f) return text;
+  return (isFloored || isProduct ? text : "(" + text + ")") + " × " + t.number(Id::alphaFlicker);
 }
 
 RowStory motionStory(const Teller& t) {
@@ -337,6 +340,9 @@ RowStory alphaStory(const Teller& t) {
       say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
   if (t.value(Id::alphaFloor) == t.value(Id::alpha) && t.value(Id::alphaBase) < t.value(Id::alphaFloor))
     words = say<"%1; no less than the floor">(words);
+  if (t.value(Id::alphaFlicker) != 1.0f)
+    words =
+        say<"%1; %2 of that, for single frames may miss a thin feature">(words, t.number(Id::alphaFlicker));
   const float mask = t.value(Id::alphaMask), alpha = t.value(Id::alpha);
   const bool isComposed = alpha > std::fmax(mask, invalid); // else it is not motion that it comes from
   if (isComposed && t.value(Id::alphaMotion) > 0 && calmed(t) < 1.0f)
@@ -381,6 +387,11 @@ RowStory weightStory(Id id, const Teller& t) {
     return relaxStory(t);
   case Id::alphaSampleDistance:
     return sampleDistanceStory(t);
+  case Id::alphaFlicker:
+    return {t.value(Id::geometricFlicker) > 0 ? say<"a single frame may miss a thin feature">()
+                                              : say<"no geometric flicker">(),
+            t.value(Id::geometricFlicker) > 0 ? t.equals(t.number(t.settings().weight.flickerShare), id) : "",
+            ""};
   case Id::alphaMotion:
     return motionStory(t);
   case Id::alphaVelocityChange:

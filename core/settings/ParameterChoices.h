@@ -364,6 +364,20 @@ inline constexpr Choice kVelocityTests[] = {
     {"length", "Length",
      "Difference of the lengths: |‖v‖ − ‖v′‖|; a turn is no change (catalogue 12.5, HDRP)."},
 };
+inline constexpr Choice kDepthDirections[] = {
+    {"both", "Nearer and farther", "Whatever is not as far away as expected (catalogue 12.1)."},
+    {"nearer", "Nearer alone",
+     "Only what is nearer can have hidden the surface; what is farther counts as the same (catalogue 12.1, "
+     "MiniEngine, Intel, FSR2)."},
+};
+inline constexpr Choice kDepthFootprints[] = {
+    {"square3x3", "3×3",
+     "The texel at the history position and those around it: as wide as the jitter, and alike on all sides."},
+    {"readInMotion", "3×3 at rest",
+     "Where something parts, only the texels that a bilinear tap reads, one to four; where nothing does, "
+     "3×3. "
+     "Keeps less of what hid the surface, at the price of the history's motion."},
+};
 inline constexpr Choice kRejectActions[] = {
     {"restart", "Restart", "α = 1 and N = 1: the history is dropped (catalogue §12, hard)."},
     {"raiseAlpha", "Raise α",

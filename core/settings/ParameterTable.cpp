@@ -275,6 +275,10 @@ const Parameter kParameters[] = {
      kNoChoices, "Motion a frame from which on all of the correction is applied.",
      "κ = κ min + (1 − κ min)·min(1, (‖v‖/θ)²)", "catalogue 17.2", "rectify.relaxAtRest=on",
      FIELD(rectify.restSpeed)},
+    {"rectify.flickerStrength", "Strength at flicker", Stage::RectifyHistory, K::Number, Effect::Uniform, "",
+     0, 1, kNoChoices,
+     "Part of the correction that is applied to geometric flicker. 0: history there is not rectified.", "κ",
+     "catalogue 13.9, source 000", "validate.flicker=on", FIELD(rectify.flickerStrength)},
     {"rectify.locks", "Locks", Stage::RectifyHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
      "Thin features keep their history: a pixel brighter or darker than all neighbors that are unlike it, "
      "and part of no even 2×2, is locked. A lock is made by a second such frame, and dies when history is "
@@ -307,10 +311,29 @@ const Parameter kParameters[] = {
     {"validate.slopeAllowance", "Slope allowance", Stage::ValidateHistory, K::Number, Effect::Uniform, "px",
      0, 8, kNoChoices,
      "Steps along a receding surface whose change of depth is allowed on top of τ: jitter and dilation move "
-     "samples so far. "
+     "samples so far. The slope is that of the dilated sample, by the smaller step along each axis, and none "
+     "where both neighbors are nearer or both farther, as around a wire. "
      "With 0 grazing ground never accumulates.",
      "τ + px·(|∂z/∂x| + |∂z/∂y|) / z", "catalogue 12.1, slope term", "validate.depth=on",
      FIELD(validate.slopeAllowance)},
+    {"validate.depthDirection", "Depth differs", Stage::ValidateHistory, K::Choice, Effect::Program, "", 0, 1,
+     kDepthDirections, "Which difference of depth rejects history.", "z′ < z", "catalogue 12.1",
+     "validate.depth=on", FIELD(validate.depthDirection)},
+    {"validate.depthFootprint", "Depth looked for", Stage::ValidateHistory, K::Choice, Effect::Program, "", 0,
+     1, kDepthFootprints, "Of which texels of history the one whose depth fits best counts.",
+     "min |z − z′| / z", "catalogue 12.1", "validate.depth=on", FIELD(validate.depthFootprint)},
+    {"validate.flicker", "Geometric flicker", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1,
+     kNoChoices,
+     "Keeps history whose depth differs where nothing moves against anything and what is nearer is thin: a "
+     "line that single frames miss by their jitter, and no other surface. Thin is what is seen past on two "
+     "opposite sides, up to four texels apart.",
+     "|z − z′| > τ·z and ‖v − v′‖ ≤ θ ⇒ kept", "catalogue 13.9, source 000", "validate.depth=on",
+     FIELD(validate.flicker)},
+    {"validate.restLimit", "Rest ends at", Stage::ValidateHistory, K::Number, Effect::Uniform, "px", 0, 16,
+     kNoChoices,
+     "Change of motion, against any of the 3×3 texels around the history position, up to which nothing "
+     "parts. Jitter moves samples by half a pixel, so that less cannot be told from it.",
+     "θ", "catalogue 13.9", "validate.depth=on", FIELD(validate.restLimit)},
     {"validate.speed", "Speed limit", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1,
      kNoChoices, "Rejects the history of what moves faster than a limit.", "‖v‖ > v max ⇒ α = 1",
      "catalogue 12.6", "", FIELD(validate.speed)},
@@ -318,17 +341,17 @@ const Parameter kParameters[] = {
      kNoChoices, "Motion a frame that still keeps its history.", "v max", "catalogue 12.6, Intel",
      "validate.speed=on", FIELD(validate.speedLimit)},
     {"validate.object", "Object", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
-     "Rejects history that belongs to another object: none of the four texels around the history position "
+     "Rejects history that belongs to another object: none of the nine texels around the history position "
      "has its number. History keeps the number of each pixel's dilated sample. Blind to what hides a part of "
      "itself: use it with depth.",
-     "id ≠ id′ of all four ⇒ reject", "catalogue 12.3, sources 000 and 004", "", FIELD(validate.object)},
+     "id ≠ id′ of all nine ⇒ reject", "catalogue 12.3, sources 000 and 004", "", FIELD(validate.object)},
     {"validate.class", "Class", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
      "Rejects history that belongs to another class of objects, as an engine's stencil marks them: sky, "
      "still, moving as a whole, deforming, or the class that an object is given in the tree of the scene.",
-     "class ≠ class′ of all four ⇒ reject", "catalogue 12.2, sources 000 and 003", "",
+     "class ≠ class′ of all nine ⇒ reject", "catalogue 12.2, sources 000 and 003", "",
      FIELD(validate.objectClass)},
     {"validate.normal", "Normal", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1, kNoChoices,
-     "Rejects history of a surface that faced another way, by the best of four. World space: what turns by "
+     "Rejects history of a surface that faced another way, by the best of nine. World space: what turns by "
      "itself is rejected too; normal maps need a low limit.",
      "n·n′ < cos θ ⇒ reject", "catalogue 12.4, source 004", "", FIELD(validate.normal)},
     {"validate.normalLimit", "Least cos θ", Stage::ValidateHistory, K::Number, Effect::Uniform, "", -1, 1,
@@ -337,7 +360,7 @@ const Parameter kParameters[] = {
     {"validate.velocity", "Velocity change", Stage::ValidateHistory, K::Choice, Effect::Program, "", 0, 2,
      kVelocityTests,
      "Rejects history, the more the faster, that moved otherwise a frame ago: what was hidden then was "
-     "hidden by something that moves otherwise. The best of four counts; points without a previous position "
+     "hidden by something that moves otherwise. The best of nine counts; points without a previous position "
      "change nothing.",
      "α ≥ min(1, (‖v − v′‖ − θ)·k)", "catalogue 12.5, Godot, HDRP", "", FIELD(validate.velocity)},
     {"validate.velocityLimit", "Change allowed θ", Stage::ValidateHistory, K::Number, Effect::Uniform, "px",
@@ -389,6 +412,10 @@ const Parameter kParameters[] = {
      kSampleDistances,
      "Less of the current frame the farther the jitter took its sample from the pixel's center.",
      "α·w(‖j‖)/w(0)", "catalogue 7.7, 13.6", "", FIELD(weight.sampleDistance)},
+    {"weight.flickerShare", "α at flicker", Stage::BlendWeight, K::Number, Effect::Uniform, "", 0, 1,
+     kNoChoices,
+     "Factor on α at geometric flicker, after its floor: a single frame says little of what it may miss.",
+     "α·share", "catalogue 13.9, source 000", "validate.flicker=on", FIELD(weight.flickerShare)},
     {"weight.motion", "α by motion", Stage::BlendWeight, K::Choice, Effect::Program, "", 0, 5, kMotionAlphas,
      "More of the current frame where things move.", "1 − (1 − α)(1 − α motion)", "catalogue 13.4 to 13.6",
      "", FIELD(weight.motion)},

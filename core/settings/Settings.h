@@ -213,11 +213,14 @@ struct RectifySettings {
   Switch locks = Switch::Off;       ///< thin features keep their history
   float lockFrames = 16.0f;         ///< frames a lock lasts
   Switch instability = Switch::Off; ///< what comes and goes with the jitter keeps its history
+  float flickerStrength = 0.0f;     ///< part of the correction applied to geometric flicker
 };
 
 enum class OffScreen : std::int32_t { Keep, Reject, Margin, OneSided };
 enum class VelocityTest : std::int32_t { None, Vector, Length };
 enum class RejectAction : std::int32_t { Restart, RaiseAlpha, Decay };
+enum class DepthDirection : std::int32_t { Both, Nearer };
+enum class DepthFootprint : std::int32_t { Square3x3, ReadInMotion };
 struct ValidateSettings {
   OffScreen offScreen = OffScreen::Reject;
   Switch depth = Switch::On;
@@ -233,7 +236,11 @@ struct ValidateSettings {
   float velocityLimit = 2.5f; ///< px a frame of change that count nothing
   float velocityGain = 0.01f; ///< share of history that is lost for each px beyond
   RejectAction action = RejectAction::Restart;
-  float softAlpha = 0.5f; ///< α of rejected history where it is not dropped
+  float softAlpha = 0.5f;                               ///< α of rejected history where it is not dropped
+  DepthDirection depthDirection = DepthDirection::Both; ///< which difference of depth counts
+  DepthFootprint depthFootprint = DepthFootprint::ReadInMotion; ///< where depth is looked for in history
+  Switch flicker = Switch::On; ///< depth of a thin feature at rest that differs is no other surface
+  float restLimit = 0.5f;      ///< px a frame of change of motion up to which nothing parts
 };
 
 enum class AlphaSource : std::int32_t {
@@ -273,6 +280,7 @@ struct WeightSettings {
   Switch frameRate = Switch::Off;                       ///< α as if frames took 1/referenceRate
   float referenceRate = 60.0f;                          ///< frames a second that α is meant for
   SpeedUnit motionSpeedIn = SpeedUnit::Pixels;          ///< unit of motionSpeed
+  float flickerShare = 0.5f;                            ///< factor on α at geometric flicker
 };
 
 enum class ToneWeight : std::int32_t {
@@ -345,6 +353,17 @@ inline bool isTaaOn(const Settings& settings) {
 /// Whether the scene is drawn smaller than the picture.
 inline bool isUpsampled(const Settings& settings) {
   return settings.inputs.renderScale < 1.0f;
+}
+
+/// Whether depth that differs at rest is told from another surface (catalogue 13.9).
+inline bool findsFlicker(const Settings& settings) {
+  return settings.validate.depth == Switch::On && settings.validate.flicker == Switch::On;
+}
+
+/// Whether the depth test needs to know what moves against what.
+inline bool tellsRest(const Settings& settings) {
+  return findsFlicker(settings) || (settings.validate.depth == Switch::On &&
+                                    settings.validate.depthFootprint == DepthFootprint::ReadInMotion);
 }
 
 } // namespace taa

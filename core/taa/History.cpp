@@ -20,7 +20,7 @@ constexpr HistoryLayer kLayers[] = {
      [](const Settings& s) { return isOn(s.validate.normal); }},
     {"motion", "vec2", gl::Format::RG32F, &History::motion,
      [](const Settings& s) {
-       return s.validate.velocity != VelocityTest::None || isOn(s.weight.velocityChange);
+       return s.validate.velocity != VelocityTest::None || isOn(s.weight.velocityChange) || tellsRest(s);
      }},
     {"lock", "vec2", gl::Format::RG32F, &History::lock,
      [](const Settings& s) { return isOn(s.rectify.locks); }},

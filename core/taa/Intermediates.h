@@ -112,19 +112,21 @@ enum class Visual : std::uint8_t {
   ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
       "View depth this surface had in the previous frame.")                                                  \
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
-      "Depth stored with the history, the best match of the four texels around; 0: the sky.")                \
+      "Depth stored with the history, the best match of the texels around that are asked; 0: the sky.")      \
   ROW(depthMismatch, "Depth mismatch", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                         \
-      "Relative difference of expected and stored depth; the depth test rejects what is above the allowed "  \
-      "one.")                                                                                                \
+      "Relative difference of expected and stored depth, 0 for what is farther where that does not count; "  \
+      "the depth test rejects what is above the allowed one.")                                               \
   ROW(depthAllowed, "Depth allowed", ValidateHistory, 1, "", 0, 0.1, Scalar, 1e-3,                           \
       "Largest mismatch that still counts as the same surface: the tolerance, and more where it recedes.")   \
+  ROW(geometricFlicker, "Geometric flicker", ValidateHistory, 1, "", 0, 1, Mask, 0,                          \
+      "1 where depth differs at rest because single frames miss a thin feature: history is kept.")           \
   ROW(historyObjectId, "History object id", ValidateHistory, 1, "", 0, 255, Index, 0,                        \
-      "Object stored with the history: that of this pixel when it is one of the four texels around, else "   \
+      "Object stored with the history: that of this pixel when it is one of the nine texels around, else "   \
       "the nearest one; 0: the sky, or not kept.")                                                           \
   ROW(normalAgreement, "Normal agreement", ValidateHistory, 1, "", -1, 1, Signed, 1e-3,                      \
-      "Cosine between the normals of now and then, the best of four; 1 when off.")                           \
+      "Cosine between the normals of now and then, the best of nine; 1 when off.")                           \
   ROW(velocityChange, "Velocity change", ValidateHistory, 1, "px", 0, 16, Scalar, 1e-3,                      \
-      "Change of motion since the previous frame, the smallest of four; 0 when off.")                        \
+      "Change of motion since the previous frame, the smallest of nine; 0 when off.")                        \
   ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 9, Index, 0,                                 \
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
       "too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.")                  \
@@ -140,6 +142,8 @@ enum class Visual : std::uint8_t {
       "Factor on α where the mask is set; 1 when off.")                                                      \
   ROW(alphaSampleDistance, "α sample distance", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
       "Factor on α by how far the sample is from the pixel's center; 1 when off.")                           \
+  ROW(alphaFlicker, "α at flicker", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                  \
+      "Factor on α, after its floor, at geometric flicker; 1 elsewhere and when off.")                       \
   ROW(alphaMotion, "α motion", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "What motion adds to α; 0 when off.") \
   ROW(alphaVelocityChange, "α velocity change", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                      \
       "What a change of motion adds to α; 0 when off.")                                                      \

@@ -55,7 +55,7 @@ bool comparesMotion(const Settings& s) {
 
 std::optional<float> constantStrength(const Settings& s) {
   if (s.rectify.method == RectifyMethod::None) return 0.0f;
-  return unless(isOn(s.rectify.relaxAtRest), 1.0f);
+  return unless(isOn(s.rectify.relaxAtRest) || findsFlicker(s), 1.0f);
 }
 
 std::optional<float> constantFloor(const Settings& s) {
@@ -77,6 +77,7 @@ constexpr ConstantRow kConstants[] = {
     {lock, [](const Settings& s) { return unless(isOn(s.rectify.locks), 0.0f); }},
     {lockLife, [](const Settings& s) { return unless(isOn(s.rectify.locks), 0.0f); }},
     {instability, [](const Settings& s) { return unless(isOn(s.rectify.instability), 0.0f); }},
+    {geometricFlicker, [](const Settings& s) { return unless(findsFlicker(s), 0.0f); }},
     {historyObjectId,
      [](const Settings& s) { return unless(isOn(s.validate.object) || isOn(s.validate.objectClass), 0.0f); }},
     {normalAgreement, [](const Settings& s) { return unless(isOn(s.validate.normal), 1.0f); }},
@@ -91,6 +92,7 @@ constexpr ConstantRow kConstants[] = {
     {alphaRelax, [](const Settings& s) { return unless(isOn(s.neighborhood.maskRelax), 1.0f); }},
     {alphaSampleDistance,
      [](const Settings& s) { return unless(s.weight.sampleDistance != SampleDistance::None, 1.0f); }},
+    {alphaFlicker, [](const Settings& s) { return unless(findsFlicker(s), 1.0f); }},
     {alphaMotion, [](const Settings& s) { return unless(s.weight.motion != MotionAlpha::None, 0.0f); }},
     {alphaVelocityChange, [](const Settings& s) { return unless(isOn(s.weight.velocityChange), 0.0f); }},
     {alphaDivergence, [](const Settings& s) { return unless(isOn(s.weight.divergence), 0.0f); }},

@@ -16,6 +16,7 @@ struct WeightInputs {
   vec2 mask;            // reactive, responsive
   float confidence;     // κ
   bool isFrozen;        // nothing of the current frame is taken
+  bool isFlicker;       // its depth differs, and it is the same
 };
 
 struct Weight {
@@ -168,6 +169,9 @@ float sampleDistanceFactor(WeightInputs x) {
   return kWeightSampleDistance == kWeightSampleDistance_gaussianMoving ? inMotion : factor;
 }
 
+/// Less where a single frame may miss what is there (13.9).
+float flickerFactor(WeightInputs x) { return kFindsFlicker && x.isFlicker ? settings.weightFlickerShare : 1.0; }
+
 /// What motion adds to α (13.4 to 13.6).
 float motionWeight(WeightInputs x, float alpha) {
   if (kWeightMotion == kWeightMotion_none) return 0.0;
@@ -235,7 +239,7 @@ float byFrameRate(float alpha) {
 }
 
 struct Calming { // factors
-  float lumaFlicker, nearClamp, historyContrast, relax, sampleDistance;
+  float lumaFlicker, nearClamp, historyContrast, relax, sampleDistance, flicker;
 };
 
 struct Composed {
@@ -255,6 +259,7 @@ Composed composed(WeightInputs x, float base, Calming calming) {
   calmed = calmed * calming.sampleDistance;
   calmed = greater(calmed, result.least);
   calmed = lesser(calmed, 1.0);
+  if (kFindsFlicker) calmed = calmed * calming.flicker;
   result.motion = motionWeight(x, calmed);
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
   precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);
@@ -283,7 +288,7 @@ float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
 Weight blendWeight(WeightInputs x, Samples samples, float invalid) {
   float base = baseWeight(x);
   Calming calming = Calming(lumaFlickerFactor(x), nearClampFactor(x), historyContrastFactor(x),
-                            relaxFactor(x), sampleDistanceFactor(x));
+                            relaxFactor(x), sampleDistanceFactor(x), flickerFactor(x));
   Composed terms = composed(x, base, calming);
   float mask = maskWeight(x);
   float alpha = wholeWeight(x, terms, mask, invalid);
@@ -300,6 +305,7 @@ Weight blendWeight(WeightInputs x, Samples samples, float invalid) {
   expose_alphaHistoryContrast(calming.historyContrast);
   expose_alphaRelax(calming.relax);
   expose_alphaSampleDistance(calming.sampleDistance);
+  expose_alphaFlicker(calming.flicker);
   expose_alphaMotion(terms.motion);
   expose_alphaVelocityChange(terms.velocityChange);
   expose_alphaDivergence(x.divergence);

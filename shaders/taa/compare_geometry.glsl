@@ -1,5 +1,5 @@
 // Compares what a pixel's dilated sample belongs to with what the history around its position was of (catalogue 12.2 to
-// 12.5, 13.7). The best of the four texels around counts. What is not compared, or not kept, agrees.
+// 12.5, 13.7). The best of the 3×3 texels around counts: as wide as the jitter, and alike on all sides. What is not compared, or not kept, agrees.
 
 const bool kComparesObjects = kValidateObject || kValidateClass;
 const bool kComparesMotion = kValidateVelocity != kValidateVelocity_none || kWeightVelocityChange;
@@ -26,13 +26,13 @@ float changeOf(vec2 now, vec2 then) {
   return kValidateVelocity == kValidateVelocity_length ? ofLengths : speedOf(difference);
 }
 
-void compareObjects(ivec2 chosen, ivec2 first, ivec2 nearest, inout GeometryMatch match) {
+void compareObjects(ivec2 chosen, ivec2 middle, inout GeometryMatch match) {
   vec2 own = vec2(float(texelFetch(u_objectId, chosen, 0).r), texelAt(u_normal, chosen).w);
   keep_object(own);
   if (!keeps(kLayer_object)) return;
-  match = GeometryMatch(historyAt(u_historyObject, nearest).r, false, false, match.normalAgreement, match.velocityChange);
-  for (int k = 0; k < 4; ++k) {
-    vec2 stored = historyAt(u_historyObject, first + ivec2(k % 2, k / 2)).rg;
+  match = GeometryMatch(historyAt(u_historyObject, middle).r, false, false, match.normalAgreement, match.velocityChange);
+  for (int k = 0; k < 9; ++k) {
+    vec2 stored = historyAt(u_historyObject, middle + ivec2(k % 3 - 1, k / 3 - 1)).rg;
     if (stored.r == own.r) {
       match.object = own.r;
       match.isSameObject = true;
@@ -41,22 +41,21 @@ void compareObjects(ivec2 chosen, ivec2 first, ivec2 nearest, inout GeometryMatc
   }
 }
 
-void compareNormals(ivec2 chosen, ivec2 first, inout GeometryMatch match) {
+void compareNormals(ivec2 chosen, ivec2 middle, inout GeometryMatch match) {
   vec3 own = texelAt(u_normal, chosen).xyz;
   keep_normal(vec4(own, 0.0));
   if (!keeps(kLayer_normal)) return;
   match.normalAgreement = -1.0;
-  for (int k = 0; k < 4; ++k) {
-    float cosine = cosineOf(own, historyAt(u_historyNormal, first + ivec2(k % 2, k / 2)).xyz);
+  for (int k = 0; k < 9; ++k) {
+    float cosine = cosineOf(own, historyAt(u_historyNormal, middle + ivec2(k % 3 - 1, k / 3 - 1)).xyz);
     if (cosine > match.normalAgreement) match.normalAgreement = cosine;
   }
 }
 
-void compareMotion(vec2 own, ivec2 first, inout GeometryMatch match) {
-  keep_motion(own);
+void compareMotion(vec2 own, ivec2 middle, inout GeometryMatch match) {
   if (!keeps(kLayer_motion)) return;
-  for (int k = 0; k < 4; ++k) {
-    float change = changeOf(own, historyAt(u_historyMotion, first + ivec2(k % 2, k / 2)).rg);
+  for (int k = 0; k < 9; ++k) {
+    float change = changeOf(own, historyAt(u_historyMotion, middle + ivec2(k % 3 - 1, k / 3 - 1)).rg);
     if (k == 0 || change < match.velocityChange) match.velocityChange = change;
   }
 }
@@ -65,11 +64,11 @@ void compareMotion(vec2 own, ivec2 first, inout GeometryMatch match) {
 GeometryMatch compareGeometry(ivec2 texel, DilatedMotion dilated, vec2 position) {
   GeometryMatch match = GeometryMatch(0.0, true, true, 1.0, 0.0);
   ivec2 chosen = texel + ivec2(dilated.offset);
-  precise vec2 corner = floor(position - 0.5);
-  ivec2 first = ivec2(corner);
-  if (kComparesObjects) compareObjects(chosen, first, ivec2(floor(position)), match);
-  if (kValidateNormal) compareNormals(chosen, first, match);
-  if (kComparesMotion) compareMotion(dilated.motion, first, match);
+  ivec2 middle = ivec2(floor(position));
+  keep_motion(dilated.motion);
+  if (kComparesObjects) compareObjects(chosen, middle, match);
+  if (kValidateNormal) compareNormals(chosen, middle, match);
+  if (kComparesMotion) compareMotion(dilated.motion, middle, match);
   expose_historyObjectId(match.object);
   expose_normalAgreement(match.normalAgreement);
   expose_velocityChange(match.velocityChange);

@@ -164,13 +164,14 @@ bool isKept(vec3 history, Neighborhood around, Rectified rectified) {
   return isInside(history, around.box.lo, around.box.hi);
 }
 
-/// Part of the correction that is applied (11.6, 17.2).
-float rectifyStrength(float speed) {
+/// Part of the correction that is applied (11.6, 13.9, 17.2).
+float rectifyStrength(float speed, bool isFlicker) {
   if (kRectifyMethod == kRectifyMethod_none) return 0.0;
-  if (!kRectifyRelaxAtRest) return 1.0;
   precise float share = speed / settings.rectifyRestSpeed;
   precise float strength =
       settings.rectifyLeastStrength + (1.0 - settings.rectifyLeastStrength) * saturated(share * share);
+  if (!kRectifyRelaxAtRest) strength = 1.0;
+  if (kFindsFlicker && isFlicker) strength = strength * settings.rectifyFlickerStrength;
   return strength;
 }
 
@@ -186,10 +187,11 @@ struct RectifiedHistory {
   float frames; // N
 };
 
-RectifiedHistory rectifyHistory(HistorySample raw, Neighborhood around, vec3 currentFiltered, float speed, float held) {
+/// `strength`: part of the correction that is applied; `held`: what is taken back of that.
+RectifiedHistory rectifyHistory(HistorySample raw, Neighborhood around, vec3 currentFiltered, float strength,
+                                float held) {
   precise vec3 history = toBox(raw.color);
   Rectified rectified = rectifiedByMethod(history, around, currentFiltered);
-  float strength = rectifyStrength(speed);
   bool kept = isKept(history, around, rectified);
   precise vec3 corrected = storable(fromBox(rectified.color));
   precise float amount = rectified.amount;
@@ -198,7 +200,7 @@ RectifiedHistory rectifyHistory(HistorySample raw, Neighborhood around, vec3 cur
     kept = !hasHistory() || corrected == raw.color;
     amount = 1.0;
   }
-  if (kRectifyRelaxAtRest) {
+  if (kRectifyRelaxAtRest || (kFindsFlicker && strength < 1.0)) {
     corrected = raw.color + strength * (corrected - raw.color);
     amount = amount * strength;
   }

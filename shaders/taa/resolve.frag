@@ -44,15 +44,16 @@ void main() {
   stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);
-  stage_ends(kStage_validate_history, vec4(validity.invalid, validity.velocityChange, 0.0, 0.0));
+  stage_ends(kStage_validate_history, vec4(validity.invalid, validity.velocityChange, float(validity.isFlicker), 0.0));
   float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
   history.frames = framesLeft(history.frames, validity);
-  RectifiedHistory rectified = rectifyHistory(history, around, current, reprojection.speed, held);
+  float strength = rectifyStrength(reprojection.speed, validity.isFlicker);
+  RectifiedHistory rectified = rectifyHistory(history, around, current, strength, held);
   stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.frames));
   WeightInputs weighed =
       WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
                    validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence,
-                   validity.isFrozen);
+                   validity.isFrozen, validity.isFlicker);
   Weight weight = blendWeight(weighed, samples, validity.invalid);
   stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);

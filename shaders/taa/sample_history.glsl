@@ -1,12 +1,11 @@
 // Reads the accumulated picture between its pixels (catalogue §6). In: the pixel, its previous position in px, and this
 // frame's depth around it.
-// Out: scene-linear color, not negative, history length N and stored depths there; all 0 without history.
+// Out: scene-linear color, not negative, history length N there; all 0 without history.
 
 struct HistorySample {
   vec3 color;
-  float frames;    // N
-  float depths[4]; // view depths in m of the four texels around, row-major
-  vec2 position;   // px, where it was read: the history position when that is sane
+  float frames;  // N
+  vec2 position; // px, where it was read: the history position when that is sane
 };
 
 /// The stored color of a texel: outside of the picture that of its edge, or black (5.4).
@@ -264,16 +263,7 @@ HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   HistorySample result;
   result.color = historyColor(position);
   if (kTakesEdges && isEdge) result.color = historyBilinear(position);
-  precise vec2 corner = floor(position - 0.5);
-  ivec2 first = ivec2(corner);
-  ivec2 nearest = ivec2(floor(position)) - first;
-  result.frames = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    ivec2 offset = ivec2(k % 2, k / 2);
-    vec2 surface = historyAt(u_historySurface, first + offset).rg;
-    result.frames = mix(result.frames, surface.r, k == 0 || offset == nearest);
-    result.depths[k] = surface.g;
-  }
+  result.frames = historyAt(u_historySurface, ivec2(floor(position))).r;
   if (kHistoryLength == kHistoryLength_pixelAsPrinted) // §26, D15
     result.frames = historyAt(u_historySurface, pixel).r;
   if (kHistoryLength == kHistoryLength_bilinear) result.frames = bilinearLength(position);
@@ -285,7 +275,7 @@ HistorySample sampleHistory(ivec2 pixel, ivec2 texel, vec2 historyPosition) {
   bool isNear = historyPosition.x >= -1e6 && historyPosition.x <= 1e6 && historyPosition.y >= -1e6 &&
                 historyPosition.y <= 1e6;
   precise vec2 position = isNear ? historyPosition : vec2(pixel) + 0.5;
-  HistorySample result = HistorySample(vec3(0.0), 0.0, float[4](0.0, 0.0, 0.0, 0.0), position);
+  HistorySample result = HistorySample(vec3(0.0), 0.0, position);
   bool isEdge = false;
   if (kTakesEdges) isEdge = isDepthEdge(texel);
   if (hasHistory()) result = readHistory(pixel, position, isEdge);

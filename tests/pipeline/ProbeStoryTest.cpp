@@ -75,6 +75,7 @@ bool isComputed(IntermediateId id) {
   case Id::instability:
   case Id::depthExpected:
   case Id::historyDepth:
+  case Id::geometricFlicker:
   case Id::historyObjectId:
   case Id::rejectReason:
   case Id::reference:
@@ -106,6 +107,7 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   case Id::alphaMask:
   case Id::alphaVelocityChange:
   case Id::sharpenDetail:
+  case Id::geometricFlicker:
   case Id::lock:
   case Id::lockLife:
     return value.x == 0.0f || (id == Id::depthMismatch && value.x == 1.0f) ||
@@ -117,6 +119,7 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   case Id::alphaRelax:
   case Id::alphaHistoryContrast:
   case Id::alphaSampleDistance:
+  case Id::alphaFlicker:
   case Id::toneWeightCurrent:
   case Id::toneWeightHistory:
   case Id::blurTrust:
@@ -273,7 +276,7 @@ TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
   const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
                                     IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
-                                    IntermediateId::alphaSampleDistance})
+                                    IntermediateId::alphaSampleDistance, IntermediateId::alphaFlicker})
     set(calm, 1.0f);
   set(IntermediateId::historyKeptLength, 7.0f);
   set(IntermediateId::alphaBase, 0.125f);

@@ -21,8 +21,9 @@ struct Pixel {
   Settings settings;
 
   Pixel() {
-    for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
-                          Id::alphaSampleDistance, Id::onScreen, Id::sampleConfidence, Id::blurTrust})
+    for (const Id calm :
+         {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+          Id::alphaSampleDistance, Id::alphaFlicker, Id::onScreen, Id::sampleConfidence, Id::blurTrust})
       set(calm, 1.0f);
     set(Id::depthExpected, 8.0f);
     set(Id::historyDepth, 8.0f);

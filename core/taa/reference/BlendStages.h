@@ -30,6 +30,7 @@ struct Seen {
   float velocityChange = 0.0f; ///< px a frame
   float divergence = 0.0f;     ///< 0 to 1
   float confidence = 1.0f;     ///< κ
+  bool isFlicker = false;      ///< its depth differs, and it is the same (13.9)
   glm::vec2 jitterPx{0.0f};
   double stepSeconds = 1.0 / 60.0;
   bool isFrozen = false; ///< nothing of the current frame is taken
@@ -42,6 +43,7 @@ struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
   float lumaFlicker = 1.0f, nearClamp = 1.0f, historyContrast = 1.0f, relax = 1.0f, sampleDistance = 1.0f;
+  float flicker = 1.0f; ///< after the floor
   float motion = 0.0f, velocityChange = 0.0f, divergence = 0.0f;
   float byFrameRate = 0.0f; ///< all of that, for the time the frame took
   float mask = 0.0f;

@@ -11,12 +11,12 @@
 namespace taa::reference {
 namespace {
 
-std::array<glm::vec4, 4> around(const Inputs& inputs, const Texels& stored, const glm::vec2& position) {
-  const glm::ivec2 corner(static_cast<int>(std::floor(position.x - 0.5f)),
-                          static_cast<int>(std::floor(position.y - 0.5f)));
-  std::array<glm::vec4, 4> texels{};
-  for (int k = 0; k < 4; ++k) {
-    const glm::ivec2 texel = clampedToPicture(corner + glm::ivec2(k % 2, k / 2), inputs);
+/// 3×3 around the texel at the position.
+std::array<glm::vec4, 9> around(const Inputs& inputs, const Texels& stored, const glm::vec2& position) {
+  const glm::ivec2 middle(static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y)));
+  std::array<glm::vec4, 9> texels{};
+  for (int k = 0; k < 9; ++k) {
+    const glm::ivec2 texel = clampedToPicture(middle + glm::ivec2(k % 3 - 1, k / 3 - 1), inputs);
     texels[static_cast<std::size_t>(k)] = stored.texel(texel.x, texel.y);
   }
   return texels;

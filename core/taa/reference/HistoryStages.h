@@ -64,8 +64,9 @@ std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space);
 std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood);
 /// What rectification may depend on besides colors.
 struct Applied {
-  float speed = 0.0f; ///< px a frame
-  float held = 0.0f;  ///< share of the correction that is taken back
+  float speed = 0.0f;     ///< px a frame
+  float held = 0.0f;      ///< share of the correction that is taken back
+  bool isFlicker = false; ///< its depth differs, and it is the same (13.9)
 };
 /// History pulled into the box, scene-linear (catalogue §11).
 Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
@@ -98,7 +99,7 @@ struct Geometry {
   glm::vec2 motion{0.0f};
 };
 Geometry geometryOf(const Inputs& inputs, const Dilated& dilated, const glm::ivec2& drawn);
-/// How that agrees with what history was of, the best of four texels (catalogue 12.2 to 12.5, 13.7).
+/// How that agrees with what history was of, the best of nine texels (catalogue 12.2 to 12.5, 13.7).
 struct GeometryMatch {
   float object = 0.0f; ///< stored with history
   bool isSameObject = true, isSameClass = true;
@@ -116,9 +117,6 @@ struct Divergence {
   float value = 0.0f;   ///< 0 to 1
 };
 Divergence motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn);
-
-/// Sum of the depth steps to the neighbors of a render texel, m: its surface's slope.
-float depthSlope(const Inputs& inputs, const glm::ivec2& drawn);
 
 enum class RejectReason : int {
   Kept,
@@ -139,8 +137,9 @@ struct Validated {
   float depthMismatch = 0.0f; ///< relative to depthExpected
   float depthAllowed = 0.0f;  ///< the largest mismatch that is kept
   RejectReason reason = RejectReason::Kept;
-  float invalid = 0.0f;  ///< least α; where N decays, what is added to α
-  bool isFrozen = false; ///< outside as printed (D9): nothing of the current frame is taken
+  float invalid = 0.0f;   ///< least α; where N decays, what is added to α
+  bool isFrozen = false;  ///< outside as printed (D9): nothing of the current frame is taken
+  bool isFlicker = false; ///< kept, though its depth differs (13.9)
 };
 /// N of history that may decay by what is rejected (Godot).
 float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated);

@@ -186,12 +186,13 @@ Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::
   }
 }
 
-/// Part of the correction that is applied (catalogue 11.6).
-float strengthAt(const RectifySettings& settings, float speed) {
+/// Part of the correction that is applied (catalogue 11.6, 13.9).
+float strengthAt(const RectifySettings& settings, const Applied& applied) {
   if (settings.method == RectifyMethod::None) return 0.0f;
-  if (settings.relaxAtRest == Switch::Off) return 1.0f;
-  const float q = speed / settings.restSpeed;
-  return settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q);
+  const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
+  if (settings.relaxAtRest == Switch::Off) return ofFlicker;
+  const float q = applied.speed / settings.restSpeed;
+  return (settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q)) * ofFlicker;
 }
 
 /// A sample in the place of history, inside the box as well, and not taken through its space
@@ -247,12 +248,12 @@ Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm
                        const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
                        const Applied& applied) {
   const RectifySettings& rectify = settings.rectify;
-  const float strength = strengthAt(rectify, applied.speed);
+  const float strength = strengthAt(rectify, applied);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
   Clipped clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
   clipped.strength = strength;
   if (!clipped.moved) return clipped;
-  if (rectify.relaxAtRest == Switch::On) {
+  if (rectify.relaxAtRest == Switch::On || strength < 1.0f) {
     clipped.value = historyRaw + strength * (clipped.value - historyRaw);
     clipped.amount = clipped.amount * strength;
   }

@@ -2,6 +2,7 @@
 #include "core/taa/reference/Reference.h"
 
 #include "core/taa/reference/Color.h"
+#include "core/taa/reference/CompareDepth.h"
 #include "core/taa/reference/Details.h"
 #include "core/taa/reference/Stages.h"
 #include "core/taa/reference/Upsample.h"
@@ -57,6 +58,7 @@ void recordValidation(PixelRecord& record, const Validated& validated) {
   set(record, IntermediateId::historyDepth, validated.historyDepth);
   set(record, IntermediateId::depthMismatch, validated.depthMismatch);
   set(record, IntermediateId::depthAllowed, validated.depthAllowed);
+  set(record, IntermediateId::geometricFlicker, validated.isFlicker ? 1.0f : 0.0f);
   set(record, IntermediateId::rejectReason, static_cast<float>(validated.reason));
 }
 
@@ -80,6 +82,7 @@ void recordWeights(PixelRecord& record, const Weights& weights) {
   set(record, IntermediateId::alphaHistoryContrast, weights.historyContrast);
   set(record, IntermediateId::alphaRelax, weights.relax);
   set(record, IntermediateId::alphaSampleDistance, weights.sampleDistance);
+  set(record, IntermediateId::alphaFlicker, weights.flicker);
   set(record, IntermediateId::alphaMotion, weights.motion);
   set(record, IntermediateId::alphaVelocityChange, weights.velocityChange);
   set(record, IntermediateId::alphaDivergence, weights.divergence);
@@ -254,8 +257,8 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   const Held held = holdHistory(inputs, settings, reprojected, history.position, neighborhood,
                                 validated.reason == RejectReason::Kept, p, texel);
   recordHeld(record, held);
-  const Clipped rectified =
-      rectifyHistory(inputs, settings, history.color, current, neighborhood, {reprojected.speed, held.share});
+  const Clipped rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood,
+                                           {reprojected.speed, held.share, validated.isFlicker});
   const float left = lengthLeft(settings.validate, history.length, validated);
   const float length = lengthKept(settings, left, rectified, held.share);
   recordRectified(record, rectified, length);
@@ -268,6 +271,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   seen.motion = dilated.motion;
   seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
   seen.confidence = confidence;
+  seen.isFlicker = validated.isFlicker;
   if (!isUpsampled(settings)) seen.jitterPx = inputs.jitterPx; // else κ knows how far the sample is
   seen.mask = mask;
   seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
@@ -295,7 +299,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   details->geometry = geometry;
   details->match = match;
   details->divergence = divergence;
-  details->slope = depthSlope(inputs, texel);
+  details->slope = depthSlope(inputs, texel + dilated.offset);
   details->isFirst = inputs.historyColor.empty();
   details->depthTerms = inputs.depthTerms;
   details->jitterPx = inputs.jitterPx;

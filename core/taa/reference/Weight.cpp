@@ -152,6 +152,7 @@ void compose(const WeightSettings& settings, const Seen& seen, Weights& result) 
   alpha = alpha * result.sampleDistance;
   alpha = larger(alpha, result.floor);
   alpha = alpha < 1.0f ? alpha : 1.0f;
+  alpha = alpha * result.flicker;
   result.motion = motionTerm(settings, seen, alpha);
   const auto join = [&alpha](float term) { alpha = 1.0f - (1.0f - alpha) * (1.0f - term); };
   if (settings.motion == MotionAlpha::SquaredAsPrinted) alpha = larger(alpha - 0.025f, 0.0f); // 13.4
@@ -192,6 +193,7 @@ Weights weigh(const WeightSettings& settings, float historyLength, float invalid
   if (settings.velocityChange == Switch::On)
     result.velocityChange = saturated(seen.velocityChange / settings.velocityChangeSpeed);
   result.divergence = seen.divergence;
+  result.flicker = seen.isFlicker ? settings.flickerShare : 1.0f;
   result.invalid = invalid;
   compose(settings, seen, result);
   result.alpha = alphaOf(result, seen);

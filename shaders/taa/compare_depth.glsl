@@ -1,0 +1,145 @@
+// Compares the depth that a pixel's surface had with those that history keeps around its position (catalogue 12.1), and
+// tells a thin feature that single frames miss from another surface (13.9). Depths in m, 0: the sky.
+
+// What moves against what is known from the motion that history keeps.
+const bool kTellsRest =
+    kValidateDepth && (kValidateFlicker || kValidateDepthFootprint == kValidateDepthFootprint_readInMotion);
+const bool kFindsFlicker = kValidateDepth && kValidateFlicker;
+
+/// Whether `depth` is nearer than `other`; the sky is farther than anything.
+bool isNearer(float depth, float other) { return depth != 0.0 && (other == 0.0 || depth < other); }
+
+/// Difference of a stored depth to the expected one, relative to that; the sky matches only the sky.
+float depthMismatch(float expected, float stored) {
+  precise float relative = abs(expected - stored) / expected;
+  bool isSky = expected == 0.0;
+  bool wasSky = stored == 0.0;
+  float mismatch = mix(mix(relative, 1.0, isSky || wasSky), 0.0, isSky && wasSky);
+  if (kValidateDepthDirection == kValidateDepthDirection_nearer)
+    mismatch = mix(0.0, mismatch, isNearer(stored, expected));
+  return mismatch;
+}
+
+struct DepthMatch {
+  float depth;    // m
+  float mismatch; // relative
+};
+
+float storedDepth(ivec2 texel) { return historyAt(u_historySurface, texel).g; }
+
+/// The first of the best in reading order.
+void takeBetter(float expected, float stored, bool isFirst, inout DepthMatch best) {
+  float mismatch = depthMismatch(expected, stored);
+  if (isFirst || mismatch < best.mismatch) best = DepthMatch(stored, mismatch);
+}
+
+/// Of 3×3 around a texel of history.
+DepthMatch bestOfNine(float expected, ivec2 middle) {
+  DepthMatch best = DepthMatch(0.0, 0.0);
+  for (int k = 0; k < 9; ++k) takeBetter(expected, storedDepth(middle + ivec2(k % 3 - 1, k / 3 - 1)), k == 0, best);
+  return best;
+}
+
+/// Of the texels to which a bilinear tap gives a weight.
+DepthMatch bestOfRead(float expected, vec2 position) {
+  precise vec2 corner = floor(position - 0.5);
+  DepthMatch best = DepthMatch(0.0, 0.0);
+  bool isFirst = true;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 texel = ivec2(corner) + ivec2(k % 2, k / 2);
+    precise vec2 way = abs((vec2(texel) + 0.5) - position);
+    if (!(way.x < 1.0 && way.y < 1.0)) continue;
+    takeBetter(expected, storedDepth(texel), isFirst, best);
+    isFirst = false;
+  }
+  return best;
+}
+
+/// Change of view depth, m, along the surface between two opposite neighbors: the smaller step, and none where both are
+/// nearer or both farther, for those steps lead to other surfaces.
+float slopeBetween(float center, float a, float b) {
+  const float kFarthest = 1e30; // m
+  precise float toA = center - (a == 0.0 ? kFarthest : a);
+  precise float toB = (b == 0.0 ? kFarthest : b) - center;
+  bool goesOn = (toA > 0.0) == (toB > 0.0);
+  return goesOn ? lesser(abs(toA), abs(toB)) : 0.0;
+}
+
+float viewDepthAt(ivec2 texel) { return viewDepth(texelAt(u_depth, texel).r); }
+
+/// Mismatch that still counts as the same surface: jitter and dilation move a sample along its slope. `chosen`: the
+/// dilated sample, whose depth is the one expected.
+float allowedMismatch(ivec2 chosen, float expected) {
+  float center = viewDepthAt(chosen);
+  float x = slopeBetween(center, viewDepthAt(chosen - ivec2(1, 0)), viewDepthAt(chosen + ivec2(1, 0)));
+  float y = slopeBetween(center, viewDepthAt(chosen - ivec2(0, 1)), viewDepthAt(chosen + ivec2(0, 1)));
+  precise float slope = x + y;
+  precise float sloped = settings.validateDepthTolerance + (settings.validateSlopeAllowance * slope) / expected;
+  return mix(sloped, settings.validateDepthTolerance, expected == 0.0 || center == 0.0);
+}
+
+/// Whether everything around a texel of history moved then as the pixel moves now.
+bool isAtRest(vec2 motion, ivec2 middle) {
+  bool result = true;
+  for (int k = 0; k < 9; ++k) {
+    precise vec2 change = motion - historyAt(u_historyMotion, middle + ivec2(k % 3 - 1, k / 3 - 1)).rg;
+    if (!(speedOf(change) <= settings.validateRestLimit)) result = false;
+  }
+  return result;
+}
+
+/// Whether one sees at `depth` as far as `other`, but for what is allowed.
+bool isAsFar(float depth, float other, float allowed) {
+  precise float least = other * (1.0 - allowed);
+  return depth == 0.0 || (other != 0.0 && depth >= least);
+}
+
+/// Whether the nearer of the two surfaces, that of now or that of history, is seen past on opposite sides which lie four
+/// texels apart at most: what one frame sees of a line a pixel wide, dilated, is three texels wide.
+bool isThinFeature(ivec2 texel, ivec2 middle, float expected, DepthMatch match, float allowed) {
+  const ivec2 kAxes[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
+  bool isUncovered = isNearer(match.depth, expected);
+  float farther = isUncovered ? expected : match.depth;
+  bool result = false;
+  for (int axis = 0; axis < 4; ++axis) {
+    ivec2 nearest = ivec2(4); // steps to where one sees past, on both sides
+    for (int k = 3; k > 0; --k) {
+      for (int side = 0; side < 2; ++side) {
+        ivec2 step = (side == 0 ? -k : k) * kAxes[axis];
+        float depth = isUncovered ? storedDepth(middle + step) : texelAt(u_previousDepth, texel + step).r;
+        if (isAsFar(depth, farther, allowed)) nearest[side] = k;
+      }
+    }
+    if (nearest.x + nearest.y <= 4) result = true;
+  }
+  return result;
+}
+
+struct DepthTest {
+  bool isOther;   // another surface
+  bool isFlicker; // the same, though its depth differs
+};
+
+/// `position`: where history is read, px.
+DepthTest compareDepth(ivec2 texel, DilatedMotion dilated, vec2 position) {
+  const bool kReads = kValidateDepthFootprint == kValidateDepthFootprint_readInMotion;
+  ivec2 chosen = texel + ivec2(dilated.offset);
+  ivec2 middle = ivec2(floor(position));
+  float expected = texelAt(u_previousDepth, chosen).r;
+  float allowed = allowedMismatch(chosen, expected);
+  DepthMatch match = DepthMatch(0.0, 0.0);
+  if (hasHistory() && kReads) match = bestOfRead(expected, position);
+  if (hasHistory() && !kReads) match = bestOfNine(expected, middle);
+  DepthTest test = DepthTest(match.mismatch > allowed, false);
+  if (kTellsRest && test.isOther && keeps(kLayer_motion) && isAtRest(dilated.motion, middle)) {
+    if (kReads) match = bestOfNine(expected, middle);
+    test.isOther = match.mismatch > allowed;
+    if (kFindsFlicker && test.isOther) test.isFlicker = isThinFeature(texel, middle, expected, match, allowed);
+    test.isOther = test.isOther && !test.isFlicker;
+  }
+  expose_depthExpected(expected);
+  expose_historyDepth(match.depth);
+  expose_depthMismatch(match.mismatch);
+  expose_depthAllowed(allowed);
+  return test;
+}
