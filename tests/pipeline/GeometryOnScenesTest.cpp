@@ -73,6 +73,19 @@ TEST_F(GeometryOnScenes, AWallIsNotTheCardThatHidItThoughTheirDepthsAgree) {
             2.0f);
 }
 
+// A card 2 m before the wall that stood until it jumped: nothing moved there, neither then nor now, and yet
+// its history is a ghost. A line would be kept.
+TEST_F(GeometryOnScenes, WhatStoodUntilItJumpedLeavesNoGhost) {
+  Scene scene = test::emptyScene();
+  test::addQuad(scene, {0, 0, 0}, {40, 0, 0}, {0, 40, 0});
+  const int card = test::addQuad(scene, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, test::addColor(scene, {1, 0, 0, 1}));
+  test::jump(scene, card, AnimationPath::Translation, {-3, 0, 2, 0}, {3, 0, 2, 0});
+  ASSERT_EQ(Settings().validate.flicker, Switch::On);
+  EXPECT_EQ(*second(scene, {}, IntermediateId::speed).at(kBefore, kHeight / 2), 0.0f);
+  EXPECT_EQ(reason(scene, {}, kBefore), 4.0f);
+  EXPECT_EQ(reason(scene, {}, kElsewhere), 0.0f);
+}
+
 TEST_F(GeometryOnScenes, WhatMovesIsOfAnotherClassThanWhatStands) {
   Settings settings;
   settings.validate.objectClass = Switch::On;

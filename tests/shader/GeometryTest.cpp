@@ -108,15 +108,15 @@ TEST_F(GeometryTest, AnotherObjectAtTheSameDepthIsRejectedByItsNumber) {
   EXPECT_EQ(*seen.at(IntermediateId::historyLength).at(9, 3), 1.0f);
 }
 
-TEST_F(GeometryTest, OneOfTheFourTexelsAroundIsEnough) {
+TEST_F(GeometryTest, OneOfTheNineTexelsAroundIsEnough) {
   taa::reference::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(2.0f));
   frame.historyObject.at(5, 4)[0] = 2.0f;
   Settings settings = depthAlone();
   settings.validate.object = Switch::On;
-  // A position in the middle of a texel lies between that and the next ones.
+  // As wide as the jitter, and to the left and above as to the right and below.
   const Image expected = picture([](int x, int y) {
-    const bool isNear = (x == 4 || x == 5) && (y == 3 || y == 4);
+    const bool isNear = std::abs(x - 5) <= 1 && std::abs(y - 4) <= 1;
     return isNear ? kKept : kObject;
   });
   EXPECT_EQ(difference(reasons(frame, settings), expected), "");
@@ -368,10 +368,13 @@ TEST_F(GeometryTest, HistoryKeepsWhatTheTwinSays) {
 
 TEST_F(GeometryTest, HistoryKeepsNothingThatIsNotAskedFor) {
   const std::size_t bare = kWidth * kHeight * (8 + 8);
+  Settings none;
+  none.validate.flicker = Switch::Off;
+  none.validate.depthFootprint = taa::DepthFootprint::Square3x3;
   taa::History history;
-  taa::fitHistory(history, kWidth, kHeight, {});
+  taa::fitHistory(history, kWidth, kHeight, none);
   EXPECT_EQ(history.bytes(), bare);
-  EXPECT_EQ(taa::historyTargets({}), taa::kHistoryTargets);
+  EXPECT_EQ(taa::historyTargets(none), taa::kHistoryTargets);
   struct Case {
     std::string_view what;
     std::size_t bytes;
@@ -383,16 +386,19 @@ TEST_F(GeometryTest, HistoryKeepsNothingThatIsNotAskedFor) {
         Case{"normal", 8, [](Settings& s) { s.validate.normal = Switch::On; }},
         Case{"velocity", 8, [](Settings& s) { s.validate.velocity = taa::VelocityTest::Length; }},
         Case{"velocity change", 8, [](Settings& s) { s.weight.velocityChange = Switch::On; }},
+        Case{"flicker", 8, [](Settings& s) { s.validate.flicker = Switch::On; }},
+        Case{"what rests", 8,
+             [](Settings& s) { s.validate.depthFootprint = taa::DepthFootprint::ReadInMotion; }},
         Case{"locks", 8, [](Settings& s) { s.rectify.locks = Switch::On; }},
         Case{"instability", 4, [](Settings& s) { s.rectify.instability = Switch::On; }},
         Case{"divergence", 0, [](Settings& s) { s.weight.divergence = Switch::On; }}}) {
-    Settings settings;
+    Settings settings = none;
     asked.turnOn(settings);
     taa::fitHistory(history, kWidth, kHeight, settings);
     EXPECT_EQ(history.bytes(), bare + kWidth * kHeight * asked.bytes) << asked.what;
     EXPECT_EQ(taa::historyTargets(settings), taa::kHistoryTargets + (asked.bytes > 0 ? 1u : 0u));
     const unsigned color = history.color.id();
-    taa::fitHistory(history, kWidth, kHeight, {});
+    taa::fitHistory(history, kWidth, kHeight, none);
     EXPECT_EQ(history.bytes(), bare) << "freed, " << asked.what;
     EXPECT_EQ(history.color.id(), color) << "the rest is used again";
   }

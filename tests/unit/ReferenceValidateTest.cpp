@@ -8,7 +8,14 @@
 namespace taa::reference {
 namespace {
 
-constexpr ValidateSettings kOn{OffScreen::Reject, Switch::On, 0.03f, 0.0f};
+/// 3×3, nothing else than depth and the border.
+ValidateSettings square(OffScreen offScreen, Switch depth) {
+  ValidateSettings settings{offScreen, depth, 0.03f, 0.0f};
+  settings.depthFootprint = DepthFootprint::Square3x3;
+  settings.flicker = Switch::Off;
+  return settings;
+}
+const ValidateSettings kOn = square(OffScreen::Reject, Switch::On);
 
 Inputs withHistory(float expected, float stored) {
   Inputs inputs = test::constantInputs(4, 4, glm::vec3(0.5f));
@@ -30,7 +37,7 @@ TEST(ReferenceValidate, ComparesDepthsRelativeToWhatIsExpected) {
   EXPECT_EQ(validate(withHistory(4.0f, 5.0f)).depthMismatch, 0.25f);
   EXPECT_EQ(validate(withHistory(4.0f, 3.0f)).reason, RejectReason::Depth);
   EXPECT_EQ(validate(withHistory(64.0f, 63.0f)).reason, RejectReason::Kept); // 1/64 < τ
-  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), {OffScreen::Reject, Switch::Off, 0.03f, 0.0f}).reason,
+  EXPECT_EQ(validate(withHistory(4.0f, 3.0f), square(OffScreen::Reject, Switch::Off)).reason,
             RejectReason::Kept);
 }
 
@@ -70,13 +77,13 @@ TEST(ReferenceValidate, TheSkyMatchesOnlyTheSky) {
   EXPECT_EQ(validate(withHistory(5.0f, 0.0f)).depthMismatch, 1.0f);
 }
 
-TEST(ReferenceValidate, TakesTheBestOfTheFourTexelsAround) {
+TEST(ReferenceValidate, TakesTheBestOfTheNineTexelsAround) {
   Inputs inputs = withHistory(4.0f, 8.0f);
-  inputs.historySurface.at(2, 2)[1] = 4.0f;
-  EXPECT_EQ(validate(inputs).depthMismatch, 0.0f); // 1½ − ½ = 1: texels 1 and 2
-  inputs.historySurface.at(2, 2)[1] = 8.0f;
-  inputs.historySurface.at(0, 0)[1] = 4.0f;
-  EXPECT_EQ(validate(inputs).depthMismatch, 1.0f); // texel 0 is not among them
+  inputs.historySurface.at(0, 2)[1] = 4.0f;
+  EXPECT_EQ(validate(inputs).depthMismatch, 0.0f); // around texel 1: 0 to 2
+  inputs.historySurface.at(0, 2)[1] = 8.0f;
+  inputs.historySurface.at(3, 1)[1] = 4.0f;
+  EXPECT_EQ(validate(inputs).depthMismatch, 1.0f); // texel 3 is not among them
   inputs.historySurface.at(1, 2)[1] = 3.0f;
   inputs.historySurface.at(2, 1)[1] = 5.0f; // equally far: the first in reading order
   EXPECT_EQ(validate(inputs).historyDepth, 5.0f);
@@ -91,8 +98,8 @@ TEST(ReferenceValidate, GivesTheFirstReasonThatApplies) {
   };
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoPrevious);
   EXPECT_EQ(reason(off, kOn), RejectReason::OffScreen);
-  EXPECT_EQ(reason(off, {OffScreen::Keep, Switch::On, 0.03f, 0.0f}), RejectReason::Depth);
-  EXPECT_EQ(reason(off, {OffScreen::Keep, Switch::Off, 0.03f, 0.0f}), RejectReason::Kept);
+  EXPECT_EQ(reason(off, square(OffScreen::Keep, Switch::On)), RejectReason::Depth);
+  EXPECT_EQ(reason(off, square(OffScreen::Keep, Switch::Off)), RejectReason::Kept);
   inputs.historyColor = {};
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoHistory);
 }
