@@ -49,6 +49,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture of the whole window to FILE and end; needs no display")
       ->type_name("FILE");
+  app.add_flag("--force", arguments.force, "Let that picture replace a file that is there");
   app.add_option("--window-size", texts.windowSize, "Size of that window, 1600x900 without it")
       ->type_name("WxH");
   app.add_option("--frame", texts.frame, "Go to frame N and pause")

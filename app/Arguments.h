@@ -20,6 +20,7 @@ namespace taa::app {
 struct Arguments {
   std::string source = "builtin:fan";
   std::string screenshot;           ///< file to write a picture of the window to; empty: open a window
+  bool force = false;               ///< that picture replaces a file that is there
   glm::ivec2 windowSize{1600, 900}; ///< logical pixels; of a screenshot
   std::optional<glm::ivec2> size;   ///< render size, px
   std::optional<double> zoom;       ///< screen pixels a pixel, around the probe

@@ -10,6 +10,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
+#include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/io/SessionFile.h"
 
@@ -188,6 +189,7 @@ int main(int argc, char** argv) {
       std::fputs(end->text.c_str(), end->code == 0 ? stdout : stderr);
       return end->code;
     }
+    if (!arguments.screenshot.empty() && !arguments.force) taa::refuseToReplace({arguments.screenshot});
     qInstallMessageHandler(printMessage);
     choosePlatform(!arguments.screenshot.empty());
     chooseShaders(arguments);

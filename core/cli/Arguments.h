@@ -56,6 +56,7 @@ struct RenderArguments {
   std::vector<std::string> otherStyle; ///< as style, of the other side
   double divider = 0.5;                ///< where it lies in a wipe, share of the width
   double framesPerSecond = 0.0;        ///< of a GIF; 0: the scene's
+  bool force = false;                  ///< replace files that are there
   bool json = false;
   bool verbose = false;
 };
@@ -95,6 +96,7 @@ struct MetricsArguments {
 struct GlslArguments {
   std::string preset = "balanced", file; ///< file empty: standard output
   std::vector<std::string> assignments;
+  bool force = false; ///< replace the file when it is there
 };
 
 /// First and last frame, both included.

@@ -1,6 +1,7 @@
 // taa-batch glsl: the resolve of some settings and what is shown of it as a file of its own.
 #include "core/cli/Commands.h"
 
+#include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -17,6 +18,7 @@ void runGlsl(const GlslArguments& arguments, std::ostream& out) {
   shot.assignments = arguments.assignments;
   const LaneChoice choice = lanesOf(shot).front();
   const Settings plain = preset(arguments.preset).settings;
+  if (!arguments.file.empty() && !arguments.force) refuseToReplace({arguments.file});
   const std::string text =
       exportedGlsl(choice.settings, settingsTitle(arguments.preset, choice.settings, plain));
   if (arguments.file.empty())

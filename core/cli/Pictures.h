@@ -18,7 +18,7 @@ class Pictures {
   bool compares() const { return static_cast<bool>(comparison_); }
   bool showsReference() const { return showsReference_; }
   /// Lanes that have pictures of their own; the one that is compared with has none.
-  int laneCount(const Inspector& inspector) const { return compares() ? 1 : inspector.laneCount(); }
+  int laneCount(const ShotPlan& plan) const { return compares() ? 1 : static_cast<int>(plan.lanes.size()); }
   /// Adds the lane that is compared with. Throws UsageError where there are several already.
   void addLane(ShotPlan& plan) const;
   /// What a view at 1:1 shows.

@@ -3,6 +3,7 @@
 
 #include "core/FrameExport.h"
 #include "core/base/Error.h"
+#include "core/base/ExistingFiles.h"
 #include "core/cli/Pictures.h"
 #include "core/inspect/MemoryNeed.h"
 #include "core/io/FrameJson.h"
@@ -39,6 +40,42 @@ std::string frameName(int frame) {
   return name.str();
 }
 
+/// "A.resolved", or the row alone where there is one lane.
+std::string rowName(const LaneChoice& lane, IntermediateId id) {
+  return (lane.name.empty() ? "" : lane.name + ".") + std::string(intermediate(id).name);
+}
+
+// Where the files are
+fs::path exrPath(const RenderArguments& arguments, int frame) {
+  return fs::path(arguments.folder) / (frameName(frame) + ".exr");
+}
+fs::path pngPath(const RenderArguments& arguments, int frame, const LaneChoice& lane, IntermediateId id) {
+  return fs::path(arguments.folder) / (frameName(frame) + "." + rowName(lane, id) + ".png");
+}
+fs::path gifPath(const RenderArguments& arguments, const LaneChoice& lane, IntermediateId id) {
+  return fs::path(arguments.folder) / (rowName(lane, id) + ".gif");
+}
+
+/// All files that the command writes, in the order in which they appear.
+std::vector<fs::path> plannedFiles(const RenderArguments& arguments, const ShotPlan& plan,
+                                   const FrameRange& range, const std::vector<IntermediateId>& ids,
+                                   const Pictures& pictures) {
+  std::vector<fs::path> paths;
+  const auto ofRows = [&](auto path) {
+    for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
+      for (const IntermediateId id : ids)
+        paths.push_back(path(plan.lanes.at(static_cast<std::size_t>(lane)), id));
+  };
+  if (arguments.format == "gif")
+    ofRows([&](const LaneChoice& lane, IntermediateId id) { return gifPath(arguments, lane, id); });
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    if (arguments.format == "exr") paths.push_back(exrPath(arguments, frame));
+    if (arguments.format == "png")
+      ofRows([&](const LaneChoice& lane, IntermediateId id) { return pngPath(arguments, frame, lane, id); });
+  }
+  return paths;
+}
+
 void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -54,8 +91,8 @@ std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& p
 }
 
 fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids,
-                  const fs::path& folder) {
-  fs::path path = folder / (frameName(inspector.frame()) + ".exr");
+                  const RenderArguments& arguments) {
+  fs::path path = exrPath(arguments, inspector.frame());
   FrameFile frame{
       inspector.source(), inspector.camera(), inspector.driver().renderer, laneHeaders(inspector, plan), {}};
   exportFrame(inspector, std::move(frame), ids, path);
@@ -67,12 +104,11 @@ std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, cons
                                 const std::vector<IntermediateId>& ids, const Pictures& pictures,
                                 const Progress& progress) {
   std::vector<fs::path> paths;
-  const std::vector<FrameLane> lanes = laneHeaders(inspector, plan);
-  for (int lane = 0; lane < pictures.laneCount(inspector); ++lane)
+  for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
     for (const IntermediateId id : ids) {
       const Picture picture = pictures.draw(inspector, id, lane, progress);
-      const std::string part = partName(lanes.at(static_cast<std::size_t>(lane)), id);
-      paths.push_back(fs::path(arguments.folder) / (frameName(inspector.frame()) + "." + part + ".png"));
+      paths.push_back(
+          pngPath(arguments, inspector.frame(), plan.lanes.at(static_cast<std::size_t>(lane)), id));
       writePng(paths.back(), picture.width, picture.height, picture.rgba);
     }
   return paths;
@@ -86,13 +122,12 @@ class Animations {
       : pictures_(pictures) {
     const double rate =
         arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : inspector.scene().shot.framesPerSecond;
-    for (int lane = 0; lane < pictures.laneCount(inspector); ++lane)
+    for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
       for (const IntermediateId id : ids) {
-        const std::string& name = plan.lanes.at(static_cast<std::size_t>(lane)).name;
-        const std::string file = (name.empty() ? "" : name + ".") + std::string(intermediate(id).name);
-        const fs::path path = fs::path(arguments.folder) / (file + ".gif");
+        const fs::path path = gifPath(arguments, plan.lanes.at(static_cast<std::size_t>(lane)), id);
         fs::path temporary = path;
-        temporary.replace_filename("." + file + "." + std::to_string(::getpid()) + ".part.gif");
+        temporary.replace_filename("." + path.stem().string() + "." + std::to_string(::getpid()) +
+                                   ".part.gif");
         rows_.push_back(
             {lane, id, path, temporary,
              std::make_unique<GifWriter>(temporary, path, inspector.width(), inspector.height(), rate)});
@@ -163,7 +198,7 @@ void renderFrames(Inspector& inspector, const RenderArguments& arguments, const 
     for (int lane = 0; isExr && lane < inspector.laneCount(); ++lane)
       inspector.makeRows(ids, arguments.referenceSamples, progress, lane);
     if (isExr) {
-      written(writeExr(inspector, plan, ids, arguments.folder));
+      written(writeExr(inspector, plan, ids, arguments));
       continue;
     }
     inspector.watch(ids);
@@ -196,6 +231,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   if (arguments.verbose) sayMemory(inspector, plan, ids);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
+  if (!arguments.force) refuseToReplace(plannedFiles(arguments, plan, range, ids, pictures));
   makeFolder(arguments.folder);
 
   ordered_json files = ordered_json::array();

@@ -111,6 +111,11 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
       ->allow_extra_args(false);
 }
 
+void addForce(CLI::App& command, bool& force) {
+  command.add_flag("--force", force,
+                   "Replace files that are there; without it they are left and nothing is done");
+}
+
 void addReferenceSamples(CLI::App& command, int& samples, const std::string& what) {
   command.add_option("--reference-samples", samples, "Samples in a pixel " + what)->capture_default_str();
 }
@@ -164,6 +169,7 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
   addComparing(*command, render);
   command->add_option("--fps", render.framesPerSecond, "Frames a second of a gif; else the scene's")
       ->check(CLI::Range(0.1, 1000.0));
+  addForce(*command, render.force);
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
                     "Say on standard error how much memory it takes, before it is taken");
@@ -239,6 +245,7 @@ void addGlsl(CLI::App& app, GlslArguments& glsl) {
   command->add_option("--set", glsl.assignments, "path=value (see list parameters); repeat it for more")
       ->allow_extra_args(false);
   command->add_option("--out", glsl.file, "The file; standard output when it is left out");
+  addForce(*command, glsl.force);
   command->callback([&glsl] { runGlsl(glsl, std::cout); });
 }
 

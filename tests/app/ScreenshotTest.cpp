@@ -65,6 +65,23 @@ TEST(Screenshot, ADialogLiesInItsMiddle) {
   EXPECT_EQ(run({"--screenshot", file, "--dialog", "nothing"}).code, 2);
 }
 
+TEST(Screenshot, ReplacesAFileOnlyWithForce) {
+  const QString file = fileName("mine.png");
+  const QByteArray mine("mine");
+  QFile kept(file);
+  ASSERT_TRUE(kept.open(QIODevice::WriteOnly) && kept.write(mine) == mine.size());
+  kept.close();
+  const Outcome outcome = run({"--screenshot", file});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(outcome.err.contains(file) && outcome.err.contains("--force")) << outcome.err.toStdString();
+  ASSERT_TRUE(kept.open(QIODevice::ReadOnly));
+  EXPECT_EQ(kept.readAll(), mine);
+  kept.close();
+  const Outcome forced = run({"--force", "--screenshot", file, "--size", "64x36", "--frame", "0"});
+  EXPECT_EQ(forced.code, 0) << forced.err.toStdString();
+  EXPECT_FALSE(QImage(file).isNull());
+}
+
 TEST(Screenshot, AFileThatCannotBeOpenedIsNamed) {
   const Outcome outcome = run({"--screenshot", fileName("none.png"), "/nowhere/none.glb"});
   EXPECT_EQ(outcome.code, 1);

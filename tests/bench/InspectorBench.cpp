@@ -155,8 +155,9 @@ void switchPrepared(benchmark::State& state) {
 
 /// What the window says of itself with --timing: seconds from the start of its process to its first picture.
 double firstPictureTime(const std::string& picture) {
-  const taa::test::ProcessResult result = taa::test::runProcess(
-      {taa::test::binary("taa-inspector").string(), "--timing", "--screenshot", picture, "--frame", "0"});
+  const taa::test::ProcessResult result =
+      taa::test::runProcess({taa::test::binary("taa-inspector").string(), "--timing", "--force",
+                             "--screenshot", picture, "--frame", "0"});
   double time = 0.0;
   if (std::sscanf(result.err.c_str(), "first picture after %lf s", &time) != 1)
     throw taa::Error("taa-inspector did not say how long it took: " + result.err);

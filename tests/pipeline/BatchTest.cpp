@@ -222,6 +222,29 @@ TEST_F(BatchTest, NamesPartsByLane) {
   EXPECT_EQ(json::parse(result.out)["lanes"].size(), 2u);
 }
 
+TEST_F(BatchTest, ReplacesNoFileUnlessItIsTold) {
+  const fs::path folder = freshFolder();
+  fs::create_directories(folder);
+  const auto refused = [&](const std::vector<std::string>& more, const std::vector<std::string>& words) {
+    const ProcessResult result = render(folder, more);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_EQ(result.out, "");
+    for (const std::string& word : words) EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+  };
+  const std::vector<std::string> kept = {"frame.0002.exr", "frame.0003.exr", "frame.0001.alpha.png",
+                                         "alpha.gif"};
+  for (const std::string& name : kept) taa::writeFile(folder / name, "mine");
+  const std::string first = (folder / "frame.0002.exr").string();
+  refused({"--frames", "0..3"}, {"2 of 4", first, "--force"});
+  refused({"--frames", "1", "--format", "png", "--emit", "resolved,alpha"},
+          {"1 of 2", "frame.0001.alpha.png"});
+  refused({"--frames", "0..1", "--format", "gif", "--emit", "alpha"}, {"alpha.gif is there", "--force"});
+  for (const std::string& name : kept) EXPECT_EQ(taa::readFile(folder / name), "mine") << name;
+  EXPECT_EQ(fileNames(folder).size(), kept.size()) << "nothing is rendered before it is known";
+  ASSERT_EQ(render(folder, {"--frames", "0..2", "--force"}).exitCode, 0);
+  EXPECT_EQ(taa::partNames(first), std::vector<std::string>{"resolved"});
+}
+
 TEST_F(BatchTest, WritesAPictureForEachIntermediate) {
   const fs::path folder = freshFolder();
   const ProcessResult result =
@@ -234,7 +257,8 @@ TEST_F(BatchTest, WritesAPictureForEachIntermediate) {
 TEST_F(BatchTest, DrawsWhatIsComparedAsItIsAskedFor) {
   const fs::path folder = freshFolder();
   const auto drawn = [&](const std::vector<std::string>& more) {
-    const ProcessResult result = render(folder, joined({"--frames", "4", "--format", "png"}, more));
+    const ProcessResult result =
+        render(folder, joined({"--frames", "4", "--format", "png", "--force"}, more));
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(fileNames(folder), std::vector<std::string>{"frame.0004.resolved.png"});
     return taa::readFile(folder / "frame.0004.resolved.png");

@@ -269,9 +269,21 @@ TEST_F(GlslExportTest, FoldsANumberThatIsSet) {
 
 TEST_F(GlslExportTest, BatchWritesTheSameText) {
   const std::filesystem::path path = test::temporaryFolder() / "resolve.glsl";
-  const test::ProcessResult result =
-      test::runProcess({test::binary("taa-batch").string(), "glsl", "--preset", "fsr2", "--set",
-                        "weight.minimum=0.25", "--out", path.string()});
+  std::vector<std::string> command = {test::binary("taa-batch").string(),
+                                      "glsl",
+                                      "--preset",
+                                      "fsr2",
+                                      "--set",
+                                      "weight.minimum=0.25",
+                                      "--out",
+                                      path.string()};
+  writeFile(path, "mine");
+  const test::ProcessResult refused = test::runProcess(command);
+  EXPECT_EQ(refused.exitCode, 1);
+  EXPECT_NE(refused.err.find(path.string() + " is there already; --force"), std::string::npos) << refused.err;
+  EXPECT_EQ(readFile(path), "mine");
+  command.emplace_back("--force");
+  const test::ProcessResult result = test::runProcess(command);
   ASSERT_EQ(result.exitCode, 0) << result.err;
   Settings settings = preset("fsr2").settings;
   applyAssignment(settings, "weight.minimum=0.25");
