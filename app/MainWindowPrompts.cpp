@@ -9,6 +9,7 @@
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/Chooser.h"
+#include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/KeysDialog.h"
 #include "app/widgets/PresetsDialog.h"
 #include "app/widgets/Prompt.h"
@@ -124,8 +125,10 @@ void MainWindow::askForPresetName() {
       tr("Save these settings as"), {},
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
-        session_.savePreset(presetFolder(), text);
-        showUserPresets();
+        confirmReplace(this, {userPresetPath(presetFolder(), text).toStdString()}, [this, text] {
+          session_.savePreset(presetFolder(), text);
+          showUserPresets();
+        });
         return true;
       },
       this);

@@ -2,6 +2,7 @@
 
 #include "app/Autosave.h"
 #include "app/MainWindow.h"
+#include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/OfferBar.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
@@ -31,6 +32,10 @@ QString recentKey() {
 
 bool isFile(const QString& source) {
   return !source.isEmpty() && !source.startsWith(QStringLiteral("builtin:"));
+}
+
+QString withEnding(const QString& path) {
+  return isSessionName(path.toStdString()) ? path : path + QString::fromUtf8(kSessionEnding.data());
 }
 
 QJsonObject windowState(const SessionFile& file) {
@@ -110,14 +115,18 @@ void SessionKeeper::askWhereToSave() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("taa.json"));
-  connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::saveTo);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const QString whole = withEnding(path);
+    if (whole == path) return saveTo(path);
+    confirmReplace(&window_, {whole.toStdString()},
+                   [this, whole] { saveTo(whole); }); // of a name never shown
+  });
   dialog->open();
 }
 
 void SessionKeeper::saveTo(const QString& path) {
   if (!window_.session().isOpen()) return;
-  const QString named =
-      isSessionName(path.toStdString()) ? path : path + QString::fromUtf8(kSessionEnding.data());
+  const QString named = withEnding(path);
   try {
     writeSession(named.toStdString(), file());
     path_ = named;

@@ -50,6 +50,10 @@ std::vector<UserPreset> userPresets(const QString& folder) {
   return found;
 }
 
+QString userPresetPath(const QString& folder, const QString& label) {
+  return QDir(folder).filePath(idOf(label) + QStringLiteral(".json"));
+}
+
 QString saveUserPreset(const QString& folder, const QString& label, const Settings& settings) {
   const QString id = idOf(label);
   if (id.isEmpty()) throw Error(say<"cannot save the preset: its name needs a letter or a digit">());
@@ -57,7 +61,7 @@ QString saveUserPreset(const QString& folder, const QString& label, const Settin
     throw Error(say<"cannot save the preset: \"%1\" is a built-in one; give another name">(id.toStdString()));
   if (!QDir().mkpath(folder))
     throw Error(say<"cannot save the preset: the folder %1 cannot be made">(folder.toStdString()));
-  QString path = QDir(folder).filePath(id + QStringLiteral(".json"));
+  QString path = userPresetPath(folder, label);
   const Preset row{id.toStdString(), label.trimmed().toStdString(), "", 0, "Saved from the window.",
                    settings};
   writeFile(path.toStdString(), presetToText(row));
@@ -66,7 +70,7 @@ QString saveUserPreset(const QString& folder, const QString& label, const Settin
 
 QString renameUserPreset(const QString& path, const QString& label) {
   const QFileInfo old(path);
-  const QString wanted = old.dir().filePath(idOf(label) + QStringLiteral(".json"));
+  const QString wanted = userPresetPath(old.path(), label);
   const bool isSameFile = QFileInfo(wanted) == old;
   if (!isSameFile && QFileInfo::exists(wanted))
     throw Error(

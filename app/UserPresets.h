@@ -21,6 +21,9 @@ struct UserPreset {
 /// What `folder` holds, by label; files that are no presets are passed over.
 std::vector<UserPreset> userPresets(const QString& folder);
 
+/// The file that a preset of this name has.
+QString userPresetPath(const QString& folder, const QString& label);
+
 /// Writes `settings` under `label` and returns the file's path; one of the same name is replaced.
 /// Throws Error when the label has no letter or digit, is that of a built-in preset, or the file cannot be
 /// written.

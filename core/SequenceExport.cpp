@@ -126,6 +126,14 @@ fs::path sequenceFile(const SequenceRequest& request, int frame) {
   return path.replace_filename(name.str());
 }
 
+std::vector<fs::path> sequenceFiles(const SequenceRequest& request) {
+  if (request.kind == SequenceKind::Gif) return {request.target};
+  std::vector<fs::path> files;
+  for (int frame = request.first; frame <= request.last; ++frame)
+    files.push_back(sequenceFile(request, frame));
+  return files;
+}
+
 void exportSequence(Inspector& inspector, const SequenceRequest& request, const Progress& progress) {
   const Return back(inspector);
   const Workshop workshop(request.target);

@@ -36,10 +36,12 @@ struct ExportResult {
 
 /// The file of a frame, or the GIF.
 std::filesystem::path sequenceFile(const SequenceRequest& request, int frame);
+/// All files that it writes, in their order.
+std::vector<std::filesystem::path> sequenceFiles(const SequenceRequest& request);
 
-/// All files or none: they are made in a folder beside their place and moved there at the end, so that a
-/// cancelled or failed export leaves what was there before. Ends at the frame where it began, exact. Throws
-/// Error, Cancelled.
+/// Replaces files that are there. All files or none: they are made in a folder beside their place and moved
+/// there at the end, so that a cancelled or failed export leaves what was there before. Ends at the frame
+/// where it began, exact. Throws Error, Cancelled.
 void exportSequence(Inspector& inspector, const SequenceRequest& request, const Progress& progress);
 
 } // namespace taa

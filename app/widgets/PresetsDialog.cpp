@@ -4,6 +4,7 @@
 #include "app/Text.h"
 #include "app/Theme.h"
 #include "app/UserPresets.h"
+#include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Prompt.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -196,10 +197,12 @@ void PresetsDialog::save() {
       tr("Save the present settings as"), {},
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
-        change([&] {
-          QString path = saveUserPreset(folder_, text, session_.settings());
-          session_.setPreset(path);
-          return path;
+        confirmReplace(this, {userPresetPath(folder_, text).toStdString()}, [this, text] {
+          change([&] {
+            QString path = saveUserPreset(folder_, text, session_.settings());
+            session_.setPreset(path);
+            return path;
+          });
         });
         return true;
       },

@@ -5,6 +5,7 @@
 #include "app/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/widgets/ConfirmReplace.h"
 #include "core/io/GifFile.h"
 
 #include <QAbstractItemView>
@@ -51,8 +52,11 @@ RangeDialog::RangeDialog(MainWindow& window, QWidget* parent)
   resize(120 * kUnit, sizeHint().height());
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Q_EMIT exportRequested(request());
-    accept();
+    const SequenceRequest wanted = request();
+    confirmReplace(this, sequenceFiles(wanted), [this, wanted] {
+      Q_EMIT exportRequested(wanted);
+      accept();
+    });
   });
   refresh();
 }
@@ -206,6 +210,7 @@ void RangeDialog::browse() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(ending().mid(1));
+  dialog->setOption(QFileDialog::DontConfirmOverwrite); // nothing is written yet
   connect(dialog, &QFileDialog::fileSelected, target_, &QLineEdit::setText);
   dialog->open();
 }

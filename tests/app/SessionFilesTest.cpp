@@ -21,11 +21,13 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <cstring>
 #include <memory>
@@ -240,6 +242,78 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   renderer->listener().onExported({path("out.gif").toStdString(), 6});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
+}
+
+TEST_F(SessionFiles, ARangeAsksOnceBeforeItReplacesFiles) {
+  for (const char* name : {"out.0004.png", "out.0006.png"}) writeFile(path(name).toStdString(), "mine");
+  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = own->findChild<RangeDialog*>();
+  ASSERT_TRUE(dialog);
+  const QList<QSpinBox*> frames = dialog->findChildren<QSpinBox*>();
+  frames[0]->setValue(3);
+  frames[1]->setValue(8);
+  QPushButton* start = nullptr;
+  for (QPushButton* button : dialog->findChildren<QPushButton*>())
+    if (button->text().contains("Export")) start = button;
+  for (QLineEdit* field : dialog->findChildren<QLineEdit*>())
+    if (field->accessibleName() == "File") field->setText(path("out.png"));
+  ASSERT_TRUE(start && start->isEnabled());
+  const auto answer = [&](const QString& text) {
+    QTest::mouseClick(start, Qt::LeftButton);
+    const auto boxes = dialog->findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes[0]->text().contains("2 of 6") && boxes[0]->text().contains("out.0004.png"))
+        << boxes[0]->text().toStdString();
+    EXPECT_FALSE(renderer->exported);
+    for (QAbstractButton* button : boxes[0]->buttons())
+      if (button->text().remove('&') == text) QTest::mouseClick(button, Qt::LeftButton);
+    QTest::qWait(50);
+  };
+  answer("Cancel");
+  EXPECT_FALSE(renderer->exported);
+  ASSERT_TRUE(dialog->isVisible()) << "another place can be chosen";
+  answer("Replace");
+  ASSERT_TRUE(renderer->exported);
+  EXPECT_EQ(renderer->exported->first, 3);
+}
+
+// Without a desktop's own dialogs; those ask by themselves.
+TEST_F(SessionFiles, SaveDialogsAskBeforeTheyReplaceAFile) {
+  writeFile(path("kept.taa.json").toStdString(), "mine");
+  const auto saveAs = [&](const QString& name, const QString& answer) {
+    own->keeper()->askWhereToSave();
+    auto* dialog = own->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog);
+    dialog->setDirectory(folder.path());
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
+    bool asked = false;
+    // Its question has a loop of its own.
+    const auto reply = [&] {
+      for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible())
+          for (QAbstractButton* button : box->buttons())
+            if (button->text().remove('&') == answer) {
+              asked = true;
+              button->click();
+            }
+    };
+    QTimer::singleShot(100, own.get(), reply);
+    QMetaObject::invokeMethod(dialog, "accept");
+    if (!asked) QTest::qWait(150);
+    EXPECT_TRUE(asked) << name.toStdString();
+    delete own->findChild<QFileDialog*>();
+    settle();
+  };
+  const auto text = [&] { return readFile(path("kept.taa.json").toStdString()); };
+  saveAs("kept.taa.json", "No");
+  EXPECT_EQ(text(), "mine");
+  writeFile(path("kept.old.taa.json").toStdString(), "mine");
+  saveAs("kept.old", "Cancel"); // the ending is added after the dialog's own question
+  EXPECT_EQ(readFile(path("kept.old.taa.json").toStdString()), "mine");
+  saveAs("kept.taa.json", "Yes");
+  EXPECT_NE(text(), "mine");
+  saveAs("kept.old", "Replace");
+  EXPECT_NE(readFile(path("kept.old.taa.json").toStdString()), "mine");
 }
 
 TEST_F(SessionFiles, AShaderErrorStaysUntilItIsMended) {

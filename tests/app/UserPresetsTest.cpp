@@ -38,14 +38,19 @@ class UserPresetsTest : public test::FakeWindow {
     own.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&own));
   }
-  void saveAs(const QString& name) {
+  void ask(const QString& name) {
+    own.activateWindow(); // a prompt is a window of its own
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&own));
     QTest::keyClick(&own, Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
     auto* prompt = own.findChild<Prompt*>();
     ASSERT_TRUE(prompt);
     QTest::keyClicks(prompt->field(), name);
     QTest::keyClick(prompt->field(), Qt::Key_Return);
     settle();
-    own.activateWindow(); // the prompt was a window of its own
+  }
+  void saveAs(const QString& name) {
+    ask(name);
+    own.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&own));
   }
 };
@@ -63,6 +68,31 @@ TEST_F(UserPresetsTest, AreSavedByAKeyAndOpenAgain) {
   session.setPreset("minimal");
   session.setPreset(found[0].path);
   EXPECT_EQ(session.settings().weight.minimum, 0.25f);
+}
+
+TEST_F(UserPresetsTest, OneOfTheSameNameIsReplacedOnlyWhenTheUserSaysSo) {
+  session.setParameter("weight.minimum", 0.25);
+  saveAs("Mine");
+  const std::string path = folder.filePath("presets/mine.json").toStdString();
+  session.setParameter("weight.minimum", 0.5);
+  const auto answer = [&](const QString& text) {
+    auto* box = own.findChild<QMessageBox*>();
+    ASSERT_TRUE(box && box->isVisible());
+    EXPECT_TRUE(box->text().contains("mine.json")) << box->text().toStdString();
+    for (QAbstractButton* button : box->buttons())
+      if (button->text().remove('&') == text) return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << text.toStdString();
+  };
+  ask("mine");
+  answer("Cancel");
+  settle();
+  EXPECT_EQ(preset(path).settings.weight.minimum, 0.25f);
+  EXPECT_TRUE(session.isPresetChanged());
+  ask("mine");
+  answer("Replace");
+  settle();
+  EXPECT_EQ(preset(path).settings.weight.minimum, 0.5f);
+  EXPECT_FALSE(session.isPresetChanged());
 }
 
 TEST_F(UserPresetsTest, AreGoneBackToLikeAnyOther) {
