@@ -230,6 +230,11 @@ void CurveChart::mouseMoveEvent(QMouseEvent* event) {
   viewport()->update();
 }
 
+void CurveChart::cancelDrag() {
+  pressedX_.reset();
+  viewport()->update();
+}
+
 void CurveChart::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !pressedX_) return;
   const double from = *std::exchange(pressedX_, {}), to = event->position().x();

@@ -2,6 +2,7 @@
 // color alone.
 #pragma once
 
+#include "app/Drags.h"
 #include "app/views/CurveLegend.h"
 
 #include <QChartView>
@@ -26,7 +27,7 @@ struct ChartMark {
   bool operator==(const ChartMark&) const = default;
 };
 
-class CurveChart : public QChartView {
+class CurveChart : public QChartView, public Draggable {
   Q_OBJECT
  public:
   /// `xTitle`: what x counts; also before its value in the readout: "frame 41".
@@ -52,6 +53,7 @@ class CurveChart : public QChartView {
   QString readout() const;
   double xAt(double viewX) const;
   double viewXOf(double x) const;
+  void cancelDrag() override;
   QSize sizeHint() const override { return {400, 120}; }
 
  Q_SIGNALS:

@@ -266,6 +266,7 @@ void Timeline::dragRange(double x) {
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   handle_.reset();
+  pressFrame_ = frame_;
   for (const bool isLast : {false, true})
     if (handle(isLast).contains(event->position())) handle_ = isLast;
   if (!handle_) seekTo(event->position().x());
@@ -278,6 +279,14 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
   const bool isOverHandle = handle_ || handle(false).contains(position) || handle(true).contains(position);
   setCursor(isOverHandle ? Qt::SizeHorCursor : Qt::PointingHandCursor);
   hovered_ = scale().frameAt(position.x());
+  update();
+}
+
+// The repeated part is the undo stack's.
+void Timeline::cancelDrag() {
+  if (dragged_ >= 0) Q_EMIT seekRequested(pressFrame_);
+  dragged_ = -1;
+  handle_.reset();
   update();
 }
 

@@ -2,6 +2,7 @@
 // each frame.
 #pragma once
 
+#include "app/Drags.h"
 #include "app/views/TimelineMath.h"
 
 #include <QString>
@@ -21,7 +22,7 @@ struct TimelineStrip {
   bool operator==(const TimelineStrip&) const = default;
 };
 
-class Timeline : public QWidget {
+class Timeline : public QWidget, public Draggable {
   Q_OBJECT
  public:
   explicit Timeline(QWidget* parent = nullptr);
@@ -45,6 +46,7 @@ class Timeline : public QWidget {
   QRectF handle(bool isLast) const;
   /// What there is to say about a frame: "frame 41 · kept · cut · α 0.12".
   QString textAt(int frame) const;
+  void cancelDrag() override;
   QSize sizeHint() const override;
 
  Q_SIGNALS:
@@ -76,7 +78,8 @@ class Timeline : public QWidget {
   std::map<int, QString> marks_;
   std::optional<std::pair<int, int>> range_;
   TimelineStrip strip_;
-  int dragged_ = -1; ///< frame under a drag: shown before the picture has followed
+  int dragged_ = -1;   ///< frame under a drag: shown before the picture has followed
+  int pressFrame_ = 0; ///< on show when the drag began
   int hovered_ = -1;
   std::optional<bool> handle_; ///< the handle under a drag: whether it is the last
 };

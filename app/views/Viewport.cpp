@@ -130,6 +130,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 void Viewport::mousePressEvent(QMouseEvent* event) {
   cursor_ = event->position();
   drag_ = event->button();
+  pressCamera_ = camera_;
   Q_EMIT activated();
   dragsDivider_ = drag_ == Qt::LeftButton && isOnDivider(cursor_);
   if (drag_ == Qt::RightButton && size_.x > 0) {
@@ -160,6 +161,14 @@ void Viewport::mouseReleaseEvent(QMouseEvent*) {
   drag_ = Qt::NoButton;
   dragsDivider_ = false;
   setCursor(isOnDivider(cursor_) ? Qt::SplitHCursor : Qt::CrossCursor);
+}
+
+// Probe and divider are the undo stack's.
+void Viewport::cancelDrag() {
+  if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)) moveCamera(pressCamera_);
+  drag_ = Qt::NoButton;
+  dragsDivider_ = false;
+  setCursor(Qt::CrossCursor);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -2,6 +2,7 @@
 // once.
 #pragma once
 
+#include "app/Drags.h"
 #include "app/Pins.h"
 #include "app/views/Legend.h"
 #include "app/views/ViewportMath.h"
@@ -18,7 +19,7 @@
 
 namespace taa::app {
 
-class Viewport : public QWidget {
+class Viewport : public QWidget, public Draggable {
   Q_OBJECT
  public:
   explicit Viewport(QWidget* parent = nullptr);
@@ -70,6 +71,7 @@ class Viewport : public QWidget {
   const std::shared_ptr<const ViewResult>& result() const { return result_; }
   ShownLegend shownLegend() const;
 
+  void cancelDrag() override;
   void fit();
   void oneToOne();
   void zoomBy(double notches);
@@ -124,7 +126,7 @@ class Viewport : public QWidget {
   const ViewSide* otherSide() const; ///< that is there; null: none
 
   glm::ivec2 size_{0};
-  ViewCamera camera_;
+  ViewCamera camera_, pressCamera_; ///< now, and when a drag began
   ViewContent content_;
   std::optional<ViewContent> other_;
   Showing showing_ = Showing::First;
