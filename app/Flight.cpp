@@ -116,10 +116,6 @@ void Flight::move(float seconds) {
 // Each key moves at once, so that a tap is a step.
 bool Flight::pressKey(const QKeyEvent& event) {
   modifiers_ = event.modifiers();
-  if (event.key() == Qt::Key_Escape) {
-    setOn(false);
-    return true;
-  }
   if (!isFlightKey(event.key())) return false;
   if (event.isAutoRepeat() || held_.contains(event.key())) return true;
   held_.insert(event.key());
@@ -154,8 +150,8 @@ bool Flight::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
   case QEvent::ShortcutOverride: {
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (isFlightKey(key) || key == Qt::Key_Escape) event->accept();
-    return event->isAccepted() && (isFlightKey(key) || key == Qt::Key_Escape);
+    if (isFlightKey(key)) event->accept();
+    return isFlightKey(key);
   }
   case QEvent::KeyPress:
     return pressKey(*static_cast<QKeyEvent*>(event));

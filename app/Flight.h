@@ -20,7 +20,7 @@ class Session;
 class ViewArea;
 
 /// While it is on, W A S D Q E move (Shift faster, Ctrl slower), left or middle drag looks around, the wheel
-/// changes the speed, Esc ends it; all else is as ever.
+/// changes the speed; all else is as ever.
 class Flight : public QObject {
   Q_OBJECT
  public:

@@ -64,6 +64,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
   connectScene();
   connectViews();
   connectSession();
+  connectUndo();
   showSettings();
   restore();
   orderFocus();
@@ -73,6 +74,7 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
 MainWindow::~MainWindow() {
   // The parts are destroyed after this; what they say on the way is of no interest.
   disconnect(&session_, nullptr, this, nullptr);
+  disconnect(&session_.undoStack(), nullptr, this, nullptr);
   disconnect(views_, nullptr, this, nullptr);
 }
 
@@ -208,8 +210,11 @@ void MainWindow::showStatus() {
     QStringList warnings;
     for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
     messages_->setWarnings(warnings);
+    // Nobody's change, so there is nothing to undo.
     if (status.source == kFirstSource && !session_.pick())
-      session_.setPick(glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)));
+      session_.setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
+                         .frame = status.info.frame}},
+                       0);
   }
   menus_->refresh();
   const bool isFile = !status.source.empty() && !status.source.starts_with("builtin:");

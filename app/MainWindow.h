@@ -5,6 +5,7 @@
 #include "app/Theme.h"
 #include "app/models/FigureHistory.h"
 
+#include <QElapsedTimer>
 #include <QJsonObject>
 #include <QMainWindow>
 
@@ -21,6 +22,8 @@ namespace taa::app {
 enum class LowerPage;
 class JitterPanel;
 class LowerArea;
+class Drags;
+struct EscapeState;
 class Flight;
 class FlightBar;
 class Menus;
@@ -33,6 +36,7 @@ class ProfilerPanel;
 class SessionKeeper;
 class ShaderWatch;
 class ScenePanel;
+class StateWatch;
 class StatusLine;
 class TimelinePanel;
 class ViewArea;
@@ -89,6 +93,7 @@ class MainWindow : public QMainWindow {
   void searchPipeline();
 
   // What menus and keys ask for
+  void escape(); ///< ends the innermost thing, see EscapeKey.h
   void askForFile();
   void askForPixel();
   void askForFrame();
@@ -135,6 +140,8 @@ class MainWindow : public QMainWindow {
   void connectViews();
   void connectSession();
   void connectFiles();
+  void connectUndo();
+  EscapeState escapeState() const;
   void showStatus();
   void showSettings();
   void showPick();
@@ -178,6 +185,9 @@ class MainWindow : public QMainWindow {
   Menus* menus_ = nullptr;
   SessionKeeper* keeper_ = nullptr;
   Exports* exports_ = nullptr;
+  Drags* drags_ = nullptr;
+  StateWatch *viewsWatch_ = nullptr, *timelineWatch_ = nullptr;
+  QElapsedTimer workEnded_;
   ShaderWatch* shaders_ = nullptr; ///< null: they come from the program itself
 };
 

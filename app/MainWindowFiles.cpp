@@ -87,6 +87,7 @@ QJsonObject MainWindow::state() const {
 }
 
 void MainWindow::setState(const QJsonObject& state) {
+  const UndoStack::Quiet quiet(session_.undoStack());
   const QJsonObject panels = state[QStringLiteral("panels")].toObject();
   const std::pair<QString, QWidget*> known[] = {{QStringLiteral("pipeline"), pipeline_},
                                                 {QStringLiteral("probe"), probe_}};

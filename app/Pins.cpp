@@ -79,6 +79,9 @@ bool Pins::replace(int pin, const ProbePin& by) {
 bool Pins::set(const std::vector<ProbePin>& pins, int active) {
   Pins next;
   for (const ProbePin& pin : pins) next.add(pin);
+  for (std::size_t pin = 0; pin < next.pins_.size(); ++pin)
+    for (std::size_t known = 0; known < pins_.size(); ++known)
+      if (isSamePin(next.pins_[pin], pins_[known])) next.results_[pin] = results_[known];
   next.active_ = std::clamp(active, std::min(0, next.count() - 1), next.count() - 1);
   if (next.pins_ == pins_ && next.active_ == active_) return false;
   *this = std::move(next);

@@ -1,5 +1,6 @@
 #include "app/Session.h"
 
+#include "app/Text.h"
 #include "app/UserPresets.h"
 #include "core/base/Error.h"
 #include "core/inspect/MemoryNeed.h"
@@ -22,8 +23,7 @@ Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
       mailbox_([this] { QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection); }) {
   guarded([&] {
     const Preset& first = builtinPresets().front();
-    presetId_ = first.id;
-    presetSettings_ = settings_ = first.settings;
+    chosen_ = {first.settings, first.settings, first.id};
   });
   guarded([&] { renderer_ = makeRenderer(listenerOf(mailbox_)); });
   stays_.setSingleShot(true);
@@ -45,14 +45,14 @@ QString Session::memoryText(const glm::ivec2& sizePx) const {
   for (const std::shared_ptr<const ViewResult>& picture : pictures_)
     if (picture && std::ranges::find(watched, picture->request.id) == watched.end())
       watched.push_back(picture->request.id);
-  std::vector<Settings> lanes{settings_};
+  std::vector<Settings> lanes{chosen_.settings};
   lanes.insert(lanes.end(), otherLanes_.begin(), otherLanes_.end());
   const std::size_t bytes = memoryNeed(lanes, sizePx, watched).total();
   return tr("about %1").arg(QString::fromStdString(bytesText(bytes)));
 }
 
 bool Session::isPresetChanged() const {
-  return !(settings_ == presetSettings_);
+  return !(chosen_.settings == chosen_.presetSettings);
 }
 
 void Session::guarded(const std::function<void()>& act) {
@@ -106,6 +106,7 @@ void Session::deliver() {
 void Session::useStatus(Status&& status) {
   const bool isNew = status.source != status_.source;
   if (isNew && pins_.forgetSurfaces()) sendPins();
+  if (isNew) undo_.forgetScene();
   status_ = std::move(status);
   takeSceneStatus();
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.
@@ -121,7 +122,6 @@ void Session::open(const QString& source, bool plays) {
   classes_.giveUp();
   restarts_.giveUp();
   flown_.giveUp();
-  history_.forgetShot();
   ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
@@ -130,6 +130,7 @@ void Session::setSize(int width, int height) {
 }
 
 void Session::setCamera(const QString& name) {
+  if (name.toStdString() != status_.camera) noteCameras(tr("choice of camera %1").arg(name));
   flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
 }
@@ -176,33 +177,42 @@ void Session::step(int frames) {
   });
 }
 
-void Session::useSettings(const Settings& settings) {
-  if (settings == settings_) return;
+void Session::use(const PresetChoice& choice) {
+  if (choice == chosen_) return;
   stays_.stop();
-  settings_ = settings;
-  ask([&](Renderer& renderer) { renderer.setSettings(settings_); });
-  Q_EMIT settingsChanged();
+  const bool isNew = !(choice.settings == chosen_.settings);
+  chosen_ = choice;
+  if (isNew) ask([&](Renderer& renderer) { renderer.setSettings(chosen_.settings); });
+  Q_EMIT settingsChanged(); // also where only the preset's name is another
+}
+
+void Session::change(const PresetChoice& choice, const QString& what, const std::string& key) {
+  if (choice == chosen_) return;
+  UndoStep step = stepBackTo<PresetChoice>(
+      chosen_, [this] { return chosen_; }, [this](const PresetChoice& before) { use(before); });
+  step.what = what;
+  step.key = key;
+  use(choice);
+  undo_.push(std::move(step));
 }
 
 void Session::setParameter(const QString& path, double value) {
   guarded([&] {
     const Parameter& row = parameter(path.toStdString());
-    Settings changed = settings_;
-    row.set(changed, value);
-    if (changed == settings_) return;
-    history_.record({settings_}, std::string(row.path));
-    useSettings(changed);
+    PresetChoice changed = chosen_;
+    row.set(changed.settings, value);
+    // Numbers are dragged; each choice is one of its own.
+    const bool isNumber = row.kind == ParameterKind::Number || row.kind == ParameterKind::Integer;
+    change(changed, tr("change of %1").arg(tableText(row.label)),
+           isNumber ? std::string(row.path) : std::string());
   });
 }
 
 void Session::setPreset(const QString& idOrPath) {
   guarded([&] {
-    const Preset chosen = preset(idOrPath.toStdString());
-    history_.record({settings_}, "");
-    presetId_ = chosen.id;
-    presetSettings_ = chosen.settings;
-    useSettings(chosen.settings);
-    Q_EMIT settingsChanged(); // the name changes even where no value does
+    const Preset preset = taa::preset(idOrPath.toStdString());
+    change({preset.settings, preset.settings, preset.id},
+           tr("choice of preset %1").arg(tableText(preset.label)));
   });
 }
 
@@ -213,7 +223,7 @@ void Session::consider(const Settings& settings) {
 
 void Session::prepareParameter(const QString& path, double value) {
   guarded([&] {
-    Settings settings = settings_;
+    Settings settings = chosen_.settings;
     parameter(path.toStdString()).set(settings, value);
     consider(settings);
   });
@@ -224,37 +234,11 @@ void Session::preparePreset(const QString& idOrPath) {
 }
 
 void Session::backToPreset() {
-  if (settings_ == presetSettings_) return;
-  history_.record({settings_}, "");
-  useSettings(presetSettings_);
+  change({chosen_.presetSettings, chosen_.presetSettings, chosen_.presetId}, tr("return to the preset"));
 }
 
 void Session::savePreset(const QString& folder, const QString& label) {
-  guarded([&] { setPreset(saveUserPreset(folder, label, settings_)); });
-}
-
-void Session::undo() {
-  if (!history_.canUndo()) return;
-  const UndoStep step = history_.undo(settings_);
-  if (step.camera) return useCamera(step.camera->after, step.camera->before);
-  if (step.restarts) {
-    setRestarts(step.restarts->before);
-    Q_EMIT settingsChanged();
-    return;
-  }
-  useSettings(step.settings);
-}
-
-void Session::redo() {
-  if (!history_.canRedo()) return;
-  const UndoStep step = history_.redo(settings_);
-  if (step.camera) return useCamera(step.camera->before, step.camera->after);
-  if (step.restarts) {
-    setRestarts(step.restarts->after);
-    Q_EMIT settingsChanged();
-    return;
-  }
-  useSettings(step.settings);
+  guarded([&] { setPreset(saveUserPreset(folder, label, chosen_.settings)); });
 }
 
 void Session::setViews(const std::vector<ViewRequest>& views) {

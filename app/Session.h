@@ -5,7 +5,7 @@
 #include "app/Mailbox.h"
 #include "app/Pins.h"
 #include "app/Renderer.h"
-#include "app/SettingsHistory.h"
+#include "app/UndoStack.h"
 #include "core/io/SessionFile.h"
 
 #include <QJsonObject>
@@ -22,6 +22,13 @@
 #include <vector>
 
 namespace taa::app {
+
+/// The settings in force and the preset they come from, which is gone back to.
+struct PresetChoice {
+  Settings settings, presetSettings;
+  std::string presetId;
+  bool operator==(const PresetChoice&) const = default;
+};
 
 /// Lives on the UI thread and never waits. No exception leaves a member: errors become errorOccurred().
 class Session : public QObject {
@@ -41,9 +48,9 @@ class Session : public QObject {
   /// What another size takes with these settings and views: "about 155 MiB".
   QString memoryText(const glm::ivec2& sizePx) const;
   /// The settings asked for, which the picture may not show yet.
-  const Settings& settings() const { return settings_; }
-  const std::string& presetId() const { return presetId_; }
-  const Settings& presetSettings() const { return presetSettings_; }
+  const Settings& settings() const { return chosen_.settings; }
+  const std::string& presetId() const { return chosen_.presetId; }
+  const Settings& presetSettings() const { return chosen_.presetSettings; }
   bool isPresetChanged() const;
   const std::vector<ProbePin>& pins() const { return pins_.all(); }
   int activePin() const { return pins_.active(); } ///< −1: there is none
@@ -53,8 +60,8 @@ class Session : public QObject {
   bool isLooping() const { return looping_; }
   /// As asked for.
   const Playback& playback() const { return playback_; }
-  bool canUndo() const { return history_.canUndo(); }
-  bool canRedo() const { return history_.canRedo(); }
+  /// Of all that is open, the window's views and marks included.
+  UndoStack& undoStack() { return undo_; }
   /// Something was opened, and its status has arrived.
   bool isOpen() const { return status_.frameCount > 0; }
 
@@ -83,8 +90,8 @@ class Session : public QObject {
   void backToPreset();
   /// Saves the present settings in `folder` and goes on from them.
   void savePreset(const QString& folder, const QString& label);
-  void undo();
-  void redo();
+  void undo() { undo_.undo(); }
+  void redo() { undo_.redo(); }
   void setViews(const std::vector<ViewRequest>& views);
   // Probes are pinned, up to kMostPins of them; one is active
   /// Sets the active pin there, the first one when there is none; nothing: removes it.
@@ -131,8 +138,8 @@ class Session : public QObject {
   const ObjectFilter& objectFilter() const { return filter_.value(); }
   /// Frames at which history starts anew, rising, by the wishes so far.
   const std::vector<int>& restarts() const { return restarts_.value(); }
-  void toggleRestart(int frame); ///< undo takes it back
-  void removeRestarts();         ///< likewise
+  void toggleRestart(int frame);
+  void removeRestarts();
   void setRestarts(const std::vector<int>& frames);
   void fly(const CameraPose& pose);
   void setRecording(bool recording);
@@ -172,13 +179,20 @@ class Session : public QObject {
   void deliver();
   void useStatus(Status&& status);
   void takeSceneStatus();
-  void useSettings(const Settings& settings);
-  void changeRestarts(const std::vector<int>& frames);
-  void useCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after);
+  void use(const PresetChoice& choice);
+  void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
+  void replaceCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after);
+  void useCameras(const FlownCameras& cameras);
+  void noteCameras(const QString& what, const std::string& key = {});
+  void noteScene(UndoStep step, const QString& what);
+  template <class Value>
+  void noteAsked(const Asked<Value>& asked, const Value& value, void (Session::*set)(const Value&),
+                 const QString& what);
   void consider(const Settings& settings);
   void ask(const std::function<void(Renderer&)>& wish);
   void guarded(const std::function<void()>& act);
   void sendPins();
+  void changePins(const QString& what, const std::string& key, const std::function<bool()>& change);
   glm::ivec2 inPicture(glm::ivec2 pixel) const;
   void keepPinsInPicture();
 
@@ -188,11 +202,10 @@ class Session : public QObject {
   Pins pins_;
   bool wantsWhatIf_ = false;
   std::array<std::shared_ptr<const ViewResult>, kViewCount> pictures_;
-  Settings settings_, presetSettings_;
-  std::string presetId_;
+  PresetChoice chosen_;
   Settings considered_;
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
-  SettingsHistory history_;
+  UndoStack undo_;
   Asked<std::vector<MotionOverride>> motionModes_;
   Asked<ObjectFilter> filter_;
   Asked<std::vector<ClassOverride>> classes_;

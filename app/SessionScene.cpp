@@ -9,9 +9,21 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace taa::app {
+
+namespace {
+
+constexpr const char* kFlight = "flight";
+
+std::optional<CameraTrack> trackNamed(const FlownCameras& cameras, const std::string& name) {
+  const auto found = std::ranges::find(cameras.tracks, name, &CameraTrack::name);
+  return found == cameras.tracks.end() ? std::nullopt : std::optional(*found);
+}
+
+} // namespace
 
 void Session::takeSceneStatus() {
   motionModes_.arrived(status_.motionModes);
@@ -33,12 +45,32 @@ void Session::setMotionMode(const std::string& object, MotionMode mode) {
   setMotionModes(modes);
 }
 
+void Session::noteScene(UndoStep step, const QString& what) {
+  step.what = what;
+  step.isVoid = nullptr; // what was asked for may not be there yet
+  step.ofScene = true;
+  if (isOpen()) undo_.push(std::move(step));
+}
+
+// To be called before something is asked of the scene that undo is to take back.
+template <class Value>
+void Session::noteAsked(const Asked<Value>& asked, const Value& value, void (Session::*set)(const Value&),
+                        const QString& what) {
+  if (value == asked.value()) return;
+  noteScene(stepBackTo<Value>(
+                asked.value(), [&asked] { return asked.value(); },
+                [this, set](const Value& before) { (this->*set)(before); }),
+            what);
+}
+
 void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
+  noteAsked(motionModes_, modes, &Session::setMotionModes, tr("change of how objects move"));
   motionModes_.ask(modes);
   ask([&](Renderer& renderer) { renderer.setMotionModes(modes); });
 }
 
 void Session::setObjectFilter(const ObjectFilter& filter) {
+  noteAsked(filter_, filter, &Session::setObjectFilter, tr("change of what is drawn"));
   filter_.ask(filter); // also where it is the same: what was just opened has none
   ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); });
 }
@@ -64,6 +96,7 @@ void Session::setObjectClass(const std::string& object, std::optional<ObjectClas
 }
 
 void Session::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  noteAsked(classes_, classes, &Session::setObjectClasses, tr("change of what class objects are of"));
   classes_.ask(classes);
   ask([&](Renderer& renderer) { renderer.setObjectClasses(classes); });
 }
@@ -72,62 +105,67 @@ void Session::toggleRestart(int frame) {
   std::vector<int> frames = restarts_.value();
   if (std::erase(frames, frame) == 0) frames.push_back(frame);
   std::ranges::sort(frames);
-  changeRestarts(frames);
+  setRestarts(frames);
 }
 
 void Session::removeRestarts() {
-  changeRestarts({});
-}
-
-void Session::changeRestarts(const std::vector<int>& frames) {
-  if (frames == restarts_.value()) return;
-  history_.record({settings_, {}, RestartChange{restarts_.value(), frames}}, "");
-  setRestarts(frames);
-  Q_EMIT settingsChanged(); // there is a step more
+  setRestarts({});
 }
 
 void Session::setRestarts(const std::vector<int>& frames) {
+  noteAsked(restarts_, frames, &Session::setRestarts, tr("change of where history restarts"));
   restarts_.ask(frames);
   ask([&](Renderer& renderer) { renderer.setRestarts(frames); });
 }
 
+void Session::useCameras(const FlownCameras& cameras) {
+  flown_.ask(cameras);
+  ask([&](Renderer& renderer) { renderer.setFlownCameras(flown_.value()); });
+}
+
+// To be called before the cameras change.
+void Session::noteCameras(const QString& what, const std::string& key) {
+  UndoStep step = stepBackTo<FlownCameras>(
+      flown_.value(), [this] { return flown_.value(); },
+      [this](const FlownCameras& before) { useCameras(before); });
+  step.key = key;
+  noteScene(std::move(step), what);
+}
+
+// A flight is a part of its recording.
 void Session::fly(const CameraPose& pose) {
+  if (!status_.recording) noteCameras(tr("flight"), kFlight);
   flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.fly(pose); });
 }
 
 void Session::setRecording(bool recording) {
+  if (recording && !status_.recording) {
+    undo_.endGesture();
+    noteCameras(tr("recording of a flight"), kFlight);
+  }
   flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.setRecording(recording); });
 }
 
 void Session::addCameraTrack(const CameraTrack& track) {
+  noteCameras(tr("opening of camera %1").arg(QString::fromStdString(track.name)));
   flown_.giveUp();
   ask([&](Renderer& renderer) { renderer.addCameraTrack(track); });
 }
 
-namespace {
-
-std::optional<CameraTrack> trackNamed(const FlownCameras& cameras, const std::string& name) {
-  const auto found = std::ranges::find(cameras.tracks, name, &CameraTrack::name);
-  return found == cameras.tracks.end() ? std::nullopt : std::optional(*found);
-}
-
-} // namespace
-
-void Session::useCamera(const std::optional<CameraTrack>& before, const std::optional<CameraTrack>& after) {
+void Session::replaceCamera(const std::optional<CameraTrack>& before,
+                            const std::optional<CameraTrack>& after) {
   std::string scenes = sceneCamera_;
   if (scenes.empty() && !status_.cameras.empty()) scenes = status_.cameras.front(); // the scene's come first
-  flown_.ask(replaced(flown_.value(), before, after, scenes));
-  ask([&](Renderer& renderer) { renderer.setFlownCameras(flown_.value()); });
-  Q_EMIT settingsChanged(); // there is a step more or less
+  useCameras(replaced(flown_.value(), before, after, scenes));
 }
 
 void Session::removeCamera(const std::string& name) {
   const auto track = trackNamed(flown_.value(), name);
   if (!track) return;
-  history_.record({settings_, CameraChange{track, {}}}, "");
-  useCamera(track, {});
+  noteCameras(tr("removal of camera %1").arg(QString::fromStdString(name)));
+  replaceCamera(track, {});
 }
 
 bool Session::renameCamera(const std::string& name, const std::string& newName) {
@@ -138,8 +176,8 @@ bool Session::renameCamera(const std::string& name, const std::string& newName) 
   if (newName.empty() || isTaken) return false;
   CameraTrack after = *track;
   after.name = newName;
-  history_.record({settings_, CameraChange{track, after}}, "");
-  useCamera(track, after);
+  noteCameras(tr("new name of camera %1").arg(QString::fromStdString(newName)));
+  replaceCamera(track, after);
   return true;
 }
 

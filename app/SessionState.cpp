@@ -14,7 +14,7 @@ SessionFile Session::file() const {
   file.filter = filter_.value();
   file.frame = status_.goal.value_or(status_.info.frame);
   file.size = {status_.width, status_.height};
-  file.settings = {presetId_, presetSettings_, settings_};
+  file.settings = {chosen_.presetId, chosen_.presetSettings, chosen_.settings};
   file.motionModes = motionModes_.value();
   file.objectClasses = classes_.value();
   file.restarts = restarts_.value();
@@ -22,13 +22,12 @@ SessionFile Session::file() const {
   return file;
 }
 
+// What was changed before is of another session.
 void Session::restore(const SessionFile& file) {
+  const UndoStack::Quiet quiet(undo_);
   open(QString::fromStdString(file.source), false);
   setPlaying(false);
-  history_.record({settings_}, "");
-  presetId_ = file.settings.preset;
-  presetSettings_ = file.settings.presetSettings;
-  useSettings(file.settings.settings);
+  use({file.settings.settings, file.settings.presetSettings, file.settings.preset});
   setSize(file.size.x, file.size.y);
   setCheckpointBudget(static_cast<std::size_t>(file.checkpointsMiB) << 20);
   if (file.track)
@@ -40,7 +39,7 @@ void Session::restore(const SessionFile& file) {
   setObjectClasses(file.objectClasses);
   setRestarts(file.restarts);
   seek(file.frame);
-  Q_EMIT settingsChanged(); // the name changes even where no value does
+  undo_.clear();
 }
 
 void Session::exportSequence(const SequenceRequest& request) {

@@ -165,6 +165,7 @@ int run(QApplication& application, const Arguments& arguments) {
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
   begin(window, arguments);
+  session.undoStack().clear(); // what was asked for at the start is where it begins
   if (isScreenshot) {
     auto* screenshot = new Screenshot(window, QString::fromStdString(arguments.screenshot),
                                       screenshotFrame(arguments), [](int code, const QString& text) {

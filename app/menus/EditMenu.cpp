@@ -15,8 +15,9 @@ namespace taa::app {
 void Menus::makeEdit() {
   QMenu* menu = window_.menuBar()->addMenu(tr("&Edit"));
   Session& session = window_.session();
-  QAction* undo = add(menu, tr("&Undo change of settings"), keys({"Ctrl+Z"}), [&session] { session.undo(); });
+  QAction* undo = add(menu, tr("&Undo"), keys({"Ctrl+Z"}), [&session] { session.undo(); });
   QAction* redo = add(menu, tr("&Redo"), keys({"Ctrl+Shift+Z"}), [&session] { session.redo(); });
+  add(menu, tr("End what is under wa&y, or remove the probe"), keys({"Esc"}), [this] { window_.escape(); });
   menu->addSeparator();
   add(menu, tr("&Copy probed value"), keys({"Ctrl+C"}), [this] {
     window_.copyValue();
@@ -41,8 +42,12 @@ void Menus::makeEdit() {
   })->setIcon(themedIcon(QStringLiteral("search")));
   add(menu, tr("&Find a command…"), keys({"Ctrl+Shift+P"}), [this] { window_.showCommands(); });
   onRefresh([&session, undo, redo] {
-    undo->setEnabled(session.canUndo());
-    redo->setEnabled(session.canRedo());
+    const UndoStack& stack = session.undoStack();
+    const auto named = [](const QString& what) { return QString(what).replace(u'&', QStringLiteral("&&")); };
+    undo->setEnabled(stack.canUndo());
+    undo->setText(stack.canUndo() ? tr("&Undo: %1").arg(named(stack.undoText())) : tr("&Undo"));
+    redo->setEnabled(stack.canRedo());
+    redo->setText(stack.canRedo() ? tr("&Redo: %1").arg(named(stack.redoText())) : tr("&Redo"));
   });
 }
 

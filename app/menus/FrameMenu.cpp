@@ -44,8 +44,8 @@ void Menus::makeFrame() {
   add(menu, tr("&Go to frame…"), keys({"G"}), [this] { window_.askForFrame(); });
   QAction* looping =
       addCheck(menu, tr("Start again at the end"), QKeySequence(QStringLiteral("Ctrl+L")), [this](bool on) {
-        window_.session().setLooping(on);
         window_.timeline()->setLooping(on);
+        Q_EMIT window_.timeline()->loopToggled(on);
       });
   makePlayback(menu->addMenu(tr("Speed and &range")));
   makeFrameMarks(menu->addMenu(tr("&Marks")));

@@ -26,7 +26,7 @@ void Menus::makeProbe() {
     if (const auto pick = window_.session().pick()) window_.views()->active()->viewport()->reveal(*pick);
   });
   Session& session = window_.session();
-  add(menu, tr("&Remove the probe"), keys({"Esc"}), [&session] { session.setPick({}); });
+  add(menu, tr("&Remove the probe"), keys({"Del"}), [&session] { session.setPick({}); });
   add(menu, tr("Remove &all probes"), keys({"Shift+Esc"}), [&session] { session.removeAllPins(); });
   menu->addSeparator();
   add(menu, tr("&Pin another under the mouse or beside"), keys({"Shift+P"}),

@@ -1,6 +1,5 @@
 #include "app/panels/PipelinePanel.h"
 
-#include "app/Icons.h"
 #include "app/Text.h"
 #include "app/Theme.h"
 #include "app/widgets/ChoiceButton.h"
@@ -8,6 +7,7 @@
 #include "app/widgets/IntermediateRow.h"
 #include "app/widgets/ParameterRow.h"
 #include "app/widgets/ScrollPlace.h"
+#include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
 
 #include "core/settings/Presets.h"
@@ -16,7 +16,6 @@
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -127,19 +126,15 @@ QWidget* PipelinePanel::makeTop() {
   line->addWidget(compare);
   layout->addLayout(line);
 
-  search_ = new QLineEdit;
+  search_ = new SearchField(tr("Search settings and intermediates"));
   search_->setObjectName(QStringLiteral("search"));
-  search_->setPlaceholderText(tr("Search settings and intermediates"));
-  search_->setAccessibleName(tr("Search settings and intermediates"));
-  search_->setClearButtonEnabled(false);
-  search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   layout->addWidget(search_);
 
   setUserPresets({});
   connect(presets_, &ChoiceButton::chosen, this, [this](int index) { Q_EMIT presetChosen(presetAt(index)); });
   connect(presets_, &ChoiceButton::considered, this,
           [this](int index) { Q_EMIT presetConsidered(presetAt(index)); });
-  connect(search_, &QLineEdit::textChanged, this, &PipelinePanel::applySearch);
+  connect(search_, &SearchField::textChanged, this, &PipelinePanel::applySearch);
   return top;
 }
 

@@ -14,7 +14,6 @@
 #include <optional>
 #include <vector>
 
-class QLineEdit;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -23,6 +22,7 @@ namespace taa::app {
 class ChoiceButton;
 class IntermediateRow;
 class ParameterRow;
+class SearchField;
 class SectionHeader;
 
 class PipelinePanel : public QWidget {
@@ -53,7 +53,7 @@ class PipelinePanel : public QWidget {
 
   const std::vector<ParameterRow*>& parameterRows() const { return parameterRows_; }
   const std::vector<IntermediateRow*>& intermediateRows() const { return intermediateRows_; }
-  QLineEdit* searchField() const { return search_; }
+  SearchField* searchField() const { return search_; }
   /// Which stages are open, what is searched for, and how far it is scrolled.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
@@ -94,7 +94,7 @@ class PipelinePanel : public QWidget {
 
   ChoiceButton* presets_ = nullptr;
   std::vector<UserPreset> userPresets_;
-  QLineEdit* search_ = nullptr;
+  SearchField* search_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   std::vector<Section> sections_;
   int sharesFrame_ = -1; ///< that the headings speak of; −1: none

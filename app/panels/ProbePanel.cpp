@@ -151,7 +151,7 @@ QWidget* ProbePanel::makeTop() {
   place_->setFont(numberFont(10));
   place_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   copy_ = new IconButton(QStringLiteral("copy"), tr("Copy every value, exact (Ctrl+Shift+C)"));
-  remove_ = new IconButton(QStringLiteral("close"), tr("Remove the probe (Esc)"));
+  remove_ = new IconButton(QStringLiteral("close"), tr("Remove the probe (Del)"));
   line->addWidget(title);
   line->addWidget(place_, 1);
   line->addWidget(copy_);

@@ -1,15 +1,14 @@
 #include "app/panels/ScenePanel.h"
 
-#include "app/Icons.h"
 #include "app/Text.h"
 #include "app/Theme.h"
 #include "app/models/SceneTreeModel.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/SearchField.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
@@ -43,14 +42,11 @@ QString ScenePanel::classLabel(std::optional<ObjectClass> objectClass) {
 
 ScenePanel::ScenePanel(QWidget* parent)
     : QWidget(parent), model_(new SceneTreeModel(this)), shown_(new QSortFilterProxyModel(this)),
-      filter_(new QLineEdit), tree_(new QTreeView) {
+      filter_(new SearchField(tr("Filter objects by name"))), tree_(new QTreeView) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 2 * kUnit, 0, 0);
   layout->setSpacing(2 * kUnit);
-  filter_->setPlaceholderText(tr("Filter objects by name"));
-  filter_->setAccessibleName(tr("Filter objects by name"));
   filter_->setObjectName(QStringLiteral("objectFilter"));
-  filter_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   auto* top = new QHBoxLayout;
   top->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 0);
   top->addWidget(filter_);
@@ -116,7 +112,7 @@ QWidget* ScenePanel::makeBottom() {
 
 void ScenePanel::connectTree() {
   connect(model_, &SceneTreeModel::hiddenAsked, this, &ScenePanel::hiddenAsked);
-  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+  connect(filter_, &SearchField::textChanged, this, [this](const QString& text) {
     shown_->setFilterFixedString(text.trimmed());
     if (!text.isEmpty()) tree_->expandAll();
   });

@@ -11,7 +11,6 @@
 #include <vector>
 
 class QLabel;
-class QLineEdit;
 class QPoint;
 class QPushButton;
 class QSortFilterProxyModel;
@@ -20,6 +19,7 @@ class QTreeView;
 namespace taa::app {
 
 class SceneTreeModel;
+class SearchField;
 
 class ScenePanel : public QWidget {
   Q_OBJECT
@@ -51,7 +51,7 @@ class ScenePanel : public QWidget {
   static QString classLabel(std::optional<ObjectClass> objectClass);
 
   QTreeView* tree() const { return tree_; }
-  QLineEdit* filterField() const { return filter_; }
+  SearchField* filterField() const { return filter_; }
   SceneTreeModel* model() const { return model_; }
   QString infoText() const;
   QJsonObject state() const;
@@ -86,7 +86,7 @@ class ScenePanel : public QWidget {
 
   SceneTreeModel* model_;
   QSortFilterProxyModel* shown_;
-  QLineEdit* filter_;
+  SearchField* filter_;
   QTreeView* tree_;
   QLabel* info_;
   QPushButton *isolate_, *reveal_, *showAll_;

@@ -107,10 +107,12 @@ void ViewArea::showNextCount() {
 void ViewArea::setArrangement(Arrangement arrangement) {
   arrangement_ = arrangement;
   arrange();
+  Q_EMIT shownChanged();
 }
 
 void ViewArea::setLinked(bool linked) {
   linked_ = linked;
+  Q_EMIT shownChanged();
   if (!linked) return;
   for (ViewPanel* view : views_) view->viewport()->setCamera(active()->viewport()->camera());
 }

@@ -66,7 +66,7 @@ class ViewArea : public QWidget {
 
  Q_SIGNALS:
   void requestsChanged();
-  void shownChanged(); ///< which intermediates, which view is active
+  void shownChanged(); ///< what views show and how, which is active, how they lie
   void hoverChanged(int view);
   void picked(glm::ivec2 pixel);
   void pinned(glm::ivec2 pixel);

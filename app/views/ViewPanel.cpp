@@ -152,12 +152,12 @@ void ViewPanel::normalize() {
 void ViewPanel::setAlwaysAuto(bool always) {
   alwaysAuto_ = always;
   refresh();
+  Q_EMIT contentChanged();
   Q_EMIT requestChanged();
 }
 
 void ViewPanel::resetStyle() {
-  alwaysAuto_ = false;
-  refresh();
+  if (alwaysAuto_) setAlwaysAuto(false);
   setStyle(isDifference() ? differenceStyle(intermediate(id_)) : defaultStyle(intermediate(id_)));
 }
 

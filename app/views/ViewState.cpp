@@ -119,6 +119,7 @@ void ViewPanel::setState(const QJsonObject& state) {
   style_ = known != remembered_.end() ? known->second : defaultStyle(intermediate(id_));
   difference_ =
       styleOf(state.value(QLatin1String("difference")).toObject(), differenceStyle(intermediate(id_)));
+  wantsRange_ = false;
   alwaysAuto_ = state.value(QLatin1String("alwaysFits")).toBool();
   comparison_ = read(state.value(QLatin1String("comparedWith")), parseComparison).value_or(Comparison{});
   showing_ = read(state.value(QLatin1String("shows")), showingNamed).value_or(Showing::Wipe);

@@ -2,6 +2,7 @@
 
 #include "app/Numbers.h"
 #include "app/Theme.h"
+#include "app/widgets/SearchField.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -125,6 +126,11 @@ void NumberField::mouseReleaseEvent(QMouseEvent*) {
   pressed_ = false;
 }
 
+void NumberField::cancelDrag() {
+  if (dragged_) edit(dragStart_);
+  pressed_ = dragged_ = false;
+}
+
 void NumberField::wheelEvent(QWheelEvent* event) {
   // Without focus the wheel belongs to the panel: scrolling past must not change settings.
   if (!hasFocus()) return event->ignore();
@@ -185,6 +191,7 @@ void NumberField::beginTyping(const QString& text) {
     connect(editor_, &QLineEdit::editingFinished, this, [this] { endTyping(true); });
   }
   editor_->setGeometry(rect().adjusted(0, 1, 0, -1));
+  typedFrom_ = exactText(static_cast<float>(value_));
   editor_->setText(text);
   editor_->show();
   editor_->setFocus();
@@ -206,9 +213,24 @@ void NumberField::endTyping(bool commit) {
 
 bool NumberField::eventFilter(QObject*, QEvent* event) {
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
-  if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;
-  if (event->type() == QEvent::KeyPress) endTyping(false);
-  event->accept();
+  return takesEditorKey(*static_cast<QKeyEvent*>(event));
+}
+
+// Escape drops what is typed. So does undo, once there is nothing of it to go back to; where nothing is typed
+// undo is the window's.
+bool NumberField::takesEditorKey(QKeyEvent& event) {
+  const bool isUndo = isUndoKey(event);
+  if (event.key() != Qt::Key_Escape && !isUndo) return false;
+  if (isUndo && editor_->text() == typedFrom_) {
+    if (event.type() == QEvent::ShortcutOverride) endTyping(false);
+    event.ignore();
+    return true;
+  }
+  const bool hasSteps =
+      event.modifiers().testFlag(Qt::ShiftModifier) ? editor_->isRedoAvailable() : editor_->isUndoAvailable();
+  if (isUndo && hasSteps) return false;
+  if (event.type() == QEvent::KeyPress) endTyping(false);
+  event.accept();
   return true;
 }
 

@@ -1,6 +1,7 @@
 // A number that can be typed, dragged, scrolled and stepped; its place in the range is a thin bar under it.
 #pragma once
 
+#include "app/Drags.h"
 #include "app/widgets/NumberScale.h"
 
 #include <QString>
@@ -10,7 +11,7 @@ class QLineEdit;
 
 namespace taa::app {
 
-class NumberField : public QWidget {
+class NumberField : public QWidget, public Draggable {
   Q_OBJECT
  public:
   explicit NumberField(const NumberScale& scale, QWidget* parent = nullptr);
@@ -25,6 +26,7 @@ class NumberField : public QWidget {
   void setPrefix(const QString& prefix);
   void setDimmed(bool dimmed);
 
+  void cancelDrag() override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -46,12 +48,14 @@ class NumberField : public QWidget {
   void edit(double value);
   void beginTyping(const QString& text);
   void endTyping(bool commit);
+  bool takesEditorKey(QKeyEvent& event);
   QString text() const;
 
   NumberScale scale_;
   double value_ = 0.0;
   QString unit_, prefix_;
   QLineEdit* editor_ = nullptr;
+  QString typedFrom_;      ///< what the editor began with
   double dragStart_ = 0.0; ///< unrounded, so that slow drags add up
   double dragX_ = 0.0;
   bool pressed_ = false, dragged_ = false, dimmed_ = false;

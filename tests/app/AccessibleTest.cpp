@@ -6,6 +6,7 @@
 #include "app/panels/ScenePanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
+#include "app/widgets/SearchField.h"
 
 #include <QAbstractScrollArea>
 #include <QAccessible>

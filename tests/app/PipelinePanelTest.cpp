@@ -6,6 +6,7 @@
 #include "app/widgets/NumberField.h"
 #include "app/widgets/ParameterLabel.h"
 #include "app/widgets/ParameterRow.h"
+#include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/SegmentedButtons.h"
 #include "app/widgets/Toggle.h"
@@ -124,7 +125,9 @@ TEST_F(ParameterPanel, NumbersAreDraggedSteppedAndScrolled) {
   QTest::keyClick(field, Qt::Key_Up);
   EXPECT_GT(session.settings().neighborhood.gamma, dragged);
   session.undo();
-  EXPECT_EQ(session.settings().neighborhood.gamma, 1.0f) << "a drag and its steps are one change";
+  EXPECT_EQ(session.settings().neighborhood.gamma, dragged) << "a step of the keys after the drag";
+  session.undo();
+  EXPECT_EQ(session.settings().neighborhood.gamma, 1.0f) << "a drag is one change";
 }
 
 TEST_F(ParameterPanel, PresetsReplaceAllSettings) {

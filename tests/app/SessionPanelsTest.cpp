@@ -12,6 +12,7 @@
 #include "app/views/ProbePages.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/FigureTable.h"
+#include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
 #include "core/base/Files.h"
 #include "tests/app/WindowFixture.h"

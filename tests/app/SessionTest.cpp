@@ -1,8 +1,7 @@
-// What lies between the window and the render thread: mailbox, undo, command line.
+// What lies between the window and the render thread: mailbox, command line.
 #include "app/Session.h"
 #include "app/Arguments.h"
 #include "app/Mailbox.h"
-#include "app/SettingsHistory.h"
 
 #include "core/base/Error.h"
 
@@ -44,21 +43,6 @@ TEST(Mailbox, PostsOnceForAnyNumberOfResultsAndKeepsTheNewest) {
   EXPECT_EQ(delivery.errors.size(), 5u) << "no error is lost";
   listener.onWork({});
   EXPECT_EQ(posts, 2);
-}
-
-TEST(SettingsHistory, UndoneChangesCanBeMadeAgainUntilSomethingElseChanges) {
-  SettingsHistory history;
-  Settings first, second, third;
-  second.weight.alpha = 0.2f;
-  third.weight.alpha = 0.3f;
-  history.record({first}, "weight.alpha");
-  history.record({second}, "weight.alpha"); // the same drag
-  EXPECT_EQ(history.undo({third}).settings.weight.alpha, first.weight.alpha);
-  EXPECT_FALSE(history.canUndo());
-  EXPECT_EQ(history.redo({first}).settings.weight.alpha, 0.3f);
-  history.record({third}, "rectify.method");
-  EXPECT_FALSE(history.canRedo());
-  EXPECT_TRUE(history.canUndo());
 }
 
 TEST(Session, TellsWhyThereIsNoRendererAndStaysUsable) {

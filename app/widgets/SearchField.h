@@ -1,0 +1,24 @@
+// A field whose text is searched for as it is typed. Nothing in it waits to be taken: undo is the window's,
+// and so is Esc (EscapeKey.h).
+#pragma once
+
+#include <QLineEdit>
+
+class QKeyEvent;
+
+namespace taa::app {
+
+class SearchField : public QLineEdit {
+  Q_OBJECT
+ public:
+  /// `asks` stands in it while it is empty, and is its name.
+  explicit SearchField(const QString& asks, QWidget* parent = nullptr);
+
+ protected:
+  bool event(QEvent* event) override;
+};
+
+/// Whether a key is for undo or redo of the window.
+bool isUndoKey(const QKeyEvent& event);
+
+} // namespace taa::app
