@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 namespace taa::app {
@@ -55,6 +56,10 @@ bool Flight::isRecording() const {
   return session_.status().recording;
 }
 
+int Flight::recordedFrames() const {
+  return recordedFrames_;
+}
+
 void Flight::toggleRecording() {
   if (!session_.isOpen()) return;
   if (!isRecording()) setOn(true);
@@ -75,11 +80,21 @@ void Flight::takeStatus() {
     speed_ = firstSpeed(radius_);
     Q_EMIT changed();
   }
-  if (std::exchange(wasRecording_, status.recording) != status.recording) Q_EMIT changed();
+  takeRecording();
   // Another camera than the one that is flown was chosen: what was sent before counts no more.
   if (std::exchange(camera_, status.camera) != status.camera && !isFlown(status)) waits_ = false;
   if (status.pose == pose_) waits_ = false;
   if (!waits_ && held_.isEmpty() && button_ == Qt::NoButton) pose_ = status.pose;
+}
+
+void Flight::takeRecording() {
+  const Status& status = session_.status();
+  const bool wasRecording = std::exchange(wasRecording_, status.recording);
+  const int before = std::exchange(recordedFrames_, status.recordedFrames);
+  if (wasRecording != status.recording || before != recordedFrames_) Q_EMIT changed();
+  if (!wasRecording || status.recording) return;
+  for (const CameraTrackHandle& track : status.tracks)
+    if (track->name == status.camera) Q_EMIT recorded(track);
 }
 
 void Flight::rest() {
@@ -95,11 +110,11 @@ FlightKeys Flight::keys() const {
   return {axis(Qt::Key_D, Qt::Key_A), axis(Qt::Key_E, Qt::Key_Q), axis(Qt::Key_W, Qt::Key_S)};
 }
 
-void Flight::send(const CameraPose& pose) {
+void Flight::send(const CameraPose& pose, double tookSeconds) {
   if (pose == pose_) return;
   pose_ = pose;
   waits_ = true;
-  session_.fly(pose_);
+  session_.fly(pose_, std::chrono::duration<double>(tookSeconds));
 }
 
 float Flight::sinceLast() {
@@ -110,7 +125,7 @@ void Flight::move(float seconds) {
   const float pace = modifiers_.testFlag(Qt::ShiftModifier)     ? kFaster
                      : modifiers_.testFlag(Qt::ControlModifier) ? kSlower
                                                                 : 1.0f;
-  send(moved(pose_, keys(), speed_ * pace * seconds));
+  send(moved(pose_, keys(), speed_ * pace * seconds), static_cast<double>(seconds));
 }
 
 // Each key moves at once, so that a tap is a step.
@@ -132,6 +147,7 @@ bool Flight::drag(QMouseEvent& event, double height) {
     if (event.button() != Qt::LeftButton && event.button() != Qt::MiddleButton) return false;
     button_ = event.button();
     cursor_ = event.position();
+    if (!tick_.isActive()) since_.start();
     return false; // the view becomes the active one
   }
   if (button_ == Qt::NoButton) return false;
@@ -141,7 +157,9 @@ bool Flight::drag(QMouseEvent& event, double height) {
   }
   const QPointF way = event.position() - cursor_;
   cursor_ = event.position();
-  send(turned(pose_, way.x(), way.y(), height));
+  // Keys measure their own time, which is as long.
+  const double seconds = tick_.isActive() ? kTickMs * 1e-3 : static_cast<double>(sinceLast());
+  send(turned(pose_, way.x(), way.y(), height), seconds);
   return true;
 }
 

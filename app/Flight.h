@@ -29,13 +29,16 @@ class Flight : public QObject {
   bool isOn() const { return isOn_; }
   void setOn(bool on);
   bool isRecording() const;
+  int recordedFrames() const; ///< so far
   void toggleRecording();
   /// Back to the camera that was left.
   void reset();
   float speed() const { return speed_; } ///< world units a second
 
  Q_SIGNALS:
-  void changed(); ///< on, recording or speed
+  void changed(); ///< on, recording, how much of it there is, or speed
+  /// A recording has ended as this camera.
+  void recorded(const CameraTrackHandle& track);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,8 +47,9 @@ class Flight : public QObject {
   bool pressKey(const QKeyEvent& event);
   bool drag(QMouseEvent& event, double height);
   void takeStatus();
+  void takeRecording();
   void move(float seconds);
-  void send(const CameraPose& pose);
+  void send(const CameraPose& pose, double tookSeconds);
   void rest();
   float sinceLast();
   FlightKeys keys() const;
@@ -53,6 +57,7 @@ class Flight : public QObject {
   Session& session_;
   ViewArea* views_;
   bool isOn_ = false, wasRecording_ = false;
+  int recordedFrames_ = 0;
   CameraPose pose_;
   bool waits_ = false; ///< for a picture of pose_
   float speed_ = 1.0f, radius_ = 0.0f;

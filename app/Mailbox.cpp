@@ -45,8 +45,8 @@ RenderListener listenerOf(Mailbox& mailbox) {
   listener.onWork = [&mailbox](Work work) {
     mailbox.put([&](Delivery& delivery) { delivery.work = std::move(work); });
   };
-  listener.onError = [&mailbox](std::string sentence) {
-    mailbox.put([&](Delivery& delivery) { delivery.errors.push_back(std::move(sentence)); });
+  listener.onError = [&mailbox](Failure failure) {
+    mailbox.put([&](Delivery& delivery) { delivery.errors.push_back(std::move(failure)); });
   };
   listener.onProfile = [&mailbox](FrameProfile profile) {
     mailbox.put([&](Delivery& delivery) {

@@ -21,7 +21,7 @@ struct Delivery {
   std::vector<ProbeResult> probes; ///< the newest of each pin
   std::optional<Status> status;
   std::optional<Work> work;
-  std::vector<std::string> errors;
+  std::vector<Failure> errors;        ///< all of them
   std::vector<FrameProfile> profiles; ///< all of them: each is a frame
   std::optional<StageCosts> costs;
   std::vector<Thumbnail> thumbnails; ///< the newest of each row

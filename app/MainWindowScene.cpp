@@ -31,6 +31,11 @@ namespace taa::app {
 
 namespace {
 
+/// From the first of so many frames to the last one.
+double secondsOf(int frames, const Status& status) {
+  return std::max(0, frames - 1) / status.framesPerSecond;
+}
+
 int objectAt(const ProbeResult& probe) {
   return static_cast<int>(reference::at(probe.around[4], IntermediateId::objectId).x);
 }
@@ -97,8 +102,20 @@ void MainWindow::connectScene() {
     scene_->selectObject(objectAt(*probe));
   });
   connect(flight_, &Flight::changed, this, [this] {
-    flightBar_->setFlight(flight_->isOn(), flight_->isRecording(), static_cast<double>(flight_->speed()));
+    flightBar_->setFlight(flight_->isOn(), static_cast<double>(flight_->speed()));
+    flightBar_->setRecording(
+        flight_->isRecording()
+            ? std::optional(std::pair(flight_->recordedFrames(),
+                                      secondsOf(flight_->recordedFrames(), session_.status())))
+            : std::nullopt);
     menus_->refresh();
+  });
+  connect(flight_, &Flight::recorded, this, [this](const CameraTrackHandle& track) {
+    const int frames = static_cast<int>(track->poses.size());
+    messages_->showNote(tr("%1 has %n frames from frame %2 on, %3 s.", nullptr, frames)
+                            .arg(QString::fromStdString(track->name))
+                            .arg(track->firstFrame)
+                            .arg(secondsOf(frames, session_.status()), 0, 'f', 2));
   });
   connect(flightBar_, &FlightBar::recordRequested, flight_, &Flight::toggleRecording);
   connect(flightBar_, &FlightBar::resetRequested, flight_, &Flight::reset);

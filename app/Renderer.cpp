@@ -42,11 +42,12 @@ class ThreadRenderer final : public Renderer {
     thread_.setObjectClasses(classes);
   }
   void setRestarts(const std::vector<int>& frames) override { thread_.setRestarts(frames); }
-  void fly(const CameraPose& pose) override { thread_.fly(pose); }
+  void fly(const CameraPose& pose, RenderThread::Clock::duration took) override { thread_.fly(pose, took); }
   void setRecording(bool recording) override { thread_.setRecording(recording); }
   void addCameraTrack(const CameraTrack& track) override { thread_.addCameraTrack(track); }
   void setFlownCameras(const FlownCameras& cameras) override { thread_.setFlownCameras(cameras); }
   void locate(const std::vector<int>& objects) override { thread_.locate(objects); }
+  RequestId lastRequest() override { return thread_.lastRequest(); }
 
  private:
   RenderThread thread_;

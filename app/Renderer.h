@@ -45,11 +45,13 @@ class Renderer {
   virtual void setObjectFilter(const ObjectFilter& filter) = 0;
   virtual void setObjectClasses(const std::vector<ClassOverride>& classes) = 0;
   virtual void setRestarts(const std::vector<int>& frames) = 0;
-  virtual void fly(const CameraPose& pose) = 0;
+  virtual void fly(const CameraPose& pose, RenderThread::Clock::duration took) = 0;
   virtual void setRecording(bool recording) = 0;
   virtual void addCameraTrack(const CameraTrack& track) = 0;
   virtual void setFlownCameras(const FlownCameras& cameras) = 0;
   virtual void locate(const std::vector<int>& objects) = 0;
+  /// Of what was called last.
+  virtual RequestId lastRequest() = 0;
 };
 
 /// The real one.

@@ -23,7 +23,8 @@ Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
       mailbox_([this] { QMetaObject::invokeMethod(this, &Session::deliver, Qt::QueuedConnection); }) {
   guarded([&] {
     const Preset& first = builtinPresets().front();
-    chosen_ = {first.settings, first.settings, first.id};
+    chosen_ = chosenInForce_ = {first.settings, first.settings, first.id};
+    settings_ = Asked<Settings>(first.settings);
   });
   guarded([&] { renderer_ = makeRenderer(listenerOf(mailbox_)); });
   stays_.setSingleShot(true);
@@ -66,19 +67,20 @@ void Session::guarded(const std::function<void()>& act) {
   }
 }
 
-void Session::ask(const std::function<void(Renderer&)>& wish) {
-  if (renderer_) guarded([&] { wish(*renderer_); });
+// 0: it was not asked.
+RequestId Session::ask(const std::function<void(Renderer&)>& wish) {
+  RequestId request = 0;
+  if (renderer_)
+    guarded([&] {
+      wish(*renderer_);
+      request = renderer_->lastRequest();
+    });
+  return request;
 }
 
 void Session::deliver() {
   Delivery delivery = mailbox_.take();
-  if (!delivery.errors.empty()) { // it may have been one of these that was refused
-    motionModes_.giveUp();
-    filter_.giveUp();
-    classes_.giveUp();
-    restarts_.giveUp();
-  }
-  for (const std::string& sentence : delivery.errors) Q_EMIT errorOccurred(QString::fromStdString(sentence));
+  for (const Failure& failure : delivery.errors) refuse(failure);
   if (delivery.status) useStatus(std::move(*delivery.status));
   if (delivery.work) {
     work_ = std::move(*delivery.work);
@@ -103,11 +105,49 @@ void Session::deliver() {
   if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
 }
 
+// What else was asked for is not concerned.
+void Session::refuse(const Failure& failure) {
+  Q_EMIT errorOccurred(QString::fromStdString(failure.sentence));
+  const RequestId request = failure.request;
+  settings_.refused(request);
+  motionModes_.refused(request);
+  filter_.refused(request);
+  classes_.refused(request);
+  restarts_.refused(request);
+  flown_.refused(request);
+  if (failure.kind != RequestKind::Source || request != opening_) return;
+  if (const auto before = std::exchange(beforeOpening_, {})) apply(*before);
+  Q_EMIT openingFailed();
+}
+
+// Settings that were refused give way to those in force.
+void Session::takeSettings() {
+  settings_.arrived(status_.settings);
+  if (settings_.waits()) return;
+  if (chosen_.settings == settings_.value()) {
+    chosenInForce_ = chosen_;
+    return;
+  }
+  chosen_ = chosenInForce_;
+  chosen_.settings = settings_.value();
+  Q_EMIT settingsChanged();
+}
+
 void Session::useStatus(Status&& status) {
   const bool isNew = status.source != status_.source;
+  if (status.opened != status_.opened) { // all that was asked before was asked of another scene
+    motionModes_.giveUpBefore(status.opened);
+    filter_.giveUpBefore(status.opened);
+    flown_.giveUpBefore(status.opened);
+    classes_.giveUpBefore(status.opened);
+    restarts_.giveUpBefore(status.opened);
+    undo_.forgetScene();
+    if (status.opened == opening_ && std::exchange(beforeOpening_, {}))
+      undo_.clear(); // what was changed before is of another session
+  }
   if (isNew && pins_.forgetSurfaces()) sendPins();
-  if (isNew) undo_.forgetScene();
   status_ = std::move(status);
+  takeSettings();
   takeSceneStatus();
   // Only now: a file that cannot be opened leaves everything as it is, playing or not.
   if (isNew && std::exchange(playsWhenOpen_, false)) setPlaying(true);
@@ -117,12 +157,8 @@ void Session::useStatus(Status&& status) {
 
 void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
-  motionModes_.giveUp();
-  filter_.giveUp();
-  classes_.giveUp();
-  restarts_.giveUp();
-  flown_.giveUp();
-  ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
+  beforeOpening_.reset();
+  opening_ = ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
 }
 
 void Session::setSize(int width, int height) {
@@ -182,7 +218,8 @@ void Session::use(const PresetChoice& choice) {
   stays_.stop();
   const bool isNew = !(choice.settings == chosen_.settings);
   chosen_ = choice;
-  if (isNew) ask([&](Renderer& renderer) { renderer.setSettings(chosen_.settings); });
+  if (isNew)
+    settings_.ask(choice.settings, ask([&](Renderer& renderer) { renderer.setSettings(choice.settings); }));
   Q_EMIT settingsChanged(); // also where only the preset's name is another
 }
 

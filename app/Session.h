@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -122,7 +123,7 @@ class Session : public QObject {
   void exportSequence(const SequenceRequest& request);
   /// What the picture depends on; `window` is left empty.
   SessionFile file() const;
-  /// Opens what the file says, paused at its frame.
+  /// Opens what the file says, paused at its frame; where that cannot be opened, goes back to what was open.
   void restore(const SessionFile& file);
 
   // The scene and the camera that is flown
@@ -141,7 +142,8 @@ class Session : public QObject {
   void toggleRestart(int frame);
   void removeRestarts();
   void setRestarts(const std::vector<int>& frames);
-  void fly(const CameraPose& pose);
+  /// The camera is there after it moved for so long.
+  void fly(const CameraPose& pose, std::chrono::duration<double> took = {});
   void setRecording(bool recording);
   void addCameraTrack(const CameraTrack& track);
   // Of flown cameras; undo takes it back
@@ -174,10 +176,13 @@ class Session : public QObject {
   void objectAreaArrived(const ObjectArea& area);
   void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
+  void openingFailed(); ///< of what was opened last; what was open still is
 
  private:
   void deliver();
+  void refuse(const Failure& failure);
   void useStatus(Status&& status);
+  void takeSettings();
   void takeSceneStatus();
   void use(const PresetChoice& choice);
   void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
@@ -189,7 +194,8 @@ class Session : public QObject {
   void noteAsked(const Asked<Value>& asked, const Value& value, void (Session::*set)(const Value&),
                  const QString& what);
   void consider(const Settings& settings);
-  void ask(const std::function<void(Renderer&)>& wish);
+  RequestId ask(const std::function<void(Renderer&)>& wish);
+  void apply(const SessionFile& file);
   void guarded(const std::function<void()>& act);
   void sendPins();
   void changePins(const QString& what, const std::string& key, const std::function<bool()>& change);
@@ -202,7 +208,8 @@ class Session : public QObject {
   Pins pins_;
   bool wantsWhatIf_ = false;
   std::array<std::shared_ptr<const ViewResult>, kViewCount> pictures_;
-  PresetChoice chosen_;
+  PresetChoice chosen_, chosenInForce_; ///< what was asked for; what has arrived of it
+  Asked<Settings> settings_;
   Settings considered_;
   QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
   UndoStack undo_;
@@ -216,6 +223,8 @@ class Session : public QObject {
   QStringList otherPresets_;
   std::vector<Settings> otherLanes_;
   bool looping_ = true, playsWhenOpen_ = false;
+  RequestId opening_ = 0;                    ///< the last request to open something
+  std::optional<SessionFile> beforeOpening_; ///< what a session was opened in place of
   Playback playback_;
   bool tracing_ = false;
   std::unique_ptr<Renderer> renderer_; ///< last: ends before what its results are put into

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,14 +66,13 @@ void Session::noteAsked(const Asked<Value>& asked, const Value& value, void (Ses
 
 void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
   noteAsked(motionModes_, modes, &Session::setMotionModes, tr("change of how objects move"));
-  motionModes_.ask(modes);
-  ask([&](Renderer& renderer) { renderer.setMotionModes(modes); });
+  motionModes_.ask(modes, ask([&](Renderer& renderer) { renderer.setMotionModes(modes); }));
 }
 
 void Session::setObjectFilter(const ObjectFilter& filter) {
   noteAsked(filter_, filter, &Session::setObjectFilter, tr("change of what is drawn"));
-  filter_.ask(filter); // also where it is the same: what was just opened has none
-  ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); });
+  // Also where it is the same: what was just opened has none.
+  filter_.ask(filter, ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); }));
 }
 
 void Session::setHidden(const std::string& object, bool hidden) {
@@ -97,8 +97,7 @@ void Session::setObjectClass(const std::string& object, std::optional<ObjectClas
 
 void Session::setObjectClasses(const std::vector<ClassOverride>& classes) {
   noteAsked(classes_, classes, &Session::setObjectClasses, tr("change of what class objects are of"));
-  classes_.ask(classes);
-  ask([&](Renderer& renderer) { renderer.setObjectClasses(classes); });
+  classes_.ask(classes, ask([&](Renderer& renderer) { renderer.setObjectClasses(classes); }));
 }
 
 void Session::toggleRestart(int frame) {
@@ -114,13 +113,11 @@ void Session::removeRestarts() {
 
 void Session::setRestarts(const std::vector<int>& frames) {
   noteAsked(restarts_, frames, &Session::setRestarts, tr("change of where history restarts"));
-  restarts_.ask(frames);
-  ask([&](Renderer& renderer) { renderer.setRestarts(frames); });
+  restarts_.ask(frames, ask([&](Renderer& renderer) { renderer.setRestarts(frames); }));
 }
 
 void Session::useCameras(const FlownCameras& cameras) {
-  flown_.ask(cameras);
-  ask([&](Renderer& renderer) { renderer.setFlownCameras(flown_.value()); });
+  flown_.ask(cameras, ask([&](Renderer& renderer) { renderer.setFlownCameras(cameras); }));
 }
 
 // To be called before the cameras change.
@@ -133,10 +130,11 @@ void Session::noteCameras(const QString& what, const std::string& key) {
 }
 
 // A flight is a part of its recording.
-void Session::fly(const CameraPose& pose) {
+void Session::fly(const CameraPose& pose, std::chrono::duration<double> took) {
   if (!status_.recording) noteCameras(tr("flight"), kFlight);
   flown_.giveUp();
-  ask([&](Renderer& renderer) { renderer.fly(pose); });
+  const auto ticks = std::chrono::duration_cast<RenderThread::Clock::duration>(took);
+  ask([&](Renderer& renderer) { renderer.fly(pose, ticks); });
 }
 
 void Session::setRecording(bool recording) {

@@ -2,6 +2,8 @@
 #include "app/Session.h"
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace taa::app {
 
@@ -22,10 +24,16 @@ SessionFile Session::file() const {
   return file;
 }
 
-// What was changed before is of another session.
 void Session::restore(const SessionFile& file) {
-  const UndoStack::Quiet quiet(undo_);
+  std::optional<SessionFile> before;
+  if (isOpen()) before = this->file();
   open(QString::fromStdString(file.source), false);
+  beforeOpening_ = std::move(before);
+  apply(file);
+}
+
+void Session::apply(const SessionFile& file) {
+  const UndoStack::Quiet quiet(undo_);
   setPlaying(false);
   use({file.settings.settings, file.settings.presetSettings, file.settings.preset});
   setSize(file.size.x, file.size.y);
@@ -39,7 +47,6 @@ void Session::restore(const SessionFile& file) {
   setObjectClasses(file.objectClasses);
   setRestarts(file.restarts);
   seek(file.frame);
-  undo_.clear();
 }
 
 void Session::exportSequence(const SequenceRequest& request) {

@@ -48,7 +48,7 @@ void RenderWorker::deliverFigures() {
   const std::pair state(version_, reference_.version);
   if (figures_.wanted.empty() || figures_.deliveredOf == state) return;
   figures_.deliveredOf = state; // also when it fails: once is enough to tell
-  attempt([&] {
+  attempt(RequestKind::Figures, [&] {
     for (int lane = 0; lane < inspector_.laneCount(); ++lane)
       deliver(inspector_.figures(figures_.wanted, lane));
   });
@@ -108,7 +108,7 @@ void RenderWorker::fillFigures(int frame) {
     const auto thumbnail = thumbnailDueAt(); // it comes first, too
     return !ends_ && !pending_(isAny) && !(thumbnail && *thumbnail <= Clock::now());
   };
-  const bool isDone = attempt([&] {
+  const bool isDone = attempt(RequestKind::Figures, [&] {
     try {
       deliver(inspector_.figuresBeside(frame, figures_.wanted, reference_.goal, figures_.cursor, stops));
     } catch (const Cancelled&) { // goes on later

@@ -11,9 +11,7 @@ void RenderWorker::reloadShaders() {
   std::string error;
   try {
     inspector_.reloadShaders();
-    ++version_;
-    ++subject_;
-    statusChanged_ = true;
+    noteChange(RequestKind::Shaders);
     refinementStopped_ = false;
     // First: who hears that they are in use must know that the picture on show is not theirs yet.
     if (isOpen() && !inspector_.isExact()) sendStatus();
@@ -23,13 +21,13 @@ void RenderWorker::reloadShaders() {
   if (listener_.onShaders)
     listener_.onShaders(error);
   else if (!error.empty() && listener_.onError)
-    listener_.onError(error);
+    listener_.onError({error, RequestKind::Shaders, latest_.of(RequestKind::Shaders)});
 }
 
 void RenderWorker::exportSequence(const SequenceRequest& request) {
   if (!isOpen()) return;
   ExportResult result{sequenceFile(request, request.first).string(), 0};
-  attempt([&] {
+  attempt(RequestKind::Export, [&] {
     taa::exportSequence(inspector_, request, [this](std::string_view what, int done, int total) {
       if (listener_.onWork) listener_.onWork({std::string(what), done, total});
       return !ends_ && !pending_([](const Wishes& wishes) { return wishes.cancel; });

@@ -26,7 +26,7 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
 }
 
 void RenderWorker::deliverProfile() {
-  attempt([&] {
+  attempt(RequestKind::Profile, [&] {
     if (auto profile = inspector_.takeProfile(); profile && listener_.onProfile)
       listener_.onProfile(std::move(*profile));
   });
@@ -35,7 +35,7 @@ void RenderWorker::deliverProfile() {
 // Any wish is answered between two draws; then it goes on, or starts anew where the frame is another one.
 void RenderWorker::measureStages() {
   bool goesOn = false;
-  attempt([&] {
+  attempt(RequestKind::Profile, [&] {
     try {
       StageCosts costs = inspector_.measureStages(progress("", isAny));
       if (listener_.onStageCosts) listener_.onStageCosts(std::move(costs));
@@ -74,7 +74,7 @@ bool RenderWorker::compileAhead() {
 
 void RenderWorker::deliverShares() {
   sharesDelivered_ = version_;
-  attempt([&] {
+  attempt(RequestKind::Thumbnails, [&] {
     StageShares shares{
         .frame = inspector_.frame(), .startsHistory = inspector_.info().startsHistory, .stages = {}};
     shares.stages = sharesOf(inspector_.images(shareRows()), inspector_.settings());
@@ -93,9 +93,9 @@ void RenderWorker::useIdleTime() {
     return;
   }
   if (!playing_ && sharesDelivered_ != version_) return deliverShares(); // then the thumbnails, which wait
-  const bool isDrawn = attempt([&] {
+  const bool isDrawn = attempt(RequestKind::Thumbnails, [&] {
     const IntermediateId id = thumbnails_.next();
-    Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels())};
+    Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels()), subject_};
     if (listener_.onThumbnail) listener_.onThumbnail(std::move(thumbnail));
   });
   if (!isDrawn) return thumbnails_.want({}); // told once; wanted again when the window says so

@@ -34,7 +34,7 @@ void RenderWorker::deliverPin(int index) {
   const bool isInside = pin.pixel.x >= 0 && pin.pixel.y >= 0 && pin.pixel.x < inspector_.width() &&
                         pin.pixel.y < inspector_.height();
   if (!isInside && !pin.anchor) return;
-  attempt([&] {
+  attempt(RequestKind::Probes, [&] {
     pin = inspector_.anchored(pin);
     ProbeResult result{.pin = pin, .spot = inspector_.spot(pin), .around = {}};
     result.x = result.spot.pixel.x;

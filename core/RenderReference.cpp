@@ -57,7 +57,7 @@ void RenderWorker::refineReference(int lane) {
   const int goal = nextShown(inspector_.referenceSamples(lane), reference_.goal);
   reference_.isTold = true;
   bool goesOn = false;
-  const bool isDone = attempt([&] {
+  const bool isDone = attempt(RequestKind::Reference, [&] {
     try {
       inspector_.refineReference(goal, told, lane);
     } catch (const Cancelled&) {

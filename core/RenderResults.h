@@ -3,6 +3,7 @@
 
 #include "core/Inspector.h"
 #include "core/Playback.h"
+#include "core/RenderRequests.h"
 #include "core/RenderScene.h"
 #include "core/SequenceExport.h"
 #include "core/ViewRequest.h"
@@ -36,6 +37,7 @@ struct Thumbnail {
   IntermediateId id{};
   int frame = 0;
   Picture picture;
+  std::uint64_t subject = 0; ///< see Status
 };
 
 /// Names of objects that the status holds at most: more than a menu has room for.
@@ -70,6 +72,10 @@ struct Status {
   std::vector<CameraTrackHandle> tracks; ///< flown cameras, which are among `cameras`
   CameraPose pose;                       ///< of the camera at this frame
   bool recording = false;
+  int recordedFrames = 0; ///< poses of the recording so far
+  RequestId opened = 0;   ///< the request that opened the scene
+  /// Kinds of requests since which what is on show is not exact; empty: it is.
+  std::vector<RequestKind> inexactSince;
   /// Counts the changes of what frames are a function of: what was known of frames is no longer true then.
   std::uint64_t subject = 0;
 };
@@ -86,7 +92,7 @@ struct RenderListener {
   std::function<void(ProbeResult)> onProbe;
   std::function<void(Status)> onStatus;
   std::function<void(Work)> onWork;
-  std::function<void(std::string)> onError; ///< a sentence; nothing was lost
+  std::function<void(Failure)> onError;
   std::function<void(FrameProfile)> onProfile{};
   std::function<void(StageCosts)> onStageCosts{};
   std::function<void(Thumbnail)> onThumbnail{};

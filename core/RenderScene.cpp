@@ -1,9 +1,15 @@
 // What the render thread does with the scene: hides objects, flies and records a camera, finds objects.
 #include "core/RenderWorker.h"
 
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -53,38 +59,64 @@ void RenderWorker::applyScene(const Wishes& wishes) {
   }
   if (!isOpen()) return;
   if (scene.filter && !(*scene.filter == inspector_.objectFilter()))
-    change([&] { inspector_.setObjectFilter(*scene.filter); });
+    change(RequestKind::Objects, [&] { inspector_.setObjectFilter(*scene.filter); });
   if (scene.classes && *scene.classes != inspector_.objectClasses())
-    change([&] { inspector_.setObjectClasses(*scene.classes); });
+    change(RequestKind::Classes, [&] { inspector_.setObjectClasses(*scene.classes); });
   if (scene.restarts && *scene.restarts != inspector_.restarts())
-    change([&] { inspector_.setRestarts(*scene.restarts); });
-  if (scene.recording) change([&] { setRecording(*scene.recording); });
-  if (!scene.pose) return;
+    change(RequestKind::Restarts, [&] { inspector_.setRestarts(*scene.restarts); });
+  applyFlight(scene);
+}
+
+// A recording has all poses until it ends; what is on show has the last one.
+void RenderWorker::applyFlight(const SceneWishes& scene) {
+  const std::optional<RecordingWish>& wish = scene.recording;
+  if (wish && wish->on && !flight_.recording)
+    change(RequestKind::Recording, [&] { beginRecording(wish->at); });
+  if (flight_.recording)
+    for (const FlownPose& flown : scene.poses) flight_.recording->moveTo(flown.pose, flown.at, flown.took);
+  const bool ends = wish && !wish->on && flight_.recording;
+  if (ends) endRecording(wish->at);
+  if (scene.poses.empty() || (ends && scene.poses.back().at <= wish->at)) return;
+  const CameraPose& pose = scene.poses.back().pose;
   flight_.pose.reset();
   if (playing_)
-    flight_.pose = scene.pose; // of the next frame
+    flight_.pose = pose; // of the next frame
   else
-    change([&] { fly(*scene.pose); });
+    change(RequestKind::Flight, [&] { inspector_.setCameraTrack({kFreeCamera, 0, {pose}}); });
 }
 
-// At rest: a recording gives the pose to the frame on show and to those after it; else all frames have it.
-void RenderWorker::fly(const CameraPose& pose) {
-  if (flight_.recorded.empty()) return inspector_.setCameraTrack({kFreeCamera, 0, {pose}});
-  layTrack(inspector_.frame(), pose);
-}
-
-void RenderWorker::setRecording(bool recording) {
-  if (recording == !flight_.recorded.empty()) return;
-  if (!recording) return flight_.recorded.clear();
-  // What was flown up to here belongs to it, so that the frame on show stays what it is.
-  CameraTrack track{"", inspector_.frame(), {inspector_.cameraPose()}};
+// What was flown up to here belongs to it, so that the frame on show stays what it is.
+void RenderWorker::beginRecording(Clock::time_point at) {
+  const int frame = goal_.value_or(inspector_.frame()), end = inspector_.frameCount() - 1;
+  const auto [first, last] = playedFrames();
+  if (frame >= end)
+    throw Error(say<"cannot record a flight at frame %1, which is the last one: go to another frame">(frame));
+  CameraTrack track{"", frame, {inspector_.cameraPose()}};
   const CameraTrackHandle flown = currentTrack();
-  if (flown && flown->firstFrame <= inspector_.frame()) track = *flown;
-  std::string name = freeName(inspector_.cameras());
-  track.name = name;
-  track.put(inspector_.frame(), inspector_.cameraPose());
-  inspector_.setCameraTrack(std::move(track));
-  flight_.recorded = std::move(name);
+  if (flown && flown->firstFrame <= frame) track = *flown;
+  track.name = freeName(inspector_.cameras());
+  track.put(frame, inspector_.cameraPose());
+  inspector_.setCameraTrack(track);
+  flight_.recorded = std::move(track);
+  flight_.recording.emplace(frame, frame >= first && frame < last ? last : end, inspector_.cameraPose(), at);
+  flight_.recording->setRate(playedPerSecond(), at);
+  flight_.playsAfter = playing_;
+  setPlaying(true);
+}
+
+// Goes to the frame it ended at: how many of them could be shown meanwhile depends on the machine.
+void RenderWorker::endRecording(Clock::time_point at) {
+  const FlightRecording recording = *std::exchange(flight_.recording, {});
+  const std::vector<CameraPose> poses = recording.poses(at);
+  CameraTrack track = std::move(flight_.recorded);
+  int frame = recording.firstFrame() - 1;
+  for (const CameraPose& pose : poses) track.put(++frame, pose);
+  change(RequestKind::Recording, [&] { inspector_.setCameraTrack(std::move(track)); });
+  flight_.pose.reset();
+  flight_.isLaying = false;
+  goal_ = frame;
+  isNear_ = false;
+  setPlaying(flight_.playsAfter);
 }
 
 CameraTrackHandle RenderWorker::currentTrack() const {
@@ -93,9 +125,10 @@ CameraTrackHandle RenderWorker::currentTrack() const {
   return nullptr;
 }
 
-// Gives `frame`, the one on show or the next one, a pose; what is flown starts from where the camera is.
+// Gives the next frame a pose; what is flown starts from where the camera is. Until a recording is done its
+// camera has the poses that were on show.
 void RenderWorker::layTrack(int frame, const CameraPose& pose) {
-  const std::string name = flight_.recorded.empty() ? kFreeCamera : flight_.recorded;
+  const std::string name = flight_.recording ? flight_.recorded.name : kFreeCamera;
   CameraTrack track{name, inspector_.frame(), {inspector_.cameraPose()}};
   // One that begins later was begun before somebody jumped here.
   const CameraTrackHandle flown = currentTrack();
@@ -106,38 +139,25 @@ void RenderWorker::layTrack(int frame, const CameraPose& pose) {
   if (!std::exchange(flight_.isLaying, true)) ++subject_;
 }
 
-// Somebody jumps, stops or starts again: a recording is done, and a camera that was only flown rests where it
-// is, in all frames.
+// Somebody jumps, pauses or opens another scene: a recording is done, and a camera that was only flown rests
+// where it is, in all frames.
 void RenderWorker::endFlight() {
+  if (flight_.recording) return endRecording(now_());
   flight_.isLaying = false;
-  if (!flight_.recorded.empty()) statusChanged_ = true;
-  flight_.recorded.clear();
   if (!isOpen() || inspector_.camera() != kFreeCamera) return flight_.pose.reset();
   const CameraPose pose = flight_.pose.value_or(inspector_.cameraPose());
   flight_.pose.reset();
   CameraTrack rests{kFreeCamera, 0, {pose}};
   if (*currentTrack() == rests) return;
-  if (!attempt([&] { inspector_.setCameraTrack(std::move(rests)); })) return;
-  ++version_;
-  ++subject_;
-  statusChanged_ = true;
-}
-
-// A recording goes on at rest; its last pose may not have had a frame yet.
-void RenderWorker::pauseFlight() {
-  flight_.isLaying = false;
-  if (flight_.recorded.empty()) return endFlight();
-  if (!flight_.pose || !attempt([&] { layTrack(inspector_.frame(), *flight_.pose); })) return;
-  flight_.pose.reset();
-  ++version_;
-  statusChanged_ = true;
+  if (!attempt(RequestKind::Flight, [&] { inspector_.setCameraTrack(std::move(rests)); })) return;
+  noteChange(RequestKind::Flight);
 }
 
 // Only of frames that it rests at: reading a whole picture back takes longer than a frame that plays may.
 void RenderWorker::deliverArea() {
   if (located_.empty() || areaDelivered_ == version_ || playing_ || goal_) return;
   areaDelivered_ = version_;
-  attempt([&] {
+  attempt(RequestKind::Objects, [&] {
     ObjectArea area = areaOf(inspector_.image(IntermediateId::objectId), located_);
     area.frame = inspector_.frame();
     if (listener_.onObjectArea) listener_.onObjectArea(std::move(area));

@@ -92,7 +92,7 @@ void RenderWorker::stopAside() {
 void RenderWorker::makeAside() {
   const std::vector<int> frames = asideFrames();
   bool isCancelled = false;
-  const bool isDone = attempt([&] {
+  const bool isDone = attempt(RequestKind::Views, [&] {
     try {
       inspector_.keepAside(frames, progress(say<"Drawing the frame to compare with">(), endsReplay));
     } catch (const Cancelled&) {
@@ -118,7 +118,7 @@ void RenderWorker::deliverView(int index) {
   const bool isLaneThere = view.lane < inspector_.laneCount();
   if (!isLaneThere || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
-  attempt([&] {
+  attempt(RequestKind::Views, [&] {
     ViewResult result = draw(index, look, other);
     if (listener_.onPicture) listener_.onPicture(std::move(result));
   });
@@ -148,6 +148,7 @@ ViewResult RenderWorker::draw(int index, const Look& look, const std::optional<L
   if (hasValues) result.region = region;
   const std::optional<Look> minus = view.asDifference ? other : std::nullopt;
   result.frame = inspector_.frame();
+  result.subject = subject_;
   result.exact = inspector_.isExact(look) && (!minus || inspector_.isExact(*minus));
   result.picture = inspector_.picture(look, minus, view.style, view.transform, view.width, view.height);
   if (hasValues) result.values = inspector_.image(look, minus, region);

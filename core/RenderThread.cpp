@@ -15,6 +15,7 @@ namespace taa {
 
 struct RenderThread::Parts {
   RenderListener listener;
+  ClockNow now;
   std::mutex mutex; // held for a moment only: never while GL works or the listener is called
   std::condition_variable wished, answered;
   Wishes wishes;
@@ -23,7 +24,7 @@ struct RenderThread::Parts {
   std::thread thread;
 
   template <typename Change>
-  void post(Change change);
+  void post(RequestKind kind, Change change);
   void run();
   void runWorker();
   bool takeWishes(Wishes& taken, RenderWorker* worker);
@@ -31,11 +32,11 @@ struct RenderThread::Parts {
 };
 
 template <typename Change>
-void RenderThread::Parts::post(Change change) {
+void RenderThread::Parts::post(RequestKind kind, Change change) {
   {
     const std::lock_guard lock(mutex);
     change(wishes);
-    ++posted;
+    wishes.latest.of(kind) = ++posted;
   }
   wished.notify_one();
 }
@@ -65,7 +66,7 @@ void RenderThread::Parts::run() {
   try {
     runWorker();
   } catch (const std::exception& error) { // no GL
-    if (listener.onError) listener.onError(error.what());
+    if (listener.onError) listener.onError({error.what()});
     Wishes ignored;
     while (takeWishes(ignored, nullptr)) continue;
   }
@@ -73,7 +74,7 @@ void RenderThread::Parts::run() {
 
 void RenderThread::Parts::runWorker() {
   RenderWorker worker(
-      listener, [this](bool (*question)(const Wishes&)) { return pending(question); }, ends);
+      listener, [this](bool (*question)(const Wishes&)) { return pending(question); }, ends, now);
   worker.deliver();
   for (Wishes taken; takeWishes(taken, &worker);) {
     worker.apply(taken);
@@ -84,8 +85,9 @@ void RenderThread::Parts::runWorker() {
   }
 }
 
-RenderThread::RenderThread(RenderListener listener) : parts_(std::make_unique<Parts>()) {
+RenderThread::RenderThread(RenderListener listener, ClockNow now) : parts_(std::make_unique<Parts>()) {
   parts_->listener = std::move(listener);
+  parts_->now = std::move(now);
   parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
 }
 
@@ -99,160 +101,161 @@ RenderThread::~RenderThread() {
 }
 
 void RenderThread::open(const std::string& source) {
-  parts_->post([&](Wishes& wishes) {
-    wishes.source = source;
-    wishes.camera.reset(); // meant the old one
-    wishes.motionModes.reset();
-    wishes.scene = {};
-    wishes.frame.reset();
-    wishes.steps = 0;
-  });
+  parts_->post(RequestKind::Source, [&](Wishes& wishes) { wishes.open(source); });
 }
 
 void RenderThread::setSize(int width, int height) {
-  parts_->post([&](Wishes& wishes) { wishes.size = glm::ivec2(width, height); });
+  parts_->post(RequestKind::Size, [&](Wishes& wishes) { wishes.size = glm::ivec2(width, height); });
 }
 
 void RenderThread::setCamera(const std::string& name) {
-  parts_->post([&](Wishes& wishes) {
+  parts_->post(RequestKind::Camera, [&](Wishes& wishes) {
     wishes.camera = name;
-    wishes.scene.pose.reset();
+    wishes.scene.poses.clear();
   });
 }
 
 void RenderThread::setMotionModes(const std::vector<MotionOverride>& modes) {
-  parts_->post([&](Wishes& wishes) { wishes.motionModes = modes; });
+  parts_->post(RequestKind::MotionModes, [&](Wishes& wishes) { wishes.motionModes = modes; });
 }
 
 void RenderThread::setSettings(const Settings& settings) {
-  parts_->post([&](Wishes& wishes) { wishes.settings = settings; });
+  parts_->post(RequestKind::Settings, [&](Wishes& wishes) { wishes.settings = settings; });
 }
 
 void RenderThread::prepare(const Settings& settings) {
-  parts_->post([&](Wishes& wishes) { wishes.prepared = settings; });
+  parts_->post(RequestKind::None, [&](Wishes& wishes) { wishes.prepared = settings; });
 }
 
 void RenderThread::setPlaying(bool playing) {
-  parts_->post([&](Wishes& wishes) { wishes.playing = playing; });
+  parts_->post(RequestKind::Time, [&](Wishes& wishes) { wishes.playing = playing; });
 }
 
 void RenderThread::setLooping(bool looping) {
-  parts_->post([&](Wishes& wishes) { wishes.looping = looping; });
+  parts_->post(RequestKind::Time, [&](Wishes& wishes) { wishes.looping = looping; });
 }
 
 void RenderThread::setPlayback(const Playback& playback) {
-  parts_->post([&](Wishes& wishes) { wishes.playback = playback; });
+  parts_->post(RequestKind::Time, [&](Wishes& wishes) { wishes.playback = playback; });
 }
 
 void RenderThread::seek(int frame) {
-  parts_->post([&](Wishes& wishes) {
+  parts_->post(RequestKind::Time, [&](Wishes& wishes) {
     wishes.frame = frame;
     wishes.steps = 0;
   });
 }
 
 void RenderThread::step(int frames) {
-  parts_->post([&](Wishes& wishes) {
+  parts_->post(RequestKind::Time, [&](Wishes& wishes) {
     wishes.steps += frames;
     wishes.playing = false;
   });
 }
 
 void RenderThread::setViews(const std::vector<ViewRequest>& views) {
-  parts_->post([&](Wishes& wishes) { wishes.views = views; });
+  parts_->post(RequestKind::Views, [&](Wishes& wishes) { wishes.views = views; });
 }
 
 void RenderThread::setPins(const PinWish& pins) {
-  parts_->post([&](Wishes& wishes) { wishes.pins = pins; });
+  parts_->post(RequestKind::Probes, [&](Wishes& wishes) { wishes.pins = pins; });
 }
 
 void RenderThread::setCheckpointBudget(std::size_t bytes) {
-  parts_->post([&](Wishes& wishes) { wishes.checkpointBudget = bytes; });
+  parts_->post(RequestKind::None, [&](Wishes& wishes) { wishes.checkpointBudget = bytes; });
 }
 
 void RenderThread::setProfiling(bool profiling) {
-  parts_->post([&](Wishes& wishes) { wishes.profiling = profiling; });
+  parts_->post(RequestKind::Profile, [&](Wishes& wishes) { wishes.profiling = profiling; });
 }
 
 void RenderThread::measureStages() {
-  parts_->post([&](Wishes& wishes) { wishes.measureStages = true; });
+  parts_->post(RequestKind::Profile, [&](Wishes& wishes) { wishes.measureStages = true; });
 }
 
 void RenderThread::setThumbnails(int width, int height) {
-  parts_->post([&](Wishes& wishes) { wishes.thumbnails = glm::ivec2(width, height); });
+  parts_->post(RequestKind::Thumbnails,
+               [&](Wishes& wishes) { wishes.thumbnails = glm::ivec2(width, height); });
 }
 
 void RenderThread::setReferenceSamples(int samples) {
-  parts_->post([&](Wishes& wishes) { wishes.referenceSamples = samples; });
+  parts_->post(RequestKind::Reference, [&](Wishes& wishes) { wishes.referenceSamples = samples; });
 }
 
 void RenderThread::setFigures(const std::vector<Figure>& figures) {
-  parts_->post([&](Wishes& wishes) { wishes.figures = figures; });
+  parts_->post(RequestKind::Figures, [&](Wishes& wishes) { wishes.figures = figures; });
 }
 
 void RenderThread::setOtherLanes(const std::vector<Settings>& lanes) {
-  parts_->post([&](Wishes& wishes) { wishes.otherLanes = lanes; });
+  parts_->post(RequestKind::Lanes, [&](Wishes& wishes) { wishes.otherLanes = lanes; });
 }
 
 void RenderThread::setObjectFilter(const ObjectFilter& filter) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.filter = filter; });
+  parts_->post(RequestKind::Objects, [&](Wishes& wishes) { wishes.scene.filter = filter; });
 }
 
 void RenderThread::setObjectClasses(const std::vector<ClassOverride>& classes) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.classes = classes; });
+  parts_->post(RequestKind::Classes, [&](Wishes& wishes) { wishes.scene.classes = classes; });
 }
 
 void RenderThread::setRestarts(const std::vector<int>& frames) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.restarts = frames; });
+  parts_->post(RequestKind::Restarts, [&](Wishes& wishes) { wishes.scene.restarts = frames; });
 }
 
-void RenderThread::fly(const CameraPose& pose) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.pose = pose; });
+void RenderThread::fly(const CameraPose& pose, Clock::duration took) {
+  const FlownPose flown{pose, parts_->now(), took};
+  parts_->post(RequestKind::Flight, [&](Wishes& wishes) { wishes.scene.poses.push_back(flown); });
 }
 
 void RenderThread::setRecording(bool recording) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.recording = recording; });
+  const RecordingWish wish{recording, parts_->now()};
+  parts_->post(RequestKind::Recording, [&](Wishes& wishes) { wishes.scene.recording = wish; });
 }
 
 void RenderThread::setFlownCameras(const FlownCameras& cameras) {
-  parts_->post([&](Wishes& wishes) {
+  parts_->post(RequestKind::FlownCameras, [&](Wishes& wishes) {
     wishes.scene.cameras = cameras;
     wishes.scene.tracks.clear();
-    wishes.scene.pose.reset();
+    wishes.scene.poses.clear();
     wishes.camera.reset();
   });
 }
 
 void RenderThread::addCameraTrack(const CameraTrack& track) {
-  parts_->post([&](Wishes& wishes) {
+  parts_->post(RequestKind::FlownCameras, [&](Wishes& wishes) {
     wishes.scene.tracks.push_back(track);
-    wishes.scene.pose.reset();
+    wishes.scene.poses.clear();
     wishes.camera.reset();
   });
 }
 
 void RenderThread::locate(const std::vector<int>& objects) {
-  parts_->post([&](Wishes& wishes) { wishes.scene.located = objects; });
+  parts_->post(RequestKind::Objects, [&](Wishes& wishes) { wishes.scene.located = objects; });
 }
 
 void RenderThread::setTracing(bool tracing) {
-  parts_->post([&](Wishes& wishes) { wishes.tracing = tracing; });
+  parts_->post(RequestKind::Traces, [&](Wishes& wishes) { wishes.tracing = tracing; });
 }
 
 void RenderThread::fillTraces(int first, int last) {
-  parts_->post([&](Wishes& wishes) { wishes.fillTraces = std::pair(first, last); });
+  parts_->post(RequestKind::Traces, [&](Wishes& wishes) { wishes.fillTraces = std::pair(first, last); });
 }
 
 void RenderThread::reloadShaders() {
-  parts_->post([&](Wishes& wishes) { wishes.reload = true; });
+  parts_->post(RequestKind::Shaders, [&](Wishes& wishes) { wishes.reload = true; });
 }
 
 void RenderThread::cancel() {
-  parts_->post([&](Wishes& wishes) { wishes.cancel = true; });
+  parts_->post(RequestKind::None, [&](Wishes& wishes) { wishes.cancel = true; });
 }
 
 void RenderThread::exportSequence(const SequenceRequest& request) {
-  parts_->post([&](Wishes& wishes) { wishes.exported = request; });
+  parts_->post(RequestKind::Export, [&](Wishes& wishes) { wishes.exported = request; });
+}
+
+RequestId RenderThread::lastRequest() const {
+  const std::lock_guard lock(parts_->mutex);
+  return parts_->posted;
 }
 
 void RenderThread::waitUntilIdle() {

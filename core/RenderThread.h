@@ -3,6 +3,7 @@
 
 #include "core/RenderResults.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,16 +18,20 @@ struct PinWish {
 };
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
-/// kind wins, and long work that a newer wish makes useless is cancelled. Errors come by onError and change
-/// nothing.
+/// kind wins, and long work that a newer wish makes useless is cancelled. Errors come by onError, say what
+/// they answer and change nothing.
 class RenderThread {
  public:
-  explicit RenderThread(RenderListener listener);
+  using Clock = FlightRecording::Clock;
+  using ClockNow = std::function<Clock::time_point()>; ///< called from any thread
+  /// `now` is the clock of whoever flies the camera.
+  explicit RenderThread(RenderListener listener, ClockNow now = Clock::now);
   /// Cancels what is under way and joins.
   ~RenderThread();
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
 
+  /// What was asked of the scene before counts where this one is refused.
   void open(const std::string& source);
   void setSize(int width, int height);
   void setCamera(const std::string& name);
@@ -62,9 +67,11 @@ class RenderThread {
   void setObjectFilter(const ObjectFilter& filter);
   void setObjectClasses(const std::vector<ClassOverride>& classes);
   void setRestarts(const std::vector<int>& frames); ///< at which history starts anew
-  /// Looks from there, from now on; while it plays or records, from the next frame on.
-  void fly(const CameraPose& pose);
-  /// Keeps the pose of each frame from now on, as a camera "Recorded N"; ended by a jump or the last frame.
+  /// Looks from there, from now on, after it moved there for `took`; while it plays, from the next frame on.
+  void fly(const CameraPose& pose, Clock::duration took = {});
+  /// Plays, and keeps where the camera is flown from now on, as a camera "Recorded N" with a pose for each
+  /// frame that goes by on the clock, however many of them can be shown. Ended by a pause, a jump or the last
+  /// frame; then goes to the frame that it ended at.
   void setRecording(bool recording);
   void addCameraTrack(const CameraTrack& track); ///< several add up; looks through the last one
   /// Instead of all flown cameras there are. Throws nothing: what cannot be comes by onError.
@@ -80,6 +87,8 @@ class RenderThread {
   /// Other wishes wait until it is done; cancel() stops it.
   void exportSequence(const SequenceRequest& request);
 
+  /// Of what was called last.
+  RequestId lastRequest() const;
   /// Waits until all wishes so far are answered; for tests and screenshots only.
   void waitUntilIdle();
 

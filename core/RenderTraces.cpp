@@ -56,7 +56,7 @@ bool RenderWorker::wantsToFillTraces() const {
 void RenderWorker::fillTraces() {
   const int last = std::min(traces_.filling->second, inspector_.frameCount() - 1);
   const int first = std::clamp(traces_.filling->first, 0, last);
-  const bool isDone = attempt([&] {
+  const bool isDone = attempt(RequestKind::Traces, [&] {
     for (int frame = first; frame <= last; ++frame) {
       std::vector<ProbePin> missing;
       for (ProbePin& pin : pins_.pins)

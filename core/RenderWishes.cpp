@@ -1,5 +1,7 @@
 #include "core/RenderWishes.h"
 
+#include <string>
+
 namespace taa {
 
 bool Wishes::isEmpty() const {
@@ -7,6 +9,31 @@ bool Wishes::isEmpty() const {
          !playing && !frame && steps == 0 && !views && !pins && !checkpointBudget && !measureStages &&
          !profiling && !thumbnails && !prepared && !playback && !referenceSamples && !figures &&
          !otherLanes && !exported && scene.isEmpty() && !tracing && !fillTraces;
+}
+
+void Wishes::open(const std::string& next) {
+  if (!source) unlessOpened = *this; // else they were of one that is never opened
+  static_cast<ShotWishes&>(*this) = {};
+  source = next;
+}
+
+void Wishes::refuseSource() {
+  ShotWishes& before = unlessOpened;
+  if (!camera && !scene.changesCamera()) {
+    camera = before.camera;
+    scene.cameras = before.scene.cameras;
+    scene.tracks = before.scene.tracks;
+    scene.poses = before.scene.poses;
+  }
+  if (!motionModes) motionModes = before.motionModes;
+  if (!scene.filter) scene.filter = before.scene.filter;
+  if (!scene.classes) scene.classes = before.scene.classes;
+  if (!scene.restarts) scene.restarts = before.scene.restarts;
+  if (!scene.recording) scene.recording = before.scene.recording;
+  if (!scene.located) scene.located = before.scene.located;
+  if (frame) return;
+  frame = before.frame;
+  steps += before.steps;
 }
 
 bool Wishes::endReplay() const {

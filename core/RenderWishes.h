@@ -11,16 +11,24 @@
 
 namespace taa {
 
-/// What is asked for and not yet taken up; the last wish of a kind wins, steps add up.
-struct Wishes {
-  bool reload = false, cancel = false, measureStages = false;
-  std::optional<std::string> source, camera;
-  std::optional<glm::ivec2> size;
+/// Wishes that are of the scene that is open.
+struct ShotWishes {
+  std::optional<std::string> camera;
   std::optional<std::vector<MotionOverride>> motionModes;
-  std::optional<Settings> settings, prepared;
-  std::optional<bool> looping, playing;
+  SceneWishes scene;
   std::optional<int> frame; ///< to go to, before the steps
   int steps = 0;
+};
+
+/// What is asked for and not yet taken up; the last wish of a kind wins, steps add up.
+struct Wishes : ShotWishes {
+  LatestRequests latest;
+  bool reload = false, cancel = false, measureStages = false;
+  std::optional<std::string> source;
+  ShotWishes unlessOpened; ///< what was asked of the scene before `source`: still is where that is refused
+  std::optional<glm::ivec2> size;
+  std::optional<Settings> settings, prepared;
+  std::optional<bool> looping, playing;
   std::optional<std::vector<ViewRequest>> views;
   std::optional<PinWish> pins;
   std::optional<std::size_t> checkpointBudget;
@@ -31,11 +39,14 @@ struct Wishes {
   std::optional<std::vector<Figure>> figures;
   std::optional<std::vector<Settings>> otherLanes;
   std::optional<SequenceRequest> exported;
-  SceneWishes scene;
   std::optional<bool> tracing;
   std::optional<std::pair<int, int>> fillTraces; ///< first and last frame
 
   bool isEmpty() const;
+  /// Opens `next` in place of what was to be opened; what was asked of the present scene waits for that.
+  void open(const std::string& next);
+  /// The source was refused: what was asked of the present scene counts, where nothing newer was asked.
+  void refuseSource();
   /// Whether going to a frame is of no use any more once these are taken up.
   bool endReplay() const;
 };

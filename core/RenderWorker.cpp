@@ -22,27 +22,36 @@ bool stopsOpening(const Wishes& wishes) {
 
 } // namespace
 
-RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends)
-    : listener_(listener), pending_(std::move(pending)), ends_(ends) {}
+RenderWorker::RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends,
+                           ClockNow now)
+    : listener_(listener), pending_(std::move(pending)), ends_(ends), now_(std::move(now)) {}
 
-bool RenderWorker::attempt(const std::function<void()>& action) {
+// Whoever asked for something that failed shows what it asked for: the status says what is in force.
+bool RenderWorker::attempt(RequestKind kind, const std::function<void()>& action) {
   try {
     action();
     return true;
   } catch (const Cancelled&) {
     return false; // whoever asked for it knows
   } catch (const std::exception& error) {
-    if (listener_.onError) listener_.onError(error.what());
+    if (listener_.onError) listener_.onError({error.what(), kind, latest_.of(kind)});
+    statusChanged_ = true;
     return false;
   }
 }
 
-void RenderWorker::change(const std::function<void()>& action) {
-  if (!attempt(action)) return;
+bool RenderWorker::change(RequestKind kind, const std::function<void()>& action) {
+  if (!attempt(kind, action)) return false;
+  noteChange(kind);
+  refinementStopped_ = false;
+  return true;
+}
+
+void RenderWorker::noteChange(RequestKind kind) {
   ++version_;
   ++subject_;
   statusChanged_ = true;
-  refinementStopped_ = false;
+  if (std::ranges::find(inexactSince_, kind) == inexactSince_.end()) inexactSince_.push_back(kind);
 }
 
 // Reports `what` unless the progress names it itself, and stops when a wish says so: at once, or, for wishes
@@ -59,7 +68,8 @@ Progress RenderWorker::progress(const std::string& what, bool (*stops)(const Wis
   };
 }
 
-void RenderWorker::apply(const Wishes& wishes) {
+void RenderWorker::apply(Wishes wishes) {
+  latest_.take(wishes.latest);
   if (wishes.cancel) {
     goal_.reset();
     refinementStopped_ = statusChanged_ = true;
@@ -77,7 +87,9 @@ void RenderWorker::apply(const Wishes& wishes) {
     inspector_.watch(rowsOf(views_));
     if (isOpen() && asideFrames().empty()) inspector_.keepAside({});
   }
-  applySource(wishes);
+  if (wishes.reload) reloadShaders();
+  if (wishes.source && !open(*wishes.source)) wishes.refuseSource();
+  applyShot(wishes);
   applyScene(wishes);
   applyTime(wishes);
   if (wishes.pins) applyPins(*wishes.pins);
@@ -90,32 +102,37 @@ void RenderWorker::apply(const Wishes& wishes) {
   endFigures();
 }
 
-void RenderWorker::applySource(const Wishes& wishes) {
-  if (wishes.reload) reloadShaders();
-  if (wishes.source) {
-    goal_.reset();
-    change([&] {
-      inspector_.open(*wishes.source, progress("", stopsOpening));
-      objects_ = objectNames(inspector_.scene());
-      objects_.resize(std::min(objects_.size(), kMostObjects));
-      outline_ = std::make_shared<const SceneOutline>(outlineOf(inspector_.scene(), inspector_.source()));
-    });
-    if (listener_.onWork) listener_.onWork({});
-  }
+bool RenderWorker::open(const std::string& source) {
+  endFlight(); // of the old one, which stays where the new one is refused
+  goal_.reset();
+  const bool isOpened = change(RequestKind::Source, [&] {
+    inspector_.open(source, progress("", stopsOpening));
+    objects_ = objectNames(inspector_.scene());
+    objects_.resize(std::min(objects_.size(), kMostObjects));
+    outline_ = std::make_shared<const SceneOutline>(outlineOf(inspector_.scene(), inspector_.source()));
+  });
+  if (isOpened) opened_ = latest_.of(RequestKind::Source);
+  if (listener_.onWork) listener_.onWork({});
+  return isOpened;
+}
+
+void RenderWorker::applyShot(const Wishes& wishes) {
   if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
-    change([&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
+    change(RequestKind::Size, [&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
   const SceneWishes& scene = wishes.scene;
-  if (wishes.source || wishes.camera || wishes.frame || scene.cameras || !scene.tracks.empty()) endFlight();
-  if (isOpen() && scene.cameras) change([&] { inspector_.setFlownCameras(*scene.cameras); });
+  if (wishes.camera || wishes.frame || scene.cameras || !scene.tracks.empty()) endFlight();
+  if (isOpen() && scene.cameras)
+    change(RequestKind::FlownCameras, [&] { inspector_.setFlownCameras(*scene.cameras); });
   if (isOpen())
-    for (const CameraTrack& track : scene.tracks) change([&] { inspector_.setCameraTrack(track); });
+    for (const CameraTrack& track : scene.tracks)
+      change(RequestKind::FlownCameras, [&] { inspector_.setCameraTrack(track); });
   if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
-    change([&] { inspector_.setCamera(*wishes.camera); });
+    change(RequestKind::Camera, [&] { inspector_.setCamera(*wishes.camera); });
   if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.motionModes())
-    change([&] { inspector_.setMotionModes(*wishes.motionModes); });
+    change(RequestKind::MotionModes, [&] { inspector_.setMotionModes(*wishes.motionModes); });
   if (wishes.settings && !(*wishes.settings == inspector_.settings()))
-    change([&] { inspector_.setSettings(*wishes.settings); });
-  if (wishes.otherLanes) change([&] { applyLanes(*wishes.otherLanes); });
+    change(RequestKind::Settings, [&] { inspector_.setSettings(*wishes.settings); });
+  if (wishes.otherLanes) change(RequestKind::Lanes, [&] { applyLanes(*wishes.otherLanes); });
 }
 
 void RenderWorker::applyTime(const Wishes& wishes) {
@@ -123,12 +140,13 @@ void RenderWorker::applyTime(const Wishes& wishes) {
   if (wishes.playing) {
     const auto [first, last] = playedFrames();
     const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
-    if (!*wishes.playing) pauseFlight();
+    if (!*wishes.playing) endFlight();
     setPlaying(*wishes.playing);
     if (restarts) goal_ = first;
     isNear_ = false;
   }
   if (!wishes.frame && wishes.steps == 0) return;
+  if (flight_.recording) endFlight(); // time is taken out of its hands
   const int last = inspector_.frameCount() - 1;
   const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
   goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
@@ -151,7 +169,7 @@ void RenderWorker::work() {
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
-    replay(inspector_.frame(), say<"Replaying with the new settings">());
+    replay(inspector_.frame(), replayText(inexactSince_));
   else if (needsAside())
     makeAside();
   else if (wantsToFillTraces())
@@ -165,7 +183,7 @@ bool RenderWorker::goNear() {
   const int near = inspector_.nearestAtHand(*goal_);
   statusChanged_ = true;
   if (2 * std::abs(*goal_ - near) > std::abs(*goal_ - inspector_.frame())) return true;
-  attempt([&] { inspector_.seek(near); });
+  attempt(RequestKind::Time, [&] { inspector_.seek(near); });
   ++version_;
   return true;
 }
@@ -175,7 +193,8 @@ void RenderWorker::replay(int frame, const std::string& what) {
   const int oldFrame = inspector_.frame();
   const bool wasExact = inspector_.areAllExact();
   bool isCancelled = false;
-  attempt([&] {
+  const RequestKind kind = goal_ || inexactSince_.empty() ? RequestKind::Time : inexactSince_.back();
+  attempt(kind, [&] {
     try {
       inspector_.seek(frame, progress(what, endsReplay));
     } catch (const Cancelled&) {
@@ -205,6 +224,7 @@ void RenderWorker::deliver() {
 
 void RenderWorker::sendStatus() {
   statusChanged_ = false;
+  if (isOpen() && inspector_.areAllExact()) inexactSince_.clear();
   if (!listener_.onStatus) return;
   Status status;
   status.width = inspector_.width();
@@ -217,6 +237,7 @@ void RenderWorker::sendStatus() {
   status.checkpointBudget = inspector_.checkpointBudget();
   status.playback = playback_;
   status.subject = subject_;
+  status.inexactSince = inexactSince_;
   if (isOpen()) {
     status.source = inspector_.source();
     status.camera = inspector_.camera();
@@ -238,7 +259,9 @@ void RenderWorker::sendStatus() {
     status.objectClasses = inspector_.objectClasses();
     status.tracks = inspector_.cameraTracks();
     status.pose = inspector_.cameraPose();
-    status.recording = !flight_.recorded.empty();
+    status.recording = flight_.recording.has_value();
+    status.recordedFrames = flight_.recording ? flight_.recording->frameCount(now_()) : 0;
+    status.opened = opened_;
   }
   listener_.onStatus(std::move(status));
 }

@@ -27,11 +27,12 @@ class RenderWorker {
  public:
   using Clock = std::chrono::steady_clock;
   using Pending = std::function<bool(bool (*)(const Wishes&))>;
+  using ClockNow = std::function<Clock::time_point()>;
 
-  /// Throws Error when there is no GL.
-  RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends);
+  /// `now` is the clock of whoever flies the camera. Throws Error when there is no GL.
+  RenderWorker(const RenderListener& listener, Pending pending, const std::atomic<bool>& ends, ClockNow now);
 
-  void apply(const Wishes& wishes);
+  void apply(Wishes wishes);
   /// Goes on with what is not done: a frame to go to, the next frame of a playing shot, an exact picture.
   void work();
   void deliver();
@@ -56,7 +57,8 @@ class RenderWorker {
   bool isOpen() const { return !inspector_.source().empty(); }
   bool needsRefinement() const;
   bool needsAside() const;
-  void applySource(const Wishes& wishes);
+  bool open(const std::string& source);
+  void applyShot(const Wishes& wishes);
   void applyTime(const Wishes& wishes);
   void applyLooks(const Wishes& wishes);
   void applyPlayback(const Wishes& wishes);
@@ -102,12 +104,13 @@ class RenderWorker {
   void fillFigures(int frame);
   void endFigures();
   void addReference(ViewResult& result);
+  double playedPerSecond() const;
   void applyScene(const Wishes& wishes);
-  void fly(const CameraPose& pose);
-  void setRecording(bool recording);
+  void applyFlight(const SceneWishes& scene);
+  void beginRecording(Clock::time_point at);
+  void endRecording(Clock::time_point at);
   void layTrack(int frame, const CameraPose& pose);
   void endFlight();
-  void pauseFlight();
   CameraTrackHandle currentTrack() const;
   void deliverArea();
   void deliverShares();
@@ -115,14 +118,20 @@ class RenderWorker {
   void reloadShaders();
   void exportSequence(const SequenceRequest& request);
   Progress progress(const std::string& what, bool (*stops)(const Wishes&));
-  /// Errors are told and change nothing; returns whether the action was done.
-  bool attempt(const std::function<void()>& action);
+  /// Errors are told, as answers to the latest request of that kind, and change nothing; returns whether the
+  /// action was done.
+  bool attempt(RequestKind kind, const std::function<void()>& action);
   /// The same of something that all frames depend on: what was delivered is of another subject then.
-  void change(const std::function<void()>& action);
+  bool change(RequestKind kind, const std::function<void()>& action);
+  void noteChange(RequestKind kind);
 
   const RenderListener& listener_;
   Pending pending_;
   const std::atomic<bool>& ends_;
+  ClockNow now_;
+  LatestRequests latest_; // that were taken up
+  RequestId opened_ = 0;  // the one that opened the scene
+  std::vector<RequestKind> inexactSince_;
   Inspector inspector_;
   bool playing_ = false, looping_ = true;
   bool refinementStopped_ = false; // cancelled or failed: not again until something changes

@@ -282,13 +282,23 @@ void PipelinePanel::wantThumbnails(bool visible) {
 
 void PipelinePanel::setThumbnail(const Thumbnail& thumbnail) {
   const Picture& picture = thumbnail.picture;
-  if (!showsThumbnails_ || picture.width <= 0) return;
+  if (!showsThumbnails_ || picture.width <= 0 || thumbnail.subject < firstSubject_) return;
   for (Section& section : sections_) {
     if (section.main != thumbnail.id) continue;
     section.frame = thumbnail.frame;
     const QImage image(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
                        QImage::Format_RGBA8888);
     section.header->setThumbnail(image.copy()); // of its own: the picture ends
+  }
+}
+
+void PipelinePanel::startAnew(std::uint64_t subject) {
+  firstSubject_ = subject;
+  sharesFrame_ = -1;
+  for (Section& section : sections_) {
+    section.frame = -1;
+    section.header->setThumbnail({});
+    section.header->setNote({});
   }
 }
 

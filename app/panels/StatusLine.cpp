@@ -3,6 +3,7 @@
 #include "app/Icons.h"
 #include "app/Theme.h"
 
+#include "core/RenderRequests.h"
 #include "core/render/SceneRenderer.h"
 
 #include <QHBoxLayout>
@@ -19,11 +20,36 @@ QString drawnText(const Status& status) {
   return StatusLine::tr("rendered at %1 × %2 · ").arg(drawn.x).arg(drawn.y);
 }
 
+/// What the history of a picture that is not exact is of.
+QString historyText(const Status& status) {
+  if (status.inexactSince.empty()) return StatusLine::tr("history not exact yet");
+  switch (onlyCause(status.inexactSince).value_or(RequestKind::None)) {
+  case RequestKind::Settings:
+    return StatusLine::tr("history from old settings");
+  case RequestKind::Camera:
+    return StatusLine::tr("no history of this camera yet");
+  case RequestKind::Size:
+    return StatusLine::tr("no history of this size yet");
+  case RequestKind::MotionModes:
+    return StatusLine::tr("history with the old motion of objects");
+  case RequestKind::Objects:
+    return StatusLine::tr("history with the objects drawn before");
+  case RequestKind::Classes:
+    return StatusLine::tr("history with the old classes of objects");
+  case RequestKind::Restarts:
+    return StatusLine::tr("history with the old starts");
+  case RequestKind::Shaders:
+    return StatusLine::tr("history from old shaders");
+  default:
+    return StatusLine::tr("history from before several changes");
+  }
+}
+
 /// Why the picture is not what is wished for; empty when it is.
 QString cautionText(const Status& status) {
   if (status.goal)
     return StatusLine::tr("frame %1 until %2 is there").arg(status.info.frame).arg(*status.goal);
-  return status.exact ? QString() : StatusLine::tr("history from old settings");
+  return status.exact ? QString() : historyText(status);
 }
 
 } // namespace
@@ -54,7 +80,7 @@ StatusLine::StatusLine(QWidget* parent)
       tr("Whether the picture is exactly what these settings give from frame 0 on. "
          "After a change the old history is used until it has been made anew, and on the way to a "
          "frame the nearest one that was kept is shown."));
-  refreshBadge({});
+  refreshBadge();
 }
 
 void StatusLine::setHover(const QString& text) {
@@ -68,17 +94,38 @@ void StatusLine::setStatus(const Status& status) {
     times_->setText(drawnText(status) + tr("scene %1 ms · resolve %2 ms")
                                             .arg(status.times.scene, 0, 'f', 1)
                                             .arg(status.times.resolve, 0, 'f', 1));
-  if (const QString caution = cautionText(status); caution != caution_) refreshBadge(caution);
+  status_ = status;
+  refreshBadge();
 }
 
-void StatusLine::refreshBadge(const QString& caution) {
-  caution_ = caution;
-  const bool exact = caution.isEmpty();
+void StatusLine::setPicture(std::uint64_t subject) {
+  if (subject <= subject_) return;
+  subject_ = subject;
+  refreshBadge();
+}
+
+// A picture may be here before its status, but only where it is exact.
+void StatusLine::refreshBadge() {
+  if (status_.frameCount == 0) return show(Badge::None, {});
+  if (const QString caution = cautionText(status_); !caution.isEmpty()) return show(Badge::Caution, caution);
+  if (subject_ < status_.subject) return show(Badge::None, tr("no picture yet"));
+  show(Badge::Exact, tr("history from these settings"));
+}
+
+void StatusLine::show(Badge badge, const QString& text) {
+  if (badge == shown_ && text == badge_->text()) return;
+  shown_ = badge;
+  badge_->setText(text);
+  badgeIcon_->setVisible(badge != Badge::None);
   const ThemeColors& colors = themeColors(this);
-  badge_->setText(exact ? tr("history from these settings") : caution);
-  badgeIcon_->setPixmap(exact
-                            ? iconPixmap(QStringLiteral("right"), colors.right, 14, devicePixelRatioF())
-                            : iconPixmap(QStringLiteral("caution"), colors.caution, 14, devicePixelRatioF()));
+  if (badge == Badge::Exact)
+    badgeIcon_->setPixmap(iconPixmap(QStringLiteral("right"), colors.right, 14, devicePixelRatioF()));
+  else if (badge == Badge::Caution)
+    badgeIcon_->setPixmap(iconPixmap(QStringLiteral("caution"), colors.caution, 14, devicePixelRatioF()));
+}
+
+QString StatusLine::badge() const {
+  return badge_->text();
 }
 
 QString StatusLine::hover() const {
@@ -86,7 +133,7 @@ QString StatusLine::hover() const {
 }
 
 bool StatusLine::showsBadge() const {
-  return !caution_.isEmpty();
+  return shown_ == Badge::Caution;
 }
 
 } // namespace taa::app

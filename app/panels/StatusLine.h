@@ -3,7 +3,10 @@
 
 #include "core/RenderThread.h"
 
+#include <QString>
 #include <QWidget>
+
+#include <cstdint>
 
 class QLabel;
 
@@ -17,15 +20,22 @@ class StatusLine : public QWidget {
   /// Position and value under the mouse; empty: nothing there.
   void setHover(const QString& text);
   void setStatus(const Status& status);
+  /// Of which subject there is a picture; see Status.
+  void setPicture(std::uint64_t subject);
   QString hover() const;
+  QString badge() const; ///< empty: there is nothing to be said of a picture yet
   /// Whether the badge says that the picture is not what is wished for.
   bool showsBadge() const;
 
  private:
-  void refreshBadge(const QString& caution);
+  enum class Badge { None, Exact, Caution };
+  void refreshBadge();
+  void show(Badge badge, const QString& text);
 
   QLabel *hover_, *driver_, *times_, *badgeIcon_, *badge_;
-  QString caution_; ///< empty: none
+  Badge shown_ = Badge::None;
+  Status status_;
+  std::uint64_t subject_ = 0; ///< of the newest picture
 };
 
 } // namespace taa::app

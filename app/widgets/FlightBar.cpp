@@ -27,7 +27,8 @@ FlightBar::FlightBar(QWidget* over, int bottom)
     connect(button, &QPushButton::clicked, this, signal);
     line->addWidget(button);
   };
-  add(record_, tr("Keep the pose of each frame as a camera (Ctrl+Shift+R)"), &FlightBar::recordRequested);
+  add(record_, tr("Play, and keep where the camera is in each frame as a camera (Ctrl+Shift+R)"),
+      &FlightBar::recordRequested);
   add(new QPushButton(tr("Back")), tr("Back to the camera that was left (Backspace)"),
       &FlightBar::resetRequested);
   add(new QPushButton(tr("End")), tr("End the flight and stay here (Esc)"), &FlightBar::endRequested);
@@ -35,13 +36,27 @@ FlightBar::FlightBar(QWidget* over, int bottom)
   hide();
 }
 
-void FlightBar::setFlight(bool isOn, bool isRecording, double speed) {
-  const QString doing = isRecording ? tr("● Recording") : tr("Flying");
-  label_->setText(tr("%1  W A S D Q E: move   drag: look   wheel: %2 a second   Shift: faster   Ctrl: slower")
-                      .arg(doing, QString::number(speed, 'g', 2)));
-  record_->setText(isRecording ? tr("Stop recording") : tr("Record"));
+void FlightBar::setFlight(bool isOn, double speed) {
+  speed_ = speed;
+  showText();
   setVisible(isOn);
   if (isOn) place();
+}
+
+void FlightBar::setRecording(std::optional<std::pair<int, double>> recorded) {
+  recorded_ = recorded;
+  showText();
+  if (isVisible()) place();
+}
+
+void FlightBar::showText() {
+  const QString doing =
+      recorded_
+          ? tr("● Recording: %n frames, %1 s", nullptr, recorded_->first).arg(recorded_->second, 0, 'f', 2)
+          : tr("Flying");
+  label_->setText(tr("%1  W A S D Q E: move   drag: look   wheel: %2 a second   Shift: faster   Ctrl: slower")
+                      .arg(doing, QString::number(speed_, 'g', 2)));
+  record_->setText(recorded_ ? tr("Stop recording") : tr("Record"));
 }
 
 QString FlightBar::text() const {

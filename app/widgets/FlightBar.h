@@ -3,6 +3,9 @@
 
 #include <QFrame>
 
+#include <optional>
+#include <utility>
+
 class QLabel;
 class QPushButton;
 
@@ -14,8 +17,10 @@ class FlightBar : public QFrame {
   /// Lies over `over`, `bottom` px above its lower edge.
   FlightBar(QWidget* over, int bottom);
 
-  /// `speed`: world units a second.
-  void setFlight(bool isOn, bool isRecording, double speed);
+  /// What is flown, world units a second.
+  void setFlight(bool isOn, double speed);
+  /// Frames and seconds of a recording so far; nothing: there is none.
+  void setRecording(std::optional<std::pair<int, double>> recorded);
   QString text() const;
 
  Q_SIGNALS:
@@ -29,7 +34,11 @@ class FlightBar : public QFrame {
  private:
   void place();
 
+  void showText();
+
   int bottom_;
+  double speed_ = 1.0;
+  std::optional<std::pair<int, double>> recorded_;
   QLabel* label_;
   QPushButton* record_;
 };

@@ -37,10 +37,13 @@ std::shared_ptr<const SceneOutline> fakeOutline(const std::string& source) {
 
 void FakeRenderer::open(const std::string& source) {
   if (!source.starts_with("builtin:")) {
-    listener_.onError("cannot open " + source + ": there is no such file");
+    listener_.onError(
+        {"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
     return;
   }
   status.source = source;
+  status.opened = requests + 1; // as lastRequest() is about to say
+  ++status.subject;
   status.cameras = {"still", "pan"};
   status.camera = "still";
   status.objects = {"floor", "rotor & hub"};
@@ -74,12 +77,22 @@ void FakeRenderer::setCamera(const std::string& name) {
   deliver();
 }
 
+bool FakeRenderer::refuses(RequestKind kind) {
+  if (refused != kind) return false;
+  refused.reset();
+  listener_.onError({"this is refused", kind, requests + 1});
+  listener_.onStatus(status);
+  return true;
+}
+
 void FakeRenderer::setMotionModes(const std::vector<MotionOverride>& modes) {
+  if (refuses(RequestKind::MotionModes)) return;
   status.motionModes = modes;
   deliver();
 }
 
 void FakeRenderer::setObjectFilter(const ObjectFilter& filter) {
+  if (refuses(RequestKind::Objects)) return;
   status.filter = filter;
   deliver();
 }
@@ -94,7 +107,7 @@ void FakeRenderer::setRestarts(const std::vector<int>& frames) {
   deliver();
 }
 
-void FakeRenderer::fly(const CameraPose& pose) {
+void FakeRenderer::fly(const CameraPose& pose, RenderThread::Clock::duration) {
   addCameraTrack({kFreeCamera, 0, {pose}});
 }
 
@@ -139,6 +152,7 @@ void FakeRenderer::locate(const std::vector<int>& objects) {
 
 void FakeRenderer::setSettings(const Settings& settings) {
   ++settingsSent;
+  if (refuses(RequestKind::Settings)) return;
   ++status.subject;
   status.settings = settings;
   deliver();
@@ -225,7 +239,7 @@ void FakeRenderer::deliverThumbnails() {
                              {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
   }
   for (const IntermediateId id : mainRows()) {
-    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}};
+    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}, status.subject};
     const auto gray = static_cast<std::uint8_t>(static_cast<int>(id) * 3 + status.info.frame);
     thumbnail.picture.rgba.assign(static_cast<std::size_t>(thumbnails.x) * thumbnails.y * 4, gray);
     for (std::size_t alpha = 3; alpha < thumbnail.picture.rgba.size(); alpha += 4)
@@ -288,6 +302,7 @@ ViewResult FakeRenderer::draw(int view) const {
   result.view = view;
   result.request = views[static_cast<std::size_t>(view)];
   result.frame = status.info.frame;
+  result.subject = status.subject;
   const ViewRequest& request = result.request;
   result.picture = gray(request, request.asDifference ? kDifferenceGray : kGray);
   if (isOfReference(request.id)) {
@@ -313,6 +328,7 @@ ViewResult FakeRenderer::draw(int view) const {
 }
 
 void FakeRenderer::deliver() {
+  if (holdsBack) return;
   listener_.onStatus(status);
   if (status.frameCount == 0) return;
   for (std::size_t view = 0; view < views.size(); ++view)

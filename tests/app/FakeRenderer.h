@@ -48,11 +48,12 @@ class FakeRenderer final : public Renderer {
   void setObjectFilter(const ObjectFilter& filter) override;
   void setObjectClasses(const std::vector<ClassOverride>& classes) override;
   void setRestarts(const std::vector<int>& frames) override;
-  void fly(const CameraPose& pose) override;
+  void fly(const CameraPose& pose, RenderThread::Clock::duration took) override;
   void setRecording(bool recording) override;
   void addCameraTrack(const CameraTrack& track) override;
   void setFlownCameras(const FlownCameras& cameras) override;
   void locate(const std::vector<int>& objects) override;
+  RequestId lastRequest() override { return ++requests; }
   void setTracing(bool wanted) override;
   void fillTraces(int first, int last) override;
 
@@ -61,17 +62,21 @@ class FakeRenderer final : public Renderer {
   std::vector<ProbePin> pins;
   PinWish pinWish;
   std::optional<Settings> prepared; ///< the last ones
+  bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
-  std::vector<int> located; ///< objects
+  std::vector<int> located;           ///< objects
+  RequestId requests = 0;             ///< so far
+  std::optional<RequestKind> refused; ///< answers the next wish of this kind with an error and nothing else
   int reloads = 0, cancels = 0, settingsSent = 0;
   const RenderListener& listener() const { return listener_; }
+  void deliver(); ///< all that there is
 
  private:
-  void deliver();
+  bool refuses(RequestKind kind);
   void deliverThumbnails();
   void deliverTrace(const ProbePin& pin, int frame);
   void deliverProfile();

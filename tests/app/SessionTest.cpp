@@ -34,7 +34,7 @@ TEST(Mailbox, PostsOnceForAnyNumberOfResultsAndKeepsTheNewest) {
     result.view = 1;
     result.frame = frame;
     listener.onPicture(result);
-    listener.onError("error " + std::to_string(frame));
+    listener.onError({"error " + std::to_string(frame)});
   }
   EXPECT_EQ(posts, 1);
   const Delivery delivery = mailbox.take();

@@ -5,10 +5,14 @@
 #include "core/base/Error.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <future>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +30,37 @@ using taa::test::small::isSame;
 
 using SceneChoices = taa::test::small::InspectorTest;
 using FlightThread = taa::test::onThread::RenderThreadTest;
+
+/// A render thread whose clock of flights the test sets.
+class RecordingThread : public taa::test::onThread::RenderThreadTest {
+ protected:
+  using Clock = taa::RenderThread::Clock;
+
+  void SetUp() override {
+    RenderThreadTest::SetUp();
+    if (IsSkipped() || HasFatalFailure()) return;
+    thread = std::make_unique<taa::RenderThread>(recorder.listener(), [this] { return now(); });
+    thread->setSize(taa::test::onThread::kWidth, taa::test::onThread::kHeight);
+    thread->open("builtin:fan");
+    thread->setCamera("still");
+  }
+  Clock::time_point now() const { return Clock::time_point(Clock::duration(ticks)); }
+  void setClock(double seconds) {
+    ticks = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)).count();
+  }
+  void startAt(int frame) {
+    setClock(0.0);
+    thread->seek(frame);
+    thread->waitUntilIdle();
+    first = recorder.read([&] { return recorder.statuses.back().pose; });
+  }
+  void flyAt(double seconds, const CameraPose& pose, double took) {
+    setClock(seconds);
+    thread->fly(pose, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(took)));
+  }
+  std::atomic<Clock::rep> ticks = 0;
+  CameraPose first; ///< at the frame that was started at
+};
 
 CameraPose shifted(CameraPose pose, int steps) {
   pose.position.x += 0.05f * static_cast<float>(steps);
@@ -134,71 +169,89 @@ TEST_F(FlightThread, RestsWhereItWasFlownTo) {
   EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().camera; }), "orbit");
 }
 
-TEST_F(FlightThread, RecordsAPoseForEachFrameThatIsSteppedTo) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(2);
-  thread->waitUntilIdle();
+// Three seconds on the clock of whoever flies, of which this machine shows as many frames as it can.
+TEST_F(RecordingThread, HasAPoseForEachFrameOfTheShotsClock) {
+  startAt(20);
   thread->setRecording(true);
-  thread->waitUntilIdle();
-  const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
-  EXPECT_TRUE(recorder.read([&] { return recorder.statuses.back().recording; }));
-  for (int step = 1; step <= 4; ++step) {
-    thread->step(1);
-    thread->waitUntilIdle();
-    thread->fly(shifted(start, step * step));
-    thread->waitUntilIdle();
-  }
-  const std::vector<std::uint8_t> shown =
-      recorder.read([&] { return recorder.pictures.back().picture.rgba; });
-  EXPECT_TRUE(recorder.read([&] { return recorder.pictures.back().exact; }));
+  for (int told = 1; told <= 10; ++told) flyAt(0.1 * told, shifted(first, told), 0.1); // then it waits
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
+  EXPECT_TRUE(recorder.read([&] { return recorder.statuses.back().playing; }));
+  flyAt(3.0, shifted(first, 20), 0.5);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recordedFrames == 181; }));
   thread->setRecording(false);
   thread->waitUntilIdle();
   const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
   EXPECT_FALSE(status.recording);
+  EXPECT_FALSE(status.playing) << "it was at rest";
   EXPECT_EQ(status.camera, "Recorded 1");
+  EXPECT_EQ(status.info.frame, 200) << "where the clock is";
+  EXPECT_TRUE(status.exact);
+  EXPECT_EQ(status.pose, shifted(first, 20));
   ASSERT_EQ(status.tracks.size(), 1u);
-  for (int step = 0; step <= 4; ++step)
-    EXPECT_EQ(status.tracks[0]->at(2 + step), shifted(start, step * step)) << step;
-  // There and back again.
-  thread->seek(0);
-  thread->waitUntilIdle();
-  thread->seek(6);
-  thread->waitUntilIdle();
-  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown);
-  EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().camera; }), "Recorded 1");
+  const CameraTrack& track = *status.tracks[0];
+  EXPECT_EQ(track.firstFrame, 20);
+  ASSERT_EQ(track.poses.size(), 181u);
+  for (int frame = 0; frame <= 60; ++frame) // six of them for each pose that was told
+    EXPECT_NEAR(track.at(20 + frame).yaw, first.yaw + 0.4f * static_cast<float>(frame) / 6.0f, 1e-3f)
+        << frame;
+  for (int frame = 60; frame <= 150; ++frame)
+    EXPECT_EQ(track.at(20 + frame), shifted(first, 10)) << frame << ": it waited";
+  EXPECT_NEAR(track.at(20 + 165).yaw, first.yaw + 0.4f * 15.0f, 1e-3f);
 }
 
-TEST_F(FlightThread, RecordsWhileItPlays) {
+TEST_F(RecordingThread, WhatItShowsAtItsEndIsWhatSeekingShows) {
+  startAt(3);
+  thread->setViews({viewOf(IntermediateId::resolved)});
   thread->setRecording(true);
-  thread->waitUntilIdle();
-  const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
-  thread->setPlaying(true);
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; })); // else it is still at rest
-  for (int step = 1; step < 6; ++step) {
-    thread->fly(shifted(start, step));
-    ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
-  }
-  thread->setPlaying(false);
+  for (int told = 1; told <= 5; ++told) flyAt(0.1 * told, shifted(first, told * told), 0.1);
   thread->setRecording(false);
   thread->waitUntilIdle();
-  const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
-  ASSERT_EQ(status.tracks.size(), 1u);
-  const CameraTrack track = *status.tracks[0];
-  EXPECT_TRUE(status.exact) << "it was exact where it began";
-  EXPECT_EQ(track.at(status.info.frame), shifted(start, 5));
-  int changes = 0;
-  for (int frame = 1; frame <= status.info.frame; ++frame)
-    changes += !(track.at(frame) == track.at(frame - 1));
-  EXPECT_EQ(changes, 5);
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->waitUntilIdle();
-  const auto shown = recorder.read([&] { return recorder.pictures.back().picture.rgba; });
+  const auto shown = recorder.read([&] { return recorder.pictures.back(); });
+  EXPECT_EQ(shown.frame, 33);
+  EXPECT_TRUE(shown.exact);
   thread->seek(0);
-  thread->waitUntilIdle();
   thread->reloadShaders(); // nothing is kept after it
-  thread->seek(status.info.frame);
+  thread->seek(33);
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown);
+  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown.picture.rgba);
+}
+
+TEST_F(RecordingThread, EndsWithTheShotAndGoesOnPlayingWhereItPlayed) {
+  startAt(200);
+  thread->setLooping(false);
+  thread->setRecording(true);
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
+  flyAt(5.0, shifted(first, 4), 5.0);
+  ASSERT_TRUE(recorder.waitFor([&] { return !recorder.statuses.back().recording; }));
+  thread->waitUntilIdle();
+  taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+  EXPECT_EQ(status.tracks[0]->poses.size(), 40u) << "frames 200 to 239";
+  EXPECT_EQ(status.info.frame, 239);
+  EXPECT_FALSE(status.playing);
+  thread->setRecording(true);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.errors.size(), 1u) << "there is no frame after it";
+  EXPECT_EQ(recorder.failures.back().kind, taa::RequestKind::Recording);
+}
+
+TEST_F(RecordingThread, APauseAStepAndAJumpEndIt) {
+  const std::function<void()> ends[] = {[&] { thread->setPlaying(false); }, [&] { thread->step(2); },
+                                        [&] { thread->seek(5); }};
+  const int shown[] = {40, 42, 5};
+  for (int way = 0; way < 3; ++way) {
+    startAt(10);
+    thread->setRecording(true);
+    flyAt(0.5, shifted(first, 3), 0.25);
+    ends[way]();
+    thread->waitUntilIdle();
+    const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+    EXPECT_FALSE(status.recording) << way;
+    EXPECT_FALSE(way < 2 && status.playing) << way;
+    if (status.playing) thread->setPlaying(false);
+    EXPECT_EQ(status.info.frame, shown[way]) << way;
+    EXPECT_EQ(status.camera, "Recorded " + std::to_string(way + 1));
+    EXPECT_EQ(status.tracks.back()->poses.size(), 31u) << way;
+  }
 }
 
 TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {

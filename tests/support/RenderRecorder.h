@@ -28,6 +28,7 @@ struct Recorder {
   std::vector<Status> statuses;
   std::vector<Work> works;
   std::vector<std::string> errors;
+  std::vector<Failure> failures; ///< the same, with what they answer
   std::vector<FrameProfile> profiles;
   std::vector<StageCosts> costs;
   std::vector<Thumbnail> thumbnails;
@@ -52,7 +53,14 @@ struct Recorder {
                   if (onWork) onWork(work);
                   add(works, std::move(work));
                 },
-            .onError = [this](std::string text) { add(errors, std::move(text)); },
+            .onError =
+                [this](Failure failure) {
+                  read([&] {
+                    failures.push_back(failure);
+                    return true;
+                  });
+                  add(errors, std::move(failure.sentence));
+                },
             .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
             .onStageCosts = [this](StageCosts cost) { add(costs, std::move(cost)); },
             .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); },
@@ -81,6 +89,7 @@ struct Recorder {
     works.clear();
     traces.clear();
     errors.clear();
+    failures.clear();
     figures.clear();
   }
 };

@@ -93,8 +93,8 @@ class SlowRenderer final : public Renderer {
   void reloadShaders() override {}
   void cancel() override {}
   void setObjectFilter(const ObjectFilter&) override {}
-  void fly(const CameraPose& pose) override {
-    post([this, pose] { fake_.fly(pose); });
+  void fly(const CameraPose& pose, RenderThread::Clock::duration took) override {
+    post([this, pose, took] { fake_.fly(pose, took); });
   }
   void setPlayback(const Playback&) override {}
   void setReferenceSamples(int) override {}
@@ -107,6 +107,7 @@ class SlowRenderer final : public Renderer {
   void addCameraTrack(const CameraTrack&) override {}
   void setFlownCameras(const FlownCameras&) override {}
   void locate(const std::vector<int>&) override {}
+  RequestId lastRequest() override { return 0; }
 
  private:
   void post(std::function<void()> wish) {

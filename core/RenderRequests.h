@@ -1,0 +1,72 @@
+// What the render thread is asked for, by kind, so that its answers can say what they answer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+enum class RequestKind {
+  None, ///< nobody asked: the program itself
+  Source,
+  Size,
+  Camera,
+  MotionModes,
+  Settings,
+  Lanes,
+  Time,
+  Views,
+  Probes,
+  Traces,
+  Thumbnails,
+  Objects,
+  Classes,
+  Restarts,
+  Flight,
+  Recording,
+  FlownCameras,
+  Shaders,
+  Export,
+  Profile,
+  Reference,
+  Figures
+};
+inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Figures) + 1;
+
+/// Rises with each request; 0: none.
+using RequestId = std::uint64_t;
+
+/// The latest request of each kind.
+class LatestRequests {
+ public:
+  RequestId& of(RequestKind kind) { return ids_[static_cast<std::size_t>(kind)]; }
+  RequestId of(RequestKind kind) const { return ids_[static_cast<std::size_t>(kind)]; }
+  /// Takes the ids of those kinds that `newer` has any of.
+  void take(const LatestRequests& newer) {
+    for (std::size_t kind = 0; kind < kRequestKinds; ++kind)
+      if (newer.ids_[kind] != 0) ids_[kind] = newer.ids_[kind];
+  }
+
+ private:
+  std::array<RequestId, kRequestKinds> ids_{};
+};
+
+/// Something that could not be done: a sentence for people, and what it answers. Nothing else was lost.
+struct Failure {
+  std::string sentence;
+  RequestKind kind = RequestKind::None;
+  RequestId request = 0; ///< the latest of its kind that was taken up
+};
+
+/// The one kind that they all are, where a flown camera counts as a camera; nothing: there are none, or
+/// several.
+std::optional<RequestKind> onlyCause(const std::vector<RequestKind>& causes);
+
+/// What is being done while a frame is made anew because of requests of these kinds.
+std::string replayText(const std::vector<RequestKind>& causes);
+
+} // namespace taa

@@ -1,0 +1,137 @@
+// Errors of the render thread in the window: each takes back what it answers, and nothing else.
+#include "app/panels/MessagesBar.h"
+#include "app/widgets/Chooser.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QUrl>
+
+#include <string>
+#include <vector>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+class Refusals : public taa::app::test::FakeWindow {
+ protected:
+  /// By its command: "rectify.method=none".
+  void type(const char* command) {
+    key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* field = window.findChild<Chooser*>()->findChild<QLineEdit*>();
+    QTest::keyClicks(field, command);
+    QTest::keyClick(field, Qt::Key_Return);
+    settle();
+  }
+  /// From now on nothing that is asked for is answered.
+  void holdBack() { renderer->holdsBack = true; }
+  void goOn() {
+    renderer->holdsBack = false;
+    renderer->deliver();
+    settle();
+  }
+  /// As the render thread does: an error, then what is in force.
+  void fail(const char* sentence, RequestKind kind, RequestId request) {
+    renderer->listener().onError({sentence, kind, request});
+    renderer->listener().onStatus(before);
+    settle();
+  }
+  void SetUp() override {
+    FakeWindow::SetUp();
+    before = renderer->status;
+  }
+  Status before;
+};
+
+} // namespace
+
+TEST_F(Refusals, AnErrorOfAnExportLeavesWhatIsPendingInForceAndShown) {
+  holdBack();
+  type("rectify.method=none");
+  session.setHidden("floor", true);
+  session.setMotionMode("rotor & hub", MotionMode::None);
+  fail("cannot write /nowhere", RequestKind::Export, renderer->requests + 1);
+  EXPECT_TRUE(window.messages()->text().contains("/nowhere"));
+  EXPECT_EQ(session.settings().rectify.method, RectifyMethod::None);
+  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
+  ASSERT_EQ(session.motionModes().size(), 1u);
+  EXPECT_TRUE(window.windowTitle().contains("balanced*")) << window.windowTitle().toStdString();
+  goOn();
+  EXPECT_EQ(session.settings(), renderer->status.settings);
+  EXPECT_EQ(session.settings().rectify.method, RectifyMethod::None);
+  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
+}
+
+TEST_F(Refusals, SettingsThatAreRefusedGiveWayToThoseInForce) {
+  renderer->refused = RequestKind::Settings; // a shader that does not compile, memory that is not there
+  type("rectify.method=none");
+  EXPECT_EQ(session.settings(), before.settings);
+  EXPECT_TRUE(window.messages()->text().contains("refused"));
+  EXPECT_FALSE(window.windowTitle().contains("balanced*"));
+  renderer->refused = RequestKind::Settings;
+  session.setPreset("fsr2");
+  settle();
+  EXPECT_EQ(session.presetId(), "balanced") << "the name goes back with the values";
+  type("rectify.method=none");
+  EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::None) << "the next one is taken";
+}
+
+TEST_F(Refusals, OnlyTheRefusedValueIsDroppedAndNotANewerOne) {
+  holdBack();
+  session.setHidden("floor", true);
+  const RequestId first = renderer->requests;
+  session.setHidden("rotor & hub", true);
+  session.setMotionMode("floor", MotionMode::None);
+  fail("no such object", RequestKind::Objects, first);
+  EXPECT_EQ(session.objectFilter().hidden, (std::vector<std::string>{"floor", "rotor & hub"}));
+  fail("no such object", RequestKind::Objects, first + 1);
+  EXPECT_TRUE(session.objectFilter().hidden.empty()) << "that one was";
+  EXPECT_EQ(session.motionModes().size(), 1u);
+}
+
+TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
+  holdBack();
+  session.setMotionMode("floor", MotionMode::None);
+  session.setHidden("floor", true);
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile("/nowhere/missing.glb")});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &event);
+  settle();
+  EXPECT_TRUE(window.messages()->text().contains("missing.glb"));
+  renderer->listener().onStatus(before);
+  settle();
+  EXPECT_EQ(session.motionModes().size(), 1u);
+  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
+  goOn();
+  EXPECT_EQ(session.motionModes().size(), 1u);
+  session.open("builtin:fence");
+  settle();
+  EXPECT_TRUE(session.motionModes().empty()) << "another scene has none of it";
+  EXPECT_TRUE(session.objectFilter().hidden.empty());
+}
+
+TEST_F(Refusals, ASessionWhoseSceneCannotBeReadLeavesEverythingAsItWas) {
+  session.setPreset("fsr2");
+  session.setSize(96, 54);
+  session.seek(7);
+  settle();
+  SessionFile other = session.file();
+  other.source = "/nowhere/broken.glb"; // as the render thread finds out
+  other.settings = {"minimal", {}, {}};
+  other.size = {32, 18};
+  other.frame = 30;
+  session.restore(other);
+  settle();
+  EXPECT_EQ(session.presetId(), "fsr2");
+  EXPECT_EQ(renderer->status.settings, session.settings());
+  EXPECT_EQ(renderer->status.width, 96);
+  EXPECT_EQ(renderer->status.info.frame, 7);
+  EXPECT_EQ(renderer->status.source, "builtin:fan");
+}
