@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -41,11 +42,22 @@ struct Texts {
   std::string showing;
   int frame = -1, checkpoints = -1;
   double zoom = 0.0;
+  bool fresh = false;
 };
+
+/// Whether only options were given that leave open what is shown.
+bool leavesOpenWhatToShow(const CLI::App& app) {
+  return std::ranges::all_of(app.get_options(), [](const CLI::Option* option) {
+    const std::string name = option->get_name();
+    return option->count() == 0 || name == "--theme" || name == "--shaders" || name == "--timing";
+  });
+}
 
 void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("SOURCE", arguments.source,
-                 "A glTF file (.gltf, .glb), builtin:NAME or a session (.taa.json); builtin:fan without one");
+                 "A glTF file (.gltf, .glb), builtin:NAME or a session (.taa.json); without one, and without "
+                 "options that say what to show, what was open when the program was closed, or builtin:fan");
+  app.add_flag("--fresh", texts.fresh, "Do not go on from what was open when the program was closed");
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture of the whole window to FILE and end; needs no display")
       ->type_name("FILE");
@@ -163,6 +175,7 @@ std::optional<EarlyEnd> parseArguments(int argc, const char* const* argv, Argume
   try {
     app.parse(argc, argv);
     readTexts(texts, arguments);
+    arguments.reopens = !texts.fresh && leavesOpenWhatToShow(app);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
     const int code = app.exit(error, out, err) == 0 ? 0 : 2;

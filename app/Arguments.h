@@ -39,6 +39,7 @@ struct Arguments {
   std::optional<CameraTrack> track;    ///< looked through
   ObjectFilter filter;
   bool coreTexts = false; ///< print the texts of the tables for lupdate, and end
+  bool reopens = false;   ///< nothing says what to show: go on from where the program was closed
   bool timing = false;    ///< say on stderr when the first picture was there
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/Icons.h"
 #include "app/Numbers.h"
+#include "app/SessionKeeper.h"
 #include "app/menus/Menus.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LowerArea.h"
@@ -42,7 +43,6 @@ namespace taa::app {
 
 namespace {
 
-constexpr auto kFirstSource = "builtin:fan";
 // Where the fan's blades sweep over the bright wall: history is rejected and clipped there in every turn.
 constexpr glm::dvec2 kFirstPick{0.64, 0.40};
 
@@ -184,7 +184,10 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
   connect(&session_, &Session::pictureArrived, this, [this](int view) {
-    if (session_.picture(view)) views_->view(view)->setResult(session_.picture(view));
+    const std::shared_ptr<const ViewResult>& picture = session_.picture(view);
+    if (!picture) return;
+    views_->view(view)->setResult(picture);
+    statusLine_->setPicture(picture->subject);
   });
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
@@ -206,12 +209,13 @@ void MainWindow::showStatus() {
   }
   if (session_.isOpen() && status.source != shownSource_) {
     shownSource_ = status.source;
+    pipeline_->startAnew(status.subject);
     messages_->clear();
     QStringList warnings;
     for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
     messages_->setWarnings(warnings);
     // Nobody's change, so there is nothing to undo.
-    if (status.source == kFirstSource && !session_.pick())
+    if (status.source == kFirstSource && !session_.pick() && !keeper_->isFromSession())
       session_.setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
                          .frame = status.info.frame}},
                        0);
@@ -292,10 +296,12 @@ void MainWindow::showEvent(QShowEvent* event) {
   sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
   menuBar()->setCornerWidget(sourceLabel_);
   views_->active()->viewport()->setFocus();
+  keeper_->setFirstState(state());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   remember();
+  keeper_->leave();
   QMainWindow::closeEvent(event);
 }
 

@@ -1,6 +1,7 @@
 // Sessions as files: saved, opened, remembered, and offered again after a crash.
 #pragma once
 
+#include "core/RenderRequests.h"
 #include "core/io/SessionFile.h"
 
 #include <QJsonObject>
@@ -13,6 +14,8 @@
 class QSettings;
 
 namespace taa::app {
+
+inline constexpr auto kFirstSource = "builtin:fan"; ///< of a first start
 
 class Autosave;
 class MainWindow;
@@ -37,6 +40,19 @@ class SessionKeeper : public QObject {
   void clearRecent();
   /// Where cameras lie that copied command lines name: beside what is remembered.
   QString cameraFolder() const;
+  /// Whether a program that was closed has left something to go on from.
+  static bool canReopen(const QSettings& settings);
+  /// Goes on from there: also the window's place, and the file that it was saved to. What cannot be opened is
+  /// kept, said, and the first scene opened instead.
+  void reopen();
+  /// The window closes: the next start goes on from here.
+  void leave();
+  /// As at the first start; what was open is kept, and said where.
+  void startAnew();
+  /// The window as it is at a first start.
+  void setFirstState(const QJsonObject& state) { firstState_ = state; }
+  /// Whether what is open, or about to be, came from a session: it says itself what is probed.
+  bool isFromSession() const { return isFromSession_; }
   /// Shows a bar when the program ended without closing before.
   void offerOrphan();
   OfferBar* offer() const { return offer_; } ///< null: there is none
@@ -48,13 +64,23 @@ class SessionKeeper : public QObject {
 
  private:
   bool restore(const QString& path);
+  SessionFile wholeFile() const;
+  void placeWindow(const SessionFile& file);
   void remember(const QString& path);
+  void takeFailure();
+  void openFirst();
+  void sayWhenOpen(const QString& sentence);
   void finishRestoring();
 
   MainWindow& window_;
   QSettings* settings_;
-  QString path_, openSource_;
+  QString path_;
+  RequestId opened_ = 0;                 ///< see Status
   std::optional<SessionFile> restoring_; ///< until the picture has its size
+  QJsonObject before_, firstState_;      ///< of the window: before restoring_; at a first start
+  QString pathBefore_;
+  bool isReopening_ = false, isFromSession_ = false, isOfOrphan_ = false;
+  QString toSay_; ///< once the next scene is open, which clears what was said
   Autosave* autosave_ = nullptr;
   OfferBar* offer_ = nullptr;
 };

@@ -108,6 +108,7 @@ void showViews(ViewArea& views, const Arguments& arguments) {
   }
 }
 
+/// As a first start, or as the arguments say.
 void openScene(Session& session, const Arguments& arguments) {
   if (arguments.checkpoints)
     session.setCheckpointBudget(static_cast<std::size_t>(*arguments.checkpoints) << 20);
@@ -119,7 +120,7 @@ void openScene(Session& session, const Arguments& arguments) {
 /// it draws, and is refused in the window when there is none of this name; a session brings settings of its
 /// own.
 bool opensBeforeWindow(const Arguments& arguments) {
-  return arguments.preset.empty() && !taa::isSessionName(arguments.source);
+  return arguments.preset.empty() && !taa::isSessionName(arguments.source) && !arguments.reopens;
 }
 
 void begin(MainWindow& window, const Arguments& arguments) {
@@ -127,7 +128,9 @@ void begin(MainWindow& window, const Arguments& arguments) {
   if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
   showViews(*window.views(), arguments);
   if (arguments.pixel) session.setPick(*arguments.pixel);
-  if (taa::isSessionName(arguments.source))
+  if (arguments.reopens)
+    window.keeper()->reopen();
+  else if (taa::isSessionName(arguments.source))
     window.openSource(QString::fromStdString(arguments.source));
   else if (!opensBeforeWindow(arguments))
     openScene(session, arguments);
@@ -143,15 +146,16 @@ void begin(MainWindow& window, const Arguments& arguments) {
   if (arguments.panel == "scene") window.showScene(true);
   if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
   if (arguments.track) session.addCameraTrack(*arguments.track);
-  session.setObjectFilter(arguments.filter);
+  if (!(arguments.filter == taa::ObjectFilter{})) session.setObjectFilter(arguments.filter);
 }
 
-int run(QApplication& application, const Arguments& arguments) {
+int run(QApplication& application, Arguments arguments) {
   const bool isScreenshot = !arguments.screenshot.empty();
   Session session;
   if (arguments.timing) sayWhenPictureArrives(session);
-  if (opensBeforeWindow(arguments)) openScene(session, arguments);
   QSettings settings(QStringLiteral("taa-inspector"), QStringLiteral("taa-inspector"));
+  arguments.reopens = arguments.reopens && !isScreenshot && SessionKeeper::canReopen(settings);
+  if (opensBeforeWindow(arguments)) openScene(session, arguments);
   ThemeChoice theme = ThemeChoice::System;
   // A picture of the window looks the same whoever takes it.
   if (isScreenshot)

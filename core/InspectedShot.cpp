@@ -1,5 +1,6 @@
 #include "core/InspectedShot.h"
 
+#include "core/FirstSize.h"
 #include "core/InspectorParts.h"
 #include "core/base/Say.h"
 #include "core/inspect/MemoryNeed.h"
@@ -34,11 +35,9 @@ void checkSize(const glm::ivec2& size, const std::vector<Settings>& lanes,
 } // namespace
 
 InspectedShot::InspectedShot() : parts_(std::make_unique<Parts>()) {
-  // Without a GPU 720p plays at half the rate of this.
-  if (driver().isSoftware) {
-    parts_->subject.width = 960;
-    parts_->subject.height = 540;
-  }
+  const glm::ivec2 size = firstSize(driver());
+  parts_->subject.width = size.x;
+  parts_->subject.height = size.y;
 }
 InspectedShot::~InspectedShot() = default;
 

@@ -21,6 +21,9 @@ void Menus::makeFile() {
   })->setIcon(themedIcon(QStringLiteral("open")));
   makeRecent(menu->addMenu(tr("Open &recent")));
   SessionKeeper* keeper = window_.keeper();
+  add(menu, tr("Start &anew"), {}, [keeper] {
+    keeper->startAnew();
+  })->setToolTip(tr("The first scene, settings and layout. What is open is kept, and can be opened again."));
   add(menu, tr("&Save session"), keys({"Ctrl+S"}), [keeper] { keeper->save(); });
   add(menu, tr("Save session &as…"), keys({"Ctrl+Shift+S"}), [keeper] { keeper->askWhereToSave(); });
   makeExport(menu->addMenu(tr("&Export")));
