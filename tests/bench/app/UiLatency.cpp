@@ -93,6 +93,8 @@ class SlowRenderer final : public Renderer {
   void reloadShaders() override {}
   void cancel() override {}
   void setObjectFilter(const ObjectFilter&) override {}
+  void setObjectClasses(const std::vector<ClassOverride>&) override {}
+  void setRestarts(const std::vector<int>&) override {}
   void fly(const CameraPose& pose, RenderThread::Clock::duration took) override {
     post([this, pose, took] { fake_.fly(pose, took); });
   }
