@@ -104,7 +104,7 @@ FrameFigures Inspector::figuresBeside(int frame, const std::vector<Figure>& want
   }
   if (isOverTime) {
     cursor.flicker.frames.at(frame).shown = shownColors(output);
-    addFlicker(figures, wanted, flickerMaps(cursor.flicker, parts.firstOfFlicker(frame), frame),
+    addFlicker(figures, wanted, flickerMaps(cursor.flicker, parts.firstOfFlicker(frame), frame, progress),
                need.samples);
   }
   return figures;

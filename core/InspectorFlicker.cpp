@@ -103,7 +103,7 @@ void Inspector::refineFlicker(int samples, const Progress& progress, int lane) {
     last.shown = isExact(lane) ? shownColors(image(IntermediateId::output, lane))
                                : parts.shownBeside(frame(), window.cursor, progress, lane);
   rows.set(frame(), parts.flickerFrames, samples,
-           flickerMaps(window, parts.firstOfFlicker(frame()), frame()));
+           flickerMaps(window, parts.firstOfFlicker(frame()), frame(), progress));
 }
 
 std::optional<int> Inspector::flickerSamples(int lane) const {

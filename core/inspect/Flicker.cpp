@@ -1,5 +1,6 @@
 #include "core/inspect/Flicker.h"
 
+#include "core/base/Say.h"
 #include "core/inspect/SurfaceSteps.h"
 
 #include <glm/common.hpp>
@@ -78,14 +79,15 @@ FollowedPixel follow(std::span<const FlickerFrame* const> newestFirst, int x, in
 
 } // namespace
 
-FlickerMaps flickerMaps(std::span<const FlickerFrame* const> newestFirst) {
+FlickerMaps flickerMaps(std::span<const FlickerFrame* const> newestFirst, const Progress& progress) {
   assert(!newestFirst.empty());
   const int width = newestFirst.front()->shown.width, height = newestFirst.front()->shown.height;
   const bool isCompared =
       std::ranges::all_of(newestFirst, [](const FlickerFrame* frame) { return frame->referenceSamples > 0; });
   FlickerMaps maps{Image(width, height, 1), {}, Image(width, height, 1)};
   if (isCompared) maps.flicker = Image(width, height, 1);
-  for (int y = 0; y < height; ++y)
+  for (int y = 0; y < height; ++y) {
+    report(progress, say<"Flicker">(), y, height);
     for (int x = 0; x < width; ++x) {
       const FollowedPixel pixel = follow(newestFirst, x, y, isCompared);
       const double variance = pixel.shown.variance();
@@ -95,6 +97,7 @@ FlickerMaps flickerMaps(std::span<const FlickerFrame* const> newestFirst) {
         *maps.flicker.at(x, y) =
             static_cast<float>(std::sqrt(std::max(0.0, variance - pixel.reference.variance())));
     }
+  }
   return maps;
 }
 

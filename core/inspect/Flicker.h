@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/base/Progress.h"
 
 #include <optional>
 #include <span>
@@ -39,8 +40,9 @@ struct FlickerMaps {
   Image frames;  ///< F
 };
 
-/// Of the first frame; the others are those before it, newest first.
-FlickerMaps flickerMaps(std::span<const FlickerFrame* const> newestFirst);
+/// Of the first frame; the others are those before it, newest first. Asks `progress` row by row whether to
+/// stop.
+FlickerMaps flickerMaps(std::span<const FlickerFrame* const> newestFirst, const Progress& progress = {});
 
 /// Mean of a map over the pixels of which at least two frames were used; nothing where there are none.
 std::optional<double> meanOverTime(const Image& map, const Image& frames);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,14 @@ void keepOnly(FlickerWindow& window, int first, int last) {
   std::erase_if(window.frames, [&](const auto& entry) { return entry.first < first || entry.first > last; });
 }
 
-FlickerMaps flickerMaps(const FlickerWindow& window, int first, int last) {
+FlickerMaps flickerMaps(const FlickerWindow& window, int first, int last, const Progress& progress) {
   std::vector<const FlickerFrame*> newestFirst;
   for (int frame = last; frame >= first; --frame) newestFirst.push_back(&window.frames.at(frame));
-  return flickerMaps(newestFirst);
+  const int frames = last - first + 1;
+  const Progress told = [&](std::string_view what, int, int) {
+    return !progress || progress(what, frames, frames); // all are made: this is the end of it
+  };
+  return flickerMaps(newestFirst, told);
 }
 
 std::size_t flickerBytes(const glm::ivec2& picturePx, int frames) {

@@ -36,7 +36,7 @@ struct FlickerWindow {
 void keepOnly(FlickerWindow& window, int first, int last);
 
 /// Of frame `last`, of whose frames from `first` on all is made; reference: that of so many samples is.
-FlickerMaps flickerMaps(const FlickerWindow& window, int first, int last);
+FlickerMaps flickerMaps(const FlickerWindow& window, int first, int last, const Progress& progress);
 
 /// Bytes of main memory that the frames of one lane take.
 std::size_t flickerBytes(const glm::ivec2& picturePx, int frames);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 using taa::FlickerFrame;
@@ -133,6 +134,14 @@ TEST(Flicker, IsNotComparedWhereAReferenceIsMissing) {
   std::vector<FlickerFrame> frames = framesOf(3, 0.0f, still, still);
   frames[2].referenceSamples = 0;
   EXPECT_TRUE(mapsOf(frames).flicker.empty());
+}
+
+TEST(Flicker, StopsWhenItIsTold) {
+  const std::vector<FlickerFrame> frames = framesOf(2, 0.0f, still);
+  const std::vector<const FlickerFrame*> pointers{&frames[0], &frames[1]};
+  int reports = 0;
+  const taa::Progress stopsAtThree = [&](std::string_view, int, int) { return ++reports < 3; };
+  EXPECT_THROW(taa::flickerMaps(pointers, stopsAtThree), taa::Cancelled);
 }
 
 TEST(Flicker, HasNoMeanWhereNothingWasSeenBefore) {
