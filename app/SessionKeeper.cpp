@@ -67,6 +67,7 @@ SessionKeeper::SessionKeeper(MainWindow& window, QSettings* settings)
   Session& session = window_.session();
   connect(&session, &Session::statusChanged, this, &SessionKeeper::finishRestoring);
   connect(&session, &Session::openingFailed, this, &SessionKeeper::takeFailure);
+  connect(&session, &Session::errorOccurred, this, [this](const QString& error) { lastError_ = error; });
   if (!settings_) return;
   const auto text = [this] {
     return window_.session().isOpen() ? sessionToText(wholeFile()) : std::string();
@@ -114,7 +115,8 @@ bool SessionKeeper::restore(const QString& path) {
     isFromSession_ = true;
     return true;
   } catch (const std::exception& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    lastError_ = QString::fromUtf8(error.what());
+    Q_EMIT failed(lastError_);
     return false;
   }
 }
@@ -172,7 +174,7 @@ void SessionKeeper::openFirst() {
   isReopening_ = false;
   path_.clear();
   const auto kept = autosave_->keepAside();
-  toSay_ = tr("What was open last cannot be opened any more.");
+  toSay_ = tr("What was open last is not open again: %1.").arg(lastError_);
   if (kept) toSay_ += QLatin1Char(' ') + tr("It has been kept as %1.").arg(*kept);
   window_.setState(firstState_);
   window_.session().setPreset(QString::fromStdString(builtinPresets().front().id));

@@ -80,6 +80,7 @@ class SessionKeeper : public QObject {
   QJsonObject before_, firstState_;      ///< of the window: before restoring_; at a first start
   QString pathBefore_;
   bool isReopening_ = false, isFromSession_ = false, isOfOrphan_ = false;
+  QString lastError_;
   QString toSay_; ///< once the next scene is open, which clears what was said
   Autosave* autosave_ = nullptr;
   OfferBar* offer_ = nullptr;
