@@ -115,7 +115,7 @@ void RenderWorker::refineFlicker(int lane) {
   };
   reference_.isFlickerTold = true;
   bool goesOn = false;
-  const bool isDone = attempt([&] {
+  const bool isDone = attempt(RequestKind::Reference, [&] {
     try {
       inspector_.refineFlicker(flickerSamplesFor(lane), told, lane);
     } catch (const Cancelled&) {
