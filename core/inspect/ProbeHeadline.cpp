@@ -114,6 +114,8 @@ std::string keptText(const Values& v) {
 
 /// What speaks against history that was kept.
 std::string doubtText(const Values& v, const std::string& kept) {
+  if (v.of(Id::geometricFlicker) > 0)
+    return say<"%1; its depth differs as of a thin feature at rest, which single frames miss">(kept);
   switch (historyDoubt(v.record, v.settings)) {
   case HistoryDoubt::None:
     break;
@@ -140,6 +142,19 @@ std::string doubtText(const Values& v, const std::string& kept) {
       kept, percentText(mismatch), v.percent(Id::depthAllowed));
 }
 
+/// Beyond the one border that is tested as printed history is kept whole (catalogue 5.7).
+bool isFrozen(const Values& v) {
+  return v.settings.validate.offScreen == OffScreen::OneSided &&
+         static_cast<int>(v.of(Id::rejectReason)) == static_cast<int>(reference::RejectReason::OffScreen);
+}
+
+/// Whether what rejects history by a part changes α.
+bool countsLess(const Values& v) {
+  const float invalid = v.of(Id::alphaInvalid);
+  return invalid > story::alphaBeforeRejection(v.record) ||
+         (invalid > 0 && v.settings.validate.action == RejectAction::Decay);
+}
+
 std::string historyLine(const Values& v) {
   const int reason = static_cast<int>(v.of(Id::rejectReason));
   if (!isTaaOn(v.settings)) return say<"TAA is off">();
@@ -148,7 +163,8 @@ std::string historyLine(const Values& v) {
   const std::string why = sayLabel(rejectReasonText(reason));
   const float invalid = v.of(Id::alphaInvalid);
   if (invalid >= 1.0f) return say<"history rejected: %1">(why);
-  if (invalid > story::alphaBeforeRejection(v.record)) return say<"history counts less: %1">(why);
+  if (isFrozen(v)) return say<"history kept whole, as printed: %1">(why);
+  if (countsLess(v)) return say<"history counts less: %1">(why);
   return say<"history failed a test (%1), which changes nothing: it counted no more before">(why);
 }
 
@@ -190,6 +206,7 @@ std::string calmText(const Values& v, const std::string& source) {
 std::string alphaLine(const Values& v, const FrameInfo& info) {
   if (reference::isFirst(v.record) || v.of(Id::alphaInvalid) >= 1 || !isTaaOn(v.settings))
     return say<"α = 1: the current frame alone">();
+  if (isFrozen(v)) return say<"α = 0: history alone">();
   const std::string source = sourceText(v);
   std::string text = calmText(v, source);
   if (v.of(Id::alphaMotion) > 0) text = say<"%1 and %2 by motion">(text, v.number(Id::alphaMotion));
@@ -202,7 +219,9 @@ std::string alphaLine(const Values& v, const FrameInfo& info) {
   if (isUpsampled(v.settings)) text = say<"κ %1 × (%2)">(v.number(Id::sampleConfidence), text);
   if (v.of(Id::alphaMask) > 0) text = say<"max(%1, %2 by mask)">(text, v.number(Id::alphaMask));
   if (v.of(Id::alphaInvalid) > 0)
-    text = say<"%1, at least %2 when rejected">(text, v.number(Id::alphaInvalid));
+    text = v.settings.validate.action == RejectAction::Decay
+               ? say<"%1 and %2 as rejected">(text, v.number(Id::alphaInvalid))
+               : say<"%1, at least %2 when rejected">(text, v.number(Id::alphaInvalid));
   if (text != source) text += " = " + v.number(Id::alpha); // a source alone is told with its value
   if (v.settings.weight.source == AlphaSource::ContrastPerChannel)
     text = say<"%1, of channels %2">(text, tupleText(v.color(Id::alphaChannels), 3));
@@ -255,6 +274,7 @@ HistoryDoubt historyDoubt(const reference::PixelRecord& record, const Settings& 
   if (v.of(Id::rejectReason) != 0.0f || v.of(Id::blendFactor) >= 1.0f) return HistoryDoubt::None;
   if (v.of(Id::onScreen) == 0.0f) return HistoryDoubt::OffScreen;
   if (v.of(Id::geometricFlicker) > 0.0f) return HistoryDoubt::None;
+  if (v.of(Id::geometricFlicker) > 0.0f) return HistoryDoubt::None; // found to be the same, at rest
   const bool isUnlike = isUnlikeAround(v, Id::historyRectified);
   if (v.of(Id::depthMismatch) > v.of(Id::depthAllowed))
     return isUnlike ? HistoryDoubt::Ghost : HistoryDoubt::OtherSurface;
@@ -296,6 +316,7 @@ std::string depthMeaning(Id id, const Values& v) {
   case Id::depthMismatch:
     if (!isOther) return say<"same surface">();
     if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
+    if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
     return isTested ? say<"another surface">() : say<"another surface, not tested">();
   case Id::depthAllowed:
     return isTested ? "" : say<"not tested">();
@@ -315,7 +336,7 @@ std::string rejectionMeaning(Id id, const Values& v) {
   if (id == Id::rejectReason) return sayLabel(rejectReasonText(static_cast<int>(x)));
   if (x >= 1) return say<"rejected">();
   if (x == 0) return say<"not rejected">();
-  return x > story::alphaBeforeRejection(v.record) ? say<"counts less">() : say<"changes nothing">();
+  return countsLess(v) ? say<"counts less">() : say<"changes nothing">();
 }
 
 std::string historyMeaning(Id id, const Values& v) {
