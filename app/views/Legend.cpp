@@ -145,15 +145,16 @@ void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style
 }
 
 void addScale(Writer& writer, const LegendSubject& subject) {
-  const auto& [row, style, isDifference, note, reasons] = subject;
+  const Intermediate& row = subject.row;
+  const ViewStyle& style = subject.style;
   if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
     writer.icon(kLegendHeight - 4, kLegendHeight - 4, [](QPainter& painter, const QRect& place) {
       const int ratio = std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()));
       painter.drawImage(place, hueDisk(place.height() * ratio));
     });
     writer.digits(QStringLiteral("≤ %1").arg(shortText(extent(style))));
-  } else if (row.id == IntermediateId::rejectReason && row.visual == Visual::Index && reasons) {
-    addReasons(writer, *reasons, nullptr, true);
+  } else if (row.id == IntermediateId::rejectReason && row.visual == Visual::Index && subject.reasons) {
+    addReasons(writer, *subject.reasons, nullptr, true);
   } else if (row.visual == Visual::Index) {
     addCategories(writer, row);
   } else if (usesColorMap(row, style)) {
