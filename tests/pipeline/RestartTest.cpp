@@ -9,6 +9,7 @@
 
 #include <future>
 #include <memory>
+#include <utility>
 #include <vector>
 
 using namespace taa;

@@ -33,7 +33,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::find_if_not ranges::for_each ranges::is_sorted ranges::lower_bound ranges::max "
      "ranges::max_element ranges::min ranges::min_element ranges::none_of ranges::nth_element "
      "ranges::remove_copy_if ranges::reverse ranges::sort ranges::stable_partition ranges::stable_sort "
-     "ranges::transform ranges::unique ranges::upper_bound ranges::contains ranges::replace "
+     "ranges::set_symmetric_difference ranges::transform ranges::unique ranges::upper_bound ranges::contains "
+     "ranges::replace "
      "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax"},
     {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
@@ -81,7 +82,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"new", "bad_alloc nothrow"},
     {"numbers", "numbers"},
     {"numeric", "accumulate gcd iota lcm lerp midpoint reduce inner_product partial_sum"},
-    {"optional", "make_optional nullopt optional ptrdiff_t size_t"},
+    {"optional", "make_optional nullopt nullopt_t optional ptrdiff_t size_t"},
     {"ostream", "endl fixed flush ios ostream streamsize"},
     {"random",
      "minstd_rand mt19937 normal_distribution uniform_int_distribution uniform_real_distribution mt19937_64"},
