@@ -4,6 +4,7 @@
 #include <QJsonValue>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace taa::app {

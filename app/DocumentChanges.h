@@ -3,6 +3,8 @@
 
 #include "app/StateWatch.h"
 
+#include <optional>
+
 namespace taa::app {
 
 /// Of ViewArea::state(): what undo is about. Where one looks (zoom, place) and which view has the keys is

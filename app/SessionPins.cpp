@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>

@@ -8,7 +8,10 @@
 #include "tests/app/WindowFixture.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 using namespace taa;
 using namespace taa::app;

@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include <string>
 #include <vector>
 
 using namespace taa;

@@ -1,3 +1,4 @@
+// Files that are there already are counted and refused unless they may be replaced.
 #include "core/base/ExistingFiles.h"
 
 #include "core/base/Error.h"
