@@ -55,10 +55,10 @@ struct Recorder {
                 },
             .onError =
                 [this](Failure failure) {
-                  read([&] {
+                  {
+                    const std::lock_guard lock(mutex);
                     failures.push_back(failure);
-                    return true;
-                  });
+                  }
                   add(errors, std::move(failure.sentence));
                 },
             .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
