@@ -1,8 +1,7 @@
 #include "core/inspect/ProbeHeadline.h"
 
 #include "core/base/Say.h"
-#include "core/inspect/StoryText.h"
-#include "core/scene/ObjectClass.h"
+#include "core/inspect/ProbeValues.h"
 #include "core/taa/reference/Color.h"
 #include "core/taa/reference/Known.h"
 #include "core/taa/reference/Stages.h"
@@ -14,28 +13,19 @@
 
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace taa {
 
 namespace {
 
+using story::countsLess;
 using story::Id;
 using story::isOn;
 using story::numberText;
 using story::percentText;
 using story::tupleText;
-
-/// What a line is made from.
-struct Values {
-  const reference::PixelRecord& record;
-  const Settings& settings;
-
-  float of(Id id) const { return reference::at(record, id).x; }
-  glm::vec2 pair(Id id) const { return glm::vec2(reference::at(record, id)); }
-  glm::vec3 color(Id id) const { return glm::vec3(reference::at(record, id)); }
-  std::string number(Id id, int digits = 4) const { return numberText(of(id), digits); }
-  std::string percent(Id id) const { return percentText(of(id)); }
-};
+using story::Values;
 
 // --- Whose motion ---
 
@@ -146,13 +136,6 @@ std::string doubtText(const Values& v, const std::string& kept) {
 bool isFrozen(const Values& v) {
   return v.settings.validate.offScreen == OffScreen::OneSided &&
          static_cast<int>(v.of(Id::rejectReason)) == static_cast<int>(reference::RejectReason::OffScreen);
-}
-
-/// Whether what rejects history by a part changes α.
-bool countsLess(const Values& v) {
-  const float invalid = v.of(Id::alphaInvalid);
-  return invalid > story::alphaBeforeRejection(v.record) ||
-         (invalid > 0 && v.settings.validate.action == RejectAction::Decay);
 }
 
 std::string historyLine(const Values& v) {
@@ -288,128 +271,6 @@ std::vector<std::string> probeHeadline(const reference::PixelRecord& record, con
                                  alphaLine(v, info), lengthLine(v)};
   if (std::string shown = outputLine(v); !shown.empty()) lines.push_back(std::move(shown));
   return lines;
-}
-
-namespace {
-
-std::string classText(int number) {
-  switch (static_cast<ObjectClass>(number)) {
-  case ObjectClass::Sky:
-    return say<"sky">();
-  case ObjectClass::Still:
-    return say<"still">();
-  case ObjectClass::Moving:
-    return say<"moves rigidly">();
-  case ObjectClass::Deforming:
-    return say<"deforms">();
-  case ObjectClass::Character:
-    return say<"a character">();
-  }
-  return {};
-}
-
-/// Of depths now and then.
-std::string depthMeaning(Id id, const Values& v) {
-  const bool isTested = isOn(v.settings.validate.depth);
-  const bool isOther = v.of(Id::depthMismatch) > v.of(Id::depthAllowed);
-  switch (id) {
-  case Id::depthMismatch:
-    if (!isOther) return say<"same surface">();
-    if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
-    if (v.of(Id::geometricFlicker) > 0) return say<"a thin feature at rest">();
-    return isTested ? say<"another surface">() : say<"another surface, not tested">();
-  case Id::depthAllowed:
-    return isTested ? "" : say<"not tested">();
-  default:
-    return v.of(id) == 0.0f ? say<"sky">() : "";
-  }
-}
-
-std::string maskMeaning(Id id, const Values& v) {
-  const bool isAny = v.of(id) > 0;
-  if (id == Id::overlayAlpha) return isAny ? say<"%1 hidden">(v.percent(id)) : say<"nothing over it">();
-  return isAny ? say<"%1 masked">(v.percent(id)) : say<"not masked">();
-}
-
-std::string rejectionMeaning(Id id, const Values& v) {
-  const float x = v.of(id);
-  if (id == Id::rejectReason) return sayLabel(rejectReasonText(static_cast<int>(x)));
-  if (x >= 1) return say<"rejected">();
-  if (x == 0) return say<"not rejected">();
-  return countsLess(v) ? say<"counts less">() : say<"changes nothing">();
-}
-
-std::string historyMeaning(Id id, const Values& v) {
-  const float x = v.of(id);
-  switch (id) {
-  case Id::clipAmount:
-    return x > 0 ? say<"pulled %1">(v.percent(id)) : say<"not clipped">();
-  case Id::depthEdge:
-    return x != 0 ? say<"one bilinear tap">() : "";
-  case Id::historyObjectId:
-    return x == 0 ? say<"sky, or not kept">() : "";
-  case Id::lock:
-    return x > 0 ? say<"takes back %1">(v.percent(id)) : say<"not locked">();
-  case Id::instability:
-    return x > 0 ? say<"comes and goes">() : say<"steady">();
-  default:
-    return {};
-  }
-}
-
-std::string outputMeaning(Id id, const Values& v) {
-  const float x = v.of(id);
-  if (id == Id::blurTrust)
-    return x < 1 ? say<"%1 motion blur">(percentText(1.0 - static_cast<double>(x))) : "";
-  if (id == Id::referenceError)
-    return x > 0 ? say<"too bright">() : x < 0 ? say<"too dark">() : say<"as it should be">();
-  return say<"%1 current">(v.percent(id));
-}
-
-} // namespace
-
-std::string meaningOf(IntermediateId id, const reference::PixelRecord& record, const Settings& settings) {
-  if (!reference::isKnown(record, id))
-    return isOfHistory(id)  ? say<"no history yet">()
-           : isOverTime(id) ? say<"not measured">()
-                            : say<"no reference drawn">();
-  const Values v{record, settings};
-  switch (id) {
-  case Id::motion:
-  case Id::dilatedMotion:
-    return v.of(id) >= kNoPreviousPosition ? say<"no previous">() : "";
-  case Id::depth:
-  case Id::depthView:
-  case Id::dilatedDepth:
-  case Id::depthExpected:
-  case Id::objectId:
-  case Id::historyDepth:
-  case Id::depthMismatch:
-  case Id::depthAllowed:
-    return depthMeaning(id, v);
-  case Id::dilatedOffset:
-    return v.pair(id) == glm::vec2(0.0f) ? say<"the pixel itself">() : say<"a neighbor">();
-  case Id::onScreen:
-    return v.of(id) != 0 ? say<"inside">() : say<"outside">();
-  case Id::sampleConfidence:
-    return v.of(id) == 0 ? say<"keeps history">() : "";
-  case Id::reactive:
-  case Id::responsive:
-  case Id::overlayAlpha:
-    return maskMeaning(id, v);
-  case Id::objectClass:
-    return classText(static_cast<int>(v.of(id)));
-  case Id::rejectReason:
-  case Id::alphaInvalid:
-    return rejectionMeaning(id, v);
-  case Id::alpha:
-  case Id::blendFactor:
-  case Id::referenceError:
-  case Id::blurTrust:
-    return outputMeaning(id, v);
-  default:
-    return historyMeaning(id, v);
-  }
 }
 
 } // namespace taa

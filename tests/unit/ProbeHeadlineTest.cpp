@@ -134,6 +134,20 @@ TEST(ProbeHeadline, NamesAGhostThatNothingRejects) {
             "off the screen, where the border is read instead");
 }
 
+TEST(ProbeHeadline, TellsAThinFeatureAtRestFromAnotherSurface) {
+  Pixel pixel;
+  pixel.set(Id::depthMismatch, 0.2f);
+  pixel.set(Id::geometricFlicker, 1.0f);
+  pixel.set(Id::alphaFlicker, 0.5f);
+  pixel.set(Id::alpha, 0.0625f);
+  EXPECT_EQ(historyDoubt(pixel.record, pixel.settings), HistoryDoubt::None);
+  EXPECT_EQ(pixel.first(),
+            "Did not move, history kept as it was; its depth differs as of a thin feature at rest, which "
+            "single frames miss");
+  EXPECT_EQ(pixel.alpha(), "N = 7 → α = max(1/(7 + 1), 0.1) × 0.5 = 0.0625");
+  EXPECT_EQ(meaningOf(Id::depthMismatch, pixel.record, pixel.settings), "a thin feature at rest");
+}
+
 TEST(ProbeHeadline, SaysWhatIsAllowedForASlopeWhereItIsMuch) {
   Pixel pixel;
   pixel.set(Id::depthMismatch, 10.6f);
