@@ -331,8 +331,9 @@ const Parameter kParameters[] = {
      FIELD(validate.flicker)},
     {"validate.restLimit", "Rest ends at", Stage::ValidateHistory, K::Number, Effect::Uniform, "px", 0, 16,
      kNoChoices,
-     "Change of motion, against any of the 3×3 texels around the history position, up to which nothing "
-     "parts. Jitter moves samples by half a pixel, so that less cannot be told from it.",
+     "Difference of the pixel's motion to that of what history shows there, up to which nothing parts: what "
+     "hid its surface then hides it still. Jitter moves samples by half a pixel, so that less cannot be told "
+     "from it.",
      "θ", "catalogue 13.9", "validate.depth=on", FIELD(validate.restLimit)},
     {"validate.speed", "Speed limit", Stage::ValidateHistory, K::Toggle, Effect::Program, "", 0, 1,
      kNoChoices, "Rejects the history of what moves faster than a limit.", "‖v‖ > v max ⇒ α = 1",

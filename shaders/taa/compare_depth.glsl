@@ -40,15 +40,20 @@ DepthMatch bestOfNine(float expected, ivec2 middle) {
   return best;
 }
 
-/// Of the texels to which a bilinear tap gives a weight.
+/// Whether a bilinear tap gives a weight to a texel.
+bool isRead(ivec2 texel, vec2 position) {
+  precise vec2 way = abs((vec2(texel) + 0.5) - position);
+  return way.x < 1.0 && way.y < 1.0;
+}
+
+/// Of the texels that are read.
 DepthMatch bestOfRead(float expected, vec2 position) {
   precise vec2 corner = floor(position - 0.5);
   DepthMatch best = DepthMatch(0.0, 0.0);
   bool isFirst = true;
   for (int k = 0; k < 4; ++k) {
     ivec2 texel = ivec2(corner) + ivec2(k % 2, k / 2);
-    precise vec2 way = abs((vec2(texel) + 0.5) - position);
-    if (!(way.x < 1.0 && way.y < 1.0)) continue;
+    if (!isRead(texel, position)) continue;
     takeBetter(expected, storedDepth(texel), isFirst, best);
     isFirst = false;
   }
@@ -78,11 +83,15 @@ float allowedMismatch(ivec2 chosen, float expected) {
   return mix(sloped, settings.validateDepthTolerance, expected == 0.0 || center == 0.0);
 }
 
-/// Whether everything around a texel of history moved then as the pixel moves now.
-bool isAtRest(vec2 motion, ivec2 middle) {
+/// Whether what history shows at a position, all that a bilinear tap reads, moved then as the pixel moves now: if it hid
+/// the pixel's surface, it hides it still.
+bool isAtRest(vec2 motion, vec2 position) {
+  precise vec2 corner = floor(position - 0.5);
   bool result = true;
-  for (int k = 0; k < 9; ++k) {
-    precise vec2 change = motion - historyAt(u_historyMotion, middle + ivec2(k % 3 - 1, k / 3 - 1)).rg;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 texel = ivec2(corner) + ivec2(k % 2, k / 2);
+    if (!isRead(texel, position)) continue;
+    precise vec2 change = motion - historyAt(u_historyMotion, texel).rg;
     if (!(speedOf(change) <= settings.validateRestLimit)) result = false;
   }
   return result;
@@ -131,7 +140,7 @@ DepthTest compareDepth(ivec2 texel, DilatedMotion dilated, vec2 position) {
   if (hasHistory() && kReads) match = bestOfRead(expected, position);
   if (hasHistory() && !kReads) match = bestOfNine(expected, middle);
   DepthTest test = DepthTest(match.mismatch > allowed, false);
-  if (kTellsRest && test.isOther && keeps(kLayer_motion) && isAtRest(dilated.motion, middle)) {
+  if (kTellsRest && test.isOther && keeps(kLayer_motion) && isAtRest(dilated.motion, position)) {
     if (kReads) match = bestOfNine(expected, middle);
     test.isOther = match.mismatch > allowed;
     if (kFindsFlicker && test.isOther) test.isFlicker = isThinFeature(texel, middle, expected, match, allowed);

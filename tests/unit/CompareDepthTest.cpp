@@ -88,7 +88,7 @@ TEST(CompareDepth, LooksAlikeToAllSides) {
 TEST(CompareDepth, LooksOnlyWhereABilinearTapReadsWhereThingsPart) {
   const auto seenAt = [](int column, float q, const glm::vec2& then) {
     Inputs inputs = frames(wall, [=](int x, int) { return x == column ? kWall : kLine; });
-    for (int y = 0; y < kSize; ++y) inputs.historyMotion.at(kMiddle - 1, y)[0] = then.x;
+    for (int y = 0; y < kSize; ++y) inputs.historyMotion.at(kMiddle, y)[0] = then.x;
     return !compared(inputs, likeBalanced(), {q, kMiddle + 0.5f}).isOther;
   };
   const glm::vec2 still(0.0f), slow(0.5f, 0.0f), fast(0.51f, 0.0f);
@@ -101,6 +101,17 @@ TEST(CompareDepth, LooksOnlyWhereABilinearTapReadsWhereThingsPart) {
   Inputs without = frames(wall, [](int x, int) { return x == kMiddle + 1 ? kWall : kLine; });
   without.historyMotion = {};
   EXPECT_TRUE(compared(without, likeBalanced()).isOther) << "no motion is kept: nothing is known to rest";
+}
+
+// A wire at rest has the wall behind it, however something moves beside it.
+TEST(CompareDepth, AsksWhatHistoryShowsWhetherItMoved) {
+  Inputs inputs = frames(wall, [](int x, int) { return x == kMiddle + 1 ? kWall : kLine; });
+  for (int y = 0; y < kSize; ++y) inputs.historyMotion.at(kMiddle + 1, y)[0] = 9.0f;
+  EXPECT_FALSE(compared(inputs, likeBalanced()).isOther);
+  EXPECT_TRUE(compared(inputs, likeBalanced(), {kMiddle + 0.75f, kMiddle + 0.5f}).mismatch == 0.0f) << "read";
+  for (int y = 0; y < kSize; ++y) inputs.historySurface.at(kMiddle + 1, y)[1] = kLine;
+  for (int y = 0; y < kSize; ++y) inputs.historySurface.at(kMiddle - 1, y)[1] = kWall;
+  EXPECT_TRUE(compared(inputs, likeBalanced(), {kMiddle + 0.75f, kMiddle + 0.5f}).isOther) << "it moved away";
 }
 
 // The wire of builtin:fence at 4.70 m before 75 and 59 m: its neighbors are other surfaces, and no slope.
@@ -198,7 +209,7 @@ TEST(CompareDepth, WhatIsWideIsNoFlicker) {
 
 TEST(CompareDepth, WhatMovesIsNoFlicker) {
   Inputs inputs = frames(wall, column(kMiddle - 1, 3));
-  for (int y = 0; y < kSize; ++y) inputs.historyMotion.at(kMiddle + 1, y)[1] = 0.75f; // the line moved down
+  for (int y = 0; y < kSize; ++y) inputs.historyMotion.at(kMiddle, y)[1] = 0.75f; // the line moved down
   EXPECT_TRUE(compared(inputs, likeBalanced()).isOther);
   ValidateSettings lenient = likeBalanced();
   lenient.restLimit = 0.75f;

@@ -88,11 +88,11 @@ float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, co
   return settings.depthTolerance + (settings.slopeAllowance * depthSlope(inputs, chosen)) / expected;
 }
 
-/// Nothing around moved otherwise a frame ago, but for the limit. NaN moves.
+/// Nothing that history shows there moved otherwise a frame ago, but for the limit. NaN moves.
 bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm::vec2& motion,
-              const glm::ivec2& middle) {
+              const glm::vec2& position) {
   if (inputs.historyMotion.empty()) return false;
-  return std::ranges::all_of(square(middle), [&](const glm::ivec2& place) {
+  return std::ranges::all_of(readTexels(position), [&](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToPicture(place, inputs);
     const glm::vec2 change = motion - glm::vec2(inputs.historyMotion.texel(texel.x, texel.y));
     const float length = std::sqrt(change.x * change.x + change.y * change.y);
@@ -100,7 +100,7 @@ bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm:
   });
 }
 
-/// Whether `steps` is where one sees past what is nearer, on both sides, four texels apart at most.
+/// Whether one sees past what is nearer on both sides, four texels apart at most; the pixel is in the middle.
 bool isThinAlong(const std::array<bool, 7>& isSeenPast) {
   for (std::size_t before = 1; before <= 3; ++before)
     for (std::size_t after = 1; after <= 3; ++after)
@@ -146,7 +146,7 @@ ComparedDepth compareDepth(const Inputs& inputs, const ValidateSettings& setting
   takeBest(inputs, settings, widens ? readTexels(position) : square(middle), result);
   result.isOther = result.mismatch > result.allowed;
   if (!result.isOther || !(findsFlicker || (isOn && widens))) return result;
-  if (!isAtRest(inputs, settings, dilated.motion, middle)) return result;
+  if (!isAtRest(inputs, settings, dilated.motion, position)) return result;
   takeBest(inputs, settings, square(middle), result);
   result.isOther = result.mismatch > result.allowed;
   result.isFlicker = result.isOther && findsFlicker && isThin(inputs, result, drawn, middle);
