@@ -1,6 +1,7 @@
 // Errors of the render thread in the window: each takes back what it answers, and nothing else.
 #include "app/panels/MessagesBar.h"
 #include "app/widgets/Chooser.h"
+#include "core/settings/Parameters.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QDragEnterEvent>
