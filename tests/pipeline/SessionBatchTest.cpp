@@ -76,7 +76,13 @@ TEST_F(SessionBatchTest, RestartsAndClassesAreFlagsAndPartOfASession) {
   const auto reasonOf = [&](const std::vector<std::string>& arguments) {
     const ProcessResult result = batch(arguments);
     EXPECT_EQ(result.exitCode, 0) << result.err;
-    return nlohmann::json::parse(result.out).at("lanes").at(0).at("values").at("rejectReason").get<float>();
+    return nlohmann::json::parse(result.out)
+        .at("lanes")
+        .at(0)
+        .at("values")
+        .at("rejectReason")
+        .at("V")
+        .get<float>();
   };
   const std::vector<std::string> probe{"--pixel", "30,20", "--json"};
   EXPECT_EQ(reasonOf(joined({"probe", "--session", file().string()}, probe)), 1.0f) << "no history";
