@@ -50,7 +50,8 @@ RowStory lengthStory(const Teller& t) {
   const float alpha = t.value(Id::alpha);
   const std::string a = t.number(Id::alpha), n = t.number(Id::historyKeptLength);
   const bool isTo16 = t.settings().blend.length == LengthRule::CountTo16;
-  if (isTo16 && t.details().isFirst) return {say<"the first frame is not counted">(), "", ""};
+  if (isTo16 && t.details().isFirst)
+    return {say<"the first frame is not counted">(), t.equals("0", Id::historyLength), ""};
   if (isTo16 && (alpha < 1.0f || t.details().seen.decays))
     return {say<"one more, and no more than 16">(),
             t.equals(call("min", {n + " + " + t.number(Id::sampleConfidence), "16"}), Id::historyLength), ""};
