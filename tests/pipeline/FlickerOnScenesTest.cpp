@@ -1,8 +1,8 @@
 // Flicker of frames of a scene: a function of the last frames however they were reached, that changes
 // nothing.
-#include "core/inspect/Flicker.h"
 #include "core/base/Error.h"
 #include "core/inspect/FigureCursor.h"
+#include "core/inspect/Flicker.h"
 #include "core/taa/reference/Known.h"
 #include "tests/support/SmallInspector.h"
 
@@ -41,7 +41,7 @@ void expectSameRows(const std::vector<Image>& a, const std::vector<Image>& b) {
 
 } // namespace
 
-class FlickerTest : public InspectorTest {
+class FlickerOnScenesTest : public InspectorTest {
  protected:
   static std::unique_ptr<Inspector> small() {
     auto inspector = opened();
@@ -50,7 +50,7 @@ class FlickerTest : public InspectorTest {
   }
 };
 
-TEST_F(FlickerTest, IsTheSameHoweverTheFrameWasReached) {
+TEST_F(FlickerOnScenesTest, IsTheSameHoweverTheFrameWasReached) {
   const auto rowsAt9 = [](const taa::Settings& settings) {
     const auto inspector = small();
     inspector->setSettings(settings);
@@ -76,7 +76,7 @@ TEST_F(FlickerTest, IsTheSameHoweverTheFrameWasReached) {
   expectSameRows(rowsOf(*played), others);
 }
 
-TEST_F(FlickerTest, IsThatOfWhatIsShown) {
+TEST_F(FlickerOnScenesTest, IsThatOfWhatIsShown) {
   // Where all stands still the way stays on the pixel.
   const auto inspector = small();
   inspector->setCamera("still");
@@ -117,7 +117,7 @@ TEST_F(FlickerTest, IsThatOfWhatIsShown) {
   EXPECT_GT(checked, 100);
 }
 
-TEST_F(FlickerTest, IsOnlyThereOnceItIsMade) {
+TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
   const auto inspector = small();
   inspector->seek(6);
   for (const IntermediateId id : kRows) {
@@ -138,7 +138,7 @@ TEST_F(FlickerTest, IsOnlyThereOnceItIsMade) {
   EXPECT_FALSE(inspector->flickerSamples());
 }
 
-TEST_F(FlickerTest, StartsAnewWithHistory) {
+TEST_F(FlickerOnScenesTest, StartsAnewWithHistory) {
   const auto inspector = small();
   rowsOf(*inspector); // frame 0
   for (const float frames : inspector->image(framesFollowed).pixels) ASSERT_EQ(frames, 1.0f);
@@ -148,7 +148,7 @@ TEST_F(FlickerTest, StartsAnewWithHistory) {
   EXPECT_EQ(*std::ranges::max_element(frames.pixels), 3.0f);
 }
 
-TEST_F(FlickerTest, FollowsTheGeometryAndNotTheSettings) {
+TEST_F(FlickerOnScenesTest, FollowsTheGeometryAndNotTheSettings) {
   const auto inspector = small();
   inspector->seek(9);
   const Image frames = rowsOf(*inspector, 0).back();
@@ -160,7 +160,7 @@ TEST_F(FlickerTest, FollowsTheGeometryAndNotTheSettings) {
   EXPECT_TRUE(isSame(rowsOf(*inspector, 0).back(), frames));
 }
 
-TEST_F(FlickerTest, LooksWithoutHarmAndGoesOnAfterACancel) {
+TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   const auto inspector = small();
   inspector->seek(9);
   const Image before = inspector->image(output);
@@ -178,7 +178,7 @@ TEST_F(FlickerTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   expectSameRows(rows, rowsOf(*straight));
 }
 
-TEST_F(FlickerTest, FiguresBesideAreThoseOfTheFrame) {
+TEST_F(FlickerOnScenesTest, FiguresBesideAreThoseOfTheFrame) {
   const auto inspector = small();
   const std::vector<Figure> wanted{Figure::Deviation, Figure::Flicker, Figure::Psnr, Figure::MeanAlpha};
   taa::FigureCursor cursor;
