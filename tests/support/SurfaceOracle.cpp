@@ -33,7 +33,10 @@ SurfaceOracle::SurfaceOracle(const Scene& scene, const FrameInputs& inputs)
     if (mesh < 0) continue;
     for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(mesh)].primitives) {
       ++object;
-      if (primitive.topology == Topology::Triangles) add(scene, inputs, node, primitive, object);
+      const AlphaMode mode = scene.materials[static_cast<std::size_t>(primitive.material)].alphaMode;
+      if (primitive.topology == Topology::Triangles &&
+          mode != AlphaMode::Blend) // that has no depth of its own
+        add(scene, inputs, node, primitive, object);
     }
   }
 }
