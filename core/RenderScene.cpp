@@ -64,20 +64,30 @@ void RenderWorker::applyScene(const Wishes& wishes) {
     change(RequestKind::Classes, [&] { inspector_.setObjectClasses(*scene.classes); });
   if (scene.restarts && *scene.restarts != inspector_.restarts())
     change(RequestKind::Restarts, [&] { inspector_.setRestarts(*scene.restarts); });
-  applyFlight(scene);
+  applyFlight(wishes);
 }
 
-// A recording has all poses until it ends; what is on show has the last one.
-void RenderWorker::applyFlight(const SceneWishes& scene) {
-  const std::optional<RecordingWish>& wish = scene.recording;
-  if (wish && wish->on && !flight_.recording)
-    change(RequestKind::Recording, [&] { beginRecording(wish->at); });
-  if (flight_.recording)
-    for (const FlownPose& flown : scene.poses) flight_.recording->moveTo(flown.pose, flown.at, flown.took);
-  const bool ends = wish && !wish->on && flight_.recording;
-  if (ends) endRecording(wish->at);
-  if (scene.poses.empty() || (ends && scene.poses.back().at <= wish->at)) return;
-  const CameraPose& pose = scene.poses.back().pose;
+// A recording has all poses that were flown while it went on, also where its beginning and its end are taken
+// up together; what is on show has the last one.
+void RenderWorker::applyFlight(const ShotWishes& wishes) {
+  const std::vector<FlownPose>& poses = wishes.scene.poses;
+  const auto record = [&] {
+    for (const FlownPose& flown : poses) flight_.recording->moveTo(flown.pose, flown.at, flown.took);
+  };
+  if (flight_.recording) record();
+  std::vector<RecordingWish> recordings = wishes.earlierRecordings;
+  if (wishes.scene.recording) recordings.push_back(*wishes.scene.recording);
+  bool isLastRecorded = false;
+  for (const RecordingWish& wish : recordings) {
+    if (wish.on && !flight_.recording) {
+      if (change(RequestKind::Recording, [&] { beginRecording(wish.at); })) record();
+    } else if (!wish.on && flight_.recording) {
+      endRecording(wish.at);
+      isLastRecorded = !poses.empty() && poses.back().at <= wish.at;
+    }
+  }
+  if (poses.empty() || isLastRecorded) return;
+  const CameraPose& pose = poses.back().pose;
   flight_.pose.reset();
   if (playing_)
     flight_.pose = pose; // of the next frame

@@ -209,7 +209,10 @@ void RenderThread::fly(const CameraPose& pose, Clock::duration took) {
 
 void RenderThread::setRecording(bool recording) {
   const RecordingWish wish{recording, parts_->now()};
-  parts_->post(RequestKind::Recording, [&](Wishes& wishes) { wishes.scene.recording = wish; });
+  parts_->post(RequestKind::Recording, [&](Wishes& wishes) {
+    if (wishes.scene.recording) wishes.earlierRecordings.push_back(*wishes.scene.recording);
+    wishes.scene.recording = wish;
+  });
 }
 
 void RenderThread::setFlownCameras(const FlownCameras& cameras) {

@@ -29,7 +29,10 @@ void Wishes::refuseSource() {
   if (!scene.filter) scene.filter = before.scene.filter;
   if (!scene.classes) scene.classes = before.scene.classes;
   if (!scene.restarts) scene.restarts = before.scene.restarts;
-  if (!scene.recording) scene.recording = before.scene.recording;
+  if (!scene.recording) {
+    scene.recording = before.scene.recording;
+    earlierRecordings = before.earlierRecordings;
+  }
   if (!scene.located) scene.located = before.scene.located;
   if (frame) return;
   frame = before.frame;

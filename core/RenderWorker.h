@@ -106,7 +106,7 @@ class RenderWorker {
   void addReference(ViewResult& result);
   double playedPerSecond() const;
   void applyScene(const Wishes& wishes);
-  void applyFlight(const SceneWishes& scene);
+  void applyFlight(const ShotWishes& wishes);
   void beginRecording(Clock::time_point at);
   void endRecording(Clock::time_point at);
   void layTrack(int frame, const CameraPose& pose);

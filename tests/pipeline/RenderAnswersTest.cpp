@@ -26,7 +26,9 @@ TEST_F(RenderAnswersTest, AnErrorSaysWhatItAnswersAndNothingElseIsDropped) {
   thread->setSettings(otherJitter());
   const taa::RequestId settings = thread->lastRequest();
   taa::SequenceRequest bad;
-  bad.target = "/nowhere/at/all";
+  bad.target = "/nowhere/at/all.png";
+  bad.picture.width = 8;
+  bad.picture.height = 8;
   thread->exportSequence(bad);
   const taa::RequestId exported = thread->lastRequest();
   thread->setViews({viewOf(IntermediateId::alpha)});
