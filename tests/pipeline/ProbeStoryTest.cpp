@@ -303,6 +303,7 @@ TEST_F(ProbeStoryTest, WhatThePrintedWayBackCutsOffIsTold) {
   details.isFirst = false;
   details.neighborhood.boxMin = details.neighborhood.boxMax = wall;
   reference::at(record, IntermediateId::historyRaw) = glm::vec4(8.0f, 2.0f, 0.5f, 0.0f);
+  reference::at(record, IntermediateId::rectifyStrength).x = 1.0f;
   const auto told = [&] {
     return storyOf(IntermediateId::historyRectified, {record, details, settings, {}, {}});
   };

@@ -122,6 +122,8 @@ inline constexpr Phrase kPhrases[] = {
     {"lies inside",
      [](const ProbedPixel& p) { return valueOf(p, Id::onScreen) == 1 || p.details.isFirst || !isMoved(p); }},
     {"the current frame alone", [](const ProbedPixel& p) { return valueOf(p, Id::alpha) == 1; }},
+    {"thin feature at rest", [](const ProbedPixel& p) { return valueOf(p, Id::geometricFlicker) > 0; }},
+    {"frames miss", [](const ProbedPixel& p) { return valueOf(p, Id::geometricFlicker) > 0; }},
     {"history starts anew", [](const ProbedPixel& p) { return valueOf(p, Id::alpha) == 1; }},
 };
 
