@@ -9,6 +9,7 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/FlightBar.h"
+#include "app/widgets/SearchField.h"
 #include "app/widgets/Prompt.h"
 
 #include <QJsonArray>
