@@ -9,8 +9,8 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/FlightBar.h"
-#include "app/widgets/SearchField.h"
 #include "app/widgets/Prompt.h"
+#include "app/widgets/SearchField.h"
 
 #include <QJsonArray>
 #include <QLineEdit>
