@@ -48,7 +48,7 @@ class FlickerOnScenes : public test::GlTest, public testing::WithParamInterface<
     inspector.open("builtin:" + scene);
     inspector.setCamera("still");
     std::vector<std::vector<Sums>> sums(lanes.size(), std::vector<Sums>(std::size_t{kWidth} * kHeight));
-    inspector.seek(11); // past the frames in which N grows to its end
+    inspector.seek(5);
     for (int frame = 0; frame < kPeriod; ++frame) {
       inspector.advance();
       const Image motion = inspector.image(IntermediateId::motion);
@@ -114,8 +114,9 @@ TEST_F(DepthOnScenes, AWireDoesNotTakeTheColorOfWhatIsFarBehindIt) {
     const Image mismatch = inspector.image(IntermediateId::depthMismatch, lane);
     const Image reason = inspector.image(IntermediateId::rejectReason, lane);
     const Image flicker = inspector.image(IntermediateId::geometricFlicker, lane);
-    for (std::size_t i = 0; i < mismatch.pixels.size(); ++i) // ground at the horizon alone recedes so much
-      EXPECT_FALSE(mismatch.pixels[i] > 0.5f && reason.pixels[i] == 0.0f && flicker.pixels[i] == 0.0f) << i;
+    // Ground at the horizon may recede by its own depth in a texel; nothing is farther off and yet the same.
+    for (std::size_t i = 0; i < mismatch.pixels.size(); ++i)
+      EXPECT_FALSE(mismatch.pixels[i] > 1.0f && reason.pixels[i] == 0.0f && flicker.pixels[i] == 0.0f) << i;
   }
 }
 

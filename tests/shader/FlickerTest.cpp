@@ -77,7 +77,7 @@ TEST_F(FlickerTest, IsWhatTheTwinSays) {
     const taa::reference::Inputs frame = lines(7);
     const taa::test::Exposed exposed = expose(frame, shape(), settings);
     const Image& flicker = exposed.at(IntermediateId::geometricFlicker);
-    EXPECT_GT(std::ranges::count(flicker.pixels, 1.0f), 50);
+    EXPECT_GT(std::ranges::count(flicker.pixels, 1.0f), 20);
     EXPECT_GT(std::ranges::count(exposed.at(IntermediateId::rejectReason).pixels, 4.0f), 50);
     taa::reference::Inputs inputs = frame;
     inputs.resolved = exposed.at(IntermediateId::resolved);
