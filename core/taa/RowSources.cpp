@@ -154,7 +154,9 @@ constexpr SameRow kSame[] = {
     {alpha, alphaChannels,
      [](const Settings& s) { return s.weight.source != AlphaSource::ContrastPerChannel; }},
     {historyKeptLength, historyRawLength,
-     [](const Settings& s) { return s.rectify.method != RectifyMethod::ClampForget; }},
+     [](const Settings& s) {
+       return s.rectify.method != RectifyMethod::ClampForget && s.validate.action != RejectAction::Decay;
+     }},
     {historyRectified, historyRaw, [](const Settings& s) { return s.rectify.method == RectifyMethod::None; }},
     {boxMin, neighborhoodMin, kBoxIsMinMax},
     {boxMax, neighborhoodMax, kBoxIsMinMax},
