@@ -48,11 +48,13 @@ TEST(MemoryNeed, CountsFogWhereTheSceneHasSome) {
   EXPECT_EQ(inputs("inputs.fogDensity=0"), 2 * 32 * kPixels);
 }
 
-// Color 8 or 16, surface 8, and the layers that settings ask for.
+// Color 8 or 16, surface 8, and the layers that settings ask for: motion 8 for the depth test at rest,
+// object 8.
 TEST(MemoryNeed, CountsTheHistoriesThatLivePlayingAtOnce) {
-  EXPECT_EQ(needOf({"history.precision=half"}).histories, 7 * 16 * kPixels);
-  EXPECT_EQ(needOf({"history.precision=full"}).histories, 7 * 24 * kPixels);
-  EXPECT_EQ(needOf({"history.precision=half", "validate.object=on"}).histories, 7 * 24 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=half", "validate.depth=off"}).histories, 7 * 16 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=full", "validate.depth=off"}).histories, 7 * 24 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=half"}).histories, 7 * 24 * kPixels);
+  EXPECT_EQ(needOf({"history.precision=half", "validate.object=on"}).histories, 7 * 32 * kPixels);
   EXPECT_EQ(needOf({"inputs.renderScale=0.5"}).histories, needOf({}).histories)
       << "they have the picture's size";
 }
