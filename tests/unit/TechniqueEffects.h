@@ -275,7 +275,7 @@ inline const std::map<std::string, std::initializer_list<const char*>>& testsOfT
         "FogHistoryTest.OnlyTheClampTakesAwayWhatMovedOn"}},
       {"20.6",
        {"ReferenceBlend.EightBitsStallAndDitherTakesTheBiasAway",
-        "FoggyShotTest.AnEightBitHistoryKeepsItsNoiseUnlessItIsDithered"}},
+        "FoggyShotTest.AnEightBitHistoryStopsInBandsUnlessItIsDithered"}},
       {"20.7", {"TextureReadTest.DitheredAlphaIsDrawnInAsManyOfSixteenFramesAsItSays"}},
       {"20.8", {"ReferenceOutput.ScreenNoiseIsTriangular", "ReferenceOutput.DitherIsAStepOfSquareRoots"}},
       {"21.1",
