@@ -304,9 +304,12 @@ TEST_F(BatchTest, ProbesWhatItExports) {
     ASSERT_EQ(result.exitCode, 0) << result.err;
     const json report = json::parse(result.out), &lane = report["lanes"][0];
     EXPECT_EQ(lane["settings"]["rectify"]["method"], "clamp");
+    EXPECT_GE(lane["headline"].size(), 3u);
+    EXPECT_TRUE(lane["stories"]["historyPosition"]["formula"].get<std::string>().starts_with("(")) << lane;
     for (const taa::Intermediate& row : taa::kResolveRows) {
       const std::string id(row.name);
       const std::vector<std::string> channels = taa::channelNames(row, space);
+      EXPECT_FALSE(lane["stories"][id]["words"].get<std::string>().empty()) << id;
       const taa::Image image = taa::readPart(folder / "frame.0005.exr", id, channels);
       for (std::size_t channel = 0; channel < channels.size(); ++channel) {
         const float probed = floatOf(lane["values"][id][channels[channel]]);
@@ -324,6 +327,9 @@ TEST_F(BatchTest, ShowsAPixelToPeople) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   for (const taa::Intermediate& row : taa::kResolveRows)
     EXPECT_NE(result.out.find(std::string(row.label)), std::string::npos) << row.label;
+  EXPECT_NE(result.out.find("\nFrames of samples now: N = "), std::string::npos) << "the headline";
+  EXPECT_NE(result.out.find("      (20.5, 10.5) − ("), std::string::npos)
+      << "the formula of the history position";
 }
 
 class BatchProfile : public taa::test::GlTest {};
