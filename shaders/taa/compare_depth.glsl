@@ -27,34 +27,33 @@ struct DepthMatch {
 
 float storedDepth(ivec2 texel) { return historyAt(u_historySurface, texel).g; }
 
-/// The first of the best in reading order.
-void takeBetter(float expected, float stored, bool isFirst, inout DepthMatch best) {
-  float mismatch = depthMismatch(expected, stored);
-  if (isFirst || mismatch < best.mismatch) best = DepthMatch(stored, mismatch);
-}
-
-/// Of 3×3 around a texel of history.
-DepthMatch bestOfNine(float expected, ivec2 middle) {
-  DepthMatch best = DepthMatch(0.0, 0.0);
-  for (int k = 0; k < 9; ++k) takeBetter(expected, storedDepth(middle + ivec2(k % 3 - 1, k / 3 - 1)), k == 0, best);
-  return best;
-}
-
 /// Whether a bilinear tap gives a weight to a texel.
 bool isRead(ivec2 texel, vec2 position) {
   precise vec2 way = abs((vec2(texel) + 0.5) - position);
   return way.x < 1.0 && way.y < 1.0;
 }
 
-/// Of the texels that are read.
-DepthMatch bestOfRead(float expected, vec2 position) {
-  precise vec2 corner = floor(position - 0.5);
+/// Depths stored in 3×3 around a texel of history.
+struct Around {
+  ivec2 middle;
+  float depth[9]; // m, row-major
+};
+
+Around storedAround(ivec2 middle) {
+  Around around;
+  around.middle = middle;
+  for (int k = 0; k < 9; ++k) around.depth[k] = storedDepth(middle + ivec2(k % 3 - 1, k / 3 - 1));
+  return around;
+}
+
+/// The first of the best in reading order, of all nine or of those that are read at a position.
+DepthMatch bestMatch(float expected, Around around, vec2 position, bool isOfRead) {
   DepthMatch best = DepthMatch(0.0, 0.0);
   bool isFirst = true;
-  for (int k = 0; k < 4; ++k) {
-    ivec2 texel = ivec2(corner) + ivec2(k % 2, k / 2);
-    if (!isRead(texel, position)) continue;
-    takeBetter(expected, storedDepth(texel), isFirst, best);
+  for (int k = 0; k < 9; ++k) {
+    if (isOfRead && !isRead(around.middle + ivec2(k % 3 - 1, k / 3 - 1), position)) continue;
+    float mismatch = depthMismatch(expected, around.depth[k]);
+    if (isFirst || mismatch < best.mismatch) best = DepthMatch(around.depth[k], mismatch);
     isFirst = false;
   }
   return best;
@@ -103,25 +102,26 @@ bool isAsFar(float depth, float other, float allowed) {
   return depth == 0.0 || (other != 0.0 && depth >= least);
 }
 
-/// Whether the nearer of the two surfaces, that of now or that of history, is seen past on opposite sides which lie four
-/// texels apart at most: what one frame sees of a line a pixel wide, dilated, is three texels wide.
-bool isThinFeature(ivec2 texel, ivec2 middle, float expected, DepthMatch match, float allowed) {
+/// Whether what history shows, nearer than now, is thin: seen past two texels away on opposite sides. What one frame has
+/// of a line a pixel wide is three texels wide once it is dilated; and beside its middle, 3×3 see past it.
+bool wasThin(ivec2 middle, float expected, float allowed) {
   const ivec2 kAxes[4] = ivec2[](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(1, -1));
-  bool isUncovered = isNearer(match.depth, expected);
-  float farther = isUncovered ? expected : match.depth;
   bool result = false;
   for (int axis = 0; axis < 4; ++axis) {
-    ivec2 nearest = ivec2(4); // steps to where one sees past, on both sides
-    for (int k = 3; k > 0; --k) {
-      for (int side = 0; side < 2; ++side) {
-        ivec2 step = (side == 0 ? -k : k) * kAxes[axis];
-        float depth = isUncovered ? storedDepth(middle + step) : texelAt(u_previousDepth, texel + step).r;
-        if (isAsFar(depth, farther, allowed)) nearest[side] = k;
-      }
-    }
-    if (nearest.x + nearest.y <= 4) result = true;
+    bool isBefore = isAsFar(storedDepth(middle - 2 * kAxes[axis]), expected, allowed);
+    bool isAfter = isAsFar(storedDepth(middle + 2 * kAxes[axis]), expected, allowed);
+    if (isBefore && isAfter) result = true;
   }
   return result;
+}
+
+/// Whether what is there now, nearer than history, is thin: the pixel's own sample sees past it, or opposite neighbors'.
+bool isThinNow(ivec2 texel, float stored, float allowed) {
+  bool isSeenPast[9];
+  for (int k = 0; k < 9; ++k)
+    isSeenPast[k] = isAsFar(texelAt(u_previousDepth, texel + ivec2(k % 3 - 1, k / 3 - 1)).r, stored, allowed);
+  return isSeenPast[4] || (isSeenPast[0] && isSeenPast[8]) || (isSeenPast[1] && isSeenPast[7]) ||
+         (isSeenPast[2] && isSeenPast[6]) || (isSeenPast[3] && isSeenPast[5]);
 }
 
 struct DepthTest {
@@ -137,13 +137,15 @@ DepthTest compareDepth(ivec2 texel, DilatedMotion dilated, vec2 position) {
   float expected = texelAt(u_previousDepth, chosen).r;
   float allowed = allowedMismatch(chosen, expected);
   DepthMatch match = DepthMatch(0.0, 0.0);
-  if (hasHistory() && kReads) match = bestOfRead(expected, position);
-  if (hasHistory() && !kReads) match = bestOfNine(expected, middle);
+  Around around = storedAround(middle);
+  if (hasHistory()) match = bestMatch(expected, around, position, kReads);
   DepthTest test = DepthTest(match.mismatch > allowed, false);
   if (kTellsRest && test.isOther && keeps(kLayer_motion) && isAtRest(dilated.motion, position)) {
-    if (kReads) match = bestOfNine(expected, middle);
+    if (kReads) match = bestMatch(expected, around, position, false);
     test.isOther = match.mismatch > allowed;
-    if (kFindsFlicker && test.isOther) test.isFlicker = isThinFeature(texel, middle, expected, match, allowed);
+    if (kFindsFlicker && test.isOther)
+      test.isFlicker = isNearer(match.depth, expected) ? wasThin(middle, expected, allowed)
+                                                       : isThinNow(texel, match.depth, allowed);
     test.isOther = test.isOther && !test.isFlicker;
   }
   expose_depthExpected(expected);

@@ -100,15 +100,8 @@ bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm:
   });
 }
 
-/// Whether one sees past what is nearer on both sides, four texels apart at most; the pixel is in the middle.
-bool isThinAlong(const std::array<bool, 7>& isSeenPast) {
-  for (std::size_t before = 1; before <= 3; ++before)
-    for (std::size_t after = 1; after <= 3; ++after)
-      if (before + after <= 4 && isSeenPast[3 - before] && isSeenPast[3 + after]) return true;
-  return false;
-}
-
-/// Of the nearer of the two surfaces, in its own frame.
+/// Of the nearer of the two surfaces, in its own frame: seen past on opposite sides, in history, which is
+/// dilated by a texel to all sides, a texel farther out. Now the pixel's own sample may see past it too.
 bool isThin(const Inputs& inputs, const ComparedDepth& depth, const glm::ivec2& drawn,
             const glm::ivec2& middle) {
   const bool wasNearer = distance(depth.stored) < distance(depth.expected);
@@ -116,15 +109,13 @@ bool isThin(const Inputs& inputs, const ComparedDepth& depth, const glm::ivec2& 
   const auto isSeenPast = [&](const glm::ivec2& step) {
     const glm::ivec2 now = clampedToDrawn(drawn + step, inputs);
     const float seen =
-        wasNearer ? storedAt(inputs, middle + step) : inputs.previousDepth.texel(now.x, now.y).x;
+        wasNearer ? storedAt(inputs, middle + 2 * step) : inputs.previousDepth.texel(now.x, now.y).x;
     return seen == 0.0f || (farther != 0.0f && seen >= farther * (1.0f - depth.allowed));
   };
+  if (!wasNearer && isSeenPast({0, 0})) return true;
   constexpr std::array<glm::ivec2, 4> kAxes{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
-  return std::ranges::any_of(kAxes, [&](const glm::ivec2& axis) {
-    std::array<bool, 7> along{};
-    for (int k = -3; k <= 3; ++k) along[static_cast<std::size_t>(k + 3)] = isSeenPast(k * axis);
-    return isThinAlong(along);
-  });
+  return std::ranges::any_of(kAxes,
+                             [&](const glm::ivec2& axis) { return isSeenPast(axis) && isSeenPast(-axis); });
 }
 
 } // namespace
