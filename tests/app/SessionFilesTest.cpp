@@ -285,22 +285,27 @@ TEST_F(SessionFiles, SaveDialogsAskBeforeTheyReplaceAFile) {
     auto* dialog = own->findChild<QFileDialog*>();
     ASSERT_TRUE(dialog);
     dialog->setDirectory(folder.path());
-    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
+    settle(); // it reads the folder, then selects the file that the session came from
+    auto* field = dialog->findChild<QLineEdit*>("fileNameEdit");
+    field->selectAll();
+    QTest::keyClicks(field, name);
+    ASSERT_EQ(field->text(), name);
     bool asked = false;
     // Its question has a loop of its own.
-    const auto reply = [&] {
+    QTimer looks;
+    QObject::connect(&looks, &QTimer::timeout, own.get(), [&] {
       for (QWidget* widget : QApplication::topLevelWidgets())
-        if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible())
+        if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible() && !asked) {
           for (QAbstractButton* button : box->buttons())
-            if (button->text().remove('&') == answer) {
-              asked = true;
-              button->click();
-            }
-    };
-    QTimer::singleShot(100, own.get(), reply);
+            asked = asked || button->text().remove('&') == answer;
+          for (QAbstractButton* button : box->buttons())
+            if (button->text().remove('&') == answer || !asked) return button->click();
+        }
+    });
+    looks.start(20);
     QMetaObject::invokeMethod(dialog, "accept");
-    if (!asked) QTest::qWait(150);
-    EXPECT_TRUE(asked) << name.toStdString();
+    EXPECT_TRUE(taa::app::test::waitFor([&] { return asked; }, 5000)) << name.toStdString();
+    looks.stop();
     delete own->findChild<QFileDialog*>();
     settle();
   };
