@@ -12,227 +12,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>history rejected: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>history counts less: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>history kept, pulled %1 of the way into the box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>history kept as it was</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, locked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, for its luma comes and goes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no previous position</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>moved %1 px</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1/(%1 + 1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>α = 1: the current frame alone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>max(%1, %2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> and %1 by motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> and %1 by its change</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> and %1 by divergence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> by the frame&apos;s time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>κ %1 × (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>max(%1, %2 by mask)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, at least %1 when rejected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, of channels %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>N = %1 → </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>α = %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sharpened: %1 brighter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sharpened: %1 darker</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 motion blur</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 hidden by the overlay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shown </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sky</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>still</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>moves rigidly</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>deforms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no previous</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the pixel itself</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a neighbor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>keeps history</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pulled %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not clipped</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one bilinear tap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 masked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not masked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 hidden</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nothing over it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not rejected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>counts less</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rejected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sky, or not kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>takes back %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not locked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>comes and goes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>steady</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 current</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>too bright</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>too dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as it should be</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -308,7 +88,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frames of samples now: N = %1</source>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured yet: comes while paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing in this frame was seen before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 samples · %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -627,10 +427,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>R, its highlights bounded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Range</source>
         <translation type="unfinished"></translation>
     </message>
@@ -744,10 +540,6 @@
     </message>
     <message>
         <source>all of the correction is applied</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all tests passed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1051,10 +843,6 @@
     </message>
     <message>
         <source>fast surfaces are blurred along their motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>for a frame that takes as long as %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1514,10 +1302,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not asked for, or no history</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not masked</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1542,10 +1326,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>of the four stored around, the one that fits best</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>on, off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1563,22 +1343,6 @@
     </message>
     <message>
         <source>pixel (%1, %2) lies outside the picture of %3 × %4 pixels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pulled %1 of the way into the box</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pulled %1 of the way into the box, and %2 of that are taken back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pulled %1 of the way into the box, of which %2 are applied</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pulled %1 of the way into the box, of which %2 are applied, and %3 of that are taken back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1675,10 +1439,6 @@
     </message>
     <message>
         <source>the largest difference of red, green and blue</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the mask asks for more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2002,10 +1762,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, mixed as the curve has them: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1, smaller for tall pictures</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2071,6 +1827,758 @@
     </message>
     <message>
         <source>the surface was behind the previous camera, or its motion as printed is beyond all numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not OBJECT=CLASS; classes are still, moving, deforming and character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 as rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 by divergence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 by its change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 by the frame&apos;s time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hidden by the overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is there already; --force replaces it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 masked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 motion blur</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, although it is a ghost, %2 of the result: %3, and in a color that is none of those around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, although it is of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, although it lies off the screen, where it is black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, although it lies off the screen, where the border is read instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, although its color is none of those around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, at least %2 when rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but follows the neighbor at %2, which did not move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but follows the neighbor at %2, which has no previous position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but follows the neighbor at %2, which moved %3 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, but history is read in place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, for its luma comes and goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, for single frames miss a thin feature here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, mixed as the curve has them: %2; then taken back from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, of a depth test that does not run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, of channels %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rounded to a half float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rounded up or down at random to a half float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, rounded up or down at random to the %2 bits it is stored with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of the correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of the correction, of which %3 are taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the correction, of which %2 are taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; %2 of that, for single frames may miss a thin feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; its depth differs as of a thin feature at rest, which single frames miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; its depth is off by %2, and %3 are allowed where the surface recedes so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; no depth test runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; no less than the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; raised where the mask asks for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(%1 + 1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames of samples now: N = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N = %1 counts samples of the other surface, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N = %1 from now on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N = %1 → α = %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying after several changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying at the new size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying the new scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying up to this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new classes of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new motion of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new shaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the new starts of history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the objects that are drawn now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying with the settings to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA is off: 1 in each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA is off: the current frame alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA is off: the nearest sample is all there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA is off: the sample as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a neighbor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a single frame may miss a thin feature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a thin feature at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all of the change over %1 frames is flicker: the reference did not change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all samples count alike where nothing moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object that was given the class of characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another surface by its depth (%1, expected %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another surface, not tested</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as chosen: nothing moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as it should be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as many frames&apos; worth of samples were stored around %1, by bilinear interpolation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below 0: the compiler leaves out of the longer program what the shorter one has to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot draw with the driver zink of this Mesa (%1), which crashes: unset GALLIUM_DRIVER and MESA_LOADER_DRIVER_OVERRIDE, or update Mesa to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot record a flight at frame %1, which is the last one: go to another frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot restart the history at frame %1: the shot has frames 0 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>comes and goes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counts less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>farther than expected: it hid nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>files that are there already: %1 of %2, the first is %3; --force replaces them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for a frame that counts as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames in which the surface was seen, one after the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history alone: nothing of the current frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history counts less: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history failed a test (%1), which changes nothing: it counted no more before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is far from the walls of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is outside, but not pulled: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history kept as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history kept whole, as printed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history kept, pulled %1 of the way to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history lies within the slabs around the samples: kept as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history outside is kept whole, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history rejected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history replaced by the sample that is most like it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it counted no more before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it decays by what is rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is not measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it moves: less the farther the sample is from the center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its depth is that of history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>keeps history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept: all tests passed (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept: depth differs at rest, of a thin feature that single frames miss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kept: no test runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>larger by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luma is that of history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>luma of the sharpened color is that of the resolved one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max(%1, %2 by mask)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max(%1, %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than a depth test would allow, but none runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than is allowed, of a thin feature at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved %1 px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moves rigidly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no flicker: what is shown of the surface changed by %1, and the reference at least as much</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no fog lies before it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no geometric flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no history yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no more than a depth test would allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no previous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no previous position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no reference drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no wall of the box is hit on the way to the current color: kept as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not above the noise, ± %1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not asked for: whatever time the frame takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not blurred: it is no faster than 2 px a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not clipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not tested</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing over it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing parts by more than %1 px, and what is nearer is thin: single frames miss it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing to compare with: what is seen here was not seen in the frame before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the depths stored around, the one that fits best</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one bilinear tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one more, and no more than 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside of the box, but nothing of the correction is applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pulled %1 of the way to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>same surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharpened: %1 brighter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sharpened: %1 darker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single frames miss a thin feature at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sky, or not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something moves against it, or what is nearer is not thin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes back %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the change over %1 frames, %2, without that of the reference, %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the current color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the first frame is not counted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the fog before it takes %1 of the surface&apos;s light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mask asks for that much</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the middle of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pixel itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the pixel&apos;s own center: history is read in place, whatever moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the resolved color filtered: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample lies at the center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample lies at the center, or it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sample of this frame, at the pixel&apos;s center</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no flicker of frame %1 yet: it has to be measured first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no preset &quot;%1&quot; to go on from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is seen here was not seen in the frame before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is shown of the surface changed over %1 frames, on the screen&apos;s scale from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is shown of the surface did not change in %1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the surface would have been a frame before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 0: history alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 1: the current frame alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>κ %1 × (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2243,10 +2751,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep the pose of each frame as a camera (Ctrl+Shift+R)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Back</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2260,10 +2764,6 @@
     </message>
     <message>
         <source>End the flight and stay here (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>● Recording</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2281,6 +2781,16 @@
     <message>
         <source>Record</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play, and keep where the camera is in each frame as a camera (Ctrl+Shift+R)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>● Recording: %n frames, %1 s</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2676,6 +3186,16 @@
         <source>Shift+arrows</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>no history yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %n frames from frame %2 on, %3 s.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>taa::app::Menus</name>
@@ -2737,10 +3257,6 @@
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Undo change of settings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3129,14 +3645,6 @@ Qt %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Previous mark or cut</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt mark or cut</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pr&amp;obe</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3408,6 +3916,54 @@ Qt %3</source>
         <source>Light</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End what is under wa&amp;y, or remove the probe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start &amp;anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first scene, settings and layout. What is open is kept, and can be opened again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Restart the history here, or no longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take all restarts awa&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;TAA, or the frames as they are drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous mark, cut or restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt mark, cut or restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Class of the selected object</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::MessagesBar</name>
@@ -3486,10 +4042,6 @@ The shaders from before stay in use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 follow a neighbor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>all on the screen</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3540,6 +4092,14 @@ The shaders from before stay in use.</source>
     <message>
         <source>%1
 The picture: %2. Click it to show it in the active view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 take another motion</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3724,10 +4284,6 @@ The picture: %2. Click it to show it in the active view.</source>
 <context>
     <name>taa::app::ProbeModel</name>
     <message>
-        <source>no reference drawn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Intermediate</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3775,10 +4331,6 @@ The picture: %2. Click it to show it in the active view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the probe (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>current</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3820,6 +4372,10 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
     <message>
         <source>Select a row to read what happened there; Enter shows it in the active view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the probe (Del)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3929,7 +4485,15 @@ The picture: %2. Click it to show it in the active view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stages at frame %1, %2×%3</source>
+        <source>±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stages at frame %1, %2×%3, ± of %4 rounds</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4119,6 +4683,25 @@ The picture: %2. Click it to show it in the active view.</source>
     </message>
 </context>
 <context>
+    <name>taa::app::ReplaceTexts</name>
+    <message>
+        <source>Replace files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files that are there already: %1 of %2, the first is %3. Replace them?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>taa::app::ScenePanel</name>
     <message>
         <source>Filter objects by name</source>
@@ -4188,6 +4771,14 @@ The picture: %2. Click it to show it in the active view.</source>
         <source>Motion…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>By what moves it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::SceneTreeModel</name>
@@ -4235,6 +4826,10 @@ Not drawn: others are isolated</source>
 Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::Screenshot</name>
@@ -4251,6 +4846,78 @@ Objects: %1, triangles: %2</source>
     <name>taa::app::Session</name>
     <message>
         <source>about %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choice of camera %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choice of preset %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>return to the preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move of probe %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pinning of probe %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of probe %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of all probes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what probe %1 follows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of how objects move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what class objects are of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of where history restarts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recording of a flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening of camera %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of camera %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new name of camera %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4280,11 +4947,82 @@ Objects: %1, triangles: %2</source>
         <source>Throw it away</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What was open last is not open again: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has been kept as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was open has been kept: File, Open recent, %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::SourceText</name>
     <message>
         <source>Text of the shader</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>taa::app::StateWatch</name>
+    <message>
+        <source>change of what view %1 shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what view %1 is compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the side that view %1 shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>move of the divider of view %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what lies over view %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the look of view %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of how the views lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark of a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>removal of a mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name of a mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the repeated part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of what comes after the end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the figure under the timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4322,6 +5060,46 @@ Objects: %1, triangles: %2</source>
         <source>history from these settings</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>history not exact yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no history of this camera yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no history of this size yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history with the old motion of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history with the objects drawn before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history with the old classes of objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history with the old starts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history from old shaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history from before several changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::Strip</name>
@@ -4334,6 +5112,10 @@ Objects: %1, triangles: %2</source>
     <name>taa::app::Swatches</name>
     <message>
         <source>Neighborhood: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no color</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4373,6 +5155,10 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Click or drag to go to a frame; the wheel steps. Drag the brackets to repeat a part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>history is restarted</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4873,10 +5659,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same instant, supersampled: what the output should be, and how far it is from it. Drawn while somebody looks at it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5453,10 +6235,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Closest ×, as printed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As in HDRP: with each offset the depth of another tap is kept, so that later taps are compared with the wrong one, and a farther surface may win (catalogue §26, D13).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6112,10 +6890,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7, Godot).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Distance</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6528,10 +7302,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>As in the first listing of source 002: only the left edge is tested, the others streak (catalogue 5.7, D9).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Depth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6561,10 +7331,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Slope allowance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Steps along a receding surface whose change of depth is allowed on top of τ: jitter and dilation move samples so far. With 0 grazing ground never accumulates.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6612,14 +7378,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rejects history that belongs to another object: none of the four texels around the history position has its number. History keeps the number of each pixel&apos;s dilated sample. Blind to what hides a part of itself: use it with depth.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>id ≠ id′ of all four ⇒ reject</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>catalogue 12.3, sources 000 and 004</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6628,23 +7386,11 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rejects history that belongs to another class of objects, as an engine&apos;s stencil marks them: sky, still, moving as a whole, deforming.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>class ≠ class′ of all four ⇒ reject</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>catalogue 12.2, sources 000 and 003</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rejects history of a surface that faced another way, by the best of four. World space: what turns by itself is rejected too; normal maps need a low limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6673,10 +7419,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Velocity change</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rejects history, the more the faster, that moved otherwise a frame ago: what was hidden then was hidden by something that moves otherwise. The best of four counts; points without a previous position change nothing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6745,10 +7487,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>What becomes of history that depth, speed, object, class, normal or velocity reject.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>α = 1, N = 1, or α ≥ α soft</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6833,10 +7571,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Luma difference, as printed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As printed in Raptor&apos;s chapter 11: the weights are swapped, so that equal luma takes only the current frame and nothing is averaged (catalogue 13.12, D1).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6960,10 +7694,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of lumas after c/(1 + c), against 1.001: dark differences count for little (catalogue 13.11, Godot).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Calm near clamp</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7056,15 +7786,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>(‖v‖/v₀)² with pixels (catalogue 13.4).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Squared, as printed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As printed in source 000: the square of a length in fractions of the picture, which stays near 0 (catalogue 13.4, D11).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7360,10 +8082,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sharpens what is shown against the blur of averaging. History is written before, so nothing adds up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>c + k(c − mean)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7533,10 +8251,6 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Object class</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7748,15 +8462,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Depth stored with the history, the best match of the four texels around; 0: the sky.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Depth mismatch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Relative difference of expected and stored depth; above what is allowed history is rejected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7772,19 +8478,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Object stored with the history: that of this pixel when it is one of the four texels around, else the nearest one; 0: the sky, or not kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Normal agreement</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cosine between the normals of now and then, the best of four; 1 when off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change of motion since the previous frame, the smallest of four; 0 when off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8160,10 +8854,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recommended set: sharp history, a tight box in compressed YCoCg, clip to filtered, depth rejection, α by history length.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Minimal</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8292,15 +8982,7 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The blog&apos;s recommendation: Halton 16, closest of nine, five-tap Catmull-Rom, a luma-weighted Gaussian, variance box of γ 1.25 in YCoCg, clip to filtered, history weight 0.9, luma weights.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Source 001, simplest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The chapter&apos;s simplest mode: the pixel&apos;s own motion, bilinear history, α 0.1 and nothing that holds history back: everything ghosts.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8732,34 +9414,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closest × at 2 px, five-tap Catmull-Rom, colors over their largest channel, mean ± σ in YCoCg, clip to the center, α of 1 over a confidence that grows by 10 a still frame, from 0.1 to 0.015, mip bias −1. As shipped, the taps are not divided by their weights, the confidence is read at the pixel itself, YCoCg comes back cut to 0…1, and jitter shears orthographic pictures (D7, D15). There the jitter table starts at the center, here Halton at 1; there history is kept compressed, here scene-linear.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Five-tap Catmull-Rom, moments in RGB after c/(1 + c), γ from 2.5 at rest to 0.75, the ray to the current color unless it is hit beyond 10, depth test, N to 15 and less with speed. Its full speed is 1/256 of the picture&apos;s height, here 2.8 px as at 720 lines. Its depth test takes the best of nine stored depths, here of four, with an allowance for slopes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fastest motion of nine, nine-tap Catmull-Rom, mean ± σ in YCoCg, clamp, α 0.1 that falls to 0 near the walls of the box. Nothing is tested at the border: there history is read from the opposite side, here from the edge. Its samples are those of whoever calls it; here Halton 16.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Google Filament&apos;s defaults: camera motion by one matrix from the center depth, deringed five-tap Catmull-Rom history and Lanczos input, a rounded box in RGB compressed by the largest channel, clip to the filtered color kept within that box, α 0.12, no test at the border, mip bias −1. What is shown is dithered, which its color grading does there. There samples are compressed before they are filtered, here after.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nine-tap Catmull-Rom, Reinhard, luma-weighted moments, γ that falls with speed and beyond 1188 lines, the box shrunk axis by axis, N counted to 16, α lowered where luma differs. N is reset by a change of velocity beyond 2.5 px; there the one texel at the history position is compared and the reset added to α, here the best of four, as the least α. Its full speed is 128/1080 of the picture, here 128 px at any size. There differing luma may lower α to 0, here no further than 1/17, so that it does nothing once N is 16.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s High Definition pipeline, quality Low: bilinear history clamped to five samples in RGB, α 0.125. Its closest of five pairs depths with the wrong offsets (D13), as here. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unity&apos;s High Definition pipeline, quality Medium, its default: a five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13), a variance box in YCoCg, whose Y is the luma there, clip to the center, α 0.125 that doubles at 50 px. γ grows with contrast and shrinks to 0.75 at 50 px: there evenly and all of it, here by the square and without what contrast adds. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Unity&apos;s High Definition pipeline, quality High: as Medium, its slips included, with nine samples and a jitter-aware Gaussian. There what contrast adds to γ is scaled by speed as well, 2.25 times at rest and 0.8 from ½ px on, which is left out. Sharpened by 0.5: there the current color before the blend, against the mean of the eight around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8772,26 +9426,6 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The shader&apos;s defaults: fastest motion of nine, a five-tap Catmull-Rom that guesses the corners, γ from 2 at rest to 0.75 at 128 px, history that counts less with speed and not at all beyond 128 px, a blurred restart. Sharpened in logarithms, 0.5. There the YCoCg box becomes an RGB box before the clamp, here the clamp is in YCoCg; there history is kept compressed, here scene-linear. There depth may be farther by 0.001, here the tolerance is relative and counts both ways.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Microsoft&apos;s sample: camera motion by one matrix, closest of five, a min-max box of seven samples in RGB, shared by pairs of pixels, clip to the center, a depth test, history that counts less with speed and not at all beyond 64 px. Sharpened in logarithms, 0.5. The depth tolerance is relative. Its history taps weighted before they are filtered and its box that widens up to four times where little moves are left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The 8×MSAA pattern, the fastest motion of nine, nine-tap Catmull-Rom that reads black beyond the border, a clamp to mean ± σ, α 0.1, box and blend in PQ of 10000; its relax mask, which the user draws there, is that of the materials. α falls with the distance of the sample where little moves, and below a render scale of 1 its trust in the nearest sample is the confidence. There history is also kept and filtered in PQ, the camera&apos;s motion comes from one matrix, and the mask is blurred.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Component defaults of Playdead&apos;s Temporal Reprojection: motion by the projection of this frame (D16), rounded min-max box in RGB, clip to the center, α from the luma difference within 0.03 to 0.12. Colors end at 1 before anything is averaged, and history has 8 bits, as there, with its noise of ±1/510. There colors are tone-mapped before, here they stay linear, so shadows have few steps. Pixels faster than 2 px are shown with motion blur, from 15 px alone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The defaults as shipped, defects included: jitter of period 2, camera motion only, in the wrong unit and upside down (D5), closest depth that takes pixel (0, 0) before the sky (D4), a Mitchell filter that does nothing (D3), an α whose weights are swapped so that equal colors are not averaged (D1), and luma weights that hardly weigh (D19). Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Unity&apos;s Universal pipeline, quality Very Low: bilinear history, a clamp to five samples in RGB, no dilation and no test at the border, luma weights where colors are blended. Low-precision targets are left out.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8800,23 +9434,11 @@ Objects: %1, triangles: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unity&apos;s Universal pipeline, quality Medium: bilinear history, clamped to a variance box of γ 0.9 inside min-max in YCoCg, the closest of nine depths. There the luma that weighs the blend is Y of YCoCg.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Unity&apos;s Universal pipeline, quality High, its default: as Medium, with five-tap Catmull-Rom history. There the luma that weighs the blend is Y of YCoCg.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Unity&apos;s Universal pipeline, quality Very High: as High, with a jitter-aware Gaussian and clip to the center. There the box is of the filtered center and the eight samples around, here of nine samples; there the luma that weighs the blend is Y of YCoCg.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closest of ×, history in 32-bit floats, the current color where the pixel&apos;s center landed, a min-max box in YCoCg around the same place, clip to its center, α 0.05 that reaches 1 at about 1 px of motion (1000 times the motion in fractions of a picture 1000 px wide). Its optional Laplacian has strength 1, the only one that keeps brightness, and is of the samples around the pixel, not of RGB in YCoCg cut at 0. Its tone mapping, which it leaves to the project, is Reinhard&apos;s with a white of 4 here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Accumulation only: random jitter, the world position seen from the previous view, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8833,6 +9455,1102 @@ Objects: %1, triangles: %2</source>
     </message>
     <message>
         <source>Dynamic range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same instant, supersampled: what the output should be, how far it is from it, and how much more it flickers. Drawn while somebody looks at it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: each frame is shown as it is drawn. The jitter rests at the pixels&apos; centers, the filter of the current frame takes the nearest sample alone, α is 1 everywhere, and the output is neither sharpened nor blurred nor dithered. History holds the frame before, and all other values are what TAA would make of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>j = 0, f = c, α = 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue J0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hash of pixel and frame, 256 of them: neighbors and frames have nothing to do with each other, what the others are measured against (catalogue §20).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of the march through the fog of scenes that have some, from where it begins to where it ends. 0: the integral itself, which the reference has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T = Π exp(−σ Δ), L = Σ T (1 − exp(−σ Δ)) c</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source 001, improving banding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times the density that the scene gives its fog. 0: there is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source 001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where in its step each sample of a ray lies: noise u instead of bands, for TAA to average.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tᵢ = t₀ + (i + u)Δ; none: u = ½</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.4, source 001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All rays stop at the same distances: the fog has as many levels as steps, in bands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tile of 32×32, moved on by the golden ratio in each of 256 frames: what TAA averages best (catalogue 20.2, Raptor).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A hash of pixel and frame: clumps in space and in time, which TAA averages worst (catalogue §20).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Animated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another noise in each frame, whose mean over frames is the integral. Off: that of frame 0, which no average over frames takes away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>u(p, n)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.1, 20.2, source 001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog history</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A temporal filter of the fog&apos;s own, before the resolve. The fog of earlier frames is marched again along the rays of this one, so that no frame depends on how one came to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>f = (s + (M − 1)·clamp(h, min, max))/M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.5, source 001</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fog of this frame alone: its noise is left to the resolve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean over the last frames: less noise, and where the fog&apos;s light moves it drags behind (catalogue 20.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mean of the frames before, channel by channel clamped to the smallest and largest of this frame&apos;s 3×3, then averaged with it: what moved on leaves no trail (catalogue 20.5, 10.1, 11.1; Vallario&apos;s idea in source 001).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest, as printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in Raptor: the larger one of the mean of the frames before and this frame is averaged with it. Trails stay, and noise makes the fog brighter than it is (catalogue 20.5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog frames M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that are averaged, this one included; each is marched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 20.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in HDRP: with each offset the depth of the next tap is kept, which then is as near as itself and taken as well, so that the motion of the lower left is read wherever any of the four is no farther than the pixel (catalogue §26, D13).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Farthest 3×3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of the farthest surface among nine: what a test for the smallest depth finds once depth is reversed, as in Godot since 4.3 (catalogue 4.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of equals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of equally near ones is chosen: what faces the camera and the sky are nothing but equals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 4.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is really nearer takes its place (catalogue 4.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The search starts with nothing, from the upper left, so that on what faces the camera the motion of that neighbor is read (catalogue 4.1, Playdead, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is as near takes its place as well, so that the neighbor at the lower right is read (catalogue §4, source 002, whose step() holds for equal depths).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read up-left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads motion one texel up and to the left of the one that was chosen: Godot leaves out the border of its tile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>v(p* − (1, 1))</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §4, Godot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the history of a pixel is read: where its surface was, or at the pixel itself, whatever moves. Speed is that of the motion either way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>q = p − v, or q = p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue §5, sources 000, 001 and 003</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s center minus the motion it follows (catalogue §5).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s own center: the accumulation buffer before anybody reprojects. Whatever moves leaves a trail, and nothing is ever off the screen (catalogue §5, the step before it).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N of the four texels around, as colors are read: no hard step where a part of them is new (catalogue §16, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples weighted by 1/(1 + luma): fireflies pull less (catalogue 10.7).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/(1 + Y) with the luma of the box&apos;s space: of compressed colors all weights lie between ½ and 1 (catalogue 10.7, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full speed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What full speed is counted in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the picture, however many it has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels of 1080 lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‖v‖·1080/H: the same for a picture of any size (DiligentFX).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1080ths of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>‖(vx/W, vy/H)‖·1080, as of a motion in texture coordinates: across it counts less than down (Godot, source 002).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strength at flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the correction that is applied to geometric flicker. 0: history there is not rectified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.9, source 000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As in the first listing of source 002: only the left edge is tested, the others streak; and beyond it nothing of the current frame is taken, α = 0, instead of nothing of history (catalogue 5.7, D9).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps along a receding surface whose change of depth is allowed on top of τ: jitter and dilation move samples so far. The slope is that of the dilated sample, by the smaller step along each axis, and none where both neighbors are nearer or both farther, as around a wire. With 0 grazing ground never accumulates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth differs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which difference of depth rejects history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z′ &lt; z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever is not as far away as expected (catalogue 12.1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearer alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only what is nearer can have hidden the surface; what is farther counts as the same (catalogue 12.1, MiniEngine, Intel, FSR2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth looked for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of which texels of history the one whose depth fits best counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min |z − z′| / z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The texel at the history position and those around it: as wide as the jitter, and alike on all sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3×3 at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where something parts, only the texels that a bilinear tap reads, one to four; where nothing does, 3×3. Keeps less of what hid the surface, at the price of the history&apos;s motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometric flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps history whose depth differs where nothing moves against anything and what is nearer is thin: a line that single frames miss by their jitter, and no other surface. Thin is what is seen past on two opposite sides, up to four texels apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>|z − z′| &gt; τ·z and ‖v − v′‖ ≤ θ ⇒ kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference of the pixel&apos;s motion to that of what history shows there, up to which nothing parts: what hid its surface then hides it still. Jitter moves samples by half a pixel, so that less cannot be told from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to another object: none of the nine texels around the history position has its number. History keeps the number of each pixel&apos;s dilated sample. Blind to what hides a part of itself: use it with depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>id ≠ id′ of all nine ⇒ reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history that belongs to another class of objects, as an engine&apos;s stencil marks them: sky, still, moving as a whole, deforming, or the class that an object is given in the tree of the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class ≠ class′ of all nine ⇒ reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history of a surface that faced another way, by the best of nine. World space: what turns by itself is rejected too; normal maps need a low limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejects history, the more the faster, that moved otherwise a frame ago: what was hidden then was hidden by something that moves otherwise. The best of nine counts; points without a previous position change nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α = 1, N = 1, or α ≥ α soft, or N(1 − r), α + r</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the share r that is rejected N falls to N(1 − r) and α rises by r: a whole r starts anew (catalogue 12.5, 13.3, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in Raptor&apos;s chapter 11: of colors over 1 + their largest channel, and the weights are swapped, so that equal luma takes only the current frame and nothing is averaged (catalogue 13.12, D1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Luma difference, compressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As Luma difference, of colors over 1 + their largest channel: the corrected form of source 001, with limits of 1 and 0 (catalogue 13.12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of lumas after c/(1 + c), 0.299 R + 0.587 G + 0.114 B and at least 0.0001, against 1.001: dark differences count for little (catalogue 13.11, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussian, in motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At rest all samples count alike; in motion, fully from 1 px on, those near the center are preferred: 1 − m + m·exp(−‖j‖²/2σ²), m = smoothstep(0, 1, ‖v‖), σ² = 0.22 px² (catalogue 7.7, source 004).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α at flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α at geometric flicker, after its floor: a single frame says little of what it may miss.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>α·share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(‖v‖/v₀)² with pixels, on top of α, where source 000 starts 0.025 below it (catalogue 13.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As printed in source 000: from α − 0.025 to 1 by the square of a length in fractions of the picture, which stays near 0, so that all there is to it is 0.025 less (catalogue 13.4, D11).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full α in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What that motion is counted in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>catalogue 13.5, 13.6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Count to 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N + 1, and never more than 16; the first frame of all is not counted, so that the second replaces it (catalogue §16, Godot).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sharpens what is shown against the blur of averaging, or filters it. History is written before, so nothing adds up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mitchell, B = C = ⅓</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cubic that Mitchell and Netravali recommend, at the pixels&apos; centers: 1/18, 8/9, 1/18 each way, a slight blur that calms what flickers; Reconstruct with k = −⅓ (catalogue 6.6, 18.4, source 000).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light that fog adds to the color; 0 where there is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the surface&apos;s light the fog takes: 1 − transmittance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the object is: 0 the sky, 1 still, 2 moves rigidly, 3 deforms, 4 a character.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth stored with the history, the best match of the texels around that are asked; 0: the sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative difference of expected and stored depth, 0 for what is farther where that does not count; the depth test rejects what is above the allowed one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 where depth differs at rest because single frames miss a thin feature: history is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object stored with the history: that of this pixel when it is one of the nine texels around, else the nearest one; 0: the sky, or not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cosine between the normals of now and then, the best of nine; 1 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change of motion since the previous frame, the smallest of nine; 0 when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor on α, after its floor, at geometric flicker; 1 elsewhere and when off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation over the last frames of what is shown (sRGB, 0 to 1), followed along the motion, without what the reference has of it: the root of the difference of variances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deviation over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same with what really changes: the reference is not taken off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of what is shown over the last frames, followed along the motion: the mean over all pixels that were seen before. It has in it what really changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of what is shown over the last frames, followed along the motion, without what the reference has of it: the mean over all pixels that were seen before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves rigidly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deforms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fog march</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recommended, and what to compare with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Engines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000: Unity blog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001: Raptor, chapter 11</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002: engine practice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003: notes on URP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004: booklet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recommended set: sharp history, a tight box in compressed YCoCg, clip to filtered, depth rejection that spares thin features at rest, α by history length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TAA off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No TAA: each frame as it is drawn, at the pixels&apos; centers, nothing jittered, filtered or accumulated. All other settings are those of Balanced, so that every intermediate says what it would make of the frame before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest × at 2 px, five-tap Catmull-Rom, colors over their largest channel, mean ± σ in YCoCg, clip to the center, α of 1 over a confidence that grows by 10 a still frame, from 0.1 to 0.015, mip bias −1. As shipped, the taps are not divided by their weights, the confidence is read at the pixel itself, YCoCg comes back cut to 0…1, and jitter shears orthographic pictures (D7, D15). There the jitter table starts at the center, here Halton at 1; there history is kept compressed, here scene-linear. Where the engine resets, the first frame counts there as a confidence of 67 and stays long; here as 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of the closest of nine, of equals of the first, five-tap Catmull-Rom, moments in RGB after c/(1 + c), γ from 2.5 at rest to 0.75 at 1/256 of the picture&apos;s height, the ray to the current color unless it is hit beyond 10, depth test, N to 15 and less up to that speed. There the left of the five taps is weighted by the sum across twice instead of across and down, and the weight of history is filtered like its color; here the tap is right and N is read bilinearly. Where all nine are sky there the pixel&apos;s own motion is taken. Its depth test takes the best of nine stored depths, nearer and farther alike, as here, where slopes are allowed for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest motion of nine, nine-tap Catmull-Rom, mean ± σ in YCoCg, clamp, α 0.1 that falls to 0 near the walls of the box. Nothing is tested at the border: there history is read from the opposite side, here from the edge, and samples of the box are black, here those of the edge. There history keeps what falls below 0, here it ends at 0. Its samples are those of whoever calls it; here Halton 16.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Google Filament&apos;s defaults: camera motion by one matrix from the center depth, deringed five-tap Catmull-Rom history and Lanczos input, a rounded box in RGB compressed by the largest channel, clip to the filtered color kept within that box, α 0.12, no test at the border, mip bias −1. Objects have no motion of their own, and until December 2025 the jitter was computed and not applied (D18); here it is. What is shown is dithered, which its color grading does there. There samples are compressed before they are filtered, here after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nine-tap Catmull-Rom, Reinhard, moments weighted by the luma of the compressed samples, γ that falls with speed, to 0.4 at 128/1080 of the picture, and beyond 1188 lines, the box shrunk axis by axis, N read bilinearly and counted to 16 without the first frame, α of 1/(N + 1) lowered where luma differs, to 0 where nothing else raises it. The least of nine depths is chosen, the first of equals, which since depth was reversed in 4.3 is the farthest; before, it was the closest. Motion is read one texel up and left of it, because the border of a tile is left out. A change of velocity beyond 2.5 px takes from N and adds to α: there against the motion at one texel, the one that holds the history position, as it was drawn a frame ago; here against the dilated motion that agrees best of those around.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Low: bilinear history clamped to five samples in RGB, α 0.125. Its closest of five pairs depths with the wrong offsets (D13), so that the lower left wins wherever one of the four is no farther than the pixel, as here. With orthographic cameras the pixel&apos;s own motion is used there. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s High Definition pipeline, quality Medium, its default: a five-tap cubic history of sharpness 0.35 whose right tap is read a row too high, a closest of five that pairs depths with the wrong offsets (D13) and so is the lower left wherever one of the four is no farther than the pixel, a variance box in YCoCg, whose Y is the luma there, clip to the center, α 0.125 that doubles at 50 px. γ grows with contrast and shrinks to 0.75 at 50 px: there evenly and all of it, here by the square and without what contrast adds. Sharpened by 0.5: there the current color before the blend, against the mean of the four around, here what is shown, against that of nine. What is blended comes before the resolve without motion; flagged materials are excluded from it. Outside the picture history is the filtered color there, which the box may still pull; here the filtered color is shown. With orthographic cameras the pixel&apos;s own motion is used there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shader&apos;s defaults: fastest motion of nine, a five-tap Catmull-Rom that guesses the corners, γ from 2 at rest to 0.75 at 128 px, history that counts less with speed and not at all beyond 128 px, a blurred restart. Sharpened in logarithms, 0.5. There this frame&apos;s colors are kept in 11, 11 and 10 bits, the upper right corner of the history filter is guessed from the tap on the left, its weight is filtered like its color, the restart is a mean of compressed colors, and a variance that rounding puts below 0 is NaN (D14); here N is read bilinearly, and the rest is as it is meant. There the YCoCg box becomes an RGB box before the clamp, here the clamp is in YCoCg; there history is kept compressed, here scene-linear. There as here only history that is nearer is rejected, there by 0.001 than the farthest of four depths, here by a relative tolerance than the best of nine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Microsoft&apos;s sample: camera motion by one matrix, closest of five, of equals the one above, a min-max box of seven samples in RGB, shared by pairs of pixels, clip to the center, a depth test that rejects what is nearer alone, history that counts less with speed and not at all beyond 64 px. Sharpened in logarithms, 0.5. The depth tolerance is relative, and the best of nine stored depths counts in place of the farthest of four. There each side of the box lies 0.001 farther out. Its history taps weighted before they are filtered and its box that widens up to four times where little moves are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 8×MSAA pattern, the fastest motion of nine, nine-tap Catmull-Rom that reads black beyond the border, a clamp to mean ± σ, α 0.1, box and blend in PQ of 10000; its relax mask, which the user draws there, is that of the materials. α falls with the distance of the sample where little moves, and below a render scale of 1 its trust in the nearest sample is the confidence. Of motions that are equally fast there the first at the upper left is taken, here the pixel&apos;s own. There history is also kept and filtered in PQ, the camera&apos;s motion comes from one matrix, and the mask is blurred.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Component defaults of Playdead&apos;s Temporal Reprojection: motion by the projection of this frame (D16), of equal depths that of the first at the upper left, rounded min-max box in RGB, clip to the center, α from the luma difference within 0.03 to 0.12. Colors end at 1 before anything is averaged, and history has 8 bits, as there, with its noise of ±1/510. There colors are tone-mapped before, here they stay linear, so shadows have few steps. There only tagged objects have motion of their own. Pixels faster than 2 px are shown with motion blur, from 15 px alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 1: jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 1: the picture moves by Halton 16 and nothing is averaged: it trembles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 2: accumulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 2: a tenth of this frame and nine tenths of the buffer, read in place: the blog&apos;s blendFactor of 0.9 is the weight of history, α here its rest. Right for stills, trails wherever something moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 3: camera motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 3: history is read where the camera saw this depth a frame ago. History outside the picture is rejected here, for which the blog has no test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 4: object motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 4: motion vectors of objects, their skins and shapes as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 5: closest depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 5: the motion of the closest of nine depths, so that silhouettes follow what is in front.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 6: Catmull-Rom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 6: history by Catmull-Rom with five taps in place of bilinear, against blur.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 7: clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 7: history is clamped to the extremes of nine samples in RGB, against ghosts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 8: YCoCg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 8: the same box in YCoCg, which is tighter in chroma.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 9: clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 9: history is clipped toward the center of the box in place of clamped to its corners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 10: variance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 10: the box is 1.25 deviations around the mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, step 11: filtered color</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 000, the Unity blog, step 11: nine samples by a Gaussian of the blog&apos;s 4, 2, 1 made narrower as it advises, and history clipped toward that color, which the box is grown to hold. What is left to the whole pipeline is the weighting by luma.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The blog&apos;s recommendation: Halton 16, closest of nine, five-tap Catmull-Rom, a luma-weighted Gaussian of σ 0.55, which its text advises where its listing has 4-2-1, variance box of γ 1.25 in YCoCg, clip to filtered, history weight 0.9, luma weights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 1: jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 1: Halton with the four points that the text calls usual, from index 0 on; its program ships with two. Nothing is averaged. Step 2 is the chapter&apos;s simplest mode, which has a preset of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chapter&apos;s simplest mode: the pixel&apos;s own motion, bilinear history, α 0.1 and nothing that holds history back, not even the border: everything ghosts and streaks. Motion is that of objects here, without what is wrong with the chapter&apos;s (D5, D6).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 3: closest depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 3: the motion of the closest of nine depths. Where all nine are sky the pixel keeps its own, which the listing forgets (D4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 4: Catmull-Rom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 4: history by Catmull-Rom with nine taps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 5: Mitchell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 5: nine samples of this frame by Mitchell&apos;s cubic, of the distance to where they lie; as printed it does nothing (D3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 6: clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 6: history is clamped to the extremes of nine samples in RGB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 7: clamp, then clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 7: clamped to the extremes and then clipped to one deviation around the mean: the chapter&apos;s best and its default.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 8: temporal filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 8: α of each channel by its contrast, 0.15 to 0.75; the division by a black sample is guarded (D8).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 9: inverse luminance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 9: both colors weighted by 1/(1 + luma); as printed by the luma of compressed colors, which hardly weighs (D19).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 10: luma difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 10: α by the difference of luma, of colors compressed by their largest channel, in place of contrast, as the listing overwrites it: more of this frame where history differs, 0.03 to 0.12 as in Playdead; as printed the weights are swapped (D1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The defaults as shipped, defects included: jitter of period 2, camera motion only, in the wrong unit and upside down (D5), closest depth that takes pixel (0, 0) before the sky (D4), a Mitchell filter that does nothing (D3), an α by the luma of compressed colors whose weights are swapped so that equal colors are not averaged (D1), in place of that of its temporal filter, which comes before and is overwritten, and luma weights that hardly weigh (D19). Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Raptor, chapter 11, corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The final pipeline of Raptor&apos;s chapter with its defects mended, to be compared with the preset as shipped: motion of camera and objects in px (D5, D6), a closest depth that keeps the pixel&apos;s own motion before the sky (D4), Mitchell of the distance to the samples (D3), α that grows where the luma of compressed colors differs, 0.03 to 0.12 as in Playdead (D1), weights by the luma of whole colors (D19), no division by black (D8). Its jitter has four points, as the text says, where the program ships with two. Sharpened by the luma ratio, 0.1, where there the pixel alone is scaled by the exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 12: mip bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 12: after the whole pipeline, textures a quarter of a level sharper, because accumulation blurs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, step 13: textures at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 001, Raptor&apos;s chapter 11 of Mastering Graphics Programming with Vulkan, step 13: textures are read at the pixel&apos;s center whatever the jitter, which the author says is not tested; with the sign of this program, and a vector where the listing has a float.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 1: jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 1: offsets of half a pixel at most by Halton; the period is left to the reader, 16 here. Nothing is averaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 2: accumulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 2: a twentieth of this frame, history in 32-bit floats where the G-buffer&apos;s motion vectors say, tested for the left border alone, as its first listing does, and kept whole beyond it (D9).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 3: all borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 3: history outside the picture is rejected on all sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 4: closest depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 4: the motion of the closest of five depths, in an ×, of equal depths that of the last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 5: clamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 5: history is clamped to the extremes of nine samples in RGB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 6: YCoCg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 6: the same box in YCoCg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 7: clip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 7: history is clipped toward the center of the box, which the listing calls its filtered color.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 8: α by motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 8: α rises by 1000 times the motion in fractions of the picture, as the code has it; the text has 100.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 9: unjitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 9: the current color and the box are taken where the pixel&apos;s center landed, with the sign of the code; the text has the other (D10).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, step 10: tone mapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 002, the blog on engine practice, step 10: colors are mixed as a tone map shows them; the listing leaves the map to the project, here it is Reinhard&apos;s with a white of 4. What is left to the final listing is its Laplacian.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest of ×, of equal depths the last at the lower right, history in 32-bit floats, the current color where the pixel&apos;s center landed, a min-max box in YCoCg around the same place, clip to its center, α of 0.05 and 1000 times the motion in fractions of the picture, as its listing has where its text has 100. Its optional Laplacian has strength 1, the only one that keeps brightness, and is of the samples around the pixel, not of RGB in YCoCg cut at 0. Its jitter is added to the third column of the projection, here the picture is translated by it. Its tone mapping, which it leaves to the project, is Reinhard&apos;s with a white of 4 here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 1: jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 1: Halton over 1024 frames, as URP counts them. Nothing is averaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 2: camera motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 2: a tenth of this frame, history where the camera saw this depth a frame ago, with nothing that holds it back and no test at the border.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 3: object motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 3: motion vectors of objects as well. Steps 4 to 8 are URP&apos;s five qualities, which have presets of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unity&apos;s Universal pipeline, quality Medium: bilinear history, clamped to a variance box of γ 0.9 inside min-max in YCoCg, the closest of nine depths. There the luma that weighs the blend is Y of YCoCg, and what falls below 0 is kept; here it ends at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 9: largest motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 9: as Very High, with the largest of nine motions in place of the closest depth: the notes&apos; own choice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 10: Y&apos;CbCr</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 10: the box in Y&apos;CbCr, by luma of Rec. 709; the notes mean gamma colors, here they are linear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 11: classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 11: history of another class is rejected, as a stencil tells characters from the background; which objects are characters is said in the tree of the scene or by --class.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, step 12: sharpening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 003, the notes on URP, step 12: contrast-adaptive sharpening after it, URP&apos;s slider at a half.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 1: random samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 1: random offsets; the booklet fixes no pattern. Nothing is averaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 2: mean of a still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 2: α = 1/t, read in place: the exact mean of all frames where nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 3: reprojection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 3: a constant α of 0.1 (2.1), history where the world position was seen by the previous view; with the scene&apos;s own field of view where the booklet assumes 45°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 4: same geometry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 4: history of another object is rejected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 5: same surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 5: and history of another normal or place; the depth stands for the place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 6: history length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 6: α = 1/(N + 1) (2.2), N a frame more each time (2.3).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 7: least α</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 7: no less than 0.1 of this frame. What is left to the whole pipeline is N by the recursion (2.4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accumulation only: random jitter, the world position seen from the previous view, bilinear history, validity by object, normal and depth, which stands for the position and tells a surface from itself where the booklet takes the same geometry for enough, α = max(1/(N + 1), 0.1), N by the corrected recursion (2.4), no color box. It does not converge, by itself: the floor of α keeps the noise of some 19 samples, and what jitter hides for a frame counts as another geometry and starts anew. With a camera that stands still builtin:fence, 320×180, is 0.0068 off 1,024 samples after 240 frames (RMSE), 0.0031 without the three tests, and 0.0008 with the preset reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, step 9: nearest sample in motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source 004, the booklet of DezemingFamily, step 9: after the whole pipeline, in motion the sample nearest to the pixel&apos;s center is preferred, which the booklet names and leaves open: by a Gaussian of its distance here. With a floor of 0 under α, which would hide it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two lamps in a hazy hall, their beams marched in few steps: banding, and noise that TAA averages</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
