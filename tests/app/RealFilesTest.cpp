@@ -70,7 +70,7 @@ class RealFiles : public testing::Test {
     const std::string program = "taa-batch ";
     ASSERT_EQ(line.find(program), 0u);
     line = "cd '" + folder.path().toStdString() + "' && " + taa::test::binary("taa-batch").string() + " " +
-           line.substr(program.size());
+           line.substr(program.size()) + " --force"; // the same file is written more than once
     const taa::test::ProcessResult result = taa::test::runProcess({"/bin/sh", "-c", line});
     ASSERT_EQ(result.exitCode, 0) << line << "\n" << result.err;
   }
