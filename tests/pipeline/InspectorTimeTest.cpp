@@ -217,18 +217,18 @@ TEST_F(InspectorTimeTest, ReplaysAPartOfTheShotWhenSomeHistoriesFit) {
 }
 
 TEST_F(InspectorTimeTest, SharesTheBudgetSoThatEveryLaneKeepsAsManyFrames) {
-  Settings full; // 24 bytes a pixel instead of 16
+  Settings full; // 32 bytes a pixel instead of 24: color, N and depth, motion
   taa::applyAssignment(full, "history.precision=full");
   constexpr std::size_t kPixels = std::size_t(kWidth) * kHeight;
   const auto inspector = opened();
-  inspector->setCheckpointBudget(10 * (16 + 24) * kPixels);
+  inspector->setCheckpointBudget(10 * (24 + 32) * kPixels);
   inspector->setLanes({Settings{}, full});
   inspector->seek(40);
   EXPECT_EQ(inspector->keptFrames().size(), 10u);
   // Lanes that come take their share from those that are there.
   inspector->changeLanes({Settings{}, full, full, full});
   inspector->refine();
-  EXPECT_EQ(inspector->keptFrames().size(), 10u * (16 + 24) / (16 + 3 * 24));
+  EXPECT_EQ(inspector->keptFrames().size(), 10u * (24 + 32) / (24 + 3 * 32));
   inspector->setProfiling(true);
   inspector->seek(41);
   const auto profile = inspector->takeProfile();
