@@ -236,14 +236,13 @@ TEST_P(TimeTravelOfCombinationsTest, SeekingIsPlayingInEveryRandomCombination) {
   }
 }
 
-/// What the frame after the inspector's will be resolved on, from what can be looked at.
-void keepHistory(Inspector& inspector, Image& color, Image& surface) {
+/// What the frame after the inspector's will be resolved on, from what can be looked at: into `twin`.
+void keepHistory(Inspector& inspector, reference::Inputs& twin) {
+  Image color(kWidth, kHeight, 4), surface(kWidth, kHeight, 2);
   const Image resolved = inspector.image(IntermediateId::resolved);
   const Image length = inspector.image(IntermediateId::historyLength);
   const Image depth = inspector.image(IntermediateId::dilatedDepth);
   const glm::vec4 depthTerms = inspector.inputs().block.depthTerms;
-  color = Image(kWidth, kHeight, 4);
-  surface = Image(kWidth, kHeight, 2);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       test::setColor(color, x, y, glm::vec3(resolved.texel(x, y)));
@@ -251,6 +250,9 @@ void keepHistory(Inspector& inspector, Image& color, Image& surface) {
       surface.at(x, y)[1] = reference::viewDepth(depth.at(x, y)[0], depthTerms);
     }
   }
+  twin.historyColor = color;
+  twin.historySurface = surface;
+  twin.historyMotion = inspector.image(IntermediateId::dilatedMotion);
 }
 
 /// Parameters: a built-in scene, and how large it is drawn.
@@ -265,14 +267,14 @@ TEST_P(ProbeTest, ProbeIsPictureIsTwin) {
   Inspector inspector;
   open(inspector, {settings});
   inspector.seek(kFrame - 1);
-  Image color;
-  Image surface;
-  keepHistory(inspector, color, surface);
+  reference::Inputs history;
+  keepHistory(inspector, history);
   inspector.seek(kFrame);
   const std::vector<Image> pictures = everything(inspector);
   reference::Inputs twin = test::twinInputs(inspector.inputs(), nullptr);
-  twin.historyColor = color;
-  twin.historySurface = surface;
+  twin.historyColor = history.historyColor;
+  twin.historySurface = history.historySurface;
+  twin.historyMotion = history.historyMotion;
   EXPECT_EQ(test::differenceFromTwin(twin, settings, pictures, inspector.driver().isSoftware), "");
   for (int i = 0; i < 40; ++i) { // scattered over the picture, a corner among them
     const int x = i * 37 % kWidth;

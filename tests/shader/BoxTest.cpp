@@ -203,6 +203,7 @@ TEST_F(BoxTest, PairsOfColumnsHaveTheSameBox) {
 TEST_F(BoxTest, SelectShowsOneOfTheNineBitForBit) {
   Settings settings; // balanced: the way through box space and back would change bits
   settings.rectify.method = RectifyMethod::Select;
+  settings.validate.flicker = taa::Switch::Off; // which keeps history as it is
   const taa::reference::Inputs made = frame(5);
   const Exposed all = expose(made, kShape, settings);
   for (int y = 1; y < kShape.height - 1; ++y)
