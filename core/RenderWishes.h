@@ -17,7 +17,7 @@ struct ShotWishes {
   std::optional<std::vector<MotionOverride>> motionModes;
   SceneWishes scene;
   std::vector<RecordingWish> earlierRecordings; ///< begun or ended before `scene.recording`
-  std::optional<int> frame; ///< to go to, before the steps
+  std::optional<int> frame;                     ///< to go to, before the steps
   int steps = 0;
 };
 

@@ -1,4 +1,5 @@
-// The window's switches of the first steps: TAA off, history restarted, classes of objects, presets by groups.
+// The window's switches of the first steps: TAA off, history restarted, classes of objects, presets by
+// groups.
 #include "app/models/SceneTreeModel.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
@@ -50,7 +51,8 @@ TEST_F(FirstStepsWindow, HistoryIsRestartedHereByAKeyAndShownOnTheTimeline) {
   settle();
   key(Qt::Key_R, kShift);
   EXPECT_EQ(renderer->status.restarts, Frames{30});
-  EXPECT_TRUE(timeline()->textAt(30).contains("history is restarted")) << timeline()->textAt(30).toStdString();
+  EXPECT_TRUE(timeline()->textAt(30).contains("history is restarted"))
+      << timeline()->textAt(30).toStdString();
   EXPECT_FALSE(timeline()->textAt(31).contains("restarted"));
   session.seek(12);
   settle();
@@ -121,7 +123,8 @@ TEST_F(FirstStepsWindow, PresetsStandInTheMenusOfTheirGroups) {
   EXPECT_EQ(keys, 9u);
   QStringList expected;
   for (std::size_t i = 1; i < kPresetGroups.size(); ++i)
-    expected << QString::fromUtf8(kPresetGroups[i].label.data(), static_cast<qsizetype>(kPresetGroups[i].label.size()));
+    expected << QString::fromUtf8(kPresetGroups[i].label.data(),
+                                  static_cast<qsizetype>(kPresetGroups[i].label.size()));
   EXPECT_EQ(titles, expected);
   key(Qt::Key_7, kControl | Qt::AltModifier);
   EXPECT_EQ(session.presetId(), "off");
