@@ -3,6 +3,7 @@
 #include "core/io/GifFile.h"
 
 #include "core/base/Error.h"
+#include "core/base/Files.h"
 #include "core/base/Say.h"
 
 #include <OpenImageIO/imageio.h>
@@ -11,6 +12,7 @@
 #include <cassert>
 #include <cerrno>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -24,11 +26,38 @@ int gifDelay(double framesPerSecond) {
   return std::max(2, static_cast<int>(std::lround(100.0 / framesPerSecond)));
 }
 
+namespace {
+
+/// Sets what each picture of a GIF is shown for, in hundredths of a second: OpenImageIO 2.5 writes 100
+/// whatever rate it is given. Stops where the file ends or is none (GIF89a specification, Appendix A).
+void setDelays(std::string& gif, int delay) {
+  const auto byteAt = [&gif](std::size_t at) -> std::size_t { return static_cast<unsigned char>(gif[at]); };
+  const auto tableBytes = [](std::size_t flags) {
+    return flags & 0x80 ? std::size_t(3) << ((flags & 7) + 1) : 0;
+  };
+  if (gif.size() < 13) return;
+  std::size_t at = 13 + tableBytes(byteAt(10));
+  while (at + 9 < gif.size()) {
+    const bool isExtension = byteAt(at) == 0x21;
+    if (!isExtension && byteAt(at) != 0x2C) return;
+    if (isExtension && byteAt(at + 1) == 0xF9) {
+      gif[at + 4] = static_cast<char>(delay & 0xFF);
+      gif[at + 5] = static_cast<char>(delay >> 8);
+    }
+    at += isExtension ? 2 : 10 + tableBytes(byteAt(at + 9)) + 1; // to the first block of data
+    while (at < gif.size() && byteAt(at) != 0) at += byteAt(at) + 1;
+    ++at;
+  }
+}
+
+} // namespace
+
 struct GifWriter::Parts {
   fs::path path, shown;
   OIIO::ImageSpec spec;
   std::unique_ptr<OIIO::ImageOutput> output;
   int pictures = 0;
+  int delay = 0; ///< hundredths of a second
   std::vector<std::uint8_t> opaque;
 
   [[noreturn]] void fail(const std::string& why) const {
@@ -42,8 +71,7 @@ GifWriter::GifWriter(const fs::path& path, const fs::path& shown, int width, int
   parts_->path = path;
   parts_->shown = shown;
   parts_->spec = OIIO::ImageSpec(width, height, 4, OIIO::TypeUInt8);
-  // A little faster than meant: the writer cuts 100 / rate to a whole number.
-  parts_->spec.attribute("FramesPerSecond", 100.0f / (static_cast<float>(gifDelay(framesPerSecond)) + 0.25f));
+  parts_->delay = gifDelay(framesPerSecond);
   parts_->output = OIIO::ImageOutput::create("gif");
   if (!parts_->output) parts_->fail(say<"OpenImageIO was built without GIF">());
   // Its own words about a file that cannot be made leave the reason out.
@@ -77,6 +105,10 @@ void GifWriter::finish() {
   const auto input = OIIO::ImageInput::open(parts_->path.string());
   if (file.get() != kTrailer || !input || !input->seek_subimage(parts_->pictures - 1, 0))
     parts_->fail(say<"not all of it could be stored; is the disk full?">());
+  file.close();
+  std::string bytes = readFile(parts_->path);
+  setDelays(bytes, parts_->delay);
+  writeFile(parts_->path, bytes);
 }
 
 } // namespace taa

@@ -213,9 +213,13 @@ TEST_F(SequenceExportTest, WritesAnAnimation) {
   EXPECT_FALSE(input->seek_subimage(3, 0));
   // After each picture's control block (21 F9 04, flags) stands its delay in hundredths of a second.
   const std::string bytes = readFile(folder_ / "shot.gif");
-  const std::size_t control = bytes.find(std::string("\x21\xF9\x04", 3));
-  ASSERT_NE(control, std::string::npos);
-  EXPECT_EQ(static_cast<int>(bytes[control + 4]), 4);
+  std::size_t control = 0;
+  for (int picture = 0; picture < 3; ++picture) {
+    control = bytes.find(std::string("\x21\xF9\x04", 3), control + 1);
+    ASSERT_NE(control, std::string::npos) << picture;
+    EXPECT_EQ(static_cast<int>(bytes[control + 4]), 4) << picture;
+    EXPECT_EQ(static_cast<int>(bytes[control + 5]), 0) << picture;
+  }
 }
 
 TEST(GifDelay, IsAWholeNumberOfHundredths) {
