@@ -15,12 +15,21 @@
 
 namespace {
 
+/// Whether a benchmark had to stop; Google Benchmark 1.8 gave the member another name.
+template <typename Run>
+bool wasStopped(const Run& run) {
+  if constexpr (requires { run.error_occurred; })
+    return run.error_occurred;
+  else
+    return static_cast<int>(run.skipped) != 0;
+}
+
 /// Prints as always and keeps the counters. A figure measured twice keeps the later one.
 class FigureReporter : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
-      failed = failed || run.error_occurred;
+      failed = failed || wasStopped(run);
       for (const auto& [name, counter] : run.counters) figures[name] = counter.value;
     }
     ConsoleReporter::ReportRuns(runs);
