@@ -23,7 +23,10 @@ vec3 greater(vec3 a, vec3 b) {
 }
 
 /// x within [0, 1]; NaN becomes 0.
-float saturated(float x) { return mix(0.0, mix(1.0, x, x < 1.0), x > 0.0); }
+float saturated(float x) {
+  precise float result = mix(0.0, mix(1.0, x, x < 1.0), x > 0.0);
+  return result;
+}
 
 /// x within [lo, hi].
 vec3 bounded(vec3 x, vec3 lo, vec3 hi) { return lesser(greater(x, lo), hi); }

@@ -12,7 +12,8 @@ struct Reprojection {
 /// Length of a motion; NaN counts as the fastest.
 float speedOf(vec2 motion) {
   precise float speed = sqrt(motion.x * motion.x + motion.y * motion.y);
-  return mix(kNoPreviousPosition, speed, speed <= kNoPreviousPosition);
+  precise float known = mix(kNoPreviousPosition, speed, speed <= kNoPreviousPosition);
+  return known;
 }
 
 /// Speed in px of a picture of 1080 lines.
