@@ -1,11 +1,11 @@
 #include "app/Arguments.h"
 
-#include "app/Dialogs.h"
 #include "app/panels/LowerArea.h"
 #include "app/views/ViewportMath.h"
+#include "app/window/Dialogs.h"
 
-#include "core/Inspector.h"
 #include "core/base/Error.h"
+#include "core/inspect/Inspector.h"
 #include "core/io/CameraTrackJson.h"
 
 #include <CLI/CLI.hpp>

@@ -1,13 +1,13 @@
 // The command line of taa-inspector.
 #pragma once
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 #include "app/views/Overlays.h"
 
-#include "core/Comparison.h"
-#include "core/scene/CameraTrack.h"
+#include "core/inspect/Comparison.h"
 #include "core/scene/ObjectFilter.h"
-#include "core/taa/Intermediates.h"
+#include "core/scene/camera/CameraTrack.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/RenderThread.h"
 
-#include "core/RenderWorker.h"
+#include "core/jobs/RenderWorker.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // The Inspector on a thread of its own: wishes in, results out; std only. The caller never waits for GL.
 #pragma once
 
-#include "core/RenderResults.h"
+#include "core/requests/RenderWishes.h"
 
 #include <functional>
 #include <memory>
@@ -9,13 +9,6 @@
 #include <vector>
 
 namespace taa {
-
-/// The pinned probes, and of which more is wanted.
-struct PinWish {
-  std::vector<ProbePin> pins;
-  int active = -1;
-  bool whatIf = false; ///< also the active pixel under other choices
-};
 
 /// Every member returns at once and may be called from any one thread. Wishes coalesce: the last one of a
 /// kind wins, and long work that a newer wish makes useless is cancelled. Errors come by onError, say what

@@ -1,10 +1,10 @@
 // How many views there are, what they are compared with, what lies over their pictures.
 #include "app/menus/Menus.h"
 
-#include "app/Icons.h"
-#include "app/MainWindow.h"
+#include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,10 +1,10 @@
 // Undo, copies, search.
 #include "app/menus/Menus.h"
 
-#include "app/Exports.h"
-#include "app/Icons.h"
-#include "app/MainWindow.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/style/Icons.h"
+#include "app/window/Exports.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

@@ -1,11 +1,11 @@
 // What is opened, saved and exported.
 #include "app/menus/Menus.h"
 
-#include "app/Exports.h"
-#include "app/Icons.h"
-#include "app/MainWindow.h"
-#include "app/SessionKeeper.h"
-#include "app/Text.h"
+#include "app/session/SessionKeeper.h"
+#include "app/style/Icons.h"
+#include "app/style/Text.h"
+#include "app/window/Exports.h"
+#include "app/window/MainWindow.h"
 #include "core/scene/SceneSource.h"
 
 #include <QAction>

@@ -1,10 +1,10 @@
 // Time, cameras, objects, size.
 #include "app/menus/Menus.h"
 
-#include "app/Icons.h"
-#include "app/MainWindow.h"
-#include "app/Text.h"
 #include "app/panels/TimelinePanel.h"
+#include "app/style/Icons.h"
+#include "app/style/Text.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

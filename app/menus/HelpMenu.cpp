@@ -1,9 +1,9 @@
 // Keys and reference.
 #include "app/menus/Menus.h"
 
-#include "app/Icons.h"
-#include "app/MainWindow.h"
-#include "app/widgets/ReferenceDialog.h"
+#include "app/dialogs/ReferenceDialog.h"
+#include "app/style/Icons.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

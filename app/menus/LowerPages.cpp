@@ -1,8 +1,8 @@
 // View menu: the pages above the timeline.
-#include "app/MainWindow.h"
 #include "app/menus/Menus.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/PlotsPanel.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

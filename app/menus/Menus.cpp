@@ -1,7 +1,7 @@
 // What all menus have in common.
 #include "app/menus/Menus.h"
 
-#include "app/MainWindow.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

@@ -1,7 +1,7 @@
 // The menus and keys of the window: everything the mouse does has a key, and every key stands in a menu.
 #pragma once
 
-#include "core/Inspector.h"
+#include "core/inspect/Inspector.h"
 
 #include <QKeySequence>
 #include <QList>

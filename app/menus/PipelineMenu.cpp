@@ -1,13 +1,13 @@
 // Presets, stages, shaders.
 #include "app/menus/Menus.h"
 
-#include "app/Exports.h"
-#include "app/MainWindow.h"
-#include "app/Text.h"
-#include "app/UserPresets.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/session/UserPresets.h"
+#include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
+#include "app/window/Exports.h"
+#include "app/window/MainWindow.h"
 #include "core/settings/Presets.h"
 
 #include <QAction>

@@ -1,8 +1,8 @@
 // Frame menu: speed, the part that is repeated, and the marks.
-#include "app/MainWindow.h"
-#include "app/Text.h"
 #include "app/menus/Menus.h"
 #include "app/panels/TimelinePanel.h"
+#include "app/style/Text.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QActionGroup>

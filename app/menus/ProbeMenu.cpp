@@ -1,13 +1,13 @@
 // The probes: where they are pinned, which is active, what it follows.
 #include "app/menus/Menus.h"
 
-#include "app/Icons.h"
-#include "app/MainWindow.h"
 #include "app/panels/ProbePanel.h"
-#include "app/views/ColorSpaceView.h"
-#include "app/views/ProbePages.h"
+#include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/ProbePages.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

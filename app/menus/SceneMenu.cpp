@@ -1,10 +1,10 @@
 // Objects of the scene, and the camera that is flown.
 #include "app/menus/Menus.h"
 
-#include "app/Flight.h"
-#include "app/MainWindow.h"
-#include "app/Text.h"
 #include "app/panels/ScenePanel.h"
+#include "app/style/Text.h"
+#include "app/window/Flight.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QMenu>

@@ -1,12 +1,12 @@
 // Views, panels, how pictures are drawn.
 #include "app/menus/Menus.h"
 
-#include "app/Icons.h"
-#include "app/MainWindow.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,6 +1,6 @@
 #include "app/models/FigureHistory.h"
 
-#include "app/Text.h"
+#include "app/style/Text.h"
 
 #include <cmath>
 #include <optional>

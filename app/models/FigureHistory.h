@@ -1,8 +1,8 @@
 // A figure of each frame of the shot, as far as it was measured, as long as it is true.
 #pragma once
 
-#include "app/views/Timeline.h"
-#include "core/inspect/Metrics.h"
+#include "app/views/timeline/Timeline.h"
+#include "core/measure/Metrics.h"
 
 #include <cstdint>
 #include <map>

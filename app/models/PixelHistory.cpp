@@ -1,6 +1,6 @@
 #include "app/models/PixelHistory.h"
 
-#include "core/inspect/SampleWeights.h"
+#include "core/probe/SampleWeights.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #include "app/models/PlotRows.h"
 
-#include "app/Text.h"
+#include "app/style/Text.h"
 
 #include "core/render/FrameInputs.h"
-#include "core/taa/ChannelNames.h"
-#include "core/taa/reference/Known.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/twin/Known.h"
 
 #include <QCoreApplication>
 #include <QJsonObject>
@@ -26,9 +26,9 @@ std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int ch
   int expected = 0;
   for (const auto& [frame, sample] : trace.samples()) {
     if (!points.empty() && frame != expected) points.emplace_back(expected, kGap);
-    const float value = reference::at(sample.record, id)[channel];
-    const bool isValue = reference::isKnown(sample.record, id) && std::isfinite(value) &&
-                         std::abs(value) < kNoPreviousPosition;
+    const float value = twin::at(sample.record, id)[channel];
+    const bool isValue =
+        twin::isKnown(sample.record, id) && std::isfinite(value) && std::abs(value) < kNoPreviousPosition;
     points.emplace_back(frame, isValue ? static_cast<double>(value) : kGap);
     expected = frame + 1;
   }
@@ -110,7 +110,7 @@ std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int
     marks.push_back({static_cast<double>(frame), MarkKind::Cut, QObject::tr("restart")});
   if (!active) return marks;
   for (const auto& [frame, sample] : active->samples()) {
-    const int reason = static_cast<int>(reference::at(sample.record, IntermediateId::rejectReason).x);
+    const int reason = static_cast<int>(twin::at(sample.record, IntermediateId::rejectReason).x);
     if (reason != 0)
       marks.push_back({static_cast<double>(frame), MarkKind::Reject, tableText(rejectReasonText(reason))});
   }

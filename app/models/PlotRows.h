@@ -1,8 +1,8 @@
 // Which intermediates are plotted, and the curves that come of it.
 #pragma once
 
-#include "app/views/CurveChart.h"
-#include "core/inspect/PixelTrace.h"
+#include "app/views/plots/CurveChart.h"
+#include "core/probe/PixelTrace.h"
 #include "core/settings/Settings.h"
 
 #include <QJsonArray>

@@ -1,13 +1,13 @@
 #include "app/models/ProbeModel.h"
 
-#include "app/Numbers.h"
-#include "app/Text.h"
-#include "app/Theme.h"
 #include "app/models/ProbeWords.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 
-#include "core/inspect/ProbeHeadline.h"
-#include "core/taa/ChannelNames.h"
-#include "core/taa/reference/Known.h"
+#include "core/story/ProbeHeadline.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/twin/Known.h"
 
 #include <QFont>
 #include <QFontMetrics>
@@ -59,7 +59,7 @@ RowStory ProbeModel::storyOf(IntermediateId id) const {
       {pixel_->around[kMiddle], *pixel_->details, pixel_->settings, pixel_->info, {pixel_->x, pixel_->y}});
 }
 
-void ProbeModel::setRecord(const std::optional<reference::PixelRecord>& record) {
+void ProbeModel::setRecord(const std::optional<twin::PixelRecord>& record) {
   record_ = record;
   pixel_.reset();
   for (int row = 0; row < rowCount(); ++row) {
@@ -114,8 +114,8 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   if (!record_) return {};
   const Settings& settings = pixel_ ? pixel_->settings : Settings{};
   if (column == Meaning) return qtext(meaningOf(row.id, *record_, settings));
-  if (!reference::isKnown(*record_, row.id)) return QStringLiteral("—");
-  return valueText(row, reference::at(*record_, row.id), settings.space);
+  if (!twin::isKnown(*record_, row.id)) return QStringLiteral("—");
+  return valueText(row, twin::at(*record_, row.id), settings.space);
 }
 
 QVariant ProbeModel::data(const QModelIndex& index, int role) const {

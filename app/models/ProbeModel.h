@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/RenderThread.h"
-#include "core/inspect/ProbeStory.h"
 #include "core/settings/Settings.h"
-#include "core/taa/Intermediates.h"
-#include "core/taa/reference/Reference.h"
+#include "core/story/ProbeStory.h"
+#include "core/taa/rows/Intermediates.h"
+#include "core/taa/twin/Twin.h"
 
 #include <QAbstractItemModel>
 
@@ -25,7 +25,7 @@ class ProbeModel : public QAbstractItemModel {
   void setPixel(const ProbeResult& result);
   /// What happened at a row; empty without a probe.
   RowStory storyOf(IntermediateId id) const;
-  void setRecord(const std::optional<reference::PixelRecord>& record);
+  void setRecord(const std::optional<twin::PixelRecord>& record);
   /// The intermediate of a row; nothing for a stage.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;
   /// The stage of a top-level row.
@@ -53,7 +53,7 @@ class ProbeModel : public QAbstractItemModel {
   /// A row is as high as its channels, whatever their values: a view need not lay out all texts anew for each
   /// pixel, which took it longer than everything else that a new pixel changes.
   int lineHeight_;
-  std::optional<reference::PixelRecord> record_;
+  std::optional<twin::PixelRecord> record_;
   std::optional<ProbeResult> pixel_; ///< whose record that is
 };
 

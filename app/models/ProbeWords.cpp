@@ -1,8 +1,8 @@
 #include "app/models/ProbeWords.h"
 
-#include "app/Numbers.h"
-#include "app/Text.h"
-#include "app/Theme.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 
 namespace taa::app {
 

@@ -1,8 +1,8 @@
 // What the core tells of a probe, as texts of the window.
 #pragma once
 
-#include "core/inspect/ProbeStory.h"
-#include "core/taa/Intermediates.h"
+#include "core/story/ProbeStory.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <QString>
 #include <glm/vec4.hpp>

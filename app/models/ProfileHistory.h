@@ -1,7 +1,7 @@
 // The profiles of the last frames: what each pass took, now and usually.
 #pragma once
 
-#include "core/inspect/Profiler.h"
+#include "core/measure/Profiler.h"
 
 #include <deque>
 #include <string>

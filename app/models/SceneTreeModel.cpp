@@ -1,7 +1,7 @@
 #include "app/models/SceneTreeModel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 
 #include <QApplication>
 #include <QFont>

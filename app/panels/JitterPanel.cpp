@@ -1,12 +1,12 @@
 #include "app/panels/JitterPanel.h"
 
-#include "app/Numbers.h"
-#include "app/Text.h"
-#include "app/Theme.h"
-#include "app/views/JitterView.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/plots/JitterView.h"
 #include "app/widgets/FigureTable.h"
 
-#include "core/render/Jitter.h"
+#include "core/render/jitter/Jitter.h"
 #include "core/settings/Parameters.h"
 
 #include <QHBoxLayout>

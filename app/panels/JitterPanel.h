@@ -1,8 +1,8 @@
 // The jitter pattern: its samples in a pixel, their order and weights, and how well they cover it.
 #pragma once
 
-#include "app/views/HistoryPage.h"
-#include "core/inspect/SampleWeights.h"
+#include "app/views/plots/HistoryPage.h"
+#include "core/probe/SampleWeights.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include "app/panels/LowerArea.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 

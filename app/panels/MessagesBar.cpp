@@ -1,6 +1,6 @@
 #include "app/panels/MessagesBar.h"
 
-#include "app/widgets/Strip.h"
+#include "app/widgets/bars/Strip.h"
 
 #include <QVBoxLayout>
 

@@ -1,14 +1,14 @@
 #include "app/panels/PipelinePanel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
-#include "app/widgets/ChoiceButton.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/IntermediateRow.h"
-#include "app/widgets/ParameterRow.h"
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/ParameterRow.h"
 
 #include "core/settings/Presets.h"
 

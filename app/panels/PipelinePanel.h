@@ -1,11 +1,11 @@
 // The pipeline as a column of stages: each with its settings and the intermediates it produces.
 #pragma once
 
-#include "app/UserPresets.h"
+#include "app/session/UserPresets.h"
 
 #include "core/RenderThread.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/Intermediates.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <QJsonObject>
 #include <QString>

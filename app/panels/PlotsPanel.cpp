@@ -1,12 +1,12 @@
 #include "app/panels/PlotsPanel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
 
-#include "core/TraceText.h"
-#include "core/taa/ChannelNames.h"
+#include "core/report/TraceText.h"
+#include "core/taa/rows/ChannelNames.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,20 +1,20 @@
 #include "app/panels/ProbePanel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
 #include "app/models/ProbeModel.h"
 #include "app/models/ProbeWords.h"
-#include "app/views/ColorSpaceView.h"
-#include "app/views/ProbePages.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/ProbePages.h"
 #include "app/widgets/FigureTable.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
-#include "app/widgets/PinBar.h"
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
+#include "app/widgets/bars/PinBar.h"
 
-#include "core/inspect/ProbeHeadline.h"
-#include "core/taa/reference/Known.h"
+#include "core/story/ProbeHeadline.h"
+#include "core/taa/twin/Known.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -273,13 +273,13 @@ void ProbePanel::setResult(const ProbeResult& result) {
 void ProbePanel::showColors() {
   const ProbeResult& result = *result_;
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
-    if (!reference::isKnown(result.around[kMiddle], kNeighbors[i])) {
+    if (!twin::isKnown(result.around[kMiddle], kNeighbors[i])) {
       swatches_[i]->setColors({});
       continue;
     }
     std::array<std::array<float, 3>, 9> colors{};
     for (std::size_t pixel = 0; pixel < std::min(colors.size(), result.around.size()); ++pixel) {
-      const glm::vec4 value = reference::at(result.around[pixel], kNeighbors[i]);
+      const glm::vec4 value = twin::at(result.around[pixel], kNeighbors[i]);
       colors[pixel] = {value.x, value.y, value.z};
     }
     swatches_[i]->setColors(colors);
@@ -315,9 +315,9 @@ QString ProbePanel::valueText(IntermediateId fallback) const {
   const auto selected = table_->hasFocus() ? model_->idOf(table_->currentIndex()) : std::nullopt;
   const IntermediateId id = selected.value_or(fallback);
   const PixelRecord& record = result_->around[kMiddle];
-  if (!reference::isKnown(record, id))
+  if (!twin::isKnown(record, id))
     return model_->data(model_->indexOf(id, ProbeModel::Meaning), Qt::DisplayRole).toString();
-  return rowText(intermediate(id), reference::at(record, id));
+  return rowText(intermediate(id), twin::at(record, id));
 }
 
 QString ProbePanel::summary() const {

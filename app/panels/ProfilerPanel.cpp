@@ -1,9 +1,9 @@
 #include "app/panels/ProfilerPanel.h"
 
-#include "app/Icons.h"
-#include "app/Text.h"
-#include "app/Theme.h"
-#include "app/views/ProfileChart.h"
+#include "app/style/Icons.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/plots/ProfileChart.h"
 #include "app/widgets/FigureTable.h"
 #include "app/widgets/IconButton.h"
 

@@ -1,8 +1,8 @@
 #include "app/panels/ScenePanel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
 #include "app/models/SceneTreeModel.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/SearchField.h"
 

@@ -1,10 +1,10 @@
 #include "app/panels/StatusLine.h"
 
-#include "app/Icons.h"
-#include "app/Theme.h"
+#include "app/style/Icons.h"
+#include "app/style/Theme.h"
 
-#include "core/RenderRequests.h"
 #include "core/render/SceneRenderer.h"
+#include "core/requests/RenderRequests.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,11 +1,11 @@
 #include "app/panels/TimelinePanel.h"
 
-#include "app/Text.h"
-#include "app/Theme.h"
-#include "app/views/Timeline.h"
-#include "app/widgets/ChoiceButton.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/timeline/Timeline.h"
 #include "app/widgets/IconButton.h"
-#include "app/widgets/NumberField.h"
+#include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/NumberField.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

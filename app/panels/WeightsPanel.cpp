@@ -1,10 +1,10 @@
 #include "app/panels/WeightsPanel.h"
 
-#include "app/Numbers.h"
-#include "app/Theme.h"
-#include "app/views/CurveChart.h"
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
+#include "app/views/plots/CurveChart.h"
 
-#include "core/inspect/SampleWeights.h"
+#include "core/probe/SampleWeights.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,7 +2,7 @@
 // measured.
 #pragma once
 
-#include "app/views/HistoryPage.h"
+#include "app/views/plots/HistoryPage.h"
 
 namespace taa::app {
 

@@ -1,7 +1,7 @@
 // How a camera moves that is flown by keys and mouse.
 #pragma once
 
-#include "core/scene/CameraTrack.h"
+#include "core/scene/camera/CameraTrack.h"
 
 namespace taa::app {
 

@@ -1,7 +1,7 @@
 #include "app/views/PixelOverlay.h"
 
-#include "app/Numbers.h"
-#include "app/Theme.h"
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -1,7 +1,7 @@
 // What is drawn over a picture at high zoom and at the pick: pixel grid, values in texels, crosshair.
 #pragma once
 
-#include "app/Pins.h"
+#include "app/session/Pins.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/RenderThread.h"

@@ -1,8 +1,8 @@
 // One, two or four views: two side by side or one above the other, whichever shows the picture larger.
 #pragma once
 
-#include "app/Mailbox.h"
-#include "app/Pins.h"
+#include "app/session/Mailbox.h"
+#include "app/session/Pins.h"
 #include "app/views/ViewPanel.h"
 
 #include <QWidget>

@@ -1,16 +1,16 @@
 #include "app/views/ViewHeader.h"
 
-#include "app/Numbers.h"
-#include "app/Text.h"
-#include "app/Theme.h"
-#include "app/views/RangeMath.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/legend/RangeMath.h"
 #include "app/widgets/ChannelButtons.h"
-#include "app/widgets/ChoiceButton.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/IntermediateRow.h"
-#include "app/widgets/NumberField.h"
-#include "app/widgets/OverflowPopup.h"
-#include "core/taa/ChannelNames.h"
+#include "app/widgets/bars/OverflowPopup.h"
+#include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/NumberField.h"
+#include "core/taa/rows/ChannelNames.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -2,8 +2,8 @@
 // parts are in a list behind a button.
 #pragma once
 
-#include "core/Comparison.h"
-#include "core/inspect/Visualizer.h"
+#include "core/inspect/Comparison.h"
+#include "core/picture/Visualizer.h"
 #include "core/settings/Settings.h"
 
 #include <QWidget>

@@ -1,10 +1,10 @@
 #include "app/views/ViewPanel.h"
 
-#include "app/Theme.h"
-#include "app/views/RangeHistogram.h"
-#include "app/views/ValueFinder.h"
+#include "app/style/Theme.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/views/legend/RangeHistogram.h"
+#include "app/views/legend/ValueFinder.h"
 
 #include <QVBoxLayout>
 

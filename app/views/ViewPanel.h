@@ -3,13 +3,13 @@
 #pragma once
 
 #include "app/views/Overlays.h"
-#include "app/views/RangeMath.h"
 #include "app/views/ViewportMath.h"
+#include "app/views/legend/RangeMath.h"
 
-#include "core/CommandLine.h"
-#include "core/Comparison.h"
 #include "core/RenderThread.h"
-#include "core/ShownPicture.h"
+#include "core/inspect/Comparison.h"
+#include "core/inspect/ShownPicture.h"
+#include "core/report/CommandLine.h"
 #include "core/settings/Settings.h"
 
 #include <QJsonObject>

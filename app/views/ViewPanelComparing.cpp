@@ -1,10 +1,10 @@
 // What a view is compared with and what lies over it.
 #include "app/views/ViewPanel.h"
 
-#include "app/Text.h"
-#include "app/views/RangeMath.h"
+#include "app/style/Text.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/views/legend/RangeMath.h"
 
 #include <QFileInfo>
 #include <QMenu>

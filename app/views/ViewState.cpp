@@ -1,7 +1,7 @@
 // What views keep in a session file: what they show and how.
-#include "app/views/RangeMath.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/views/legend/RangeMath.h"
 
 #include "core/base/Error.h"
 

@@ -1,9 +1,9 @@
 #include "app/views/Viewport.h"
 
-#include "app/Theme.h"
-#include "app/views/Legend.h"
+#include "app/style/Theme.h"
 #include "app/views/PixelOverlay.h"
 #include "app/views/Wipe.h"
+#include "app/views/legend/Legend.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

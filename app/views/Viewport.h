@@ -2,13 +2,13 @@
 // once.
 #pragma once
 
-#include "app/Drags.h"
-#include "app/Pins.h"
-#include "app/views/Legend.h"
+#include "app/session/Pins.h"
 #include "app/views/ViewportMath.h"
+#include "app/views/legend/Legend.h"
+#include "app/widgets/Drags.h"
 
-#include "core/Comparison.h"
 #include "core/RenderThread.h"
+#include "core/inspect/Comparison.h"
 
 #include <QImage>
 #include <QWidget>

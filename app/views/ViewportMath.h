@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/gl/Texture.h"
-#include "core/inspect/Visualizer.h"
+#include "core/picture/Visualizer.h"
 
 #include <glm/vec2.hpp>
 

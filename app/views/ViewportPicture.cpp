@@ -1,11 +1,11 @@
 // What a viewport shows, as a picture for a file or the clipboard.
 #include "app/views/Viewport.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 #include "app/views/PixelOverlay.h"
 #include "app/views/Wipe.h"
 
-#include "core/ShownPicture.h"
+#include "core/inspect/ShownPicture.h"
 
 #include <QPainter>
 

@@ -1,11 +1,11 @@
 // Both sides of a view: what of them is shown, where the divider lies, and who is who.
 #include "app/views/Viewport.h"
 
-#include "app/Theme.h"
-#include "app/views/Legend.h"
+#include "app/style/Theme.h"
 #include "app/views/PixelOverlay.h"
-#include "app/views/ReferenceNote.h"
 #include "app/views/Wipe.h"
+#include "app/views/legend/Legend.h"
+#include "app/views/legend/ReferenceNote.h"
 
 #include <QPainter>
 

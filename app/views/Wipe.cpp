@@ -1,6 +1,6 @@
 #include "app/views/Wipe.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 
 #include <QFontMetrics>
 #include <QPainter>

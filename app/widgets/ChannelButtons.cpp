@@ -1,6 +1,6 @@
 #include "app/widgets/ChannelButtons.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 
 #include <QMouseEvent>
 #include <QPainter>

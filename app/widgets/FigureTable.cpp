@@ -1,6 +1,6 @@
 #include "app/widgets/FigureTable.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 
 #include <QHeaderView>
 #include <QPixmap>

@@ -1,6 +1,6 @@
 #include "app/widgets/IconButton.h"
 
-#include "app/Icons.h"
+#include "app/style/Icons.h"
 
 namespace taa::app {
 

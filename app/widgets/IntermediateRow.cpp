@@ -1,10 +1,10 @@
 #include "app/widgets/IntermediateRow.h"
 
-#include "app/Icons.h"
-#include "app/Text.h"
-#include "app/Theme.h"
+#include "app/style/Icons.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
 
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

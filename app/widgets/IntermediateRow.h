@@ -1,7 +1,7 @@
 // One intermediate in a list: its name, and the letters of the views that show it.
 #pragma once
 
-#include "core/taa/Intermediates.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <QAbstractButton>
 

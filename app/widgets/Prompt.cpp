@@ -1,6 +1,6 @@
 #include "app/widgets/Prompt.h"
 
-#include "app/Theme.h"
+#include "app/style/Theme.h"
 
 #include <QKeyEvent>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "app/widgets/SearchField.h"
 
-#include "app/Icons.h"
+#include "app/style/Icons.h"
 
 #include <QKeyEvent>
 

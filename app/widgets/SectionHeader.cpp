@@ -1,7 +1,7 @@
 #include "app/widgets/SectionHeader.h"
 
-#include "app/Icons.h"
-#include "app/Theme.h"
+#include "app/style/Icons.h"
+#include "app/style/Theme.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

@@ -1,10 +1,10 @@
 #include "app/widgets/Swatches.h"
 
-#include "app/Numbers.h"
-#include "app/Theme.h"
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
 
-#include "core/inspect/ColorMap.h"
-#include "core/taa/reference/Color.h"
+#include "core/picture/ColorMap.h"
+#include "core/taa/twin/Color.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -92,7 +92,7 @@ void Swatches::paintEvent(QPaintEvent*) {
     painter.setFont(numberFont());
     painter.setPen(color.lightness() > 128 ? Qt::black : Qt::white);
     painter.drawText(cellRect(cell), Qt::AlignCenter,
-                     shortText(static_cast<double>(reference::luma({red, green, blue})), 2));
+                     shortText(static_cast<double>(twin::luma({red, green, blue})), 2));
   }
   painter.setFont(font());
   painter.setPen(colors.line);

@@ -1,12 +1,12 @@
 // What the commands of taa-batch are asked for, and reading it from text.
 #pragma once
 
-#include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
-#include "core/taa/Intermediates.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <glm/vec2.hpp>
 

@@ -5,7 +5,7 @@
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/GlslExport.h"
+#include "core/taa/glsl/GlslExport.h"
 
 #include <ostream>
 #include <string>

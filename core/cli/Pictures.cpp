@@ -1,7 +1,7 @@
 #include "core/cli/Pictures.h"
 
 #include "core/base/Error.h"
-#include "core/inspect/StyleText.h"
+#include "core/picture/StyleText.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // The pictures that taa-batch render draws: of rows, in their styles, beside what they are compared with.
 #pragma once
 
-#include "core/Comparison.h"
-#include "core/ShownPicture.h"
 #include "core/cli/Shot.h"
+#include "core/inspect/Comparison.h"
+#include "core/inspect/ShownPicture.h"
 
 #include <string>
 #include <vector>

@@ -52,7 +52,7 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   for (int lane = 0; lane < inspector.laneCount(); ++lane) {
     const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
     ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probe(pixel.x, pixel.y, lane)};
-    probed.details = std::make_shared<reference::Details>(inspector.details(pixel.x, pixel.y, lane));
+    probed.details = std::make_shared<twin::Details>(inspector.details(pixel.x, pixel.y, lane));
     if (arguments.whatIf) probed.whatIf = inspector.whatIf(pixel.x, pixel.y, lane);
     report.lanes.push_back(std::move(probed));
   }

@@ -1,7 +1,6 @@
 // taa-batch render: frames into files.
 #include "core/cli/Commands.h"
 
-#include "core/FrameExport.h"
 #include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
 #include "core/cli/Pictures.h"
@@ -9,6 +8,7 @@
 #include "core/io/FrameJson.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
+#include "core/report/FrameExport.h"
 
 #include <unistd.h>
 

@@ -1,9 +1,9 @@
 // Opens an Inspector on what the command line asks for.
 #pragma once
 
-#include "core/Inspector.h"
-#include "core/ProbeReport.h"
 #include "core/cli/Arguments.h"
+#include "core/inspect/Inspector.h"
+#include "core/report/ProbeReport.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,8 +1,8 @@
 // taa-batch trace: intermediates at pixels over frames.
-#include "core/TraceText.h"
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
 #include "core/cli/Shot.h"
+#include "core/report/TraceText.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // taa-batch: the core without a window. The command line, and how the program ends.
-#include "core/Comparison.h"
-#include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
-#include "core/inspect/Flicker.h"
+#include "core/inspect/Comparison.h"
+#include "core/inspect/Inspector.h"
+#include "core/measure/Flicker.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 #include "core/inspect/MemoryNeed.h"
 
 #include "core/base/Say.h"
-#include "core/inspect/FlickerRows.h"
-#include "core/inspect/References.h"
+#include "core/measure/FlickerRows.h"
+#include "core/measure/References.h"
 #include "core/render/SceneRenderer.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/TaaPass.h"

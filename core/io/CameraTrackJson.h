@@ -1,7 +1,7 @@
 // Flown cameras as text: a pose on a command line, a track in a file.
 #pragma once
 
-#include "core/scene/CameraTrack.h"
+#include "core/scene/camera/CameraTrack.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 
 #include <OpenImageIO/imageio.h>
 #include <glm/gtc/type_ptr.hpp>

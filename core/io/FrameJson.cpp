@@ -1,7 +1,7 @@
 #include "core/io/FrameJson.h"
 
-#include "core/taa/ChannelNames.h"
-#include "core/taa/reference/Known.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/twin/Known.h"
 
 #include <array>
 #include <charconv>
@@ -56,14 +56,14 @@ ordered_json floatJson(float value) {
   return shortest;
 }
 
-ordered_json recordJson(const reference::PixelRecord& record, const SpaceSettings& space) {
+ordered_json recordJson(const twin::PixelRecord& record, const SpaceSettings& space) {
   ordered_json json;
   for (const Intermediate& row : kIntermediates) {
     ordered_json& values = json[std::string(row.name)];
-    if (!reference::isKnown(record, row.id)) continue;
+    if (!twin::isKnown(record, row.id)) continue;
     int channel = 0;
     for (const std::string& name : channelNames(row, space))
-      values[name] = floatJson(reference::at(record, row.id)[channel++]);
+      values[name] = floatJson(twin::at(record, row.id)[channel++]);
   }
   return json;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/settings/Parameters.h"
-#include "core/taa/Intermediates.h"
-#include "core/taa/reference/Reference.h"
+#include "core/taa/rows/Intermediates.h"
+#include "core/taa/twin/Twin.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +19,7 @@ nlohmann::ordered_json floatJson(float value);
 
 /// {"color": {"R": …, "G": …, "B": …}, "depth": {"Z": …}, …}: every row, in the table's order, null where
 /// there is no value; `space`: of the settings that made it.
-nlohmann::ordered_json recordJson(const reference::PixelRecord& record, const SpaceSettings& space);
+nlohmann::ordered_json recordJson(const twin::PixelRecord& record, const SpaceSettings& space);
 
 /// A row of the table of intermediates; "channels" are those of the default settings, "channelsBySpace" all.
 nlohmann::ordered_json intermediateJson(const Intermediate& row);

@@ -1,10 +1,10 @@
 // Everything a picture depends on, and what the window looked at, as one JSON file.
 #pragma once
 
-#include "core/scene/CameraTrack.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
+#include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>

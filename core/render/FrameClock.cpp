@@ -1,7 +1,7 @@
 #include "core/render/FrameClock.h"
 
-#include "core/render/Jitter.h"
 #include "core/render/SceneRenderer.h"
+#include "core/render/jitter/Jitter.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,12 +2,12 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
-#include "core/render/CameraMotionPass.h"
-#include "core/render/FogPass.h"
-#include "core/render/GBufferPass.h"
-#include "core/render/NoisePass.h"
-#include "core/render/ReactivePass.h"
-#include "core/render/SkyPass.h"
+#include "core/render/passes/CameraMotionPass.h"
+#include "core/render/passes/FogPass.h"
+#include "core/render/passes/GBufferPass.h"
+#include "core/render/passes/NoisePass.h"
+#include "core/render/passes/ReactivePass.h"
+#include "core/render/passes/SkyPass.h"
 
 #include <algorithm>
 #include <array>

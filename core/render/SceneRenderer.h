@@ -5,10 +5,10 @@
 #include "core/base/Progress.h"
 #include "core/render/DrawCounts.h"
 #include "core/render/FrameInputs.h"
-#include "core/scene/CameraTrack.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
+#include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>

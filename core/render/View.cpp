@@ -1,9 +1,9 @@
 #include "core/render/View.h"
 
 #include "core/render/FrameClock.h"
-#include "core/render/Jitter.h"
-#include "core/render/Lights.h"
 #include "core/render/SceneRenderer.h"
+#include "core/render/jitter/Jitter.h"
+#include "core/render/passes/Lights.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 

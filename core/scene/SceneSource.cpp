@@ -2,8 +2,8 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/scene/BuiltinScenes.h"
-#include "core/scene/GltfLoader.h"
+#include "core/scene/builtin/BuiltinScenes.h"
+#include "core/scene/gltf/GltfLoader.h"
 
 #include <array>
 #include <string_view>

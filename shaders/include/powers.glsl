@@ -1,5 +1,5 @@
 // Logarithms and powers with the same bits on every driver and CPU: log2, exp2 and pow of GLSL may differ in their last
-// ones. Made of + − × ÷, floor and bits alone. Bounds of errors are relative; tests/unit/PowersTest.cpp derives them.
+// ones. Made of + − × ÷, floor and bits alone. Bounds of errors are relative; tests/unit/twin/PowersTest.cpp derives them.
 
 #include "include/select.glsl"
 

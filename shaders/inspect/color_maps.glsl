@@ -1,4 +1,4 @@
-// Color maps, from the table that C++ fills (core/inspect/ColorMap.h): the same arithmetic as taa::mapColor. All
+// Color maps, from the table that C++ fills (core/picture/ColorMap.h): the same arithmetic as taa::mapColor. All
 // colors are linear Rec. 709.
 
 layout(binding = 1) uniform sampler2D u_colorMaps; // one row a map

@@ -178,7 +178,7 @@ void FakeRenderer::deliverTrace(const ProbePin& pin, int frame) {
   TraceDelivery trace{.pin = pin, .frame = frame, .sample = {pin.pixel, {}}, .subject = status.subject};
   trace.sample.record.fill(glm::vec4(valueAt(pin.pixel.x, pin.pixel.y, frame)));
   const float reason = frame % 10 == 0 ? 4.0f : 0.0f;
-  reference::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
+  twin::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
   listener_.onTrace(trace);
 }
 
@@ -357,11 +357,11 @@ void FakeRenderer::deliverPin(const ProbePin& pin) {
     for (int x = -1; x <= 1; ++x) {
       PixelRecord record;
       record.fill(glm::vec4(valueAt(result.x + x, result.y + y, status.info.frame)));
-      reference::at(record, IntermediateId::rejectReason) = glm::vec4(0);
+      twin::at(record, IntermediateId::rejectReason) = glm::vec4(0);
       result.around.push_back(record);
     }
   const bool isActive = pinWish.active >= 0 && pins[static_cast<std::size_t>(pinWish.active)] == pin;
-  if (isActive && !result.around.empty()) result.details = std::make_shared<const reference::Details>();
+  if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
   if (isActive && pinWish.whatIf)
     for (const Variant& variant : variantsOf(status.settings))
       result.whatIf.push_back({variant.group,

@@ -1,7 +1,7 @@
 // A renderer without GL for tests of the window: answers at once with values that can be predicted.
 #pragma once
 
-#include "app/Renderer.h"
+#include "app/session/Renderer.h"
 
 #include <cstddef>
 #include <optional>

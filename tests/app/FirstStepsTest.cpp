@@ -4,8 +4,8 @@
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
 #include "app/panels/TimelinePanel.h"
-#include "app/views/Timeline.h"
-#include "app/widgets/ChoiceButton.h"
+#include "app/views/timeline/Timeline.h"
+#include "app/widgets/parameters/ChoiceButton.h"
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 

@@ -1,10 +1,10 @@
 // No text is cut off and nothing overlaps at the sizes the window is made for.
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
-#include "app/widgets/ChoiceButton.h"
-#include "app/widgets/ParameterLabel.h"
-#include "app/widgets/SegmentedButtons.h"
-#include "app/widgets/WorkBar.h"
+#include "app/widgets/bars/WorkBar.h"
+#include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/ParameterLabel.h"
+#include "app/widgets/parameters/SegmentedButtons.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QLabel>

@@ -5,10 +5,10 @@
 #include "app/panels/JitterPanel.h"
 #include "app/panels/ProfilerPanel.h"
 #include "app/panels/WeightsPanel.h"
-#include "app/views/CurveChart.h"
-#include "app/views/JitterView.h"
+#include "app/views/plots/CurveChart.h"
+#include "app/views/plots/JitterView.h"
 #include "app/widgets/FigureTable.h"
-#include "core/inspect/SampleWeights.h"
+#include "core/probe/SampleWeights.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QTabBar>

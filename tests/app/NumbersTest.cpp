@@ -1,6 +1,6 @@
 // Numbers as text, and how number fields move.
-#include "app/Numbers.h"
-#include "app/widgets/NumberScale.h"
+#include "app/style/Numbers.h"
+#include "app/widgets/parameters/NumberScale.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The pages of the probe panel, what its rows tell, and what is copied.
-#include "app/views/ProbePages.h"
+#include "app/views/plots/ProbePages.h"
 #include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
-#include "app/views/ColorSpaceView.h"
+#include "app/views/plots/ColorSpaceView.h"
 #include "app/widgets/FigureTable.h"
-#include "core/Inspector.h"
-#include "core/ProbeReport.h"
+#include "core/inspect/Inspector.h"
+#include "core/report/ProbeReport.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
@@ -104,7 +104,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
                              {{{"", "balanced", inspector.settings(), inspector.info()},
                                inspector.probe(40, 14),
                                {},
-                               std::make_shared<reference::Details>(inspector.details(40, 14))}}};
+                               std::make_shared<twin::Details>(inspector.details(40, 14))}}};
     return probeJson(report).dump(2) + "\n";
   };
   EXPECT_EQ(copied, std::async(std::launch::async, printed).get());

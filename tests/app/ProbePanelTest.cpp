@@ -1,8 +1,8 @@
 // The probe table: every intermediate, exact values, words.
 #include "app/panels/ProbePanel.h"
-#include "app/Numbers.h"
 #include "app/models/ProbeModel.h"
-#include "core/inspect/ProbeHeadline.h"
+#include "app/style/Numbers.h"
+#include "core/story/ProbeHeadline.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
@@ -42,7 +42,7 @@ TEST(ProbeModel, HasEveryIntermediateOnceBelowItsStage) {
 
 TEST(ProbeModel, ValuesReadBackAsTheSameFloats) {
   ProbeModel model;
-  reference::PixelRecord record;
+  twin::PixelRecord record;
   record.fill(glm::vec4(0.1f, -1.0f / 3.0f, 12345.678f, 0));
   model.setRecord(record);
   const QStringList lines = cell(&model, IntermediateId::color, ProbeModel::Value).split('\n');
@@ -65,7 +65,7 @@ TEST(ProbeModel, ARowIsAsHighAsItsChannelsWhateverTheirValues) {
   for (const Intermediate& row : kIntermediates) before[row.id] = height(row.id);
   EXPECT_GT(before.at(IntermediateId::alpha), 0);
   EXPECT_GT(before.at(IntermediateId::motion), before.at(IntermediateId::alpha));
-  reference::PixelRecord record;
+  twin::PixelRecord record;
   record.fill(glm::vec4(-1.0f / 3.0f));
   model.setRecord(record);
   for (const Intermediate& row : kIntermediates) EXPECT_EQ(height(row.id), before.at(row.id)) << row.label;
@@ -91,8 +91,8 @@ TEST(ProbeModel, NamesChannelsByTheSettingsOfTheValues) {
 
 TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
   ProbeModel model;
-  reference::PixelRecord record{};
-  reference::at(record, IntermediateId::rejectReason).x = 1.0f;
+  twin::PixelRecord record{};
+  twin::at(record, IntermediateId::rejectReason).x = 1.0f;
   model.setRecord(record);
   EXPECT_EQ(cell(&model, IntermediateId::historyRaw, ProbeModel::Value), "—");
   EXPECT_EQ(cell(&model, IntermediateId::historyRaw, ProbeModel::Meaning), "no history yet");

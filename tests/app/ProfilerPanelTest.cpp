@@ -3,9 +3,9 @@
 
 #include "app/models/ProfileHistory.h"
 #include "app/panels/PipelinePanel.h"
-#include "app/views/ProfileChart.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
+#include "app/views/plots/ProfileChart.h"
 #include "app/widgets/FigureTable.h"
 #include "app/widgets/SectionHeader.h"
 #include "tests/app/WindowFixture.h"

@@ -1,16 +1,16 @@
 // The tree of the scene by real events, and flying by mouse and keys.
 #include "tests/app/WindowFixture.h"
 
-#include "app/Flight.h"
 #include "app/models/SceneTreeModel.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
 #include "app/views/FlightMath.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "app/widgets/FlightBar.h"
 #include "app/widgets/Prompt.h"
 #include "app/widgets/SearchField.h"
+#include "app/widgets/bars/FlightBar.h"
+#include "app/window/Flight.h"
 
 #include <QJsonArray>
 #include <QLineEdit>

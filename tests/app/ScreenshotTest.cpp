@@ -125,7 +125,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   EXPECT_EQ(0, std::memcmp(shown.around[4].data(), record.data(), sizeof(record)));
   for (const IntermediateId id : allRows()) {
     const QString value = window.probe()->valueText(id);
-    EXPECT_EQ(value, rowText(intermediate(id), reference::at(record, id))) << intermediate(id).name;
+    EXPECT_EQ(value, rowText(intermediate(id), twin::at(record, id))) << intermediate(id).name;
   }
 }
 

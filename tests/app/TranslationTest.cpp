@@ -1,8 +1,8 @@
 // The window in another language: a made-up one, whose texts are those of the program in brackets.
-#include "app/Translation.h"
-#include "app/Dialogs.h"
-#include "app/Text.h"
+#include "app/style/Translation.h"
 #include "app/panels/PipelinePanel.h"
+#include "app/style/Text.h"
+#include "app/window/Dialogs.h"
 #include "core/base/Say.h"
 #include "tests/app/WindowFixture.h"
 

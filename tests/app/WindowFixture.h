@@ -1,7 +1,7 @@
 // A window on a fake or a real renderer, and ways to wait for it.
 #pragma once
 
-#include "app/MainWindow.h"
+#include "app/window/MainWindow.h"
 #include "tests/app/FakeRenderer.h"
 
 #include <QApplication>

@@ -5,8 +5,8 @@
 #include "core/gl/Context.h"
 #include "core/taa/TaaPass.h"
 #include "tests/bench/Timing.h"
-#include "tests/support/Frames.h"
 #include "tests/support/ShaderFolder.h"
+#include "tests/support/frames/Frames.h"
 
 #include <benchmark/benchmark.h>
 

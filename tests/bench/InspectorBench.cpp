@@ -1,7 +1,7 @@
 // What looking costs: paired measurements of the façade. Every figure is a counter named as in Figures.cpp.
-#include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/base/Median.h"
+#include "core/inspect/Inspector.h"
 #include "core/settings/Parameters.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"

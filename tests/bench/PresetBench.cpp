@@ -6,7 +6,7 @@
 #include "core/taa/TaaPass.h"
 #include "tests/bench/Figures.h"
 #include "tests/bench/Timing.h"
-#include "tests/support/Frames.h"
+#include "tests/support/frames/Frames.h"
 
 #include <benchmark/benchmark.h>
 

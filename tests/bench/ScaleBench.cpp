@@ -1,10 +1,10 @@
 // What size costs: a scene of a million triangles, and the export of everything there is about a frame. Every
 // figure is a counter named as in Figures.cpp.
-#include "core/FrameExport.h"
-#include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/base/Median.h"
-#include "core/taa/ChannelNames.h"
+#include "core/inspect/Inspector.h"
+#include "core/report/FrameExport.h"
+#include "core/taa/rows/ChannelNames.h"
 #include "tests/bench/Timing.h"
 #include "tests/support/Paths.h"
 

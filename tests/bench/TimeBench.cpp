@@ -1,9 +1,9 @@
 // What going through time costs, and that it costs no memory: paired measurements of the façade. Every figure
 // is a counter named as in Figures.cpp.
-#include "core/Inspector.h"
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Median.h"
+#include "core/inspect/Inspector.h"
 #include "core/settings/Parameters.h"
 #include "tests/bench/Timing.h"
 

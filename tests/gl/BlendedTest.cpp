@@ -1,7 +1,7 @@
 // What is blended over the picture, and the masks of special content.
 #include "core/base/Half.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <glm/gtc/quaternion.hpp>
 

@@ -2,8 +2,8 @@
 // invariants 9, 14, 15 and 16, against closed forms and against the analytic projection of every pixel.
 #include "core/base/Error.h"
 #include "core/scene/SceneSource.h"
-#include "tests/support/AnalyticMotion.h"
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/AnalyticMotion.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,5 +1,5 @@
 // Normals and tangents of what the vertex shader deforms turn with the surface.
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <cmath>
 #include <cstddef>

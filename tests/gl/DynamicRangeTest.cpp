@@ -1,10 +1,10 @@
 // Shaded colors that are clipped before anything is averaged (catalogue 1.2).
-#include "core/render/NoisePass.h"
 #include "core/render/SceneRenderer.h"
+#include "core/render/passes/NoisePass.h"
 #include "core/scene/SceneSource.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/frames/SmallScene.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 // Fog in beams against the geometry of the cones: the integral, the steps, the noise and its history
 // (catalogue 20.4, 20.5; source 001, "improving banding").
-#include "core/inspect/References.h"
+#include "core/measure/References.h"
 #include "core/render/SceneRenderer.h"
-#include "tests/support/FogTruth.h"
 #include "tests/support/GlTest.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/frames/FogTruth.h"
+#include "tests/support/frames/SmallScene.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtx/quaternion.hpp>

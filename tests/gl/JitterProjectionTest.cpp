@@ -1,7 +1,7 @@
 // The picture is drawn where the jittered projection says, in each of its forms (invariant 6, catalogue
 // §2.1).
 #include "tests/support/CompareImages.h"
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <glm/matrix.hpp>
 

@@ -1,6 +1,6 @@
 // Motion vectors of the renderer against closed forms: invariants 9, 11, 12, 13 and 15.
 
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <glm/gtc/quaternion.hpp>
 

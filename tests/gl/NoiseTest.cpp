@@ -1,6 +1,6 @@
 // The noise that is added to the shaded color (invariants 4 and 64).
-#include "core/render/NoisePass.h"
-#include "core/taa/reference/Random.h"
+#include "core/render/passes/NoisePass.h"
+#include "core/taa/twin/Random.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ TEST_F(NoiseTest, IsWhiteByTheHashOfPixelAndFrame) {
         const std::size_t at =
             (static_cast<std::size_t>(frame) * kSize + static_cast<std::size_t>(y)) * kSize +
             static_cast<std::size_t>(x);
-        const auto bits = reference::randomBits({x, y}, frame, 5) + reference::randomBits({x, y}, frame, 6);
+        const auto bits = twin::randomBits({x, y}, frame, 5) + twin::randomBits({x, y}, frame, 6);
         ASSERT_NEAR(all[at], (static_cast<float>(bits) + 1.0f) / 8192.0f - 1.0f, 1e-4f);
       }
 }

@@ -1,6 +1,6 @@
 // What is laid over pictures, pixel by pixel: differences, hatches, tints, outlines, arrows.
-#include "core/inspect/ColorMap.h"
-#include "core/inspect/Visualizer.h"
+#include "core/picture/ColorMap.h"
+#include "core/picture/Visualizer.h"
 #include "tests/support/GlTest.h"
 
 #include <algorithm>

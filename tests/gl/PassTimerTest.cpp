@@ -2,7 +2,7 @@
 #include "core/gl/PassTimer.h"
 
 #include "core/gl/RenderPass.h"
-#include "core/inspect/Profiler.h"
+#include "core/measure/Profiler.h"
 #include "tests/support/GlTest.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 // Motion of objects as two sources print it (catalogue §26, D6 and D16), against closed forms.
 #include "tests/support/CompareImages.h"
-#include "tests/support/MotionFixture.h"
+#include "tests/support/frames/MotionFixture.h"
 
 #include <glm/trigonometric.hpp>
 

@@ -2,9 +2,9 @@
 // an edge, and noise averaged (invariants 17 to 19, 45, 49).
 #include "core/taa/TaaPass.h"
 
-#include "tests/support/Frames.h"
-#include "tests/support/MotionFixture.h"
-#include "tests/support/ReferenceInputs.h"
+#include "tests/support/frames/Frames.h"
+#include "tests/support/frames/MotionFixture.h"
+#include "tests/support/frames/TwinInputs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "core/base/Half.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/frames/SmallScene.h"
 
 #include <glm/gtc/quaternion.hpp>
 

@@ -3,7 +3,7 @@
 #include "core/render/SceneRenderer.h"
 
 #include "tests/support/GlTest.h"
-#include "tests/support/SmallScene.h"
+#include "tests/support/frames/SmallScene.h"
 
 #include <algorithm>
 #include <cmath>

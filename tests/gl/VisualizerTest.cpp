@@ -1,9 +1,9 @@
 // Pictures of hand-made textures, byte for byte.
-#include "core/inspect/Visualizer.h"
+#include "core/picture/Visualizer.h"
 
 #include "core/base/Error.h"
 #include "core/gl/RenderPass.h"
-#include "core/inspect/ColorMap.h"
+#include "core/picture/ColorMap.h"
 #include "shaders/shared/ViewBlock.h"
 #include "tests/support/GlTest.h"
 

@@ -1,5 +1,5 @@
 // Programs compiled on another thread are found on disk and make the same bits; the thread ends cleanly.
-#include "core/inspect/BackgroundCompiler.h"
+#include "core/replay/BackgroundCompiler.h"
 
 #include "tests/support/Paths.h"
 #include "tests/support/ShaderFolder.h"

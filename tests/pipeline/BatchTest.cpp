@@ -1,11 +1,11 @@
 // taa-batch as users and scripts meet it: the real program, its files, its words and its exit codes.
 #include "core/base/Files.h"
-#include "core/inspect/Metrics.h"
 #include "core/io/FrameFile.h"
+#include "core/measure/Metrics.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"

@@ -1,7 +1,7 @@
 // Comparing on a small picture: lanes that come and go, frames beside the one on show, differences.
-#include "core/inspect/ColorMap.h"
+#include "core/picture/ColorMap.h"
 #include "tests/support/SmallInspector.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <cmath>

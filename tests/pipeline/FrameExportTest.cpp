@@ -1,10 +1,10 @@
 // An export in pieces is the same as one at once, and does not hold everything.
-#include "core/FrameExport.h"
+#include "core/report/FrameExport.h"
 
-#include "core/Inspector.h"
 #include "core/gl/Memory.h"
+#include "core/inspect/Inspector.h"
 #include "core/settings/Parameters.h"
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/Paths.h"
 

@@ -1,6 +1,6 @@
 // An exported resolve and the pass after it, compiled as they stand and bound by what their head says, give
 // the inspector's bits.
-#include "core/taa/GlslExport.h"
+#include "core/taa/glsl/GlslExport.h"
 
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
@@ -10,7 +10,7 @@
 #include "shaders/shared/ResolveBlock.h"
 #include "tests/support/Paths.h"
 #include "tests/support/Process.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <array>
 #include <cstddef>
@@ -171,7 +171,7 @@ class GlslExportTest : public test::ResolveTest {
     EXPECT_EQ(Engine::hasOutput(text), changesOutput(settings));
     Engine engine(text);
     for (const std::uint32_t seed : {1u, 2u, 3u}) {
-      reference::Inputs images = test::randomFrame(shape, seed, seed == 2);
+      twin::Inputs images = test::randomFrame(shape, seed, seed == 2);
       if (settings.inputs.blended != BlendedAs::After) images.overlay = {};
       const FrameInputs inputs = test::upload(images, shape);
       const History history = test::uploadHistory(images, shape);

@@ -2,7 +2,7 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -287,7 +287,7 @@ TEST_F(InspectorTest, ProbesWhatThePictureShows) {
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const int index = (dy + 1) * 3 + dx + 1;
-      EXPECT_EQ(taa::reference::at(corner.at(static_cast<std::size_t>(index)), IntermediateId::color),
+      EXPECT_EQ(taa::twin::at(corner.at(static_cast<std::size_t>(index)), IntermediateId::color),
                 color.texel(std::max(dx, 0), kHeight - 1 + std::min(dy, 0)));
     }
 }

@@ -2,8 +2,8 @@
 #include "tests/support/SmallInspector.h"
 
 #include "core/base/Error.h"
-#include "core/render/JitterWay.h"
-#include "tests/support/Variants.h"
+#include "core/render/jitter/JitterWay.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,5 +1,5 @@
 // Wherever the driver runs out of memory, an Error says so and everything is as it was before.
-#include "core/Inspector.h"
+#include "core/inspect/Inspector.h"
 
 #include "core/base/Error.h"
 #include "core/gl/Memory.h"

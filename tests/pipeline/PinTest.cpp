@@ -49,13 +49,13 @@ TEST_F(PinTest, MoveAsTheMotionOfTheirSurface) {
       inspector.seek(frame);
       for (std::size_t index = 0; index < pins.size(); ++index) {
         const PinSpot spot = inspector.spot(pins[index]);
-        const reference::PixelRecord record = inspector.probe(spot.pixel.x, spot.pixel.y);
-        const auto seen = static_cast<int>(reference::at(record, IntermediateId::objectId).x);
+        const twin::PixelRecord record = inspector.probe(spot.pixel.x, spot.pixel.y);
+        const auto seen = static_cast<int>(twin::at(record, IntermediateId::objectId).x);
         const bool isOwn = spot.state == PinState::Seen && seen == pins[index].anchor->object;
         const glm::vec2 step = spot.position - before[index];
         before[index] = spot.position;
         if (!isOwn) continue;
-        const glm::vec2 motion(reference::at(record, IntermediateId::motion));
+        const glm::vec2 motion(twin::at(record, IntermediateId::motion));
         EXPECT_LT(glm::distance(step, motion), 0.05f + 0.15f * glm::length(motion))
             << source << " pin " << index << " frame " << frame;
         ++compared;
@@ -95,7 +95,7 @@ TEST_F(PinTest, SayWhenTheirSurfaceIsHiddenOrGone) {
       const auto record = inspector->probe(spot.pixel.x, spot.pixel.y);
       if (spot.state != PinState::Hidden) continue;
       ++hidden;
-      EXPECT_LT(reference::at(record, IntermediateId::depthView).x, spot.viewDepth);
+      EXPECT_LT(twin::at(record, IntermediateId::depthView).x, spot.viewDepth);
     }
   }
   EXPECT_GT(hidden, 0) << "the blades of the fan sweep over the wall";

@@ -1,9 +1,9 @@
 // What the probe tells: every row has words, and every formula, worked out with the numbers it states, gives
 // the value it ends with, which is the row's.
-#include "core/inspect/ProbeStory.h"
+#include "core/story/ProbeStory.h"
 #include "core/settings/Presets.h"
-#include "core/taa/reference/Color.h"
-#include "core/taa/reference/Known.h"
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/Known.h"
 #include "tests/support/Calculator.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/StoryPhrases.h"
@@ -47,14 +47,14 @@ bool holds(const std::string& formula) {
 /// The value the formula ends with is the row's, or what its subject says.
 void expectEndsWithTheValue(IntermediateId id, const RowStory& story, const ProbedPixel& probed) {
   const Values stated = Calculator(story.formula.substr(story.formula.rfind(" = ") + 3)).result();
-  glm::vec4 value = reference::at(probed.record, id);
+  glm::vec4 value = twin::at(probed.record, id);
   double precision = 1e-6;
   if (story.subject == "in box space")
-    value = glm::vec4(reference::toBox(glm::vec3(value), probed.settings.space), 0.0f);
+    value = glm::vec4(twin::toBox(glm::vec3(value), probed.settings.space), 0.0f);
   if (story.subject == "compressed as in the box")
-    value = glm::vec4(reference::compress(glm::vec3(value), probed.settings.space.tone), 0.0f);
+    value = glm::vec4(twin::compress(glm::vec3(value), probed.settings.space.tone), 0.0f);
   if (story.subject == "R, as the curve has it") { // before it is stored
-    value = glm::vec4(reference::compress(glm::vec3(value), probed.settings.blend), 0.0f);
+    value = glm::vec4(twin::compress(glm::vec3(value), probed.settings.blend), 0.0f);
     precision = probed.settings.history.precision == Precision::Half ? 1e-3 : 1.0 / 255;
   }
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -88,14 +88,14 @@ bool isComputed(IntermediateId id) {
 /// Rows whose step is off, or whose value is a rule's constant: nothing was computed.
 bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   const Settings& s = probed.settings;
-  const glm::vec4 value = reference::at(probed.record, id);
+  const glm::vec4 value = twin::at(probed.record, id);
   const bool isFirst = probed.details.isFirst;
   switch (id) {
   case Id::dilatedMotion:
     return !isUpsampled(s);
   case Id::historyRaw:
   case Id::historyRectified:
-    return isFirst || value == reference::at(probed.record, Id::historyRaw);
+    return isFirst || value == twin::at(probed.record, Id::historyRaw);
   case Id::sampleConfidence:
     return !isUpsampled(s) || s.current.upsample == UpsampleKernel::Hdrp;
   case Id::clipAmount:
@@ -126,10 +126,10 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
     return value.x == 1.0f || (id == Id::rectifyStrength && s.rectify.method == RectifyMethod::None);
   case Id::alphaChannels:
     return s.weight.source != AlphaSource::ContrastPerChannel ||
-           reference::at(probed.record, Id::alphaInvalid).x >= 1.0f;
+           twin::at(probed.record, Id::alphaInvalid).x >= 1.0f;
   case Id::referenceError:
   case Id::referenceErrorAbs:
-    return !reference::isKnown(probed.record, Id::reference);
+    return !twin::isKnown(probed.record, Id::reference);
   case Id::flicker:
   case Id::deviationOverTime:
   case Id::framesFollowed:
@@ -140,8 +140,8 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
 }
 
 int checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string& where) {
-  const reference::PixelRecord record = inspector.probe(pixel.x, pixel.y);
-  const reference::Details details = inspector.details(pixel.x, pixel.y);
+  const twin::PixelRecord record = inspector.probe(pixel.x, pixel.y);
+  const twin::Details details = inspector.details(pixel.x, pixel.y);
   const ProbedPixel probed{record, details, inspector.settings(), inspector.info(), pixel};
   int formulas = 0;
   for (const Intermediate& row : kIntermediates) {
@@ -258,8 +258,8 @@ TEST_F(ProbeStoryTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShown) {
   auto inspector = opened();
   inspector->seek(3);
   const auto told = [&](IntermediateId id) {
-    const reference::PixelRecord record = inspector->probe(24, 8);
-    const reference::Details details = inspector->details(24, 8);
+    const twin::PixelRecord record = inspector->probe(24, 8);
+    const twin::Details details = inspector->details(24, 8);
     return storyOf(id, {record, details, inspector->settings(), inspector->info(), {24, 8}}, 9);
   };
   EXPECT_EQ(told(IntermediateId::referenceError).words, "there is no reference yet");
@@ -270,10 +270,10 @@ TEST_F(ProbeStoryTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShown) {
 }
 
 TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
-  reference::PixelRecord record{};
-  reference::Details details;
+  twin::PixelRecord record{};
+  twin::Details details;
   Settings settings;
-  const auto set = [&](IntermediateId id, float value) { reference::at(record, id).x = value; };
+  const auto set = [&](IntermediateId id, float value) { twin::at(record, id).x = value; };
   for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
                                     IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
                                     IntermediateId::alphaSampleDistance, IntermediateId::alphaFlicker})
@@ -294,16 +294,16 @@ TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
 }
 
 TEST_F(ProbeStoryTest, WhatThePrintedWayBackCutsOffIsTold) {
-  reference::PixelRecord record{};
-  reference::Details details;
+  twin::PixelRecord record{};
+  twin::Details details;
   Settings settings;
   settings.space = {ColorSpace::YCoCgAsPrinted, ToneSpace::Linear};
   settings.rectify.method = RectifyMethod::Clamp;
-  const glm::vec3 wall = reference::toBox({4.0f, 2.0f, 0.5f}, settings.space);
+  const glm::vec3 wall = twin::toBox({4.0f, 2.0f, 0.5f}, settings.space);
   details.isFirst = false;
   details.neighborhood.boxMin = details.neighborhood.boxMax = wall;
-  reference::at(record, IntermediateId::historyRaw) = glm::vec4(8.0f, 2.0f, 0.5f, 0.0f);
-  reference::at(record, IntermediateId::rectifyStrength).x = 1.0f;
+  twin::at(record, IntermediateId::historyRaw) = glm::vec4(8.0f, 2.0f, 0.5f, 0.0f);
+  twin::at(record, IntermediateId::rectifyStrength).x = 1.0f;
   const auto told = [&] {
     return storyOf(IntermediateId::historyRectified, {record, details, settings, {}, {}});
   };

@@ -1,10 +1,10 @@
 // What the probe says of pixels of every scene, held against the geometry of the scene: whose motion it is,
 // whether history is of the same surface, of another one, beside the picture, or not there.
-#include "core/inspect/ProbeHeadline.h"
-#include "core/inspect/ProbeStory.h"
 #include "core/settings/Presets.h"
-#include "core/taa/Intermediates.h"
-#include "core/taa/reference/Details.h"
+#include "core/story/ProbeHeadline.h"
+#include "core/story/ProbeStory.h"
+#include "core/taa/rows/Intermediates.h"
+#include "core/taa/twin/Details.h"
 #include "tests/support/ProbeFacts.h"
 #include "tests/support/SmallInspector.h"
 #include "tests/support/StoryPhrases.h"
@@ -138,7 +138,7 @@ bool has(const std::string& text, const char* phrase) {
 struct Told {
   const PixelRow& row;
   test::ProbeFacts facts;
-  reference::PixelRecord record;
+  twin::PixelRecord record;
   Settings settings;
   std::string line;
 };
@@ -224,12 +224,12 @@ TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
                               std::to_string(row.frame) + " (" + std::to_string(row.pixel.x) + ", " +
                               std::to_string(row.pixel.y) + ")";
     SCOPED_TRACE(where);
-    EXPECT_EQ(told.facts.own.object, static_cast<int>(reference::at(told.record, Id::objectId).x));
+    EXPECT_EQ(told.facts.own.object, static_cast<int>(twin::at(told.record, Id::objectId).x));
     EXPECT_EQ(truthOf(told.facts, told.settings, inspector.info()), row.truth) << told.line;
     EXPECT_EQ(told.facts.followsOther, row.followsOther) << told.line;
     expectMotionIsTrue(told);
     expectHistoryIsTrue(told);
-    const reference::Details details = inspector.details(row.pixel.x, row.pixel.y);
+    const twin::Details details = inspector.details(row.pixel.x, row.pixel.y);
     const ProbedPixel probed{told.record, details, told.settings, inspector.info(), row.pixel};
     for (const Intermediate& each : kIntermediates)
       test::expectTrue(storyOf(each.id, probed), probed, where + " " + std::string(each.name));
@@ -240,7 +240,7 @@ TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
 TEST_F(ProbeTruthTest, AGhostIsCalledOne) {
   const PixelRow ghost{"disocclusion", "unrectified", 3, {187, 96}, Truth::Other};
   Inspector& inspector = at(ghost);
-  const reference::PixelRecord record = inspector.probe(187, 96);
+  const twin::PixelRecord record = inspector.probe(187, 96);
   EXPECT_EQ(historyDoubt(record, inspector.settings()), HistoryDoubt::Ghost);
   const std::vector<std::string> lines = probeHeadline(record, inspector.settings(), inspector.info());
   EXPECT_TRUE(has(lines[0], "it is a ghost, 90 % of the result")) << lines[0];

@@ -1,5 +1,5 @@
 // Profiles, the cost of stages and thumbnails, on real frames.
-#include "core/Inspector.h"
+#include "core/inspect/Inspector.h"
 #include "tests/support/CompareImages.h"
 #include "tests/support/GlTest.h"
 

@@ -1,11 +1,11 @@
 // The supersampled reference: what it is, that it is the same however it was reached, and that it changes
 // nothing.
 #include "core/base/Error.h"
-#include "core/render/ReferencePoints.h"
 #include "core/render/SceneRenderer.h"
-#include "core/scene/BuiltinScenes.h"
+#include "core/render/jitter/ReferencePoints.h"
 #include "core/scene/SceneSource.h"
-#include "core/taa/reference/Known.h"
+#include "core/scene/builtin/BuiltinScenes.h"
+#include "core/taa/twin/Known.h"
 #include "tests/support/SmallInspector.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ TEST_F(ReferenceTest, RowsAreTheirFormulas) {
   EXPECT_GT(taa::pictureError(output, rows[0]).rmse, 0.0) << "else nothing was tested";
   const taa::PixelRecord record = inspector->probe(20, 9);
   for (std::size_t row = 0; row < kRows.size(); ++row)
-    EXPECT_EQ(taa::reference::at(record, kRows[row]), rows[row].texel(20, 9));
+    EXPECT_EQ(taa::twin::at(record, kRows[row]), rows[row].texel(20, 9));
   const taa::gl::Rect part{11, 5, 7, 3};
   EXPECT_EQ(inspector->image(kRows[1], 0, part).texel(6, 2), rows[1].texel(17, 7));
 }
@@ -225,13 +225,13 @@ TEST_F(ReferenceTest, SaysWhereThereIsNone) {
   EXPECT_THROW(inspector->refineReference(1025), taa::Error);
   const taa::PixelRecord record = inspector->probe(3, 4);
   for (const IntermediateId id : kRows) {
-    EXPECT_FALSE(taa::reference::isKnown(record, id));
+    EXPECT_FALSE(taa::twin::isKnown(record, id));
     const taa::Picture picture =
         inspector->picture(id, taa::defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
     EXPECT_EQ(std::ranges::count(picture.rgba, 0), 4 * kWidth * kHeight) << "nothing is covered";
   }
   inspector->refineReference(4);
-  EXPECT_TRUE(taa::reference::isKnown(inspector->probe(3, 4), IntermediateId::referenceError));
+  EXPECT_TRUE(taa::twin::isKnown(inspector->probe(3, 4), IntermediateId::referenceError));
   const taa::Picture picture = inspector->picture(IntermediateId::reference, {}, {}, kWidth, kHeight);
   EXPECT_EQ(picture.rgba[3], 255);
 }

@@ -2,8 +2,8 @@
 // n a function all the same.
 #include "core/base/Error.h"
 #include "core/scene/SceneSource.h"
-#include "tests/support/Frames.h"
 #include "tests/support/SmallInspector.h"
+#include "tests/support/frames/Frames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Ranges of frames in files: all of them, with the pictures of the views, or none.
-#include "core/SequenceExport.h"
+#include "core/report/SequenceExport.h"
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/io/FrameFile.h"
 #include "core/io/GifFile.h"
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 #include "tests/support/Paths.h"
 #include "tests/support/SmallInspector.h"
 

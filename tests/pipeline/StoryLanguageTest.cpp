@@ -1,7 +1,7 @@
 // What the probe tells, in another language: no word of it stays as it was.
 #include "core/base/Say.h"
-#include "core/inspect/ProbeStory.h"
 #include "core/settings/Presets.h"
+#include "core/story/ProbeStory.h"
 #include "tests/support/SmallInspector.h"
 
 #include <cctype>
@@ -56,8 +56,8 @@ TEST_F(StoryLanguageTest, EveryWordIsSaidInTheLanguageThatIsSet) {
   inspector->seek(6);
   for (const Preset& preset : wholePresets()) {
     inspector->setSettings(preset.settings);
-    const reference::PixelRecord record = inspector->probe(30, 11);
-    const reference::Details details = inspector->details(30, 11);
+    const twin::PixelRecord record = inspector->probe(30, 11);
+    const twin::Details details = inspector->details(30, 11);
     const ProbedPixel probed{record, details, inspector->settings(), inspector->info(), {30, 11}};
     const Bracketed language; // of the stories only: nothing is drawn meanwhile
     for (const Intermediate& row : kIntermediates) {

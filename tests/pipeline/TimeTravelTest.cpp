@@ -1,17 +1,17 @@
 // Frame n is a function: however it is reached and however much is looked at, the same bits, with every
 // preset (design §2.1–3).
-#include "core/Inspector.h"
+#include "core/inspect/Inspector.h"
 
 #include "core/base/Error.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-#include "core/taa/reference/Stages.h"
+#include "core/taa/twin/stages/Stages.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/Frames.h"
 #include "tests/support/GlTest.h"
-#include "tests/support/ReferenceInputs.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/Frames.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/TwinInputs.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <string>
@@ -237,7 +237,7 @@ TEST_P(TimeTravelOfCombinationsTest, SeekingIsPlayingInEveryRandomCombination) {
 }
 
 /// What the frame after the inspector's will be resolved on, from what can be looked at: into `twin`.
-void keepHistory(Inspector& inspector, reference::Inputs& twin) {
+void keepHistory(Inspector& inspector, twin::Inputs& twin) {
   Image color(kWidth, kHeight, 4), surface(kWidth, kHeight, 2);
   const Image resolved = inspector.image(IntermediateId::resolved);
   const Image length = inspector.image(IntermediateId::historyLength);
@@ -247,7 +247,7 @@ void keepHistory(Inspector& inspector, reference::Inputs& twin) {
     for (int x = 0; x < kWidth; ++x) {
       test::setColor(color, x, y, glm::vec3(resolved.texel(x, y)));
       surface.at(x, y)[0] = length.at(x, y)[0];
-      surface.at(x, y)[1] = reference::viewDepth(depth.at(x, y)[0], depthTerms);
+      surface.at(x, y)[1] = twin::viewDepth(depth.at(x, y)[0], depthTerms);
     }
   }
   twin.historyColor = color;
@@ -267,11 +267,11 @@ TEST_P(ProbeTest, ProbeIsPictureIsTwin) {
   Inspector inspector;
   open(inspector, {settings});
   inspector.seek(kFrame - 1);
-  reference::Inputs history;
+  twin::Inputs history;
   keepHistory(inspector, history);
   inspector.seek(kFrame);
   const std::vector<Image> pictures = everything(inspector);
-  reference::Inputs twin = test::twinInputs(inspector.inputs(), nullptr);
+  twin::Inputs twin = test::twinInputs(inspector.inputs(), nullptr);
   twin.historyColor = history.historyColor;
   twin.historySurface = history.historySurface;
   twin.historyMotion = history.historyMotion;

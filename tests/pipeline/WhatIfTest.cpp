@@ -17,7 +17,7 @@ using WhatIfTest = taa::test::small::InspectorTest;
 namespace {
 
 glm::vec3 resolvedAt(Inspector& inspector, const glm::ivec2& pixel) {
-  return glm::vec3(reference::at(inspector.probe(pixel.x, pixel.y), IntermediateId::resolved));
+  return glm::vec3(twin::at(inspector.probe(pixel.x, pixel.y), IntermediateId::resolved));
 }
 
 const std::vector<glm::ivec2> kPixels{{0, 0}, {30, 11}, {24, 20}, {47, 26}};

@@ -1,6 +1,6 @@
 // The neighborhood's box and the ways into it, measured on what the resolve exposes (invariants 34 to 40).
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,8 @@ bool isInside(const float* color, const float* lo, const float* hi, float slack)
 class BoxTest : public taa::test::ResolveTest {
  protected:
   // Colors within a few stops, a history unlike them: some of it inside the box, most outside.
-  static taa::reference::Inputs frame(std::uint32_t seed) {
-    taa::reference::Inputs made = taa::test::randomFrame(kShape, seed, false);
+  static taa::twin::Inputs frame(std::uint32_t seed) {
+    taa::twin::Inputs made = taa::test::randomFrame(kShape, seed, false);
     std::ranges::fill(made.motion.pixels, 0.0f);
     for (Image* image : {&made.color, &made.historyColor})
       for (float& value : image->pixels) value = 4.0f * value / (1.0f + value);
@@ -70,7 +70,7 @@ class BoxTest : public taa::test::ResolveTest {
 
   // Black but for `bright` pixels of 1 in the middle's neighborhood, row-major; the middle pixel is (16, 16).
   static Exposed aroundTheMiddle(const std::vector<int>& bright, const Settings& settings) {
-    taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
+    taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
     for (const int k : bright)
       for (int channel = 0; channel < 3; ++channel) made.color.at(15 + k % 3, 15 + k / 3)[channel] = 1.0f;
     return expose(made, kShape, settings);
@@ -154,7 +154,7 @@ TEST_F(BoxTest, HasTheMomentsOfAFewBrightPixels) {
 
 // Invariant 37.
 TEST_F(BoxTest, MeasuresSmallDeviationsOfBrightColors) {
-  taa::reference::Inputs made = taa::test::flatFrame(kShape, 60000.0f);
+  taa::twin::Inputs made = taa::test::flatFrame(kShape, 60000.0f);
   for (int y = 0; y < kShape.height; ++y)
     for (int x = 0; x < kShape.width; x += 3) made.color.at(x, y)[0] = 60001.0f; // one in three columns
   const Exposed all = expose(made, kShape, linearRgb(RectifyMethod::None));
@@ -164,7 +164,7 @@ TEST_F(BoxTest, MeasuresSmallDeviationsOfBrightColors) {
 
 // Invariant 34.
 TEST_F(BoxTest, IsAPointWhereColorsAreEqual) {
-  taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.7f);
+  taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.7f);
   made.historyColor = made.color;
   for (float& value : made.historyColor.pixels) value = value * 3.0f;
   made.historySurface = Image(kShape.width, kShape.height, 2);
@@ -186,7 +186,7 @@ TEST_F(BoxTest, IsAPointWhereColorsAreEqual) {
 
 // Catalogue 8.7: columns 2k and 2k + 1 have the same samples, of columns 2k − 1 to 2k + 2.
 TEST_F(BoxTest, PairsOfColumnsHaveTheSameBox) {
-  taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
+  taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
   for (int y = 0; y < kShape.height; ++y)
     for (int x = 0; x < kShape.width; ++x) made.color.at(x, y)[0] = static_cast<float>(x);
   Settings settings = linearRgb(RectifyMethod::None, BoxKind::MinMax);
@@ -204,7 +204,7 @@ TEST_F(BoxTest, SelectShowsOneOfTheNineBitForBit) {
   Settings settings; // balanced: the way through box space and back would change bits
   settings.rectify.method = RectifyMethod::Select;
   settings.validate.flicker = taa::Switch::Off; // which keeps history as it is
-  const taa::reference::Inputs made = frame(5);
+  const taa::twin::Inputs made = frame(5);
   const Exposed all = expose(made, kShape, settings);
   for (int y = 1; y < kShape.height - 1; ++y)
     for (int x = 1; x < kShape.width - 1; ++x) {
@@ -284,7 +284,7 @@ TEST_F(BoxTest, ClipsMoveHistoryStraightToTheirTarget) {
 TEST_F(BoxTest, RectifyingTwiceIsRectifyingOnce) {
   for (const RectifyMethod method :
        {RectifyMethod::Clamp, RectifyMethod::ClipToCenter, RectifyMethod::ClipToFiltered}) {
-    taa::reference::Inputs made = frame(6);
+    taa::twin::Inputs made = frame(6);
     const Exposed once = expose(made, kShape, linearRgb(method));
     for (int y = 0; y < kShape.height; ++y)
       for (int x = 0; x < kShape.width; ++x)
@@ -301,7 +301,7 @@ TEST_F(BoxTest, ColorsComeBackFromTheSpaceOfTheBox) {
     for (const taa::ToneSpace tone : {taa::ToneSpace::Linear, taa::ToneSpace::ReinhardLuma}) {
       Settings settings = linearRgb(RectifyMethod::ClipToFiltered, BoxKind::MinMax);
       settings.space = {color, tone};
-      taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
+      taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
       // One color in each 4×4 block: in their middles the box is a point, and history comes back as that.
       for (int y = 0; y < kShape.height; ++y)
         for (int x = 0; x < kShape.width; ++x)

@@ -2,7 +2,7 @@
 // 33).
 #include "core/taa/TaaPass.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ class FiltersTest : public taa::test::ResolveTest {
   // History raw of a still scene that moves so that every pixel reads history (fx, fy) to its right and
   // below.
   static Image historyAt(const Picture& picture, float fx, float fy, const Settings& settings) {
-    taa::reference::Inputs frame = taa::test::flatFrame(kShape, 0.0f);
+    taa::twin::Inputs frame = taa::test::flatFrame(kShape, 0.0f);
     frame.historyColor = gray(picture);
     frame.historySurface = Image(kShape.width, kShape.height, 2);
     for (int y = 0; y < kShape.height; ++y)
@@ -58,7 +58,7 @@ class FiltersTest : public taa::test::ResolveTest {
   }
 
   static Image currentOf(const Picture& picture, glm::vec2 jitterPx, float variance) {
-    taa::reference::Inputs frame = taa::test::flatFrame(kShape, 0.0f);
+    taa::twin::Inputs frame = taa::test::flatFrame(kShape, 0.0f);
     frame.color = gray(picture);
     frame.jitterPx = jitterPx;
     Settings settings = taa::test::bareSettings();

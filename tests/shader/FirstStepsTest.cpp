@@ -2,7 +2,7 @@
 // a sample or a resolved picture by their formulas alone.
 #include "core/settings/Parameters.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ class FirstStepsTest : public taa::test::ResolveTest {};
 TEST_F(FirstStepsTest, WithoutTaaTheFrameIsShownAsItIsDrawn) {
   const FrameShape shape = fullFloats();
   for (const bool hasHistory : {true, false}) {
-    taa::reference::Inputs frame = taa::test::stillFrame(shape, 80);
+    taa::twin::Inputs frame = taa::test::stillFrame(shape, 80);
     frame.overlay = {};
     if (hasHistory) {
       frame.historyColor = taa::test::stillFrame(shape, 81).color;
@@ -81,7 +81,7 @@ TEST_F(FirstStepsTest, WithoutTaaTheFrameIsShownAsItIsDrawn) {
 // What TAA would begin with stays to be looked at: only what is shown is otherwise.
 TEST_F(FirstStepsTest, WithoutTaaHistoryIsReadAndMeasuredAllTheSame) {
   const FrameShape shape = fullFloats();
-  taa::reference::Inputs frame = taa::test::randomFrame(shape, 82, true);
+  taa::twin::Inputs frame = taa::test::randomFrame(shape, 82, true);
   Settings settings;
   settings.history.precision = taa::Precision::Full;
   settings.neighborhood.includeFiltered = taa::Switch::Off;
@@ -97,7 +97,7 @@ TEST_F(FirstStepsTest, WithoutTaaHistoryIsReadAndMeasuredAllTheSame) {
 // Frames that all move by 2 px: in place history is the pixel's own, reprojected it is that 2 px behind.
 TEST_F(FirstStepsTest, HistoryInPlaceIsThatOfThePixel) {
   const FrameShape shape = fullFloats();
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 83);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 83);
   frame.historyColor = taa::test::stillFrame(shape, 84).color;
   frame.historySurface = Image(shape.width, shape.height, 2);
   for (float& value : frame.historySurface.pixels) value = 5.0f;
@@ -132,7 +132,7 @@ TEST_F(FirstStepsTest, MitchellAfterTaaHasTheKernelsWeightsAtPixelCenters) {
            6.0;
   };
   const FrameShape shape = fullFloats();
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 85);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 85);
   frame.overlay = {};
   Settings settings = taa::test::bareSettings();
   settings.weight.alpha = 1.0f; // resolved is the frame
@@ -154,7 +154,7 @@ TEST_F(FirstStepsTest, MitchellAfterTaaHasTheKernelsWeightsAtPixelCenters) {
 // Source 004: at rest every sample counts alike, in motion the one near the center counts more.
 TEST_F(FirstStepsTest, InMotionTheSampleNearTheCenterIsPreferred) {
   const FrameShape shape = fullFloats();
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 86);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 86);
   frame.historyColor = frame.color;
   frame.historySurface = Image(shape.width, shape.height, 2);
   for (float& value : frame.historySurface.pixels) value = 5.0f;

@@ -1,7 +1,7 @@
 // Geometric flicker (catalogue 13.9): thin lines that come and go before a wall at rest, in GLSL and on the
 // CPU.
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -23,16 +23,16 @@ FrameShape shape() {
   return {kWidth, kHeight, taa::Precision::Full, taa::Precision::Full};
 }
 
-void setDepth(taa::reference::Inputs& frame, int x, int y, float depth) {
+void setDepth(taa::twin::Inputs& frame, int x, int y, float depth) {
   *frame.depth.at(x, y) = 0.1f / depth;
   *frame.previousDepth.at(x, y) = depth;
 }
 
 /// Above and below, columns and rows that may hold a line, now or a frame ago or both; between, a block that
 /// came and another one that went. History is dilated as frames are, by 3×3.
-taa::reference::Inputs lines(unsigned seed) {
+taa::twin::Inputs lines(unsigned seed) {
   std::mt19937 random(seed);
-  taa::reference::Inputs frame = taa::test::flatFrame(shape(), 0.5f);
+  taa::twin::Inputs frame = taa::test::flatFrame(shape(), 0.5f);
   for (float& value : frame.color.pixels) value = static_cast<float>(random() % 1024) / 512.0f;
   Image then(kWidth, kHeight, 1);
   const auto both = [&](int x, int y, bool isNow, bool wasThen, float depth) {
@@ -74,20 +74,20 @@ TEST_F(FlickerTest, IsWhatTheTwinSays) {
     Settings settings;
     settings.inputs.precision = settings.history.precision = taa::Precision::Full;
     settings.validate.depthDirection = direction;
-    const taa::reference::Inputs frame = lines(7);
+    const taa::twin::Inputs frame = lines(7);
     const taa::test::Exposed exposed = expose(frame, shape(), settings);
     const Image& flicker = exposed.at(IntermediateId::geometricFlicker);
     EXPECT_GT(std::ranges::count(flicker.pixels, 1.0f), 20);
     EXPECT_GT(std::ranges::count(exposed.at(IntermediateId::rejectReason).pixels, 4.0f), 50);
-    taa::reference::Inputs inputs = frame;
+    taa::twin::Inputs inputs = frame;
     inputs.resolved = exposed.at(IntermediateId::resolved);
-    std::vector<taa::reference::PixelRecord> twin;
+    std::vector<taa::twin::PixelRecord> twin;
     for (int i = 0; i < kWidth * kHeight; ++i)
-      twin.push_back(taa::reference::resolvePixel(inputs, settings, i % kWidth, i / kWidth));
+      twin.push_back(taa::twin::resolvePixel(inputs, settings, i % kWidth, i / kWidth));
     for (const taa::Intermediate& row : taa::kResolveRows) {
       Image expected(kWidth, kHeight, row.channels);
       for (int i = 0; i < kWidth * kHeight; ++i)
-        std::copy_n(&taa::reference::at(twin[static_cast<std::size_t>(i)], row.id).x, row.channels,
+        std::copy_n(&taa::twin::at(twin[static_cast<std::size_t>(i)], row.id).x, row.channels,
                     expected.at(i % kWidth, i / kWidth));
       EXPECT_EQ(taa::test::difference(exposed.at(row.id), expected, isExact() ? 0.0f : row.tolerance,
                                       isExact() ? 0 : expected.pixels.size() / 100),

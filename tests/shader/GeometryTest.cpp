@@ -1,7 +1,7 @@
 // Rejection by what history was of: objects, classes, normals and motion (catalogue 12.2
 // to 12.5, 12.7, 13.7).
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,8 @@ Value all(float value) {
 }
 
 /// One surface at rest whose history is of the same: object 1, class 1, facing the camera, N = 4.
-taa::reference::Inputs sameAsBefore() {
-  taa::reference::Inputs frame = taa::test::flatFrame(shape(), 1.0f);
+taa::twin::Inputs sameAsBefore() {
+  taa::twin::Inputs frame = taa::test::flatFrame(shape(), 1.0f);
   fill(frame.normal, 2, all(1.0f));
   fill(frame.normal, 3, all(1.0f));
   frame.historyColor = Image(kWidth, kHeight, 4);
@@ -79,10 +79,10 @@ Image picture(const Value& value) {
 
 class GeometryTest : public taa::test::ResolveTest {
  protected:
-  static Image exposed(const taa::reference::Inputs& frame, const Settings& settings, IntermediateId id) {
+  static Image exposed(const taa::twin::Inputs& frame, const Settings& settings, IntermediateId id) {
     return expose(frame, shape(), settings).at(id);
   }
-  static Image reasons(const taa::reference::Inputs& frame, const Settings& settings) {
+  static Image reasons(const taa::twin::Inputs& frame, const Settings& settings) {
     return exposed(frame, settings, IntermediateId::rejectReason);
   }
 };
@@ -92,7 +92,7 @@ TEST_F(GeometryTest, KeepsWhatIsOfTheSame) {
 }
 
 TEST_F(GeometryTest, AnotherObjectAtTheSameDepthIsRejectedByItsNumber) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, [](int x, int) { return x < 8 ? 1.0f : 2.0f; });
   EXPECT_EQ(difference(reasons(frame, depthAlone()), picture(all(kKept))), "") << "depth sees nothing";
   Settings settings = depthAlone();
@@ -109,7 +109,7 @@ TEST_F(GeometryTest, AnotherObjectAtTheSameDepthIsRejectedByItsNumber) {
 }
 
 TEST_F(GeometryTest, OneOfTheNineTexelsAroundIsEnough) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(2.0f));
   frame.historyObject.at(5, 4)[0] = 2.0f;
   Settings settings = depthAlone();
@@ -123,7 +123,7 @@ TEST_F(GeometryTest, OneOfTheNineTexelsAroundIsEnough) {
 }
 
 TEST_F(GeometryTest, TheDilatedSampleSaysWhoseAPixelIs) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   *frame.depth.at(8, 4) *= 1.001f; // a little nearer, so that the ring around it follows it
   *frame.objectId.at(8, 4) = 9.0f;
   fill(frame.historyObject, 0, all(9.0f));
@@ -145,7 +145,7 @@ TEST_F(GeometryTest, TheDilatedSampleSaysWhoseAPixelIs) {
 }
 
 TEST_F(GeometryTest, AnotherClassIsRejectedWhateverItsNumber) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(7.0f)); // another object of the same class is no matter
   fill(frame.normal, 3, [](int x, int) { return x < 4 ? 1.0f : 2.0f; });
   Settings settings = depthAlone();
@@ -155,7 +155,7 @@ TEST_F(GeometryTest, AnotherClassIsRejectedWhateverItsNumber) {
 }
 
 TEST_F(GeometryTest, TheSkyMatchesTheSky) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   for (Image* image : {&frame.depth, &frame.normal, &frame.objectId, &frame.previousDepth,
                        &frame.historyObject, &frame.historyNormal})
     std::ranges::fill(image->pixels, 0.0f);
@@ -169,7 +169,7 @@ TEST_F(GeometryTest, TheSkyMatchesTheSky) {
 
 // Two walls meet; between the frames the edge went from column 10 to column 6.
 TEST_F(GeometryTest, WhatFacedAnotherWayIsRejected) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   const auto walls = [](Image& normal, int edge) {
     fill(normal, 0, [edge](int x, int) { return x < edge ? 1.0f : 0.0f; });
     fill(normal, 2, [edge](int x, int) { return x < edge ? 0.0f : 1.0f; });
@@ -186,7 +186,7 @@ TEST_F(GeometryTest, WhatFacedAnotherWayIsRejected) {
 
 TEST_F(GeometryTest, NormalsMayDifferByTheAngleOfTheLimit) {
   for (const float degrees : {25.0f, 26.0f}) { // cos 25.84° = 0.9
-    taa::reference::Inputs frame = sameAsBefore();
+    taa::twin::Inputs frame = sameAsBefore();
     const float angle = degrees * 3.14159265f / 180.0f;
     fill(frame.normal, 0, all(std::sin(angle)));
     fill(frame.normal, 2, all(std::cos(angle)));
@@ -203,7 +203,7 @@ TEST_F(GeometryTest, AChangeOfVelocityRejectsMoreTheLargerItIs) {
   settings.weight.alpha = 0.0f;
   settings.validate.velocity = taa::VelocityTest::Vector;
   for (const float change : {0.0f, 2.5f, 3.0f, 52.5f, 102.5f, 300.0f}) {
-    taa::reference::Inputs frame = sameAsBefore();
+    taa::twin::Inputs frame = sameAsBefore();
     fill(frame.historyMotion, 1, all(change));
     const Exposed seen = expose(frame, shape(), settings);
     EXPECT_EQ(*seen.at(IntermediateId::velocityChange).at(2, 2), change);
@@ -215,7 +215,7 @@ TEST_F(GeometryTest, AChangeOfVelocityRejectsMoreTheLargerItIs) {
 }
 
 TEST_F(GeometryTest, OnlyLengthsCountWhereSoChosen) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.motion, 0, all(3.0f));
   fill(frame.motion, 1, all(-4.0f));
   fill(frame.historyMotion, 0, all(-5.0f));
@@ -227,13 +227,13 @@ TEST_F(GeometryTest, OnlyLengthsCountWhereSoChosen) {
 }
 
 TEST_F(GeometryTest, WhatHasNoPreviousPositionHasNotChanged) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   for (const int channel : {0, 1}) fill(frame.historyMotion, channel, all(taa::kNoPreviousPosition));
   EXPECT_EQ(difference(reasons(frame, everyTest()), picture(all(kKept))), "");
 }
 
 TEST_F(GeometryTest, SoftRejectionKeepsTheHistory) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(2.0f));
   fill(frame.motion, 0, [](int x, int) { return x < 2 ? 9.0f : 0.0f; }); // from beyond the left edge
   Settings settings = depthAlone();
@@ -255,7 +255,7 @@ TEST_F(GeometryTest, SoftRejectionKeepsTheHistory) {
 }
 
 TEST_F(GeometryTest, AChangeOfVelocityIsJoinedToAlpha) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.historyMotion, 0, all(2.0f));
   Settings settings = depthAlone();
   settings.weight.alpha = 0.5f;
@@ -274,7 +274,7 @@ TEST_F(GeometryTest, MotionThatPartsRaisesAlpha) {
   settings.weight.alpha = 0.5f;
   settings.weight.divergence = Switch::On;
   settings.weight.divergenceSpeed = 8.0f;
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.motion, 0, [](int x, int) { return x < 8 ? -4.0f : 4.0f; });
   const Exposed seen = expose(frame, shape(), settings);
   // At the border the cosine is −1, so the difference to 1 is bounded to 1; the speed is half of the full
@@ -295,7 +295,7 @@ TEST_F(GeometryTest, MotionThatPartsRaisesAlpha) {
 }
 
 TEST_F(GeometryTest, WhatHistoryDoesNotKeepAgrees) {
-  taa::reference::Inputs frame = sameAsBefore();
+  taa::twin::Inputs frame = sameAsBefore();
   fill(frame.objectId, 0, all(5.0f));
   fill(frame.normal, 2, all(-1.0f));
   fill(frame.motion, 0, all(0.5f));
@@ -309,13 +309,13 @@ TEST_F(GeometryTest, WhatHistoryDoesNotKeepAgrees) {
 
 namespace {
 
-Image ofPixels(const taa::reference::Inputs& frame, const Settings& settings, int channels,
-               const std::function<glm::vec4(const taa::reference::Kept&)>& value) {
+Image ofPixels(const taa::twin::Inputs& frame, const Settings& settings, int channels,
+               const std::function<glm::vec4(const taa::twin::Kept&)>& value) {
   Image image(frame.width(), frame.height(), channels);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      taa::reference::Kept kept;
-      taa::reference::resolvePixel(frame, settings, x, y, &kept);
+      taa::twin::Kept kept;
+      taa::twin::resolvePixel(frame, settings, x, y, &kept);
       const glm::vec4 texel = value(kept);
       for (int channel = 0; channel < channels; ++channel) image.at(x, y)[channel] = texel[channel];
     }
@@ -332,14 +332,14 @@ Image wholeSteps(Image lumas) {
 TEST_F(GeometryTest, HistoryKeepsWhatTheTwinSays) {
   const FrameShape random;
   for (const bool isWild : {false, true}) {
-    const taa::reference::Inputs frame = taa::test::randomFrame(random, isWild ? 71 : 70, isWild);
+    const taa::twin::Inputs frame = taa::test::randomFrame(random, isWild ? 71 : 70, isWild);
     Settings settings = everyTest();
     settings.dilate.method = taa::DilateMethod::Closest3x3;
     settings.rectify.locks = settings.rectify.instability = Switch::On;
     settings.history.precision = random.history;
-    taa::reference::Inputs next = frame;
+    taa::twin::Inputs next = frame;
     taa::test::downloadHistory(resolve(frame, random, settings), next);
-    using taa::reference::Kept;
+    using taa::twin::Kept;
     EXPECT_EQ(difference(next.historyObject,
                          ofPixels(frame, settings, 2,
                                   [](const Kept& kept) { return glm::vec4(kept.object, 0.0f, 0.0f); })),

@@ -1,7 +1,7 @@
 // What rectification takes back: locks of thin features and luma that comes and goes
 // (catalogue 11.7, 17.3, 17.4).
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <vector>
@@ -24,8 +24,8 @@ FrameShape shape() {
 }
 
 /// Gray `ground` at rest with columns of `line` from kLine on. No history.
-taa::reference::Inputs lines(float ground, float line, int columns = 1) {
-  taa::reference::Inputs frame = taa::test::flatFrame(shape(), ground);
+taa::twin::Inputs lines(float ground, float line, int columns = 1) {
+  taa::twin::Inputs frame = taa::test::flatFrame(shape(), ground);
   for (int y = 0; y < kHeight; ++y)
     for (int x = kLine; x < kLine + columns; ++x)
       for (int channel = 0; channel < 3; ++channel) frame.color.at(x, y)[channel] = line;
@@ -33,7 +33,7 @@ taa::reference::Inputs lines(float ground, float line, int columns = 1) {
 }
 
 /// The picture of `to` becomes that of `from`; the history stays.
-void show(taa::reference::Inputs& to, const taa::reference::Inputs& from) {
+void show(taa::twin::Inputs& to, const taa::twin::Inputs& from) {
   to.color = from.color;
 }
 
@@ -56,20 +56,20 @@ float valueOf(const Exposed& seen, IntermediateId id, int x) {
 
 class HoldTest : public taa::test::ResolveTest {
  protected:
-  static float exposed(const taa::reference::Inputs& frame, const Settings& settings, IntermediateId id,
+  static float exposed(const taa::twin::Inputs& frame, const Settings& settings, IntermediateId id,
                        int x = kLine) {
     return valueOf(expose(frame, shape(), settings), id, x);
   }
   /// A line that was seen in two frames: locked.
-  static taa::reference::Inputs locked(const Settings& settings) {
-    taa::reference::Inputs frame = lines(1.0f, 1.5f);
+  static taa::twin::Inputs locked(const Settings& settings) {
+    taa::twin::Inputs frame = lines(1.0f, 1.5f);
     for (int n = 0; n < 2; ++n) advance(frame, shape(), settings);
     return frame;
   }
 };
 
 TEST_F(HoldTest, ASecondSightLocksAThinLineAndNothingElse) {
-  taa::reference::Inputs frame = lines(1.0f, 1.5f);
+  taa::twin::Inputs frame = lines(1.0f, 1.5f);
   advance(frame, shape(), locking());
   const Exposed seen = expose(frame, shape(), locking());
   for (int x = 0; x < kWidth; ++x) {
@@ -79,19 +79,19 @@ TEST_F(HoldTest, ASecondSightLocksAThinLineAndNothingElse) {
 }
 
 TEST_F(HoldTest, LinesOfTwoPixelsAndFaintOnesAreNotThin) {
-  for (const taa::reference::Inputs& picture : {lines(1.0f, 1.5f, 2), lines(1.0f, 1.33f)}) {
-    taa::reference::Inputs frame = picture;
+  for (const taa::twin::Inputs& picture : {lines(1.0f, 1.5f, 2), lines(1.0f, 1.33f)}) {
+    taa::twin::Inputs frame = picture;
     advance(frame, shape(), locking());
     EXPECT_EQ(exposed(frame, locking(), IntermediateId::lockLife), 0.0f);
   }
-  taa::reference::Inputs frame = lines(1.5f, 1.0f); // a dark one is
+  taa::twin::Inputs frame = lines(1.5f, 1.0f); // a dark one is
   advance(frame, shape(), locking());
   EXPECT_EQ(exposed(frame, locking(), IntermediateId::lockLife), 2.0f);
 }
 
 // The line is missed from now on: life falls by 1/16 a frame, four times which is what is taken back.
 TEST_F(HoldTest, ALockHoldsHistoryAndFades) {
-  taa::reference::Inputs frame = locked(locking());
+  taa::twin::Inputs frame = locked(locking());
   const Image history = frame.historyColor;
   show(frame, lines(1.0f, 1.0f));
   for (int missed = 1; missed <= 18; ++missed) {
@@ -114,17 +114,17 @@ TEST_F(HoldTest, ALockHoldsHistoryAndFades) {
 }
 
 TEST_F(HoldTest, AChangeOfShadingKillsALock) {
-  const taa::reference::Inputs before = locked(locking());
+  const taa::twin::Inputs before = locked(locking());
   const float mean = (3.0f * 1.5f + 6.0f) / 9.0f;
   for (const float share : {0.55f, 0.52f}) { // 0.9⁶ = 0.531
-    taa::reference::Inputs frame = before;
+    taa::twin::Inputs frame = before;
     show(frame, lines(share * mean, share * mean));
     EXPECT_EQ(exposed(frame, locking(), IntermediateId::lock), share > 0.53f ? 1.0f : 0.0f);
   }
 }
 
 TEST_F(HoldTest, RejectionKillsALock) {
-  taa::reference::Inputs frame = locked(locking());
+  taa::twin::Inputs frame = locked(locking());
   show(frame, lines(1.0f, 1.0f));
   Settings settings = locking();
   settings.validate.depth = Switch::On;
@@ -136,13 +136,13 @@ TEST_F(HoldTest, RejectionKillsALock) {
 
 TEST_F(HoldTest, ALockDoesNotLeaveThePicture) {
   for (const float speed : {7.0f, 9.0f}) { // 7.5 + 9 is beyond 16
-    taa::reference::Inputs frame = locked(locking());
+    taa::twin::Inputs frame = locked(locking());
     const float life = frame.historyLock.at(kLine, kRow)[0];
     EXPECT_EQ(life, 2.0f - 1.0f / 16.0f);
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) frame.motion.at(x, y)[0] = speed;
     // Everything came from the left, where the border continues; so it has no lock but what it gets now.
-    const taa::reference::Inputs line = lines(1.0f, 1.5f);
+    const taa::twin::Inputs line = lines(1.0f, 1.5f);
     show(frame, line);
     advance(frame, shape(), locking());
     EXPECT_EQ(frame.historyLock.at(kLine, kRow)[0], speed < 8.0f ? 1.0f - 1.0f / 16.0f : 0.0f);
@@ -173,7 +173,7 @@ TEST_F(HoldTest, LumaThatComesAndGoesIsUnstable) {
                              Case{{1.0f, 1.0f, 1.0f, 1.0f, 1.0f}, 0.0f, "stays"},
                              Case{{1.5f, 1.5f, 1.0f, 1.5f}, 1.0f, "comes back"},
                              Case{{1.5f, 1.0f, 1.5f}, 0.0f, "not known for long enough"}}) {
-    taa::reference::Inputs frame = lines(wanted.scales[0], 0.0f);
+    taa::twin::Inputs frame = lines(wanted.scales[0], 0.0f);
     for (std::size_t n = 0; n < wanted.scales.size(); ++n) {
       show(frame, lines(0.2f * wanted.scales[n], 0.6f * wanted.scales[n]));
       if (n + 1 < wanted.scales.size()) advance(frame, shape(), calming());
@@ -185,7 +185,7 @@ TEST_F(HoldTest, LumaThatComesAndGoesIsUnstable) {
 }
 
 TEST_F(HoldTest, UnstableLumaKeepsItsHistory) {
-  taa::reference::Inputs frame = lines(0.2f, 0.6f);
+  taa::twin::Inputs frame = lines(0.2f, 0.6f);
   for (const float scale : {1.0f, 1.5f, 1.0f, 1.5f, 1.0f}) {
     show(frame, lines(0.2f * scale, 0.6f * scale));
     advance(frame, shape(), calming());
@@ -200,7 +200,7 @@ TEST_F(HoldTest, UnstableLumaKeepsItsHistory) {
 
 // 11.7: 1 − √reactive of what a lock would take back.
 TEST_F(HoldTest, WhatIsReactiveIsHeldLess) {
-  taa::reference::Inputs frame = locked(locking());
+  taa::twin::Inputs frame = locked(locking());
   show(frame, lines(1.0f, 1.0f));
   frame.mask = Image(kWidth, kHeight, 2);
   const Exposed all = expose(frame, shape(), locking());
@@ -216,7 +216,7 @@ TEST_F(HoldTest, WhatIsReactiveIsHeldLess) {
 
 // 11.7: a tenth of what FSR2 accumulates is 0.1 / (0.74/12) frames.
 TEST_F(HoldTest, ForgetsHistoryThatWasMoved) {
-  taa::reference::Inputs frame = lines(1.0f, 1.0f);
+  taa::twin::Inputs frame = lines(1.0f, 1.0f);
   frame.historyColor = frame.color;
   frame.historySurface = Image(kWidth, kHeight, 2);
   for (int y = 0; y < kHeight; ++y)

@@ -2,9 +2,9 @@
 // whatever else it does.
 #include "core/base/Error.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
 #include "tests/support/ShaderFolder.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +45,7 @@ TEST_P(LookingAtVariants, ChangesNothing) {
   auto seed = static_cast<std::uint32_t>(GetParam());
   for (const Variant& variant : taa::test::partOf(taa::test::presetsAndChoices(), GetParam())) {
     const FrameShape shape = taa::test::shapeFor(variant.settings);
-    const taa::reference::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
+    const taa::twin::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
     const History bare = resolve(frame, shape, variant.settings);
     for (const auto& watched : {watches(seed)[1], watches(seed)[2]}) {
       Exposure exposure(watched, whole(shape));
@@ -58,7 +58,7 @@ TEST_P(LookingAtVariants, ChangesNothing) {
 TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
   for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam())) {
     const FrameShape shape = taa::test::shapeFor(variant.settings);
-    const taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
+    const taa::twin::Inputs frame = taa::test::randomFrame(shape, 11, true);
     Exposure exposure(taa::allRows(), whole(shape));
     expectSame(resolve(frame, shape, variant.settings, &exposure), resolve(frame, shape, variant.settings),
                variant.name);
@@ -67,7 +67,7 @@ TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
 
 TEST_F(LookingTest, ShowsTheSameWhetherItIsAloneOrPacked) {
   const FrameShape shape;
-  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 7, true);
+  const taa::twin::Inputs frame = taa::test::randomFrame(shape, 7, true);
   const taa::test::Exposed all = expose(frame, shape, {});
   for (std::size_t first = 0; first < taa::kResolveRowCount; first += 6) {
     std::vector<IntermediateId> watched;
@@ -82,7 +82,7 @@ TEST_F(LookingTest, ShowsTheSameWhetherItIsAloneOrPacked) {
 
 TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
   const FrameShape shape;
-  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 8, true);
+  const taa::twin::Inputs frame = taa::test::randomFrame(shape, 8, true);
   const taa::test::Exposed all = expose(frame, shape, {});
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);
   const History previous = taa::test::uploadHistory(frame, shape);
@@ -107,9 +107,9 @@ TEST_F(LookingTest, ShowsAsResolvedWhatTheHistoryHolds) {
     shape.history = precision;
     taa::Settings settings;
     settings.history.precision = precision;
-    const taa::reference::Inputs frame = taa::test::randomFrame(shape, 9, true);
+    const taa::twin::Inputs frame = taa::test::randomFrame(shape, 9, true);
     const taa::test::Exposed all = expose(frame, shape, settings);
-    taa::reference::Inputs next = frame;
+    taa::twin::Inputs next = frame;
     taa::test::downloadHistory(resolve(frame, shape, settings), next);
     taa::Image color(shape.width, shape.height, 3);
     taa::Image frames(shape.width, shape.height, 1);
@@ -140,7 +140,7 @@ TEST_F(LookingTest, AnExposureKnowsItsRows) {
 
 TEST_F(LookingTest, ABrokenShaderKeepsTheProgramsThatRun) {
   const FrameShape shape;
-  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 10, false);
+  const taa::twin::Inputs frame = taa::test::randomFrame(shape, 10, false);
   const taa::test::ShaderFolder folder;
   taa::TaaPass own;
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);

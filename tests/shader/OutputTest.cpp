@@ -2,8 +2,8 @@
 // it.
 #include "core/base/Error.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
 #include "tests/support/ShaderFolder.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include <algorithm>
 #include <vector>
@@ -47,7 +47,7 @@ TEST_F(OutputTest, IsTheResolvedPictureWhenAllIsOff) {
     shape.history = precision;
     Settings settings;
     settings.history.precision = precision;
-    taa::reference::Inputs frame = taa::test::randomFrame(shape, 11, true);
+    taa::twin::Inputs frame = taa::test::randomFrame(shape, 11, true);
     frame.overlay = {};
     const Exposed all = expose(frame, shape, settings);
     EXPECT_EQ(difference(all.at(IntermediateId::output), all.at(IntermediateId::resolved)), "");
@@ -59,10 +59,10 @@ TEST_F(OutputTest, IsTheResolvedPictureWhenAllIsOff) {
 // output·(1 − a) + overlay, in what is shown and nowhere else (21.1).
 TEST_F(OutputTest, LaysTheOverlayOverWhatIsShown) {
   const FrameShape shape;
-  taa::reference::Inputs frame = taa::test::randomFrame(shape, 14, true);
+  taa::twin::Inputs frame = taa::test::randomFrame(shape, 14, true);
   for (const Settings& settings : outputs()) {
     const Exposed with = expose(frame, shape, settings);
-    taa::reference::Inputs bare = frame;
+    taa::twin::Inputs bare = frame;
     bare.overlay = {};
     const Exposed without = expose(bare, shape, settings);
     EXPECT_EQ(difference(with.at(IntermediateId::resolved), without.at(IntermediateId::resolved)), "");
@@ -83,8 +83,8 @@ TEST_F(OutputTest, LaysTheOverlayOverWhatIsShown) {
 // Invariant 62: sharpening never feeds history.
 TEST_F(OutputTest, NeverGoesIntoHistory) {
   const FrameShape shape;
-  taa::reference::Inputs plain = taa::test::randomFrame(shape, 12, true);
-  std::vector<taa::reference::Inputs> others(outputs().size(), plain);
+  taa::twin::Inputs plain = taa::test::randomFrame(shape, 12, true);
+  std::vector<taa::twin::Inputs> others(outputs().size(), plain);
   std::vector<taa::Image> shown(others.size());
   for (int frame = 0; frame < 3; ++frame) {
     advance(plain, shape, {});
@@ -102,7 +102,7 @@ TEST_F(OutputTest, NeverGoesIntoHistory) {
 
 TEST_F(OutputTest, ShowsInARegionWhatTheWholePictureHasThere) {
   const FrameShape shape;
-  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 13, true);
+  const taa::twin::Inputs frame = taa::test::randomFrame(shape, 13, true);
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);
   const History previous = taa::test::uploadHistory(frame, shape);
   for (const Settings& settings : outputs()) {
@@ -130,7 +130,7 @@ TEST_F(OutputTest, IsFiniteWhateverIsDrawn) {
 
 TEST_F(OutputTest, ABrokenShaderKeepsTheProgramsThatRun) {
   const FrameShape shape;
-  const taa::reference::Inputs frame = taa::test::randomFrame(shape, 15, false);
+  const taa::twin::Inputs frame = taa::test::randomFrame(shape, 15, false);
   const taa::test::ShaderFolder folder;
   taa::TaaPass own;
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);

@@ -1,9 +1,9 @@
 // The resolve as a whole: constants stay, bad values go, averages are averages (invariants D to G).
-#include "tests/support/ResolveTest.h"
+#include "tests/support/frames/ResolveTest.h"
 
 #include "core/base/Half.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ Image filled(const FrameShape& shape, int channels, float value) {
   return image;
 }
 
-void setMotion(taa::reference::Inputs& frame, float x, float y) {
+void setMotion(taa::twin::Inputs& frame, float x, float y) {
   for (int row = 0; row < frame.height(); ++row)
     for (int column = 0; column < frame.width(); ++column) {
       frame.motion.at(column, row)[0] = x;
@@ -79,7 +79,7 @@ TEST_F(ResolveTest, KeepsAConstantImageThroughEveryOption) {
     const FrameShape shape = taa::test::shapeFor(variant.settings, {24, 16});
     for (const float level : {0.0f, 1e-4f, 1.0f, 1000.0f, 65504.0f}) {
       if (!canStore(variant.settings.history.precision, level)) continue;
-      taa::reference::Inputs frame = taa::test::flatFrame(shape, taa::roundedToHalf(level));
+      taa::twin::Inputs frame = taa::test::flatFrame(shape, taa::roundedToHalf(level));
       const Image expected = taa::test::flatFrame({24, 16}, taa::roundedToHalf(level)).color;
       for (int n = 0; n < 4; ++n) {
         frame.jitterPx = glm::vec2(0.3f - 0.2f * static_cast<float>(n), 0.45f);
@@ -97,7 +97,7 @@ TEST_F(ResolveTest, IsFiniteAndNotNegativeWhateverComesIn) {
   std::uint32_t seed = 40;
   for (const Variant& variant : taa::test::presetsAndChoices()) {
     const FrameShape shape = taa::test::shapeFor(variant.settings, {48, 32});
-    taa::reference::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
+    taa::twin::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
     for (float& value : frame.historyColor.pixels) // a history that never was resolved may hold anything
       if (std::fmod(value * 1e5f, 7.0f) < 1.0f) value = std::numeric_limits<float>::quiet_NaN();
     advance(frame, shape, variant.settings);
@@ -121,7 +121,7 @@ TEST_F(ResolveTest, StartsWithTheFilteredColorAndOneFrame) {
     shape.history = precision;
     Settings settings;
     settings.history.precision = precision;
-    taa::reference::Inputs frame = taa::test::randomFrame(shape, 50, true);
+    taa::twin::Inputs frame = taa::test::randomFrame(shape, 50, true);
     frame.historyColor = {};
     frame.historySurface = {};
     const Exposed all = expose(frame, shape, settings);
@@ -136,7 +136,7 @@ TEST_F(ResolveTest, StartsWithTheFilteredColorAndOneFrame) {
 
 TEST_F(ResolveTest, ForgetsItsHistoryAtACut) {
   const FrameShape shape;
-  taa::reference::Inputs frame = taa::test::randomFrame(shape, 51, true);
+  taa::twin::Inputs frame = taa::test::randomFrame(shape, 51, true);
   taa::FrameInputs inputs = taa::test::upload(frame, shape);
   const taa::History poisoned = taa::test::uploadHistory(frame, shape);
   taa::History first, cut;
@@ -158,7 +158,7 @@ TEST_F(ResolveTest, RestartsWhatComesFromOffTheScreenOrNowhere) {
   for (const Case& wanted :
        {Case{40.0f, 0.0f, 3.0f}, Case{0.0f, -40.0f, 3.0f}, Case{nan, 0.0f, 3.0f}, Case{0.0f, infinity, 3.0f},
         Case{taa::kNoPreviousPosition, taa::kNoPreviousPosition, 2.0f}}) {
-    taa::reference::Inputs frame = taa::test::stillFrame(shape, 52);
+    taa::twin::Inputs frame = taa::test::stillFrame(shape, 52);
     frame.historyColor = filled(shape, 4, 1000.0f);
     frame.historySurface = filled(shape, 2, 5.0f);
     setMotion(frame, wanted.x, wanted.y);
@@ -174,10 +174,10 @@ TEST_F(ResolveTest, RestartsWhatComesFromOffTheScreenOrNowhere) {
 // Invariant 48: α = 1/t is the arithmetic mean.
 TEST_F(ResolveTest, AveragesAllFramesOfAStillCamera) {
   const FrameShape shape = full();
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 60);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 60);
   std::vector<double> sums(frame.color.pixels.size(), 0.0);
   for (int t = 1; t <= 64; ++t) {
-    const taa::reference::Inputs next = taa::test::stillFrame(shape, 60 + static_cast<std::uint32_t>(t));
+    const taa::twin::Inputs next = taa::test::stillFrame(shape, 60 + static_cast<std::uint32_t>(t));
     frame.color = next.color;
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<double>(frame.color.pixels[i]);
     advance(frame, shape, averaging(0.0f));
@@ -194,7 +194,7 @@ TEST_F(ResolveTest, AveragesAllFramesOfAStillCamera) {
 TEST_F(ResolveTest, FollowsTheClosedFormOfConstantAlpha) {
   const FrameShape shape = full(9, 5);
   const double alpha = static_cast<double>(0.1f);
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 200);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 200);
   std::vector<Image> samples;
   for (int n = 0; n < 12; ++n) {
     frame.color = taa::test::stillFrame(shape, 200 + static_cast<std::uint32_t>(n)).color;
@@ -214,7 +214,7 @@ TEST_F(ResolveTest, FollowsTheClosedFormOfConstantAlpha) {
 // Invariants 45 and 50.
 TEST_F(ResolveTest, CountsTheSamplesAConstantAlphaAverages) {
   const FrameShape shape = full(5, 5);
-  taa::reference::Inputs frame = taa::test::flatFrame(shape, 1.0f);
+  taa::twin::Inputs frame = taa::test::flatFrame(shape, 1.0f);
   const double alpha = 0.1;
   double before = 0.0;
   for (int n = 1; n <= 80; ++n) {
@@ -231,7 +231,7 @@ TEST_F(ResolveTest, CountsTheSamplesAConstantAlphaAverages) {
 
 TEST_F(ResolveTest, CountsTheSamplesOfAnAverageWithAFloor) {
   const FrameShape shape = full(5, 5);
-  taa::reference::Inputs frame = taa::test::flatFrame(shape, 1.0f);
+  taa::twin::Inputs frame = taa::test::flatFrame(shape, 1.0f);
   const std::map<int, double> expected{{1, 2.0},    {5, 6.0},    {8, 9.0},    {9, 10.0},
                                        {10, 10.99}, {15, 15.15}, {20, 17.45}, {30, 18.80}};
   for (int n = 0; n <= 30; ++n) {
@@ -245,7 +245,7 @@ TEST_F(ResolveTest, CountsTheSamplesOfAnAverageWithAFloor) {
 // Invariant 46.
 TEST_F(ResolveTest, LosesAGhostAtTheRateOfAlpha) {
   const FrameShape shape = full(5, 5);
-  taa::reference::Inputs frame = taa::test::flatFrame(shape, 0.0f);
+  taa::twin::Inputs frame = taa::test::flatFrame(shape, 0.0f);
   frame.historyColor = filled(shape, 4, 1.0f);
   frame.historySurface = filled(shape, 2, 5.0f);
   for (int n = 1; n <= 44; ++n) {
@@ -258,7 +258,7 @@ TEST_F(ResolveTest, LosesAGhostAtTheRateOfAlpha) {
 // Invariants 55 and 56: a firefly of 100 on black.
 TEST_F(ResolveTest, WeightsAFireflyDown) {
   const FrameShape shape = full(5, 5);
-  taa::reference::Inputs frame = taa::test::flatFrame(shape, 100.0f);
+  taa::twin::Inputs frame = taa::test::flatFrame(shape, 100.0f);
   frame.historyColor = filled(shape, 4, 0.0f);
   frame.historySurface = filled(shape, 2, 5.0f);
   Settings settings = constantAlpha(0.1f);
@@ -274,7 +274,7 @@ TEST_F(ResolveTest, WeightsAFireflyDown) {
 // Invariant 66.
 TEST_F(ResolveTest, IsAPlainLerpWithEveryStageOff) {
   const FrameShape shape = full();
-  taa::reference::Inputs frame = taa::test::stillFrame(shape, 70);
+  taa::twin::Inputs frame = taa::test::stillFrame(shape, 70);
   frame.historyColor = taa::test::stillFrame(shape, 71).color;
   frame.historySurface = filled(shape, 2, 5.0f);
   const Exposed all = expose(frame, shape, constantAlpha(0.25f));

@@ -1,9 +1,9 @@
 // Rows that are read in place, are constant or stand for another have the bits that writing them gives.
-#include "core/taa/RowSources.h"
+#include "core/taa/rows/RowSources.h"
 #include "core/gl/Memory.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace {
 class RowSourcesTest : public test::ResolveTest {
  protected:
   /// Textures of a frame as it is drawn for these settings: masks and overlay only where they ask for them.
-  static FrameInputs drawn(const reference::Inputs& images, const test::FrameShape& shape,
+  static FrameInputs drawn(const twin::Inputs& images, const test::FrameShape& shape,
                            const Settings& settings) {
     FrameInputs inputs = test::upload(images, shape);
     if (settings.inputs.mask == MaskSource::None) inputs.mask = {};
@@ -29,7 +29,7 @@ class RowSourcesTest : public test::ResolveTest {
   static void expectSame(const test::Variant& variant, std::uint32_t seed, std::vector<bool>& met) {
     const Settings& settings = variant.settings;
     const test::FrameShape shape = test::shapeFor(settings);
-    const reference::Inputs images = test::randomFrame(shape, seed, true);
+    const twin::Inputs images = test::randomFrame(shape, seed, true);
     const FrameInputs inputs = drawn(images, shape, settings);
     const History previous = test::uploadHistory(images, shape);
     Exposure written(allRows(), whole(shape));
@@ -89,7 +89,7 @@ TEST_F(RowSourcesTest, AreWhatWritingGivesWhereLittleIsDone) {
 
 TEST_F(RowSourcesTest, ShowsThePartOfARowThatIsReadInPlace) {
   const test::FrameShape shape;
-  const reference::Inputs images = test::randomFrame(shape, 3, false);
+  const twin::Inputs images = test::randomFrame(shape, 3, false);
   const FrameInputs inputs = drawn(images, shape, {});
   Exposure looked(ExposureLayout({IntermediateId::normal, IntermediateId::objectId,
                                   IntermediateId::objectClass, IntermediateId::depth},

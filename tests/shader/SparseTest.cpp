@@ -1,7 +1,7 @@
 // A target of fewer texels than its region has pixels holds exactly what the full picture has there.
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include "core/settings/Parameters.h"
 
@@ -31,7 +31,7 @@ class SparseTest : public taa::test::ResolveTest {
   static void expectSampled(const taa::Settings& settings, const std::vector<IntermediateId>& ids,
                             const taa::gl::Rect& region, const glm::ivec2& texels) {
     const FrameShape shape = taa::test::shapeFor(settings);
-    const taa::reference::Inputs frame = taa::test::randomFrame(shape, 5, true);
+    const taa::twin::Inputs frame = taa::test::randomFrame(shape, 5, true);
     const taa::FrameInputs inputs = taa::test::upload(frame, shape);
     const taa::History previous = taa::test::uploadHistory(frame, shape);
     taa::History resolved;

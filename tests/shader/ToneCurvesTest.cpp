@@ -1,10 +1,10 @@
 // The curves on the GPU and on the CPU over many values: the same bits, wherever a driver keeps to IEEE.
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include "core/settings/Parameters.h"
-#include "core/taa/GlslExport.h"
+#include "core/taa/glsl/GlslExport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ float level(int x, int y, int channel) {
 class ToneCurvesTest : public taa::test::ResolveTest {
  protected:
   /// All values once as history, mixed with all from bright to dark.
-  static taa::reference::Inputs frame() {
-    taa::reference::Inputs made = taa::test::flatFrame(kShape, 0.0f);
+  static taa::twin::Inputs frame() {
+    taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
     made.historyColor = made.color;
     made.historySurface = Image(kShape.width, kShape.height, 2);
     std::ranges::fill(made.historySurface.pixels, 5.0f);
@@ -47,13 +47,13 @@ class ToneCurvesTest : public taa::test::ResolveTest {
     return made;
   }
 
-  static Image twin(const taa::reference::Inputs& made, const Settings& settings, IntermediateId id) {
+  static Image twin(const taa::twin::Inputs& made, const Settings& settings, IntermediateId id) {
     Image image(kShape.width, kShape.height, 3);
     for (int y = 0; y < kShape.height; ++y)
       for (int x = 0; x < kShape.width; ++x) {
-        const taa::reference::PixelRecord record = taa::reference::resolvePixel(made, settings, x, y);
+        const taa::twin::PixelRecord record = taa::twin::resolvePixel(made, settings, x, y);
         for (int channel = 0; channel < 3; ++channel)
-          image.at(x, y)[channel] = taa::reference::at(record, id)[channel];
+          image.at(x, y)[channel] = taa::twin::at(record, id)[channel];
       }
     return image;
   }
@@ -62,7 +62,7 @@ class ToneCurvesTest : public taa::test::ResolveTest {
 } // namespace
 
 TEST_F(ToneCurvesTest, MixAsTheTwinDoes) {
-  const taa::reference::Inputs made = frame();
+  const taa::twin::Inputs made = frame();
   for (const char* tone : {"pq", "logarithm", "whitePoint"})
     for (const float alpha : {0.1f, 0.9f}) {
       Settings settings = bareSettings();
@@ -76,7 +76,7 @@ TEST_F(ToneCurvesTest, MixAsTheTwinDoes) {
 }
 
 TEST_F(ToneCurvesTest, GoToTheBoxAndBackAsTheTwinDoes) {
-  const taa::reference::Inputs made = frame();
+  const taa::twin::Inputs made = frame();
   for (const char* tone : {"pq", "logarithm"}) {
     Settings settings = bareSettings();
     settings.rectify.method = taa::RectifyMethod::Clamp;

@@ -1,8 +1,8 @@
 // The resolve in GLSL against its CPU twin: every intermediate of whole frames, bit for bit on llvmpipe.
 #include "core/settings/Parameters.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ using taa::test::Variant;
 
 namespace {
 
-std::vector<taa::Image> twinImages(taa::reference::Inputs inputs, const taa::Image& resolved,
+std::vector<taa::Image> twinImages(taa::twin::Inputs inputs, const taa::Image& resolved,
                                    const taa::Settings& settings) {
   inputs.resolved = resolved;
   std::vector<taa::Image> images;
@@ -22,7 +22,7 @@ std::vector<taa::Image> twinImages(taa::reference::Inputs inputs, const taa::Ima
     images.emplace_back(inputs.outputWidth(), inputs.outputHeight(), row.channels);
   for (int y = 0; y < inputs.outputHeight(); ++y)
     for (int x = 0; x < inputs.outputWidth(); ++x) {
-      const taa::reference::PixelRecord record = taa::reference::resolvePixel(inputs, settings, x, y);
+      const taa::twin::PixelRecord record = taa::twin::resolvePixel(inputs, settings, x, y);
       for (std::size_t row = 0; row < images.size(); ++row)
         for (int channel = 0; channel < images[row].channels; ++channel)
           images[row].at(x, y)[channel] = record[row][channel];
@@ -36,7 +36,7 @@ class TwinTest : public taa::test::ResolveTest {
  protected:
   // Random frames hold many pixels within rounding of a threshold, where a GPU may decide the other way and
   // everything after it differs: there, one pixel in a hundred may.
-  static void expectTwin(const taa::reference::Inputs& frame, const FrameShape& shape, const Variant& variant,
+  static void expectTwin(const taa::twin::Inputs& frame, const FrameShape& shape, const Variant& variant,
                          const std::string& what) {
     const taa::test::Exposed exposed = expose(frame, shape, variant.settings);
     const std::vector<taa::Image> twin =
@@ -57,7 +57,7 @@ class TwinTest : public taa::test::ResolveTest {
     shape.inputs = seed % 2 ? taa::Precision::Half : taa::Precision::Full;
     expectTwin(taa::test::randomFrame(shape, seed, false), shape, variant, "a random frame");
     expectTwin(taa::test::randomFrame(shape, seed + 1000, true), shape, variant, "a wild frame");
-    taa::reference::Inputs first = taa::test::randomFrame(shape, seed + 2000, true);
+    taa::twin::Inputs first = taa::test::randomFrame(shape, seed + 2000, true);
     first.historyColor = {};
     first.historySurface = {};
     expectTwin(first, shape, variant, "a first frame");

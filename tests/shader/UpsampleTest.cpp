@@ -1,8 +1,8 @@
 // Upsampling in GLSL: at full size it is the native path, and a confidence of 0 keeps history (invariant 65).
 #include "core/settings/Parameters.h"
 #include "tests/support/CompareImages.h"
-#include "tests/support/ResolveTest.h"
-#include "tests/support/Variants.h"
+#include "tests/support/frames/ResolveTest.h"
+#include "tests/support/frames/Variants.h"
 
 #include <cstdint>
 #include <string>
@@ -36,7 +36,7 @@ TEST_F(UpsampleTest, NoKernelMattersAtFullSize) {
     Settings settings = taa::test::randomSettings(2 * seed); // even seeds draw at full size
     ASSERT_FALSE(taa::isUpsampled(settings));
     const FrameShape shape = taa::test::shapeFor(settings);
-    const taa::reference::Inputs frame = taa::test::randomFrame(shape, seed, true);
+    const taa::twin::Inputs frame = taa::test::randomFrame(shape, seed, true);
     settings.current.upsample = UpsampleKernel::SampleWeight;
     const History expected = resolve(frame, shape, settings);
     for (const UpsampleKernel kernel : kKernels) {
@@ -53,7 +53,7 @@ TEST_F(UpsampleTest, IsTheNativePathWhereAsManyTexelsAreDrawnAtPixelCenters) {
     Settings settings;
     settings.current = {.filter = taa::CurrentFilter::Center, .upsample = kernel};
     const FrameShape shape = taa::test::shapeFor(settings);
-    taa::reference::Inputs frame = taa::test::randomFrame(shape, 3, true);
+    taa::twin::Inputs frame = taa::test::randomFrame(shape, 3, true);
     frame.jitterPx = glm::vec2(0.0f);
     const History native = resolve(frame, shape, settings);
     settings.inputs.renderScale = 0.999f;
@@ -73,7 +73,7 @@ TEST_F(UpsampleTest, ConfidenceOfNothingKeepsTheRectifiedHistory) {
       settings.history.precision = taa::Precision::Full;
       settings.blend.tone = tone;
       FrameShape shape = taa::test::shapeFor(settings, {96, 64});
-      taa::reference::Inputs frame = taa::test::randomFrame(shape, 5, false);
+      taa::twin::Inputs frame = taa::test::randomFrame(shape, 5, false);
       // Some pixels at the middle of four samples, where all but the nearest of Donut's weights vanish too.
       frame.jitterPx = glm::vec2(-0.25f, 0.25f);
       for (float& motion : frame.motion.pixels) motion = motion < 2.0f ? 0.0f : motion;
@@ -101,7 +101,7 @@ TEST_F(UpsampleTest, ShowsTheNearestTexelOfEachPixel) {
   Settings settings;
   settings.inputs.renderScale = 0.5f;
   const FrameShape shape = taa::test::shapeFor(settings, {48, 32});
-  taa::reference::Inputs frame = taa::test::randomFrame(shape, 6, false);
+  taa::twin::Inputs frame = taa::test::randomFrame(shape, 6, false);
   frame.jitterPx = glm::vec2(0.0f);
   const taa::test::Exposed all = expose(frame, shape, settings);
   for (int y = 0; y < shape.height; ++y)

@@ -1,4 +1,4 @@
-// Works out the arithmetic that core/inspect/ProbeStory.h describes.
+// Works out the arithmetic that core/story/ProbeStory.h describes.
 #pragma once
 
 #include "core/base/Half.h"

@@ -1,7 +1,7 @@
 // What is true of a pixel by the scene's geometry, whatever the resolve says of it.
 #pragma once
 
-#include "tests/support/SurfaceOracle.h"
+#include "tests/support/frames/SurfaceOracle.h"
 
 #include <glm/vec2.hpp>
 

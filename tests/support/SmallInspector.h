@@ -1,7 +1,7 @@
 // The façade on a small picture, and what its tests compare with.
 #pragma once
 
-#include "core/Inspector.h"
+#include "core/inspect/Inspector.h"
 
 #include "core/settings/Parameters.h"
 #include "tests/support/GlTest.h"

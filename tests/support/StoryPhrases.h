@@ -1,8 +1,8 @@
 // What must be so where the probe uses a phrase: held against the values of every pixel that tests look at.
 #pragma once
 
-#include "core/inspect/ProbeStory.h"
-#include "core/taa/reference/Color.h"
+#include "core/story/ProbeStory.h"
+#include "core/taa/twin/Color.h"
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -23,7 +23,7 @@ struct Phrase {
 };
 
 inline float valueOf(const ProbedPixel& p, Id id) {
-  return reference::at(p.record, id).x;
+  return twin::at(p.record, id).x;
 }
 inline bool isOn(Switch value) {
   return value == Switch::On;
@@ -37,7 +37,7 @@ inline float alphaAnyway(const ProbedPixel& p) {
                   valueOf(p, Id::alphaMask));
 }
 inline bool isMoved(const ProbedPixel& p) {
-  return reference::at(p.record, Id::historyRaw) != reference::at(p.record, Id::historyRectified);
+  return twin::at(p.record, Id::historyRaw) != twin::at(p.record, Id::historyRectified);
 }
 
 inline constexpr Phrase kPhrases[] = {
@@ -102,20 +102,19 @@ inline constexpr Phrase kPhrases[] = {
     {"kept as it is", [](const ProbedPixel& p) { return !isMoved(p); }},
     {"lies inside the box",
      [](const ProbedPixel& p) {
-       const glm::vec3 h =
-           reference::toBox(glm::vec3(reference::at(p.record, Id::historyRaw)), p.settings.space);
-       const glm::vec3 low(reference::at(p.record, Id::boxMin)), high(reference::at(p.record, Id::boxMax));
+       const glm::vec3 h = twin::toBox(glm::vec3(twin::at(p.record, Id::historyRaw)), p.settings.space);
+       const glm::vec3 low(twin::at(p.record, Id::boxMin)), high(twin::at(p.record, Id::boxMax));
        return h == glm::clamp(h, low, high);
      }},
     {"no less than the floor",
      [](const ProbedPixel& p) { return valueOf(p, Id::alpha) == valueOf(p, Id::alphaFloor); }},
     {"the neighbor at",
      [](const ProbedPixel& p) {
-       return glm::vec2(reference::at(p.record, Id::dilatedOffset)) != glm::vec2(0.0f);
+       return glm::vec2(twin::at(p.record, Id::dilatedOffset)) != glm::vec2(0.0f);
      }},
     {"of the pixel itself",
      [](const ProbedPixel& p) {
-       return glm::vec2(reference::at(p.record, Id::dilatedOffset)) == glm::vec2(0.0f);
+       return glm::vec2(twin::at(p.record, Id::dilatedOffset)) == glm::vec2(0.0f);
      }},
     {"surfaces are blurred", [](const ProbedPixel& p) { return valueOf(p, Id::blurTrust) < 1; }},
     {"no history yet", [](const ProbedPixel& p) { return p.details.isFirst; }},

@@ -1,9 +1,9 @@
 // What channels are called: by the settings that made the values, in every file.
-#include "core/taa/ChannelNames.h"
+#include "core/taa/rows/ChannelNames.h"
 
-#include "core/TraceText.h"
 #include "core/io/FrameFile.h"
 #include "core/io/FrameJson.h"
+#include "core/report/TraceText.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/Paths.h"
 

@@ -1,5 +1,5 @@
 // Where watched rows go, and the GLSL that puts them there.
-#include "core/taa/ExposureLayout.h"
+#include "core/taa/rows/ExposureLayout.h"
 
 #include "core/settings/Presets.h"
 

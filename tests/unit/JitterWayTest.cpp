@@ -1,9 +1,9 @@
 // Jitter across the way the camera moves (catalogue J10).
-#include "core/render/JitterWay.h"
+#include "core/render/jitter/JitterWay.h"
 
-#include "core/render/Jitter.h"
 #include "core/render/SceneRenderer.h"
 #include "core/render/View.h"
+#include "core/render/jitter/Jitter.h"
 #include "core/scene/SceneSource.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The tile of blue noise: every rank once, and no low frequencies.
-#include "core/render/NoiseTile.h"
+#include "core/render/passes/NoiseTile.h"
 
 #include <gtest/gtest.h>
 

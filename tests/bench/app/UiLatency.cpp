@@ -2,11 +2,11 @@
 // each one took from its post until it was handled.
 #include "tests/app/FakeRenderer.h"
 
-#include "app/MainWindow.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/window/MainWindow.h"
 
 #include <QApplication>
 #include <QMouseEvent>

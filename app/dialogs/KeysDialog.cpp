@@ -1,0 +1,113 @@
+#include "app/dialogs/KeysDialog.h"
+
+#include "app/style/Theme.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kColumns = 3;
+
+struct Group {
+  QString name;
+  std::vector<KeyLine> lines;
+  int height() const { return static_cast<int>(lines.size()) + 2; }
+};
+
+// A menu's keys stay together though its submenus lie between them.
+std::vector<Group> grouped(const std::vector<KeyLine>& lines) {
+  std::vector<Group> groups;
+  for (const KeyLine& line : lines) {
+    auto group = std::ranges::find(groups, line.group, &Group::name);
+    if (group == groups.end()) group = groups.insert(groups.end(), {line.group, {}});
+    group->lines.push_back(line);
+  }
+  return groups;
+}
+
+QWidget* groupWidget(const Group& group) {
+  auto* widget = new QWidget;
+  auto* grid = new QGridLayout(widget);
+  grid->setContentsMargins(0, 0, 0, 3 * kUnit);
+  grid->setHorizontalSpacing(3 * kUnit);
+  grid->setVerticalSpacing(2);
+  auto* title = new QLabel(group.name);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  grid->addWidget(title, 0, 0, 1, 2);
+  int row = 1;
+  for (const KeyLine& line : group.lines) {
+    auto* keys = new QLabel(line.keys);
+    keys->setFont(secondaryFont());
+    auto* text = new QLabel(line.text);
+    text->setFont(secondaryFont());
+    text->setForegroundRole(QPalette::PlaceholderText);
+    grid->addWidget(keys, row, 0);
+    grid->addWidget(text, row++, 1);
+  }
+  grid->setColumnStretch(1, 1);
+  return widget;
+}
+
+QWidget* columnsOf(const std::vector<Group>& groups) {
+  auto* page = new QWidget;
+  auto* columns = new QHBoxLayout(page);
+  columns->setContentsMargins(0, 0, 2 * kUnit, 0);
+  columns->setSpacing(8 * kUnit);
+  int total = 0, used = 0, column = 0;
+  for (const Group& group : groups) total += group.height();
+  QVBoxLayout* current = nullptr;
+  for (const Group& group : groups) {
+    // A column takes groups until its share of the lines is reached.
+    if (!current || (column < kColumns && used >= total * column / kColumns)) {
+      current = new QVBoxLayout;
+      current->setSpacing(0);
+      columns->addLayout(current);
+      ++column;
+    }
+    current->addWidget(groupWidget(group));
+    used += group.height();
+  }
+  for (int i = 0; i < columns->count(); ++i)
+    static_cast<QVBoxLayout*>(columns->itemAt(i)->layout())->addStretch(1);
+  return page;
+}
+
+} // namespace
+
+// All of it where there is room; else it scrolls, by the keys, too.
+KeysDialog::KeysDialog(const std::vector<KeyLine>& lines, QWidget* parent) : QDialog(parent) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Keys"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4 * kUnit, 4 * kUnit, 4 * kUnit, 4 * kUnit);
+  auto* scroll = new QScrollArea;
+  scroll->setAccessibleName(tr("Keys"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QWidget* page = columnsOf(grouped(lines));
+  scroll->setWidget(page);
+  scroll->setMinimumWidth(page->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  layout->addWidget(scroll, 1);
+  auto* close = new QPushButton(tr("Close"));
+  close->setDefault(true);
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  layout->addWidget(close, 0, Qt::AlignRight);
+  const int whole = page->sizeHint().height() + close->sizeHint().height() + 12 * kUnit;
+  const int room = (parent ? parent->height() : whole) - 8 * kUnit;
+  resize(sizeHint().width(), std::min(whole, std::max(room, 60 * kUnit)));
+  scroll->setFocus();
+}
+
+} // namespace taa::app

@@ -1,0 +1,53 @@
+// Which frames go into which files. Not modal: one can look on while it is filled in.
+#pragma once
+
+#include "core/report/SequenceExport.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QSpinBox;
+
+namespace taa::app {
+
+class MainWindow;
+
+class RangeDialog : public QDialog {
+  Q_OBJECT
+ public:
+  RangeDialog(MainWindow& window, QWidget* parent);
+
+  /// What the fields say.
+  SequenceRequest request() const;
+
+ Q_SIGNALS:
+  void exportRequested(const SequenceRequest& request);
+
+ private:
+  void makeFields();
+  void addRows();
+  void browse();
+  void refresh();
+  QString describe(const SequenceRequest& wanted) const;
+  QString problem() const; ///< why it cannot begin; empty: it can
+  SequenceKind kind() const;
+  QString ending() const; ///< of its files, with the dot
+
+  MainWindow& window_;
+  QFormLayout* form_;
+  QComboBox *kind_, *extent_;
+  QSpinBox *first_, *last_;
+  QDoubleSpinBox* rate_;
+  QListWidget* rows_;
+  QLineEdit* target_;
+  QLabel* note_;
+  QPushButton* start_;
+};
+
+} // namespace taa::app

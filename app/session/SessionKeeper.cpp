@@ -1,0 +1,283 @@
+#include "app/session/SessionKeeper.h"
+
+#include "app/session/Autosave.h"
+#include "app/widgets/ConfirmReplace.h"
+#include "app/widgets/bars/OfferBar.h"
+#include "app/window/MainWindow.h"
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/inspect/FirstSize.h"
+#include "core/settings/Presets.h"
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QLocale>
+#include <QSettings>
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kMostRecent = 10;
+
+QString recentKey() {
+  return QStringLiteral("recent");
+}
+
+bool isFile(const QString& source) {
+  return !source.isEmpty() && !source.startsWith(QStringLiteral("builtin:"));
+}
+
+QString withEnding(const QString& path) {
+  return isSessionName(path.toStdString()) ? path : path + QString::fromUtf8(kSessionEnding.data());
+}
+
+QString autosaveFolder(const QSettings& settings) {
+  return QFileInfo(settings.fileName()).dir().filePath(QStringLiteral("autosave"));
+}
+
+// What only a program's own files say, not those that a person saves.
+QString geometryKey() {
+  return QStringLiteral("geometry");
+}
+QString pathKey() {
+  return QStringLiteral("path");
+}
+
+std::string textOf(const QJsonObject& window) {
+  return QJsonDocument(window).toJson(QJsonDocument::Compact).toStdString();
+}
+
+QJsonObject windowState(const SessionFile& file) {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(file.window)).object();
+}
+
+} // namespace
+
+SessionKeeper::SessionKeeper(MainWindow& window, QSettings* settings)
+    : QObject(&window), window_(window), settings_(settings) {
+  Session& session = window_.session();
+  connect(&session, &Session::statusChanged, this, &SessionKeeper::finishRestoring);
+  connect(&session, &Session::openingFailed, this, &SessionKeeper::takeFailure);
+  connect(&session, &Session::errorOccurred, this, [this](const QString& error) { lastError_ = error; });
+  if (!settings_) return;
+  const auto text = [this] {
+    return window_.session().isOpen() ? sessionToText(wholeFile()) : std::string();
+  };
+  autosave_ = new Autosave(autosaveFolder(*settings_), text, this);
+  connect(&session, &Session::settingsChanged, autosave_, &Autosave::saveSoon);
+}
+
+SessionFile SessionKeeper::file() const {
+  SessionFile file = window_.session().file();
+  file.window = textOf(window_.state());
+  return file;
+}
+
+// As it lies in a folder of the program: paths are whole.
+SessionFile SessionKeeper::wholeFile() const {
+  SessionFile file = window_.session().file();
+  if (const QString source = QString::fromStdString(file.source); isFile(source))
+    file.source = QFileInfo(source).absoluteFilePath().toStdString();
+  QJsonObject window = window_.state();
+  window[geometryKey()] = QString::fromLatin1(window_.saveGeometry().toBase64());
+  if (!path_.isEmpty()) window[pathKey()] = QFileInfo(path_).absoluteFilePath();
+  file.window = textOf(window);
+  return file;
+}
+
+void SessionKeeper::placeWindow(const SessionFile& file) {
+  const QJsonObject state = windowState(file);
+  window_.restoreGeometry(QByteArray::fromBase64(state[geometryKey()].toString().toLatin1()));
+  path_ = state[pathKey()].toString();
+}
+
+bool SessionKeeper::restore(const QString& path) {
+  try {
+    SessionFile file = readSession(path.toStdString());
+    const QString source = QString::fromStdString(file.source);
+    if (isFile(source) && !QFileInfo::exists(source))
+      throw Error(say<"cannot open the session %1: its scene %2 is not there any more">(path.toStdString(),
+                                                                                        file.source));
+    before_ = window_.state();
+    pathBefore_ = path_;
+    window_.session().restore(file);
+    window_.setState(windowState(file));
+    restoring_ = std::move(file);
+    isFromSession_ = true;
+    return true;
+  } catch (const std::exception& error) {
+    lastError_ = QString::fromUtf8(error.what());
+    Q_EMIT failed(lastError_);
+    return false;
+  }
+}
+
+void SessionKeeper::open(const QString& path) {
+  if (!restore(path)) return;
+  path_ = path;
+  remember(path);
+}
+
+// Where a picture of another size was on show, places in it were kept inside that.
+void SessionKeeper::finishRestoring() {
+  const Status& status = window_.session().status();
+  const QString source = QString::fromStdString(status.source);
+  if (status.opened != opened_ && status.frameCount > 0) {
+    opened_ = status.opened;
+    if (isFile(source)) remember(source);
+    if (restoring_ && restoring_->source != status.source) restoring_.reset(); // something else was opened
+    if (!restoring_) path_.clear();
+    isFromSession_ = restoring_.has_value();
+    isReopening_ = false;
+    if (std::exchange(isOfOrphan_, false) && restoring_) autosave_->removeOrphan();
+    if (!toSay_.isEmpty()) sayWhenOpen(std::exchange(toSay_, {}));
+  }
+  if (!restoring_ || status.source != restoring_->source ||
+      glm::ivec2(status.width, status.height) != restoring_->size)
+    return;
+  const SessionFile file = *std::exchange(restoring_, {});
+  window_.setState(windowState(file));
+}
+
+// A scene that is there and cannot be read, or a program that was stopped while it read it.
+void SessionKeeper::takeFailure() {
+  if (!std::exchange(restoring_, {})) return;
+  isFromSession_ = isOfOrphan_ = false; // what was left is offered again at the next start
+  if (std::exchange(isReopening_, false)) return openFirst();
+  window_.setState(before_);
+  path_ = pathBefore_;
+}
+
+bool SessionKeeper::canReopen(const QSettings& settings) {
+  return Autosave::hasLeft(autosaveFolder(settings));
+}
+
+void SessionKeeper::reopen() {
+  const auto path = autosave_ ? autosave_->takeLeft() : std::nullopt;
+  if (!path) return window_.session().open(QString::fromLatin1(kFirstSource));
+  isReopening_ = true;
+  if (!restore(*path)) return openFirst();
+  placeWindow(*restoring_);
+}
+
+// In place of what was left and cannot be opened.
+void SessionKeeper::openFirst() {
+  isReopening_ = false;
+  path_.clear();
+  const auto kept = autosave_->keepAside();
+  toSay_ = tr("What was open last is not open again: %1.").arg(lastError_);
+  if (kept) toSay_ += QLatin1Char(' ') + tr("It has been kept as %1.").arg(*kept);
+  window_.setState(firstState_);
+  window_.session().setPreset(QString::fromStdString(builtinPresets().front().id));
+  window_.session().open(QString::fromLatin1(kFirstSource));
+}
+
+// After the window has cleared what was said of the scene before.
+void SessionKeeper::sayWhenOpen(const QString& sentence) {
+  QMetaObject::invokeMethod(
+      this, [this, sentence] { Q_EMIT failed(sentence); }, Qt::QueuedConnection);
+}
+
+void SessionKeeper::leave() {
+  if (autosave_) autosave_->leave();
+}
+
+void SessionKeeper::startAnew() {
+  Session& session = window_.session();
+  if (const auto kept = autosave_ && session.isOpen() ? autosave_->keepAside() : std::nullopt) {
+    remember(*kept);
+    Q_EMIT said(tr("What was open has been kept: File, Open recent, %1.").arg(QFileInfo(*kept).fileName()));
+  }
+  path_.clear();
+  const glm::ivec2 size = firstSize(session.status().driver);
+  session.open(QString::fromLatin1(kFirstSource));
+  session.setSize(size.x, size.y);
+  session.setPreset(QString::fromStdString(builtinPresets().front().id));
+  session.setCheckpointBudget(kDefaultCheckpointBudget);
+  window_.setState(firstState_);
+}
+
+void SessionKeeper::save() {
+  if (path_.isEmpty())
+    askWhereToSave();
+  else
+    saveTo(path_);
+}
+
+void SessionKeeper::askWhereToSave() {
+  auto* dialog = new QFileDialog(&window_, tr("Save the session"),
+                                 path_.isEmpty() ? QStringLiteral("session.taa.json") : path_,
+                                 tr("Sessions (*.taa.json)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("taa.json"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const QString whole = withEnding(path);
+    if (whole == path) return saveTo(path);
+    confirmReplace(&window_, {whole.toStdString()},
+                   [this, whole] { saveTo(whole); }); // of a name never shown
+  });
+  dialog->open();
+}
+
+void SessionKeeper::saveTo(const QString& path) {
+  if (!window_.session().isOpen()) return;
+  const QString named = withEnding(path);
+  try {
+    writeSession(named.toStdString(), file());
+    path_ = named;
+    remember(named);
+    Q_EMIT said(tr("Saved %1.").arg(QFileInfo(named).fileName()));
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+  }
+}
+
+QStringList SessionKeeper::recent() const {
+  return settings_ ? settings_->value(recentKey()).toStringList() : QStringList();
+}
+
+QString SessionKeeper::cameraFolder() const {
+  return settings_ ? QFileInfo(settings_->fileName()).dir().filePath(QStringLiteral("cameras"))
+                   : QDir::temp().filePath(QStringLiteral("taa-inspector-cameras"));
+}
+
+void SessionKeeper::clearRecent() {
+  if (settings_) settings_->remove(recentKey());
+}
+
+void SessionKeeper::remember(const QString& path) {
+  if (!settings_) return;
+  const QString whole = QFileInfo(path).absoluteFilePath();
+  QStringList paths = recent();
+  paths.removeAll(whole);
+  paths.prepend(whole);
+  settings_->setValue(recentKey(), QStringList(paths.mid(0, kMostRecent)));
+}
+
+void SessionKeeper::offerOrphan() {
+  const auto orphan = autosave_ ? autosave_->orphan() : std::nullopt;
+  if (!orphan) return;
+  offer_ = new OfferBar(tr("TAA Inspector ended without being closed. What was open on %1 has been kept.")
+                            .arg(QLocale().toString(orphan->savedAt, QLocale::ShortFormat)),
+                        tr("Open it again"), tr("Throw it away"));
+  qobject_cast<QBoxLayout*>(window_.centralWidget()->layout())->insertWidget(0, offer_);
+  connect(offer_, &OfferBar::accepted, this, [this, path = orphan->path] {
+    if (!restore(path)) return;
+    placeWindow(*restoring_);
+    isOfOrphan_ = true;
+  });
+  connect(offer_, &OfferBar::refused, this, [this] { autosave_->removeOrphan(); });
+  connect(offer_, &QObject::destroyed, this, [this] { offer_ = nullptr; });
+}
+
+} // namespace taa::app

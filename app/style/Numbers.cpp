@@ -1,0 +1,50 @@
+#include "app/style/Numbers.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <charconv>
+
+namespace taa::app {
+
+namespace {
+
+QString withMinus(QString text) {
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+/// Characters before the decimal point or exponent.
+qsizetype wholeLength(const QString& text) {
+  const auto isEnd = [](QChar c) { return c == QLatin1Char('.') || c == QLatin1Char('e'); };
+  return std::find_if(text.begin(), text.end(), isEnd) - text.begin();
+}
+
+} // namespace
+
+QString exactText(float value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return QString::fromLatin1(buffer, end - buffer);
+}
+
+QString shownText(float value) {
+  return withMinus(exactText(value));
+}
+
+QString shortText(double value, int digits) {
+  return withMinus(QString::number(value == 0 ? 0.0 : value, 'g', digits));
+}
+
+QString tupleText(std::span<const float> values, int digits) {
+  QStringList texts;
+  for (const float value : values) texts << shortText(value, digits);
+  return texts.size() == 1 ? texts[0] : QStringLiteral("(%1)").arg(texts.join(QStringLiteral(", ")));
+}
+
+QString alignedText(float value, int fraction) {
+  const QString text = shownText(value);
+  const qsizetype after = text.size() - wholeLength(text);
+  return text + QString(std::max<qsizetype>(0, fraction - after), QChar(QChar::Nbsp));
+}
+
+} // namespace taa::app

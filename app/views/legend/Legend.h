@@ -1,0 +1,45 @@
+// What is told below a picture: what is shown, in which range and colors, and what lies over it.
+#pragma once
+
+#include "app/views/legend/LegendFlow.h"
+
+#include "core/RenderThread.h"
+#include "core/settings/Settings.h"
+
+#include <QString>
+
+namespace taa::app {
+
+/// A side of a view.
+struct LegendSubject {
+  Intermediate row; ///< of a difference: a signed one
+  ViewStyle style;
+  bool isDifference = false;
+  QString note{};                        ///< of the reference: samples and errors
+  const ReasonCounts* reasons = nullptr; ///< of this picture; null: not known yet
+  SpaceSettings space{};                 ///< names the channels
+};
+
+/// One side of what is looked at.
+struct ViewContent {
+  Intermediate row; ///< of a difference: a signed one
+  ViewStyle style;
+  QString text;          ///< row and settings
+  SpaceSettings space{}; ///< of the settings that make it: names the channels
+};
+
+/// What it shows, in which range and colors.
+void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeColors& colors);
+/// What lies over it, as `transform` draws it. `other`: of the side beside it, null without one.
+void addOverlayLegend(LegendFlow& flow, const LegendSubject& subject, const ReasonCounts* other,
+                      const ViewTransform& transform, const ThemeColors& colors);
+
+/// On the screen. Where it would cover much of the pictures what it says of overlays is folded away, until
+/// the mouse is on the sign that stands for it.
+struct ShownLegend {
+  LegendFlow flow;
+  QRect place;
+  QRect sign; ///< empty where nothing was folded
+};
+
+} // namespace taa::app

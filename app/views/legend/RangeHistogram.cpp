@@ -1,0 +1,142 @@
+#include "app/views/legend/RangeHistogram.h"
+
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
+
+#include <QFontMetrics>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kFoot = 20, kHead = 6; // px below and above the columns
+
+} // namespace
+
+RangeHistogram::RangeHistogram(QWidget* parent) : QWidget(parent) {
+  setFixedSize(kWidth, kHeight);
+  setFocusPolicy(Qt::StrongFocus);
+  setCursor(Qt::SizeHorCursor);
+  setAccessibleName(tr("Histogram of the visible values and the range they are drawn in"));
+  setToolTip(
+      tr("Visible values, counted on a logarithmic scale. Drag an end of the range; Left and Right move "
+         "the low end, with Shift the high end."));
+}
+
+void RangeHistogram::setDistribution(const Distribution& found) {
+  if (drags_) return;
+  scale_ = found.scale;
+  counts_ = found.counts;
+  update();
+}
+
+void RangeHistogram::setRange(ValueRange range) {
+  if (range == range_) return;
+  range_ = range;
+  update();
+}
+
+double RangeHistogram::position(double value) const {
+  const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
+  return kSide + (value - static_cast<double>(scale_.low)) / span * (kBins * kColumn);
+}
+
+double RangeHistogram::valueAt(double x) const {
+  const double span = static_cast<double>(scale_.high) - static_cast<double>(scale_.low);
+  return static_cast<double>(scale_.low) + (x - kSide) / (kBins * kColumn) * span;
+}
+
+void RangeHistogram::moveEnd(bool high, double value) {
+  (high ? range_.high : range_.low) = static_cast<float>(value);
+  update();
+  Q_EMIT rangeEdited(range_);
+}
+
+QString RangeHistogram::rangeText() const {
+  return QStringLiteral("▲ %1  △ %2")
+      .arg(shortText(static_cast<double>(range_.low)), shortText(static_cast<double>(range_.high)));
+}
+
+void RangeHistogram::mousePressEvent(QMouseEvent* event) {
+  const double x = event->position().x();
+  const double toLow = std::abs(x - position(static_cast<double>(range_.low)));
+  const double toHigh = std::abs(x - position(static_cast<double>(range_.high)));
+  movesHigh_ = toHigh < toLow;
+  drags_ = true;
+  moveEnd(movesHigh_, valueAt(x));
+}
+
+void RangeHistogram::mouseMoveEvent(QMouseEvent* event) {
+  if (drags_) moveEnd(movesHigh_, valueAt(event->position().x()));
+}
+
+void RangeHistogram::mouseReleaseEvent(QMouseEvent*) {
+  drags_ = false;
+}
+
+void RangeHistogram::keyPressEvent(QKeyEvent* event) {
+  const int direction = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  if (direction == 0) return QWidget::keyPressEvent(event);
+  const bool high = event->modifiers().testFlag(Qt::ShiftModifier);
+  const double step = (static_cast<double>(scale_.high) - static_cast<double>(scale_.low)) / 100;
+  moveEnd(high, static_cast<double>(high ? range_.high : range_.low) + direction * step);
+}
+
+void RangeHistogram::paintEvent(QPaintEvent*) {
+  const ThemeColors& colors = themeColors(this);
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.panel);
+  painter.setPen(colors.line);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  if (counts_.empty()) {
+    painter.setPen(colors.secondary);
+    painter.drawText(rect(), Qt::AlignCenter, tr("The visible values are being counted"));
+    return;
+  }
+  paintColumns(painter, colors);
+  paintRange(painter, colors);
+}
+
+void RangeHistogram::paintColumns(QPainter& painter, const ThemeColors& colors) const {
+  const int foot = height() - kFoot, tallest = foot - kHead;
+  const int most = *std::ranges::max_element(counts_);
+  for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
+    if (counts_[bin] == 0) continue;
+    // One pixel already for a single value: what is rare is what one looks for.
+    const double share = std::log1p(counts_[bin]) / std::log1p(most);
+    const int tall = std::max(1, static_cast<int>(std::lround(share * tallest)));
+    painter.fillRect(kSide + static_cast<int>(bin) * kColumn, foot - tall, kColumn, tall, colors.secondary);
+  }
+  painter.fillRect(kSide, foot, kBins * kColumn, 1, colors.line);
+}
+
+void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) const {
+  const int foot = height() - kFoot;
+  painter.setFont(numberFont());
+  for (const bool high : {false, true}) {
+    const auto value = static_cast<double>(high ? range_.high : range_.low);
+    const int x = static_cast<int>(std::lround(position(value)));
+    painter.fillRect(x, kHead, 1, foot - kHead, colors.accent);
+    // Which is which by its shape: the low end is a full triangle, the high one an empty one.
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(colors.accent);
+    painter.setBrush(high ? QBrush(colors.panel) : QBrush(colors.accent));
+    painter.drawPolygon(QPolygonF({{x + 0.5, foot - 1.0}, {x - 4.5, foot + 5.0}, {x + 5.5, foot + 5.0}}));
+    painter.setRenderHint(QPainter::Antialiasing, false);
+  }
+  // Below the ends of the axis what they are; the range between them, since its ends may lie close together.
+  const QRect texts(kSide, foot + 5, kWidth - 2 * kSide, kFoot - 5);
+  painter.setPen(colors.secondary);
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignLeft, shortText(static_cast<double>(scale_.low)));
+  painter.drawText(texts, Qt::AlignVCenter | Qt::AlignRight, shortText(static_cast<double>(scale_.high)));
+  painter.setPen(colors.text);
+  painter.drawText(texts, Qt::AlignCenter, rangeText());
+}
+
+} // namespace taa::app

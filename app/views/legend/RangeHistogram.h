@@ -1,0 +1,60 @@
+// How often which value is in view, on a logarithmic scale, with handles for both ends of the range.
+#pragma once
+
+#include "app/views/legend/RangeMath.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QPainter;
+
+namespace taa::app {
+
+struct ThemeColors;
+
+class RangeHistogram : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr int kWidth = 288, kHeight = 92;
+  static constexpr int kSide = 8, kColumn = 2; ///< px beside the columns, width of one
+  static constexpr int kBins = (kWidth - 2 * kSide) / kColumn;
+
+  explicit RangeHistogram(QWidget* parent = nullptr);
+
+  /// Of the values in view; one without counts: they are being counted. While an end is dragged nothing else
+  /// moves.
+  void setDistribution(const Distribution& found);
+  void setRange(ValueRange range);
+  ValueRange range() const { return range_; }
+  /// Values from the left end to the right one.
+  ValueRange scale() const { return scale_; }
+  const std::vector<int>& counts() const { return counts_; }
+  /// Where a value lies, logical px.
+  double position(double value) const;
+  /// The ends of the range beside the signs of their handles.
+  QString rangeText() const;
+  QSize sizeHint() const override { return {kWidth, kHeight}; }
+
+ Q_SIGNALS:
+  void rangeEdited(ValueRange range);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+
+ private:
+  void moveEnd(bool high, double value);
+  double valueAt(double x) const;
+  void paintColumns(QPainter& painter, const ThemeColors& colors) const;
+  void paintRange(QPainter& painter, const ThemeColors& colors) const;
+
+  ValueRange range_, scale_;
+  std::vector<int> counts_;
+  bool movesHigh_ = false, drags_ = false;
+};
+
+} // namespace taa::app

@@ -1,0 +1,75 @@
+// The neighborhood of a probed pixel as points and boxes in a color space, and how they are projected. No
+// painting.
+#pragma once
+
+#include "core/probe/WhatIf.h"
+#include "core/settings/Settings.h"
+#include "core/taa/twin/Details.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::app {
+
+/// Which axes the plot has. Highlights are bounded as the settings bound them, in both.
+enum class PlotSpace { Rgb, YCoCg };
+
+using Corners = std::array<glm::vec3, 8>; ///< corner i has the upper wall of axis a where bit a of i is set
+using Segment = std::pair<glm::vec3, glm::vec3>;
+
+/// All in the plot's space.
+struct ColorScene {
+  std::array<std::string, 3> axes;
+  std::array<glm::vec3, 9> samples{}; ///< row-major, [4] is the pixel's own
+  std::vector<glm::vec3> taps;        ///< that the box is of; empty: it is of samples
+  Corners minMax{}, variance{}, box{};
+  std::vector<Segment> hull; ///< edges of what slabs around the samples leave; empty: not the method
+  glm::vec3 mean{0.0f}, current{0.0f}, resolved{0.0f};
+  std::optional<glm::vec3> historyRaw, historyRectified; ///< nothing: no history
+  std::optional<glm::vec3> target; ///< where the way into the box leads; nothing: history was not moved
+  std::vector<glm::vec3> variants; ///< resolved colors of what-ifs
+};
+
+ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& details, const Settings& settings,
+                      PlotSpace space, const std::vector<WhatIfRow>& variants);
+
+/// Edges of the intersection of the slabs across `directions` that hold `points` (catalogue 9.7, 10.12).
+std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
+                               const std::vector<glm::vec3>& directions);
+/// The twelve edges of a box, as indices of its corners.
+std::array<std::pair<int, int>, 12> boxEdges();
+
+/// What the axes span: everything in the scene and a little more.
+struct ColorRange {
+  glm::vec3 low{0.0f}, high{1.0f};
+  /// −1 to 1 over the range.
+  glm::dvec3 unit(const glm::vec3& color) const;
+};
+ColorRange rangeOf(const ColorScene& scene);
+
+/// How the plot is turned: about the upright axis, then towards the eye; radians.
+struct Turn {
+  double yaw = 0.6, pitch = 0.35;
+  bool operator==(const Turn&) const = default;
+};
+/// Turned by a drag of so many pixels; upright stays upright.
+Turn turned(const Turn& turn, glm::dvec2 dragPx);
+
+/// A point of the unit cube seen so: x right, y up, and how near to the eye. The first axis (R or Y) is
+/// upright, the second goes right, the third to the eye when nothing is turned.
+struct Projected {
+  glm::dvec2 place{0.0};
+  double nearness = 0.0;
+};
+Projected projected(const glm::dvec3& unit, const Turn& turn);
+
+/// The two axes of a flat projection: right, up.
+inline constexpr std::array<std::pair<int, int>, 3> kProjections{{{1, 0}, {2, 0}, {1, 2}}};
+
+} // namespace taa::app

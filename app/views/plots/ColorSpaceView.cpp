@@ -1,0 +1,329 @@
+#include "app/views/plots/ColorSpaceView.h"
+
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+enum class Shape { Dot, Ring, Diamond, FilledDiamond, Square, Cross, Dotted, Dashed, Solid, Thin, Arrow };
+
+/// What the plot shows one of: its points, lines, and how they look.
+struct Item {
+  Shape shape;
+  QString label;
+  QColor color;
+  std::vector<glm::vec3> points{};
+  std::vector<Segment> lines{};
+};
+
+QPen penOf(Shape shape, const QColor& color) {
+  QPen pen(color, shape == Shape::Solid ? 1.6 : 1.1);
+  if (shape == Shape::Dotted) pen.setStyle(Qt::DotLine);
+  if (shape == Shape::Dashed) pen.setStyle(Qt::DashLine);
+  return pen;
+}
+
+void drawMark(QPainter& painter, QPointF place, Shape shape, const QColor& color) {
+  constexpr double r = 4.5;
+  const bool isFilled = shape == Shape::Dot || shape == Shape::FilledDiamond || shape == Shape::Square;
+  painter.setPen(QPen(color, 1.4));
+  painter.setBrush(isFilled ? QBrush(color) : QBrush(Qt::NoBrush));
+  switch (shape) {
+  case Shape::Dot:
+    return painter.drawEllipse(place, r, r);
+  case Shape::Ring:
+    return painter.drawEllipse(place, r - 1.5, r - 1.5);
+  case Shape::Diamond:
+  case Shape::FilledDiamond: {
+    const std::array<QPointF, 4> corners{place + QPointF(0, -r - 1), place + QPointF(r + 1, 0),
+                                         place + QPointF(0, r + 1), place + QPointF(-r - 1, 0)};
+    return painter.drawPolygon(corners.data(), 4);
+  }
+  case Shape::Square:
+    return painter.drawRect(QRectF(place.x() - r + 0.5, place.y() - r + 0.5, 2 * r - 1, 2 * r - 1));
+  default:
+    painter.drawLine(place + QPointF(-3, -3), place + QPointF(3, 3));
+    painter.drawLine(place + QPointF(-3, 3), place + QPointF(3, -3));
+  }
+}
+
+std::vector<Segment> edgesOf(const Corners& corners) {
+  std::vector<Segment> edges;
+  for (const auto& [a, b] : boxEdges())
+    edges.emplace_back(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]);
+  return edges;
+}
+
+std::vector<Item> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
+  std::vector<Item> items{
+      {Shape::Dotted, ColorSpaceView::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
+      {Shape::Dashed, ColorSpaceView::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
+      {Shape::Solid, ColorSpaceView::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
+  if (!scene.hull.empty())
+    items.push_back({Shape::Thin, ColorSpaceView::tr("hull"), colors.accent, {}, scene.hull});
+  if (!scene.variants.empty())
+    items.push_back({Shape::Cross, ColorSpaceView::tr("what if"), colors.secondary, scene.variants});
+  items.push_back({Shape::Ring,
+                   ColorSpaceView::tr("samples"),
+                   colors.text,
+                   {scene.samples.begin(), scene.samples.end()}});
+  if (!scene.taps.empty())
+    items.push_back({Shape::Ring, ColorSpaceView::tr("taps"), colors.accent, scene.taps});
+  if (scene.historyRaw && scene.historyRectified) {
+    Item way{Shape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
+    if (*scene.historyRaw != *scene.historyRectified)
+      way.lines.emplace_back(*scene.historyRaw, *scene.historyRectified);
+    if (scene.target) way.lines.emplace_back(*scene.historyRectified, *scene.target);
+    if (!way.lines.empty()) items.push_back(std::move(way));
+    items.push_back({Shape::Diamond, ColorSpaceView::tr("history"), colors.caution, {*scene.historyRaw}});
+    items.push_back(
+        {Shape::FilledDiamond, ColorSpaceView::tr("rectified"), colors.caution, {*scene.historyRectified}});
+  }
+  items.push_back({Shape::Dot, ColorSpaceView::tr("current"), colors.text, {scene.current}});
+  items.push_back({Shape::Square, ColorSpaceView::tr("resolved"), colors.accent, {scene.resolved}});
+  return items;
+}
+
+using Place = std::function<QPointF(const glm::vec3&)>;
+
+void paintItem(QPainter& painter, const Item& item, const Place& placeOf) {
+  bool isFirst = true;
+  for (const auto& [a, b] : item.lines) {
+    QPen pen = penOf(item.shape, item.color);
+    // The part of the way that history went is drawn through, the rest of it dotted.
+    if (item.shape == Shape::Arrow && !isFirst) pen.setStyle(Qt::DotLine);
+    painter.setPen(pen);
+    painter.drawLine(placeOf(a), placeOf(b));
+    isFirst = false;
+  }
+  for (const glm::vec3& point : item.points) drawMark(painter, placeOf(point), item.shape, item.color);
+}
+
+QString rangeText(float low, float high) {
+  return QStringLiteral("%1 … %2").arg(shortText(static_cast<double>(low)),
+                                       shortText(static_cast<double>(high)));
+}
+
+} // namespace
+
+struct ColorSpaceView::Look {
+  const ThemeColors& colors;
+  std::vector<Item> items;
+};
+
+ColorSpaceView::ColorSpaceView(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setFont(secondaryFont());
+  setMinimumSize(240, 300);
+  setCursor(Qt::OpenHandCursor);
+  setAccessibleName(tr("Color space plot"));
+}
+
+void ColorSpaceView::setScene(const std::optional<ColorScene>& scene) {
+  scene_ = scene;
+  if (scene_) {
+    range_ = rangeOf(*scene_);
+    const std::array values{scene_->resolved.x, scene_->resolved.y, scene_->resolved.z};
+    setAccessibleDescription(tr("resolved %1").arg(tupleText(values)));
+  }
+  update();
+}
+
+void ColorSpaceView::setTurn(const Turn& turn) {
+  turn_ = turn;
+  update();
+}
+
+void ColorSpaceView::turnBy(double stepsRight, double stepsUp) {
+  constexpr double kStepPx = 5.0 * std::numbers::pi / 180.0 / 0.01; // of a drag that turns as far
+  setTurn(turned(turn_, {kStepPx * stepsRight, kStepPx * stepsUp}));
+}
+
+int ColorSpaceView::legendHeight() const {
+  return 4 * (fontMetrics().height() + 2) + kUnit;
+}
+
+QRectF ColorSpaceView::plotRect() const {
+  const double side = projectionRect(0).top() - 2 * kUnit;
+  return {0, 0, static_cast<double>(width()), std::max(60.0, side)};
+}
+
+QRectF ColorSpaceView::projectionRect(int index) const {
+  const double side = std::min((width() - 4.0 * 2 * kUnit) / 3, 0.34 * (height() - legendHeight()));
+  const double top = height() - legendHeight() - side - fontMetrics().height() - kUnit;
+  const double gap = (width() - 3 * side) / 4;
+  return {gap + index * (side + gap), top, side, side};
+}
+
+QPointF ColorSpaceView::placeOf(const glm::vec3& color) const {
+  const QRectF rect = plotRect();
+  const glm::dvec2 place = projected(range_.unit(color), turn_).place;
+  const double scale = 0.5 * std::min(rect.width(), rect.height()) / std::sqrt(3.0);
+  return rect.center() + scale * QPointF(place.x, -place.y);
+}
+
+QPointF ColorSpaceView::flatPlace(const glm::vec3& color, int projection) const {
+  const QRectF rect = projectionRect(projection);
+  const auto& [right, up] = kProjections[static_cast<std::size_t>(projection)];
+  const glm::dvec3 unit = range_.unit(color);
+  return rect.center() + 0.5 * rect.width() * QPointF(unit[right], -unit[up]);
+}
+
+void ColorSpaceView::paintPlot(QPainter& painter, const Look& look) const {
+  const Place place = [this](const glm::vec3& color) { return placeOf(color); };
+  const glm::vec3 low = range_.low, size = range_.high - range_.low;
+  painter.setPen(QPen(look.colors.line, 1));
+  Corners frame;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    frame[corner] = low + size * glm::vec3(corner & 1 ? 1 : 0, corner & 2 ? 1 : 0, corner & 4 ? 1 : 0);
+  for (const auto& [a, b] : edgesOf(frame)) painter.drawLine(placeOf(a), placeOf(b));
+  for (const Item& item : look.items) paintItem(painter, item, place);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 end = low;
+    end[axis] = range_.high[axis] + 0.08f * size[axis];
+    painter.setPen(look.colors.text);
+    painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter,
+                     QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]));
+  }
+  painter.setPen(look.colors.secondary);
+  for (int axis = 0; axis < 3; ++axis)
+    painter.drawText(
+        QPointF(2 * kUnit, (axis + 1) * (fontMetrics().height() + 1)),
+        QStringLiteral("%1 %2").arg(QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]),
+                                    rangeText(range_.low[axis], range_.high[axis])));
+}
+
+void ColorSpaceView::paintProjection(QPainter& painter, const Look& look, int index) const {
+  const QRectF rect = projectionRect(index);
+  const auto& [right, up] = kProjections[static_cast<std::size_t>(index)];
+  painter.setPen(QPen(look.colors.line, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(rect);
+  painter.save();
+  painter.setClipRect(rect);
+  for (const Item& item : look.items)
+    paintItem(painter, item, [&](const glm::vec3& color) { return flatPlace(color, index); });
+  painter.restore();
+  painter.setPen(look.colors.secondary);
+  const auto name = [&](int axis) {
+    return QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]);
+  };
+  painter.drawText(QRectF(rect.left(), rect.bottom() + 1, rect.width(), fontMetrics().height()),
+                   Qt::AlignHCenter, tr("%1 right, %2 up").arg(name(right), name(up)));
+}
+
+void ColorSpaceView::paintLegend(QPainter& painter, const Look& look) const {
+  const double line = fontMetrics().height() + 2;
+  double x = 2 * kUnit, y = height() - legendHeight();
+  for (const Item& item : look.items) {
+    const double wide = 24 + fontMetrics().horizontalAdvance(item.label) + 3 * kUnit;
+    if (x + wide > width() && x > 2 * kUnit) x = 2 * kUnit, y += line;
+    const QPointF middle(x + 9, y + line / 2);
+    if (item.points.empty()) {
+      painter.setPen(penOf(item.shape, item.color));
+      painter.drawLine(middle - QPointF(9, 0), middle + QPointF(9, 0));
+    } else {
+      drawMark(painter, middle, item.shape, item.color);
+    }
+    painter.setPen(look.colors.text);
+    painter.drawText(QRectF(x + 22, y, wide, line), Qt::AlignVCenter | Qt::AlignLeft, item.label);
+    x += wide;
+  }
+}
+
+void ColorSpaceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const ThemeColors& colors = themeColors(this);
+  if (!scene_) {
+    painter.setPen(colors.secondary);
+    painter.drawText(rect(), Qt::AlignCenter, tr("There are no values to plot in this frame"));
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Look look{colors, itemsOf(*scene_, colors)};
+  paintPlot(painter, look);
+  for (int index = 0; index < 3; ++index) paintProjection(painter, look, index);
+  paintLegend(painter, look);
+  if (!hasFocus()) return;
+  painter.setPen(QPen(colors.accent, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(0.5, 0.5, width() - 1, height() - 1));
+}
+
+QString ColorSpaceView::textAt(QPointF place) const {
+  if (!scene_) return {};
+  constexpr double kNear = 9.0;
+  double least = kNear;
+  QString text;
+  for (const Item& item : itemsOf(*scene_, themeColors(this)))
+    for (const glm::vec3& point : item.points)
+      for (int plot = -1; plot < 3; ++plot) {
+        const QPointF away = (plot < 0 ? placeOf(point) : flatPlace(point, plot)) - place;
+        if (std::hypot(away.x(), away.y()) > least) continue;
+        least = std::hypot(away.x(), away.y());
+        const std::array values{point.x, point.y, point.z};
+        text = QStringLiteral("%1 %2").arg(item.label, tupleText(values));
+      }
+  return text;
+}
+
+void ColorSpaceView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  held_ = event->position();
+  setCursor(Qt::ClosedHandCursor);
+}
+
+void ColorSpaceView::mouseMoveEvent(QMouseEvent* event) {
+  if (!held_) return;
+  const QPointF moved = event->position() - *held_;
+  held_ = event->position();
+  setTurn(turned(turn_, {moved.x(), moved.y()}));
+}
+
+void ColorSpaceView::mouseReleaseEvent(QMouseEvent*) {
+  held_.reset();
+  setCursor(Qt::OpenHandCursor);
+}
+
+void ColorSpaceView::mouseDoubleClickEvent(QMouseEvent*) {
+  resetTurn();
+}
+
+void ColorSpaceView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+  case Qt::Key_Left:
+    return turnBy(-1, 0);
+  case Qt::Key_Right:
+    return turnBy(1, 0);
+  case Qt::Key_Up:
+    return turnBy(0, -1);
+  case Qt::Key_Down:
+    return turnBy(0, 1);
+  default:
+    QWidget::keyPressEvent(event);
+  }
+}
+
+bool ColorSpaceView::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QToolTip::showText(help->globalPos(), textAt(QPointF(help->pos())), this);
+  return true;
+}
+
+} // namespace taa::app

@@ -1,0 +1,64 @@
+// The neighborhood, the boxes and the way of history in a color space: a plot to turn, and its three flat
+// projections.
+#pragma once
+
+#include "app/views/plots/ColorSpaceMath.h"
+
+#include <QPointF>
+#include <QString>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace taa::app {
+
+struct ThemeColors;
+
+class ColorSpaceView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ColorSpaceView(QWidget* parent = nullptr);
+
+  /// Nothing: there is no probe to show.
+  void setScene(const std::optional<ColorScene>& scene);
+  const std::optional<ColorScene>& scene() const { return scene_; }
+  const Turn& turn() const { return turn_; }
+  void setTurn(const Turn& turn);
+  void turnBy(double stepsRight, double stepsUp); ///< a step is 5 degrees
+  void resetTurn() { setTurn({}); }
+
+  /// Where a color is in the plot.
+  QPointF placeOf(const glm::vec3& color) const;
+  /// What is nearest to a place, with its values; empty when nothing is near.
+  QString textAt(QPointF place) const;
+  QSize sizeHint() const override { return {380, 520}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void keyPressEvent(QKeyEvent*) override;
+  bool event(QEvent*) override;
+
+ private:
+  struct Look;
+  QRectF plotRect() const;
+  QRectF projectionRect(int index) const;
+  int legendHeight() const;
+  QPointF flatPlace(const glm::vec3& color, int projection) const;
+  void paintPlot(QPainter& painter, const Look& look) const;
+  void paintProjection(QPainter& painter, const Look& look, int index) const;
+  void paintLegend(QPainter& painter, const Look& look) const;
+
+  std::optional<ColorScene> scene_;
+  ColorRange range_;
+  Turn turn_;
+  std::optional<QPointF> held_; ///< where the mouse was, while it turns the plot
+};
+
+} // namespace taa::app

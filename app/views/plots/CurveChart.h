@@ -1,0 +1,96 @@
+// Curves over frames with a playhead, marks and values under the mouse; told apart by dash and name, not by
+// color alone.
+#pragma once
+
+#include "app/views/plots/CurveLegend.h"
+#include "app/widgets/Drags.h"
+
+#include <QChartView>
+#include <QColor>
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+class QLineSeries;
+class QValueAxis;
+
+namespace taa::app {
+
+/// Drawn at the bottom of the chart: × where history was rejected, a line where the shot is cut.
+enum class MarkKind : std::uint8_t { Reject, Cut };
+struct ChartMark {
+  double x = 0.0;
+  MarkKind kind = MarkKind::Cut;
+  QString text;
+  bool operator==(const ChartMark&) const = default;
+};
+
+class CurveChart : public QChartView, public Draggable {
+  Q_OBJECT
+ public:
+  /// `xTitle`: what x counts; also before its value in the readout: "frame 41".
+  CurveChart(const QString& title, const QString& xTitle, QWidget* parent = nullptr);
+
+  void setCurves(std::vector<Curve> curves);
+  const std::vector<Curve>& curves() const { return curves_; }
+  void setMarks(std::vector<ChartMark> marks);
+  const std::vector<ChartMark>& marks() const { return marks_; }
+  void setPlayhead(std::optional<double> x);
+  /// All there is to see.
+  void setBounds(const Span& all);
+  void setShown(const Span& shown);
+  Span shown() const { return shown_; }
+  Span values() const; ///< of the vertical axis
+  void resetZoom() { setShown(all_); }
+  /// Where the mouse is, in all charts that show the same x.
+  void setHovered(std::optional<double> x);
+  /// A color of the palette that is safe for color-blind eyes.
+  static QColor colorOf(int place);
+
+  /// The line above the curves: names and values under the mouse, else at the playhead.
+  QString readout() const;
+  double xAt(double viewX) const;
+  double viewXOf(double x) const;
+  void cancelDrag() override;
+  QSize sizeHint() const override { return {400, 120}; }
+
+ Q_SIGNALS:
+  void xClicked(double x);
+  void shownChanged(const Span& shown);
+  void hovered(std::optional<double> x);
+
+ protected:
+  void changeEvent(QEvent*) override;
+  void drawForeground(QPainter*, const QRectF&) override;
+  void mousePressEvent(QMouseEvent*) override;
+  void mouseMoveEvent(QMouseEvent*) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override;
+  void wheelEvent(QWheelEvent*) override;
+  void leaveEvent(QEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  void fillSeries();
+  void fitAxes();
+  void applyColors();
+  void layOutLegend();
+  void drawMarks(QPainter& painter, const QRectF& plot) const;
+  std::optional<double> readX() const { return hovered_ ? hovered_ : playhead_; }
+  QString markText(double x) const;
+
+  QString title_, xTitle_;
+  QValueAxis *frames_ = nullptr, *values_ = nullptr;
+  std::vector<QLineSeries*> series_; ///< one for each run between gaps
+  std::vector<Curve> curves_;
+  CurveLegend legend_;
+  std::vector<ChartMark> marks_;
+  Span all_, shown_;
+  std::optional<double> playhead_, hovered_;
+  std::optional<double> pressedX_; ///< view px
+  double draggedX_ = 0.0;
+};
+
+} // namespace taa::app

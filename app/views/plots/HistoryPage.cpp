@@ -1,0 +1,57 @@
+#include "app/views/plots/HistoryPage.h"
+
+#include "app/style/Theme.h"
+
+#include <QHideEvent>
+#include <QLabel>
+#include <QShowEvent>
+
+namespace taa::app {
+
+namespace {
+constexpr int kRefresh = 100; ///< ms
+} // namespace
+
+HistoryPage::HistoryPage(QWidget* parent) : QWidget(parent), summary_(makeNote()) {
+  refresh_.setSingleShot(true);
+  refresh_.setInterval(kRefresh);
+  connect(&refresh_, &QTimer::timeout, this, [this] {
+    if (isVisible()) refresh();
+  });
+}
+
+QLabel* HistoryPage::makeNote() {
+  auto* label = new QLabel;
+  label->setFont(secondaryFont());
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+void HistoryPage::setHistory(const PixelHistory& history) {
+  history_ = history;
+  if (isVisible() && !refresh_.isActive()) refresh_.start();
+}
+
+void HistoryPage::setSummary(const QStringList& parts, QChar between) {
+  summary_->setText(parts.join(between));
+}
+
+QString HistoryPage::summary() const {
+  return summary_->text();
+}
+
+void HistoryPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (event->spontaneous()) return;
+  refresh();
+  Q_EMIT shownChanged(true);
+}
+
+void HistoryPage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (!event->spontaneous()) Q_EMIT shownChanged(false);
+}
+
+} // namespace taa::app

@@ -1,0 +1,35 @@
+// The pinned probes as numbered buttons, and what the active one follows.
+#pragma once
+
+#include "core/probe/ProbePin.h"
+
+#include <QWidget>
+
+#include <array>
+#include <vector>
+
+class QToolButton;
+
+namespace taa::app {
+
+class SegmentedButtons;
+
+class PinBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PinBar(QWidget* parent = nullptr);
+
+  void setPins(const std::vector<ProbePin>& pins, int active);
+  QToolButton* button(int pin) const { return buttons_.at(static_cast<std::size_t>(pin)); }
+  SegmentedButtons* follow() const { return follow_; }
+
+ Q_SIGNALS:
+  void pinChosen(int pin);
+  void followChosen(Follow follow);
+
+ private:
+  std::array<QToolButton*, kMostPins> buttons_{};
+  SegmentedButtons* follow_ = nullptr;
+};
+
+} // namespace taa::app

@@ -1,0 +1,166 @@
+#include "app/widgets/parameters/ParameterRow.h"
+
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/widgets/parameters/ChoiceButton.h"
+#include "app/widgets/parameters/NumberField.h"
+#include "app/widgets/parameters/ParameterLabel.h"
+#include "app/widgets/parameters/SegmentedButtons.h"
+#include "app/widgets/parameters/Toggle.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kFieldWidth = 116;
+
+QString escaped(std::string_view view) {
+  return tableText(view).toHtmlEscaped();
+}
+
+} // namespace
+
+QString parameterToolTip(const Parameter& row) {
+  QString tip = QStringLiteral("<b>%1</b><br>%2").arg(escaped(row.label), escaped(row.tooltip));
+  if (!row.formula.empty()) tip += QStringLiteral("<br><br><code>%1</code>").arg(escaped(row.formula));
+  QStringList facts;
+  const QString unit = row.unit.empty() ? QString() : QStringLiteral(" ") + escaped(row.unit);
+  if (row.kind == ParameterKind::Integer || row.kind == ParameterKind::Number)
+    facts << ParameterRow::tr("range %1 to %2%3").arg(row.minimum).arg(row.maximum).arg(unit);
+  facts << ParameterRow::tr("default %1%2")
+               .arg(QString::fromStdString(valueText(row, row.defaultValue())), unit);
+  if (!row.source.empty()) facts << escaped(row.source);
+  tip += QStringLiteral("<br><br>%1<br><code>%2</code>")
+             .arg(facts.join(QStringLiteral(" · ")), qtext(row.path).toHtmlEscaped());
+  return tip;
+}
+
+ParameterRow::ParameterRow(const Parameter& row, QWidget* parent)
+    : QWidget(parent), row_(row), label_(new ParameterLabel(tableText(row.label), this)) {
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  makeEditor();
+  editor_->setObjectName(path());
+  editor_->setAccessibleName(tableText(row.label));
+  const QString tip = parameterToolTip(row);
+  label_->setToolTip(tip);
+  editor_->setToolTip(tip);
+  connect(label_, &ParameterLabel::resetRequested, this, [this] { edit(presetValue_); });
+}
+
+QString ParameterRow::path() const {
+  return qtext(row_.path);
+}
+
+void ParameterRow::makeEditor() {
+  if (row_.kind == ParameterKind::Toggle) {
+    auto* toggle = new Toggle(this);
+    connect(toggle, &Toggle::toggled, this, [this](bool on) { edit(on ? 1 : 0); });
+    showValue_ = [toggle](double value) { toggle->setChecked(value != 0); };
+    dim_ = [toggle](bool dimmed) { toggle->setDimmed(dimmed); };
+    editor_ = toggle;
+    return;
+  }
+  if (row_.kind != ParameterKind::Choice) {
+    auto* field = new NumberField({row_.minimum, row_.maximum, row_.kind == ParameterKind::Integer}, this);
+    field->setUnit(tableText(row_.unit));
+    connect(field, &NumberField::valueEdited, this, &ParameterRow::edit);
+    showValue_ = [field](double value) { field->setValue(value); };
+    dim_ = [field](bool dimmed) { field->setDimmed(dimmed); };
+    editor_ = field;
+    return;
+  }
+  QStringList labels, explanations;
+  for (const Choice& choice : row_.choices) {
+    labels << tableText(choice.label);
+    explanations << tableText(choice.explanation);
+  }
+  const auto wire = [&](auto* control) {
+    connect(control, &std::remove_pointer_t<decltype(control)>::chosen, this,
+            [this](int index) { edit(index); });
+    connect(control, &std::remove_pointer_t<decltype(control)>::considered, this,
+            [this](int index) { Q_EMIT considered(path(), index); });
+    showValue_ = [control](double value) { control->setCurrent(static_cast<int>(value)); };
+    dim_ = [control](bool dimmed) { control->setDimmed(dimmed); };
+    editor_ = control;
+  };
+  if (labels.size() <= 4) {
+    auto* buttons = new SegmentedButtons(labels, this);
+    buttons->setExplanations(explanations);
+    wire(buttons);
+  } else {
+    auto* button = new ChoiceButton(this);
+    button->setChoices(labels, explanations);
+    wire(button);
+  }
+}
+
+void ParameterRow::display(const Settings& settings, const Settings& preset) {
+  value_ = row_.get(settings);
+  presetValue_ = row_.get(preset);
+  const QSignalBlocker blocker(editor_);
+  showValue_(value_);
+  const bool dimmed = !isRelevant(row_, settings);
+  dim_(dimmed);
+  label_->setState(value_ != presetValue_, dimmed);
+}
+
+bool ParameterRow::isChanged() const {
+  return label_->isChanged();
+}
+
+bool ParameterRow::isDimmed() const {
+  return label_->isDimmed();
+}
+
+bool ParameterRow::matches(const QString& wanted) const {
+  const auto holds = [&](std::string_view field) {
+    return tableText(field).contains(wanted, Qt::CaseInsensitive);
+  };
+  return holds(row_.label) || holds(row_.path) || holds(row_.tooltip) ||
+         std::ranges::any_of(row_.choices, [&](const Choice& choice) { return holds(choice.label); });
+}
+
+void ParameterRow::edit(double value) {
+  if (value != value_) Q_EMIT edited(path(), value);
+}
+
+int ParameterRow::editorWidth() const {
+  const bool isNumber = row_.kind == ParameterKind::Integer || row_.kind == ParameterKind::Number;
+  return isNumber ? std::max(kFieldWidth, editor_->sizeHint().width()) : editor_->sizeHint().width();
+}
+
+bool ParameterRow::fitsInOneLine(int width) const {
+  return label_->sizeHint().width() + kUnit + editorWidth() <= width;
+}
+
+int ParameterRow::heightForWidth(int width) const {
+  if (fitsInOneLine(width)) return kRowHeight;
+  const int inset = 3 * kUnit;
+  return kRowHeight + (editor_->hasHeightForWidth() ? editor_->heightForWidth(width - inset) : kRowHeight);
+}
+
+QSize ParameterRow::sizeHint() const {
+  return {label_->sizeHint().width() + kUnit + editorWidth(), kRowHeight};
+}
+
+void ParameterRow::resizeEvent(QResizeEvent*) {
+  if (fitsInOneLine(width())) {
+    const int left = width() - editorWidth();
+    label_->setGeometry(0, 0, left - kUnit, kRowHeight);
+    editor_->setGeometry(left, 0, editorWidth(), kRowHeight);
+    return;
+  }
+  const int inset = 3 * kUnit; // in line with the label's text
+  label_->setGeometry(0, 0, width(), kRowHeight);
+  editor_->setGeometry(inset, kRowHeight, width() - inset, height() - kRowHeight);
+}
+
+} // namespace taa::app

@@ -1,0 +1,78 @@
+#include "app/window/Dialogs.h"
+
+#include "app/dialogs/ReferenceDialog.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
+#include "app/widgets/IconButton.h"
+#include "app/window/Exports.h"
+#include "app/window/MainWindow.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+using Open = void (*)(MainWindow& window);
+
+void openReference(MainWindow& window) {
+  auto* dialog = new ReferenceDialog(&window);
+  dialog->open();
+}
+
+void openMore(MainWindow& window) {
+  window.views()->active()->header()->findChild<IconButton*>(QStringLiteral("more"))->click();
+}
+
+const std::vector<std::pair<std::string, Open>>& dialogs() {
+  static const std::vector<std::pair<std::string, Open>> all = {
+      {"export", [](MainWindow& window) { window.exports()->askForRange(); }},
+      {"glsl", [](MainWindow& window) { window.readGlsl(); }},
+      {"presets", [](MainWindow& window) { window.comparePresets(); }},
+      {"keys", [](MainWindow& window) { window.showKeys(); }},
+      {"reference", openReference},
+      {"commands", [](MainWindow& window) { window.showCommands(); }},
+      {"histogram", [](MainWindow& window) { window.views()->active()->setHistogramShown(true); }},
+      {"more", openMore}};
+  return all;
+}
+
+} // namespace
+
+const std::vector<std::string>& dialogNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> found;
+    for (const auto& [name, open] : dialogs()) found.push_back(name);
+    return found;
+  }();
+  return names;
+}
+
+void openDialog(MainWindow& window, const std::string& name) {
+  const auto found = std::ranges::find(dialogs(), name, &std::pair<std::string, Open>::first);
+  found->second(window);
+}
+
+void paintDialogs(const MainWindow& window, QPixmap& picture) {
+  QPainter painter(&picture);
+  for (QWidget* dialog : QApplication::topLevelWidgets()) {
+    const bool isBeside = dialog->isVisible() && dialog != &window &&
+                          (qobject_cast<QDialog*>(dialog) || dialog->windowType() == Qt::Popup);
+    if (!isBeside) continue;
+    QPoint place = dialog->mapToGlobal(QPoint()) - window.mapToGlobal(QPoint());
+    // What is modal lies in the middle, wherever a platform without windows has put it.
+    if (qobject_cast<QDialog*>(dialog))
+      place = {(window.width() - dialog->width()) / 2, (window.height() - dialog->height()) / 2};
+    painter.drawPixmap(place, dialog->grab());
+    painter.setPen(QColor(128, 128, 128));
+    painter.drawRect(QRect(place, dialog->size()).adjusted(-1, -1, 0, 0));
+  }
+}
+
+} // namespace taa::app

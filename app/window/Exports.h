@@ -1,0 +1,52 @@
+// What leaves the window: pictures of views, ranges of frames, command lines, GLSL.
+#pragma once
+
+#include "core/report/SequenceExport.h"
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+#include <optional>
+
+namespace taa {
+struct SessionFile;
+}
+
+namespace taa::app {
+
+class MainWindow;
+
+class Exports : public QObject {
+  Q_OBJECT
+ public:
+  explicit Exports(MainWindow& window);
+
+  /// Asks for a file, then writes the active view.
+  void askForView(bool withLegend);
+  /// What the active view shows, pixel for pixel of the screen; `withLegend`: and below it what it means.
+  void writeView(const QString& path, bool withLegend);
+  /// The same into the clipboard.
+  void copyView(bool withLegend);
+  /// A dialog for a range of frames, which stays open beside the work.
+  void askForRange();
+  void writeRange(const SequenceRequest& request);
+  void askForGlsl();
+  void writeGlsl(const QString& path);
+  /// The taa-batch line that draws what the active view shows again, all of its picture. A flown path is in a
+  /// file that it names, which copying writes.
+  QString commandLine() const;
+  void copyCommandLine();
+
+ Q_SIGNALS:
+  void said(const QString& sentence);
+  void failed(const QString& sentence);
+
+ private:
+  QString cameraFile(const SessionFile& session) const; ///< empty: no need for one
+  /// Says why when there is none.
+  std::optional<QImage> viewImage(bool withLegend);
+  MainWindow& window_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,128 @@
+#include "app/window/Screenshot.h"
+
+#include "app/panels/JitterPanel.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
+#include "app/panels/ProfilerPanel.h"
+#include "app/panels/WeightsPanel.h"
+#include "app/views/ViewArea.h"
+#include "app/window/Dialogs.h"
+#include "app/window/MainWindow.h"
+
+#include <QPixmap>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace taa::app {
+
+namespace {
+constexpr int kPoll = 20;        ///< ms
+constexpr int kQuiet = 10;       ///< polls
+constexpr int kDialogQuiet = 40; ///< more of them: some read files
+constexpr int kTracedFrames = 48;
+constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
+} // namespace
+
+Screenshot::Screenshot(MainWindow& window, const QString& file, int frame, Done done)
+    : QObject(&window), window_(window), file_(file), frame_(frame), done_(std::move(done)) {
+  Session& session = window.session();
+  connect(&session, &Session::errorOccurred, this, [this](const QString& sentence) {
+    lastError_ = sentence;
+    // Nothing will come when nothing could be opened.
+    if (!window_.session().isOpen()) finish(1, sentence);
+  });
+  connect(&poll_, &QTimer::timeout, this, &Screenshot::look);
+  connect(&limit_, &QTimer::timeout, this, [this] {
+    finish(1, tr("The picture did not get ready within %1 s. %2").arg(kLimit / 1000).arg(lastError_));
+  });
+  poll_.start(kPoll);
+  limit_.setSingleShot(true);
+  limit_.start(kLimit);
+}
+
+bool Screenshot::isComplete() const {
+  const Session& session = window_.session();
+  const Status& status = session.status();
+  if (status.info.frame != frame_ || !status.exact || status.playing || !session.work().what.empty())
+    return false;
+  const std::vector<ViewRequest> wanted = window_.views()->requests();
+  for (std::size_t view = 0; view < wanted.size(); ++view) {
+    const ViewResult* result = session.picture(static_cast<int>(view)).get();
+    if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
+      return false;
+    if (isOverTime(wanted[view].id)
+            ? !result->flickerSamples
+            : isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
+      return false;
+    if (window_.views()->view(static_cast<int>(view))->isMeasuring()) return false;
+    if (wanted[view].other && !(result->other && result->other->exact)) return false;
+  }
+  const PipelinePanel* pipeline = window_.pipeline();
+  if (pipeline->isVisible() && pipeline->showsThumbnails() && !pipeline->hasThumbnailsOf(frame_))
+    return false;
+  if (!session.pick()) return true;
+  const ProbeResult* probe = session.probe();
+  return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.pick();
+}
+
+// The profiler shows the stages, too, which are only measured when somebody asks.
+bool Screenshot::areProfilesComplete() {
+  const ProfilerPanel* profiler = window_.profiler();
+  if (!profiler->isVisible()) return true;
+  if (!std::exchange(measures_, true)) window_.session().measureStages();
+  return profiler->hasProfile() && profiler->hasStageCosts();
+}
+
+// Plots show what was seen before, which a picture of one frame lacks: the frames up to it are made.
+bool Screenshot::areTracesComplete() {
+  const PlotsPanel* plots = window_.plots();
+  const Session& session = window_.session();
+  const bool isShown = plots->isVisible() || window_.jitter()->isVisible() || window_.weights()->isVisible();
+  if (!isShown || session.pins().empty()) return true;
+  const int first = std::max(0, frame_ - kTracedFrames);
+  if (!std::exchange(asksForTraces_, true)) window_.session().fillTraces(first, frame_);
+  if (session.work().what == "Tracing the probes") sawTracing_ = true;
+  if (sawTracing_) return session.work().what.empty();
+  return std::ranges::all_of(session.pins(), [&](const ProbePin& pin) {
+    const PixelTrace* trace = plots->store().traceOf(pin);
+    return trace && missingFrames(*trace, first, frame_).empty();
+  });
+}
+
+void Screenshot::look() {
+  Session& session = window_.session();
+  if (!session.isOpen()) return;
+  if (!asked_) {
+    asked_ = true;
+    frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
+    session.seek(frame_);
+  }
+  if (!areTracesComplete() || !isComplete() || !areProfilesComplete()) {
+    quiet_ = 0;
+    return;
+  }
+  // Layouts settle and late results arrive before the picture is taken.
+  if (++quiet_ < kQuiet) return;
+  if (dialog_.empty()) return take();
+  openDialog(window_, std::exchange(dialog_, {}));
+  quiet_ = -kDialogQuiet;
+}
+
+void Screenshot::take() {
+  QPixmap picture = window_.grab();
+  paintDialogs(window_, picture);
+  if (picture.save(file_, "PNG"))
+    finish(0, {});
+  else
+    finish(1, tr("cannot write %1: check that its folder exists and can be written").arg(file_));
+}
+
+void Screenshot::finish(int code, const QString& text) {
+  poll_.stop();
+  limit_.stop();
+  if (const Done done = std::exchange(done_, nullptr)) done(code, text);
+}
+
+} // namespace taa::app

@@ -1,0 +1,80 @@
+#include "core/inspect/ShownPicture.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/inspect/Inspector.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+
+namespace taa {
+
+namespace {
+
+void makeReference(Inspector& inspector, const PictureRequest& request, const Look& look,
+                   const Progress& progress) {
+  if (!isOfReference(look.id)) return;
+  if (look.frame)
+    throw Error(
+        say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame, inspector.frame()));
+  inspector.makeRows({look.id}, request.referenceSamples, progress, look.lane);
+}
+
+void checkSides(const Inspector& inspector, const PictureRequest& request) {
+  const int lanes = inspector.laneCount();
+  if (request.lane >= lanes || (showsOther(request) && request.other->lane >= lanes))
+    throw Error(say<"the settings that are compared with are no longer there">());
+  const bool isDifference = showsOther(request) && request.showing == Showing::Difference;
+  const int channels = intermediate(request.id).channels;
+  if (isDifference && intermediate(request.other->id).channels != channels)
+    throw Error(say<"there is no difference between %1 and %2: one has more channels">(
+        intermediate(request.id).name, intermediate(request.other->id).name));
+}
+
+} // namespace
+
+Look otherLook(const OtherSide& other, int frame, int frameCount) {
+  Look look{other.id, other.lane, {}};
+  if (!other.isOfAnotherFrame()) return look;
+  const int wished = std::clamp(other.frame.value_or(frame - other.framesBefore), 0, frameCount - 1);
+  if (wished != frame) look.frame = wished;
+  return look;
+}
+
+Picture wiped(const Picture& first, const Picture& other, int divider) {
+  assert(first.width == other.width && first.height == other.height);
+  Picture both = other;
+  const auto left = static_cast<std::size_t>(std::clamp(divider, 0, first.width)) * 4;
+  const auto row = static_cast<std::size_t>(first.width) * 4;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(first.height); ++y)
+    std::copy_n(first.rgba.begin() + static_cast<std::ptrdiff_t>(y * row), left,
+                both.rgba.begin() + static_cast<std::ptrdiff_t>(y * row));
+  return both;
+}
+
+Picture shownPicture(Inspector& inspector, const PictureRequest& request, const Progress& progress) {
+  checkSides(inspector, request);
+  const Look first{request.id, request.lane, {}};
+  const auto draw = [&](const Look& look, const ViewStyle& style, const std::optional<Look>& minus = {}) {
+    return inspector.picture(look, minus, style, request.transform, request.width, request.height);
+  };
+  if (!showsOther(request)) {
+    makeReference(inspector, request, first, progress);
+    return draw(first, request.style);
+  }
+  const Look other = otherLook(*request.other, inspector.frame(), inspector.frameCount());
+  if (other.frame) inspector.keepAside({*other.frame}, progress);
+  if (request.showing != Showing::Other) makeReference(inspector, request, first, progress);
+  makeReference(inspector, request, other, progress);
+  switch (request.showing) {
+  case Showing::Difference:
+    return draw(first, request.style, other);
+  case Showing::Wipe:
+    return wiped(draw(first, request.style), draw(other, request.other->style), request.divider);
+  default:
+    return draw(other, request.other->style);
+  }
+}
+
+} // namespace taa

@@ -1,0 +1,42 @@
+// What a view shows of one frame, both of its sides included, for files.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/inspect/Comparison.h"
+#include "core/picture/Look.h"
+#include "core/picture/ViewRequest.h"
+
+#include <optional>
+
+namespace taa {
+
+class Inspector;
+
+/// Of any frame: what is compared moves with it, where it says no frame of its own.
+struct PictureRequest {
+  IntermediateId id = IntermediateId::resolved;
+  ViewStyle style; ///< of the row; of a difference where that is shown
+  ViewTransform transform;
+  int width = 0, height = 0; ///< px
+  int lane = 0;
+  std::optional<OtherSide> other{}; ///< needed by what `showing` says
+  Showing showing = Showing::First;
+  int divider = 0;           ///< of a wipe: so many columns at the left are of this side
+  int referenceSamples = 64; ///< of the sides that are rows of the reference
+};
+
+/// Whether the other side is seen.
+inline bool showsOther(const PictureRequest& request) {
+  return request.other && request.showing != Showing::First;
+}
+
+/// Where the other side is looked for while the inspector is at `frame` of `frameCount`.
+Look otherLook(const OtherSide& other, int frame, int frameCount);
+
+/// `first` in the columns left of `divider`, `other` in the rest; both have the same size.
+Picture wiped(const Picture& first, const Picture& other, int divider);
+
+/// Makes what it lacks first: the frame of the other side, references. Throws Error, Cancelled.
+Picture shownPicture(Inspector& inspector, const PictureRequest& request, const Progress& progress = {});
+
+} // namespace taa

@@ -1,0 +1,18 @@
+// Where the figures of frames that are not on show have come to.
+#pragma once
+
+#include "core/measure/FlickerRows.h"
+#include "core/measure/References.h"
+#include "core/probe/PixelTrace.h"
+
+namespace taa {
+
+/// Worth nothing once what frames are a function of has changed. The reference is of one frame: those of
+/// frames on show stay where they are.
+struct FigureCursor {
+  TraceCursor trace;
+  References references;
+  FlickerWindow flicker;
+};
+
+} // namespace taa

@@ -1,0 +1,75 @@
+#include "core/measure/Metrics.h"
+
+#include "core/measure/ChangedShare.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace taa {
+
+namespace {
+
+// Linear light to what a screen is sent (IEC 61966-2-1).
+double shown(float linear) {
+  const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+template <typename Of>
+double meanSquare(const Image& picture, const Image& reference, Of of) {
+  double sum = 0.0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        const double difference = of(picture.at(x, y)[channel]) - of(reference.at(x, y)[channel]);
+        sum += difference * difference;
+      }
+  return sum / (3.0 * picture.width * picture.height);
+}
+
+double mean(const Image& row) {
+  return std::accumulate(row.pixels.begin(), row.pixels.end(), 0.0) / static_cast<double>(row.pixels.size());
+}
+
+} // namespace
+
+Image shownColors(const Image& linear) {
+  assert(linear.channels >= 3);
+  Image colors(linear.width, linear.height, 3);
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; ++x)
+      std::transform(linear.at(x, y), linear.at(x, y) + 3, colors.at(x, y),
+                     [](float value) { return static_cast<float>(shown(value)); });
+  return colors;
+}
+
+PictureError pictureError(const Image& picture, const Image& reference) {
+  assert(picture.width == reference.width && picture.height == reference.height);
+  assert(picture.channels >= 3 && reference.channels >= 3 && !picture.empty());
+  PictureError error;
+  error.rmseLinear = std::sqrt(meanSquare(picture, reference, [](float value) { return double(value); }));
+  const double square = meanSquare(picture, reference, shown);
+  error.rmse = std::sqrt(square);
+  error.psnr = square == 0.0 ? std::numeric_limits<double>::infinity() : -10.0 * std::log10(square);
+  return error;
+}
+
+std::optional<Figure> findFigure(std::string_view id) {
+  const auto found = std::ranges::find(kFigures, id, &FigureInfo::id);
+  if (found == kFigures.end()) return {};
+  return found->figure;
+}
+
+double figureOf(Figure figure, const Image& row) {
+  assert(!figureInfo(figure).row.empty() && !figureInfo(figure).isOverTime);
+  assert(row.channels == 1 && !row.empty());
+  if (figure != Figure::Rejected && figure != Figure::Clipped) return mean(row);
+  const std::array rows{ChangedRow{row, 0.0f}}; // 0: kept
+  return 100.0 * shareOfChanged(rows);
+}
+
+} // namespace taa

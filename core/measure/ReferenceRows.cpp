@@ -1,0 +1,71 @@
+#include "core/measure/ReferenceRows.h"
+
+#include "core/settings/Parameters.h"
+#include "core/taa/twin/Color.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace taa {
+
+glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference) {
+  assert(isOfReference(id) && !isOverTime(id));
+  if (id == IntermediateId::reference) return reference;
+  const glm::vec3 is(output), should(reference);
+  if (id == IntermediateId::referenceError) return {twin::luma(is) - twin::luma(should), 0.0f, 0.0f, 0.0f};
+  const glm::vec3 difference = glm::abs(is - should);
+  return {std::max({difference.x, difference.y, difference.z}), 0.0f, 0.0f, 0.0f};
+}
+
+gl::Texture rowTexture(const Image& row, const std::string& label) {
+  const bool isColor = row.channels == 3; // GL has no three channels that it must draw into
+  Image texels(row.width, row.height, isColor ? 4 : 1);
+  for (int y = 0; y < row.height; ++y)
+    for (int x = 0; x < row.width; ++x) std::copy_n(row.at(x, y), row.channels, texels.at(x, y));
+  gl::Texture texture({row.width, row.height, 1}, isColor ? gl::Format::RGBA32F : gl::Format::R32F, label);
+  texture.upload(texels);
+  return texture;
+}
+
+bool ReferenceRows::isOf(const Origin& origin) const {
+  return samples_ == origin.samples && subject_ == origin.subject && settings_ == origin.settings &&
+         current_.lock() == origin.current;
+}
+
+void ReferenceRows::set(const Origin& origin, Image reference, Image output) {
+  forget(); // the old pictures first: there may not be room for both
+  current_ = origin.current;
+  settings_ = origin.settings;
+  subject_ = origin.subject;
+  samples_ = origin.samples;
+  reference_ = std::move(reference);
+  output_ = std::move(output);
+}
+
+Image ReferenceRows::image(IntermediateId id, const gl::Rect& region) const {
+  Image row(region.width, region.height, intermediate(id).channels);
+  for (int y = 0; y < region.height; ++y)
+    for (int x = 0; x < region.width; ++x) {
+      const int px = region.x + x, py = region.y + y;
+      const glm::vec4 value = referenceValue(id, output_.texel(px, py), reference_.texel(px, py));
+      for (int channel = 0; channel < row.channels; ++channel) row.at(x, y)[channel] = value[channel];
+    }
+  return row;
+}
+
+const gl::Texture& ReferenceRows::texture(IntermediateId id) {
+  gl::Texture& texture = textures_[id];
+  if (!texture) texture = rowTexture(image(id, {0, 0, reference_.width, reference_.height}), "reference row");
+  return texture;
+}
+
+const PictureError& ReferenceRows::error() {
+  if (!error_) error_ = pictureError(output_, reference_);
+  return *error_;
+}
+
+} // namespace taa

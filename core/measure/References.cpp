@@ -1,0 +1,106 @@
+#include "core/measure/References.h"
+
+#include "core/base/Say.h"
+#include "core/gl/Context.h"
+#include "core/render/jitter/ReferencePoints.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+void add(const Image& color, std::vector<double>& sums) {
+  const std::size_t pixels = sums.size() / 3;
+  const auto stride = static_cast<std::size_t>(color.channels);
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      sums[3 * pixel + channel] += static_cast<double>(color.pixels[stride * pixel + channel]);
+}
+
+} // namespace
+
+FrameRequest referenceRequest(const FrameRequest& request) {
+  FrameRequest reference = request;
+  reference.jitter = {};
+  // Neither clipped nor with noise: the truth that a pipeline of low dynamic range misses at bright edges is
+  // the mean of colors as they are; metrics clip that mean, as a screen does.
+  reference.inputs = {};
+  reference.inputs.precision = Precision::Full;
+  reference.inputs.fogSteps = 0;
+  reference.inputs.fogNoise = InputNoise::None;
+  reference.inputs.fogDensity = request.inputs.fogDensity;
+  if (request.inputs.blended != BlendedAs::Mask) reference.inputs.blended = BlendedAs::Before;
+  reference.motionModes.clear();
+  reference.objectClasses.clear();
+  reference.restarts.clear();
+  return reference;
+}
+
+Image ReferencePicture::mean() const {
+  Image image(subject.request.width, subject.request.height, 3);
+  std::ranges::transform(sums, image.pixels.begin(),
+                         [this](double sum) { return static_cast<float>(sum / samples); });
+  return image;
+}
+
+const ReferencePicture* References::find(const ReferenceSubject& subject) const {
+  const auto found = std::ranges::find(pictures_, subject, &ReferencePicture::subject);
+  return found != pictures_.end() && found->samples > 0 ? &*found : nullptr;
+}
+
+ReferencePicture& References::use(const ReferenceSubject& subject) {
+  const auto found = std::ranges::find(pictures_, subject, &ReferencePicture::subject);
+  if (found == pictures_.end())
+    pictures_.push_front({subject, 0, {}});
+  else
+    pictures_.splice(pictures_.begin(), pictures_, found);
+  return pictures_.front();
+}
+
+void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
+                        const Progress& progress) {
+  if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
+    throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kLeastReferenceSamples,
+                                                                           kMostReferenceSamples));
+  ReferencePicture& picture = use(subject);
+  if (picture.samples > samples) picture = {subject, 0, {}};
+  if (picture.sums.empty()) {
+    picture.sums.resize(std::size_t(3) * subject.request.width * subject.request.height);
+    trim();
+  }
+  FrameRequest request = subject.request;
+  while (picture.samples < samples) {
+    request.jitterPx = referencePointPx(picture.samples);
+    renderer.draw(request, subject.frame, drawn_);
+    gl::checkErrors(say<"drawing the reference of frame %1">(subject.frame));
+    add(drawn_.color.download(), picture.sums);
+    ++picture.samples;
+    report(progress, say<"Reference">(), picture.samples, samples);
+  }
+  drawn_ = {};
+}
+
+std::size_t References::bytes() const {
+  std::size_t sum = 0;
+  for (const ReferencePicture& picture : pictures_) sum += picture.bytes();
+  return sum;
+}
+
+void References::setBudget(std::size_t bytes) {
+  budget_ = bytes;
+  trim();
+}
+
+void References::trim() {
+  while (pictures_.size() > 1 && bytes() > budget_) pictures_.pop_back();
+}
+
+void References::clear() {
+  pictures_.clear();
+  drawn_ = {};
+}
+
+} // namespace taa

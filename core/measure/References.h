@@ -1,0 +1,69 @@
+// The reference: a frame's instant drawn many times over the pixel's square, and the mean of it. Kept for as
+// many frames as a budget holds.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/base/Progress.h"
+#include "core/measure/Metrics.h"
+#include "core/render/FrameInputs.h"
+#include "core/render/SceneRenderer.h"
+
+#include <cstddef>
+#include <list>
+#include <vector>
+
+namespace taa {
+
+/// Bytes of main memory that references take: 24 a pixel and frame, so 12 frames of 1280 × 720.
+inline constexpr std::size_t kReferenceBudget = std::size_t(256) << 20;
+
+/// All that a reference is a function of, besides the number of its samples.
+struct ReferenceSubject {
+  FrameRequest request; ///< see referenceRequest()
+  int frame = 0;
+  bool operator==(const ReferenceSubject&) const = default;
+};
+
+/// What is drawn for the reference of what `request` draws: at full size, in 32-bit floats, without jitter of
+/// its own, mip bias, noise and masks. Transparent materials are blended before the resolve, unless they are
+/// masked. Whatever only changes motion is left out, so that one reference does for all of it.
+FrameRequest referenceRequest(const FrameRequest& request);
+
+/// Samples so far. The sum is in 64-bit floats and in the order of the samples: the same bits however many
+/// steps it took, and exact, so that no order would matter, where the samples of a pixel lie within 2^19 of
+/// each other.
+struct ReferencePicture {
+  ReferenceSubject subject;
+  int samples = 0;
+  std::vector<double> sums; ///< red, green, blue of each pixel, row 0 the top
+
+  std::size_t bytes() const { return sums.size() * sizeof(double); }
+  /// Three channels, rounded once.
+  Image mean() const;
+};
+
+class References {
+ public:
+  /// The one there is, or null. Valid until the next call that is not const.
+  const ReferencePicture* find(const ReferenceSubject& subject) const;
+
+  /// Draws samples until there are `samples`; where there are more it starts anew, so that what is there
+  /// depends on the last number only. Reports after each sample; Cancelled: keeps those it has. Throws Error.
+  void refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
+              const Progress& progress);
+
+  /// Forgets those used longest ago; the latest always stays.
+  void setBudget(std::size_t bytes);
+  std::size_t bytes() const;
+  /// Forgets all: the scene is another one, or is drawn by other shaders.
+  void clear();
+
+ private:
+  ReferencePicture& use(const ReferenceSubject& subject);
+  void trim();
+  std::list<ReferencePicture> pictures_; // the one used last in front
+  std::size_t budget_ = kReferenceBudget;
+  FrameInputs drawn_; // textures of one sample, while there are more to draw
+};
+
+} // namespace taa

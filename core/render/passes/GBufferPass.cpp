@@ -1,0 +1,342 @@
+#include "core/render/passes/GBufferPass.h"
+
+#include "core/base/Say.h"
+#include "core/scene/Deform.h"
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+
+namespace taa {
+
+namespace {
+
+/// Cofactors of the upper 3×3: the inverse transpose times the determinant, defined for flat scales too. With
+/// the determinant's sign, so that normals stay on their side when the transform mirrors.
+glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
+  return glm::mat4(
+      glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
+}
+
+constexpr float kFarthest = std::numeric_limits<float>::max();
+
+/// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
+/// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
+/// width of points and lines; `jitter` is FrameBlock::printedJitter, which may move near or far things by
+/// more.
+std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx,
+                                   const glm::vec4& jitter) {
+  if (box.isEmpty()) return kFarthest;
+  constexpr float marginPx = 3.0f;
+  const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
+  std::array<int, 5> outside{};
+  float farthest = std::numeric_limits<float>::lowest();
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::vec4 clip =
+        clipFromModel * glm::vec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                  corner & 4 ? box.max.z : box.min.z, 1.0f);
+    clip.x += jitter.x * clip.w + jitter.z * clip.z;
+    clip.y += jitter.y * clip.w + jitter.w * clip.z;
+    outside[0] += clip.x > limit.x * clip.w;
+    outside[1] += clip.x < -limit.x * clip.w;
+    outside[2] += clip.y > limit.y * clip.w;
+    outside[3] += clip.y < -limit.y * clip.w;
+    outside[4] += clip.z > clip.w; // before the near plane, which has depth 1
+    farthest = std::max(farthest, clip.w - clip.z);
+  }
+  if (std::ranges::find(outside, 8) != outside.end()) return std::nullopt;
+  return farthest;
+}
+
+/// How far from the camera the middle of a box is, in the same unit.
+float middleDistance(const Bounds& box, const glm::mat4& clipFromModel) {
+  const glm::vec4 clip = clipFromModel * glm::vec4(box.isEmpty() ? glm::vec3(0.0f) : box.center(), 1.0f);
+  return clip.w - clip.z;
+}
+
+bool isBlended(BlendedAs blended) {
+  return blended == BlendedAs::Before || blended == BlendedAs::BeforeWithMotion ||
+         blended == BlendedAs::After;
+}
+
+} // namespace
+
+GBufferPass::GBufferPass(const Scene& scene) : lights_(lightCounts(scene)) {
+  const std::vector<bool> moves = movingNodes(scene);
+  for (int node = 0; node < static_cast<int>(scene.nodes.size()); ++node) {
+    const int mesh = scene.nodes[static_cast<std::size_t>(node)].mesh;
+    if (mesh < 0) continue;
+    const std::vector<Primitive>& primitives = scene.meshes[static_cast<std::size_t>(mesh)].primitives;
+    for (int index = 0; index < static_cast<int>(primitives.size()); ++index) {
+      const Primitive& primitive = primitives[static_cast<std::size_t>(index)];
+      const Variant variant = variantFor(primitive, scene.nodes[static_cast<std::size_t>(node)], scene);
+      const ObjectClass objectClass = variant.deforms()                       ? ObjectClass::Deforming
+                                      : moves[static_cast<std::size_t>(node)] ? ObjectClass::Moving
+                                                                              : ObjectClass::Still;
+      items_.push_back({node, mesh, index, primitive.material, objectClass, variant});
+      if (variant.deforms() && !extents_.contains({mesh, index}))
+        extents_.emplace(
+            std::pair(mesh, index),
+            deformExtent(primitive, scene.materials[static_cast<std::size_t>(primitive.material)].wind));
+    }
+  }
+  const std::size_t alignment = gl::uniformAlignment();
+  drawStride_ = (sizeof(shared::DrawBlock) + alignment - 1) / alignment * alignment;
+  staging_.resize(drawStride_ * items_.size());
+  mirrored_.resize(items_.size());
+  if (!items_.empty()) drawBlocks_ = gl::Buffer(staging_.size(), nullptr, "draws");
+  for (const Skin& skin : scene.skins) {
+    firstJoints_.push_back(jointCount_);
+    jointCount_ += static_cast<int>(skin.joints.size());
+  }
+  if (jointCount_ > 0)
+    joints_ = gl::Buffer(2 * static_cast<std::size_t>(jointCount_) * sizeof(glm::mat4), nullptr, "joints");
+  if (!scene.morphWeights.empty())
+    morphWeights_ = gl::Buffer(2 * scene.morphWeights.size() * sizeof(float), nullptr, "morph weights");
+}
+
+GBufferPass::Variant GBufferPass::variantFor(const Primitive& primitive, const Node& node,
+                                             const Scene& scene) {
+  const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+  // Lines and points have no side that could face a light.
+  const bool lit = !material.unlit && primitive.topology == Topology::Triangles;
+  return {textureMask(material),
+          material.alphaMode != AlphaMode::Opaque,
+          lit,
+          node.skin >= 0 ? primitive.influenceSets : 0,
+          node.firstWeight >= 0 && !primitive.targets.empty(),
+          primitive.cache.frames > 0,
+          material.wind.amplitude != 0.0f,
+          material.uvAnimation != UvAnimation{}};
+}
+
+gl::Program GBufferPass::compile(const Variant& variant) const {
+  const auto line = [](const char* name, int value) {
+    return std::string("const int ") + name + " = " + std::to_string(value) + ";\n";
+  };
+  const auto flag = [](const char* name, bool value) {
+    return std::string("const bool ") + name + " = " + (value ? "true" : "false") + ";\n";
+  };
+  const std::string prelude = line("kTextures", static_cast<int>(variant.textures)) +
+                              line("kDirectionalLights", lights_.directional) +
+                              line("kNearLights", lights_.near) + flag("kMasked", variant.masked) +
+                              flag("kLit", variant.lit) + flag("kBiased", variant.biased) +
+                              flag("kUnjittered", variant.unjittered) + flag("kDithered", variant.dithered) +
+                              flag("kBlended", variant.blended) + line("kMask", variant.mask) +
+                              flag("kPrintedMotion", variant.printedMotion);
+  const std::string deform =
+      line("kInfluenceSets", variant.influenceSets) + flag("kMorphed", variant.morphed) +
+      flag("kCached", variant.cached) + flag("kWind", variant.wind) + flag("kSteady", variant.steady) +
+      flag("kPrintedJitter", variant.printedJitter) + flag("kMovingUv", variant.movingUv);
+  return {gl::ShaderSource("scene/mesh.vert", deform), gl::ShaderSource("scene/mesh.frag", prelude),
+          "GBufferPass"};
+}
+
+void GBufferPass::reloadShaders() {
+  std::map<Variant, gl::Program> programs;
+  for (const auto& [variant, program] : programs_) programs.emplace(variant, compile(variant));
+  programs_.swap(programs);
+}
+
+void GBufferPass::prepareDeformation(const Scene& scene, const View& view) {
+  jointMatrices_.clear();
+  for (const Pose* pose : {&view.pose, &view.previousPose})
+    for (const Skin& skin : scene.skins)
+      for (const glm::mat4& matrix : jointMatrices(scene, skin, *pose)) jointMatrices_.push_back(matrix);
+  if (!jointMatrices_.empty())
+    joints_.update(0, jointMatrices_.data(), jointMatrices_.size() * sizeof(glm::mat4));
+  const std::size_t bytes = scene.morphWeights.size() * sizeof(float);
+  if (bytes == 0) return;
+  morphWeights_.update(0, view.pose.morphWeights.data(), bytes);
+  morphWeights_.update(bytes, view.previousPose.morphWeights.data(), bytes);
+}
+
+shared::DrawBlock GBufferPass::drawBlock(const Scene& scene, const View& view, std::size_t index) const {
+  const Item& item = items_[index];
+  const Node& node = scene.nodes[static_cast<std::size_t>(item.node)];
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  const bool isSkinned = item.variant.influenceSets > 0;
+  const int firstJoint = isSkinned ? firstJoints_[static_cast<std::size_t>(node.skin)] : 0;
+  // Joints lead to the world; glTF ignores the transform of a skinned node.
+  const glm::mat4 world =
+      isSkinned ? glm::mat4(1.0f) : view.pose.worldFromNode[static_cast<std::size_t>(item.node)];
+  const MotionMode mode = view.nodes[static_cast<std::size_t>(item.node)].mode;
+  const bool isFollowed = mode == MotionMode::PerObject && !item.variant.printedMotion;
+  const glm::mat4 previousWorld =
+      isSkinned || !isFollowed ? world : view.previousPose.worldFromNode[static_cast<std::size_t>(item.node)];
+  shared::DrawBlock block{};
+  block.worldFromModel = world;
+  block.clipFromModel = view.block.clipFromWorld * world;
+  block.previousClipFromModel = view.block.previousClipFromWorld * previousWorld;
+  block.previousDepthRow = -glm::row(view.block.previousViewFromWorld * previousWorld, 2);
+  if (mode == MotionMode::None) {
+    block.previousClipFromModel = block.clipFromModel;
+    block.previousDepthRow = -glm::row(view.block.viewFromWorld * world, 2);
+  }
+  const glm::mat3 turns(isSkinned ? jointMatrices_[static_cast<std::size_t>(firstJoint)] : world);
+  const float sign = glm::determinant(turns) < 0.0f ? -1.0f : 1.0f;
+  block.normalFromModel = normalMatrix(glm::mat3(world), sign);
+  const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
+  const std::optional<ObjectClass> given = view.classes[static_cast<std::size_t>(item.node)];
+  block.drawTerms = {static_cast<float>(index + 1), sign, material.responsive ? 1.0f : 0.0f,
+                     static_cast<float>(given.value_or(item.objectClass))};
+  block.uvCell = animatedUv(material.uvAnimation, view.pose.time);
+  // What is not followed is deformed as it is now in the previous frame too.
+  const double previousTime = isFollowed ? view.previousPose.time : view.pose.time;
+  block.moments = {static_cast<float>(view.pose.time), static_cast<float>(previousTime),
+                   static_cast<float>(view.pose.time - previousTime), 0.0f};
+  block.deform = {firstJoint, std::max(node.firstWeight, 0), cacheFrame(primitive.cache, view.pose.time), 0};
+  block.deformCounts = {static_cast<int>(primitive.targets.size()),
+                        static_cast<int>(primitive.vertices.size()), isFollowed ? jointCount_ : 0,
+                        isFollowed ? static_cast<int>(scene.morphWeights.size()) : 0};
+  return block;
+}
+
+Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& item) const {
+  const Primitive& primitive =
+      scene.meshes[static_cast<std::size_t>(item.mesh)].primitives[static_cast<std::size_t>(item.primitive)];
+  if (!item.variant.deforms()) return primitive.bounds;
+  const Node& node = scene.nodes[static_cast<std::size_t>(item.node)];
+  std::span<const float> weights;
+  if (item.variant.morphed)
+    weights = std::span(view.pose.morphWeights)
+                  .subspan(static_cast<std::size_t>(node.firstWeight), primitive.targets.size());
+  std::span<const glm::mat4> joints;
+  if (item.variant.influenceSets > 0) {
+    const auto skin = static_cast<std::size_t>(node.skin);
+    joints = std::span(jointMatrices_)
+                 .subspan(static_cast<std::size_t>(firstJoints_[skin]), scene.skins[skin].joints.size());
+  }
+  return deformedBounds({primitive, extents_.at({item.mesh, item.primitive}),
+                         scene.materials[static_cast<std::size_t>(item.material)].wind, weights, joints},
+                        view.pose.time);
+}
+
+void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
+  visible_.clear();
+  blended_.clear();
+  counts_ = {};
+  for (std::size_t index = 0; index < items_.size(); ++index) {
+    const Item& item = items_[index];
+    const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
+                                     .primitives[static_cast<std::size_t>(item.primitive)];
+    const shared::DrawBlock block = drawBlock(scene, view, index);
+    mirrored_[index] = block.drawTerms.y < 0.0f;
+    std::memcpy(staging_.data() + index * drawStride_, &block, sizeof(block));
+    if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
+    ++counts_.objects;
+    const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
+    const auto distance =
+        farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx, jitter);
+    if (culls && !distance) continue;
+    ++counts_.drawn;
+    counts_.triangles += primitive.indices.size() / 3;
+    if (item.variant.blended)
+      blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index});
+    else
+      // What deforms comes last.
+      visible_.push_back(
+          {item.variant.masked, item.variant.deforms() ? kFarthest : distance.value_or(kFarthest), index});
+  }
+  // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
+  // thing decides, so that walls and grounds come after what stands before them.
+  std::sort(visible_.begin(), visible_.end());
+  std::sort(blended_.rbegin(), blended_.rend());
+}
+
+void GBufferPass::keepOneOfEach() {
+  for (std::vector<Visible>* list : {&visible_, &blended_}) {
+    std::set<Variant> kept;
+    std::erase_if(*list,
+                  [&](const Visible& visible) { return !kept.insert(items_[visible.item].variant).second; });
+  }
+}
+
+// Each program is compiled, then drawn; what comes after them is the last step.
+void GBufferPass::reportWarmUp(const Progress& warmUp, std::size_t done) const {
+  std::set<Variant> variants;
+  for (const Item& item : items_) variants.insert(item.variant);
+  report(warmUp, say<"Compiling shaders">(), static_cast<int>(done),
+         static_cast<int>(2 * variants.size() + 1));
+}
+
+void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const View& view,
+                        const Progress& warmUp) {
+  std::set<Variant> missing;
+  for (Item& item : items_) {
+    const Material& material = scene.materials[static_cast<std::size_t>(item.material)];
+    Variant& variant = item.variant;
+    variant.biased = settings.mipBias != 0.0f && variant.textures != 0;
+    const bool blends = material.alphaMode == AlphaMode::Blend;
+    variant.dithered = settings.blended == BlendedAs::Dithered && blends;
+    variant.blended = isBlended(settings.blended) && blends;
+    variant.steady = settings.blended == BlendedAs::After && blends;
+    variant.masked = material.alphaMode != AlphaMode::Opaque && !variant.blended;
+    variant.unjittered = settings.unjitterTextures == Switch::On && variant.textures != 0 && !variant.steady;
+    variant.mask = settings.mask == MaskSource::None || variant.steady       ? 0
+                   : settings.mask == MaskSource::Opacity && variant.blended ? 2
+                                                                             : 1;
+    variant.printedJitter = view.projection != JitterProjection::Translation && !variant.steady;
+    // What is forced to have no motion has none in any form.
+    variant.printedMotion = settings.motion == MotionSource::ObjectsAsPrinted &&
+                            view.nodes[static_cast<std::size_t>(item.node)].mode != MotionMode::None;
+    if (!programs_.contains(variant)) missing.insert(variant);
+  }
+  for (const Variant& variant : missing) {
+    reportWarmUp(warmUp, programs_.size());
+    programs_.emplace(variant, compile(variant));
+  }
+}
+
+void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
+                       const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
+                       const Progress& warmUp) {
+  if (items_.empty()) return;
+  apply(settings, scene, view, warmUp);
+  prepareDeformation(scene, view);
+  prepare(scene, view, culls_ && !warmUp);
+  if (warmUp) keepOneOfEach();
+  lightBlock_.update(0, &view.lights, sizeof(view.lights));
+  drawBlocks_.update(0, staging_.data(), staging_.size());
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
+  drawItems(scene, resources, frame, visible_, pass, warmUp);
+}
+
+void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                              const gl::Framebuffer& target, const Progress& warmUp) {
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = {}}, "GBufferPass blended");
+  pass.blending(0, gl::Blending::Over);
+  pass.blending(kMaskAttachment, gl::Blending::Largest);
+  drawItems(scene, resources, frame, blended_, pass, warmUp);
+}
+
+void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                            const std::vector<Visible>& items, gl::RenderPass& pass,
+                            const Progress& warmUp) const {
+  std::size_t drawn = &items == &blended_ ? visible_.size() : 0;
+  pass.uniformBlock(2, frame);
+  pass.uniformBlock(3, lightBlock_);
+  if (joints_.bytes() > 0) pass.storageBlock(3, joints_);
+  if (morphWeights_.bytes() > 0) pass.storageBlock(4, morphWeights_);
+  for (const Visible& visible : items) {
+    const Item& item = items_[visible.item];
+    if (warmUp) reportWarmUp(warmUp, programs_.size() + drawn++);
+    pass.program(programs_.at(item.variant));
+    pass.uniformBlock(4, drawBlocks_, visible.item * drawStride_, sizeof(shared::DrawBlock));
+    resources.bindMaterial(pass, item.material);
+    if (item.variant.deforms()) resources.bindDeformation(pass, item.mesh, item.primitive);
+    pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
+                 mirrored_[visible.item]);
+    pass.draw(resources.mesh(item.mesh, item.primitive));
+  }
+}
+
+} // namespace taa

@@ -1,0 +1,120 @@
+// Draws the scene's surfaces, forward and shaded, into color, motion, normal, object id, previous depth, mask
+// and depth; and what is blended over them.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/render/DrawCounts.h"
+#include "core/render/SceneResources.h"
+#include "core/render/View.h"
+#include "core/render/passes/Lights.h"
+#include "core/scene/DeformBounds.h"
+#include "core/scene/ObjectClass.h"
+#include "core/settings/Settings.h"
+#include "shaders/shared/DrawBlock.h"
+
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+class GBufferPass {
+ public:
+  static constexpr unsigned kMaskAttachment = 5;
+
+  explicit GBufferPass(const Scene& scene);
+
+  /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
+  /// block. Leaves out what the settings blend.
+  /// Compiles variants that are new first; throws Error when their shader does not. With `warmUp`, here and
+  /// in drawBlended(), one item of each variant is drawn, whether it is seen or not: that is when some
+  /// drivers compile. Reports for each compiled and each drawn.
+  void draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
+            const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
+            const Progress& warmUp = {});
+
+  /// Whether draw() left something out that may be seen.
+  bool hasBlended() const { return !blended_.empty(); }
+  /// What draw() left out of this frame, back to front: over the first attachment of `target`, in place of
+  /// motion, and where it is larger than the mask. Other attachments are null; depth is only tested.
+  void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                   const gl::Framebuffer& target, const Progress& warmUp = {});
+
+  /// Of the last draw(), with what it left to drawBlended().
+  const DrawCounts& counts() const { return counts_; }
+  /// For tests: whether what lies outside the view is left out, as it is at first. No bit depends on it.
+  void setCulling(bool culls) { culls_ = culls; }
+
+  /// Compiles again; on Error the old programs stay.
+  void reloadShaders();
+
+ private:
+  struct Variant {
+    unsigned textures = 0; ///< textureMask()
+    bool masked = false;
+    bool lit = true;
+    int influenceSets = 0;
+    bool morphed = false, cached = false, wind = false;
+    bool movingUv = false;
+    bool biased = false, unjittered = false, dithered = false; ///< what the settings ask for
+    bool blended = false, steady = false;                      ///< likewise; steady: without jitter
+    bool printedJitter = false, printedMotion = false;         ///< likewise: forms as printed
+    int mask = 0;                                              ///< kMask of shaders/scene/mesh.frag
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in the comparison it makes
+    auto operator<=>(const Variant&) const = default;
+    bool deforms() const { return influenceSets > 0 || morphed || cached || wind; }
+  };
+  /// One primitive at one node.
+  struct Item {
+    int node = 0, mesh = 0, primitive = 0, material = 0;
+    ObjectClass objectClass = ObjectClass::Still;
+    Variant variant;
+  };
+  static Variant variantFor(const Primitive& primitive, const Node& node, const Scene& scene);
+  gl::Program compile(const Variant& variant) const;
+  /// Sets what the settings ask for in every item's variant and compiles what is new.
+  void apply(const InputSettings& settings, const Scene& scene, const View& view, const Progress& warmUp);
+  /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
+  struct Visible {
+    bool masked = false;
+    float distance = 0.0f; ///< of its far end; of its middle where it is blended
+    std::size_t item = 0;
+    bool operator<(const Visible& other) const {
+      return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
+    }
+  };
+  /// Fills the blocks of all items, `visible_` and `blended_`.
+  void prepare(const Scene& scene, const View& view, bool culls);
+  /// What is in the lists, but one of each variant.
+  void keepOneOfEach();
+  void reportWarmUp(const Progress& warmUp, std::size_t done) const;
+  /// Around an item in this frame, in the space its draw block starts from; empty when nothing is known.
+  Bounds boundsOf(const Scene& scene, const View& view, const Item& item) const;
+  /// Fills joint matrices and morph weights of both frames.
+  void prepareDeformation(const Scene& scene, const View& view);
+  void drawItems(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                 const std::vector<Visible>& items, gl::RenderPass& pass, const Progress& warmUp) const;
+  shared::DrawBlock drawBlock(const Scene& scene, const View& view, std::size_t index) const;
+
+  LightCounts lights_;
+  std::vector<Item> items_; ///< object id − 1 is the index
+  std::map<Variant, gl::Program> programs_;
+  gl::Buffer lightBlock_{sizeof(shared::LightBlock), nullptr, "lights"};
+  gl::Buffer drawBlocks_;
+  std::size_t drawStride_ = 0; ///< bytes
+  std::vector<std::byte> staging_;
+  std::vector<bool> mirrored_;
+  std::vector<int> firstJoints_;         ///< of each skin among all joints
+  int jointCount_ = 0;                   ///< of all skins
+  std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
+  gl::Buffer joints_, morphWeights_;
+  std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
+  std::vector<Visible> visible_, blended_;
+  DrawCounts counts_;
+  bool culls_ = true;
+};
+
+} // namespace taa

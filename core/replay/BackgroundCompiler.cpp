@@ -1,0 +1,117 @@
+#include "core/replay/BackgroundCompiler.h"
+
+#include "core/gl/Context.h"
+#include "core/render/SceneRenderer.h"
+#include "core/taa/TaaPass.h"
+
+#include <bit>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+struct Job {
+  CompileWish wish;
+  std::shared_ptr<const ShaderTexts> shaders;
+};
+
+// As small as can be; but llvmpipe compiles anew for sides that are powers of two.
+int smallSide(int side) {
+  return std::has_single_bit(static_cast<unsigned>(side)) ? 16 : 12;
+}
+
+/// What lives on the thread.
+class Compiler {
+ public:
+  // Some drivers compile a program only when something is drawn with it, for just these targets and textures.
+  void compile(const Job& job) {
+    if (job.shaders != shaders_) pass_ = TaaPass();
+    useShaders(shaders_ = job.shaders);
+    const Settings& settings = job.wish.settings;
+    const gl::Rect region{0, 0, smallSide(job.wish.picturePx.x), smallSide(job.wish.picturePx.y)};
+    FrameRequest request;
+    request.width = region.width;
+    request.height = region.height;
+    request.inputs = settings.inputs;
+    FrameInputs inputs;
+    fitInputs(request, inputs);
+    History previous, out;
+    fitHistory(previous, region.width, region.height, settings);
+    for (const auto& rows : {job.wish.exposed, std::vector<IntermediateId>()}) {
+      if (pass_.isPrepared(settings, rows)) continue;
+      Exposure exposure(ExposureLayout(rows, rowSources(settings)), region);
+      pass_.resolve(inputs, &previous, settings, out, rows.empty() ? nullptr : &exposure);
+    }
+    gl::finish();
+  }
+
+ private:
+  gl::Context context_;
+  TaaPass pass_;
+  std::shared_ptr<const ShaderTexts> shaders_;
+};
+
+} // namespace
+
+struct BackgroundCompiler::Parts {
+  std::mutex mutex; // held for a moment only: never while GL works
+  std::condition_variable changed;
+  std::optional<Job> next;
+  bool isBusy = false, ends = false;
+  std::thread thread; // begun with the first job
+
+  void run();
+};
+
+void BackgroundCompiler::Parts::run() {
+  std::optional<Compiler> compiler;
+  std::unique_lock lock(mutex);
+  while (true) {
+    changed.wait(lock, [&] { return ends || next; });
+    if (ends) return;
+    const Job job = *std::exchange(next, {});
+    isBusy = true;
+    lock.unlock();
+    try {
+      if (!compiler) compiler.emplace();
+      compiler->compile(job);
+    } catch (const std::exception&) { // a shader that does not compile, no memory: said where it is used
+    }
+    lock.lock();
+    isBusy = false;
+    changed.notify_all();
+  }
+}
+
+BackgroundCompiler::BackgroundCompiler() : parts_(std::make_unique<Parts>()) {}
+
+BackgroundCompiler::~BackgroundCompiler() {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->ends = true;
+  }
+  parts_->changed.notify_all();
+  if (parts_->thread.joinable()) parts_->thread.join();
+}
+
+void BackgroundCompiler::want(CompileWish wish) {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->next = Job{std::move(wish), shadersInUse()};
+  }
+  parts_->changed.notify_all();
+  if (!parts_->thread.joinable()) parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
+}
+
+bool BackgroundCompiler::waitFor(std::chrono::milliseconds duration) {
+  std::unique_lock lock(parts_->mutex);
+  return parts_->changed.wait_for(lock, duration, [&] { return !parts_->isBusy && !parts_->next; });
+}
+
+} // namespace taa

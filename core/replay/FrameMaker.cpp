@@ -1,0 +1,272 @@
+#include "core/replay/FrameMaker.h"
+
+#include "core/base/Say.h"
+#include "core/gl/Context.h"
+#include "core/gl/PassTimer.h"
+#include "core/render/FrameClock.h"
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+gl::Rect wholePicture(const Subject& subject) {
+  return {0, 0, subject.width, subject.height};
+}
+
+// Gives every lane its inputs: those of the step, else those of the first lane that draws the same, else new
+// ones, not drawn, whose textures are used again unless another frame has them too.
+void arrange(const Subject& subject, const std::vector<InputsHandle>& given, ShownFrame& frame) {
+  std::vector<InputsHandle> free;
+  for (ShownLane& lane : frame.lanes) {
+    InputsHandle inputs = std::exchange(lane.inputs, nullptr);
+    if (inputs.use_count() == 1) free.push_back(std::move(inputs)); // its last lane
+  }
+  frame.lanes.resize(subject.lanes.size());
+  std::size_t taken = 0;
+  for (std::size_t lane = 0; lane < subject.lanes.size(); ++lane) {
+    InputsHandle& inputs = frame.lanes[lane].inputs;
+    if (!given.empty()) inputs = given[lane];
+    for (std::size_t other = 0; other < lane && !inputs; ++other)
+      if (sameInputs(subject.lanes[other], subject.lanes[lane])) inputs = frame.lanes[other].inputs;
+    if (inputs) continue;
+    inputs = taken < free.size() ? free[taken++] : std::make_shared<LazyInputs>();
+    inputs->areDrawn = false;
+  }
+}
+
+void fitExposure(Exposure& exposure, const ExposureLayout& layout, const gl::Rect& picture) {
+  if (exposure.region() == picture && exposure.layout().hasSamePlaces(layout)) return exposure.take(layout);
+  exposure = Exposure(); // the old textures first: there may not be room for both
+  exposure = Exposure(layout, picture);
+}
+
+/// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
+int firstToResolve(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  if (isKept(subject, checkpoints, frame)) return frame + 1;
+  while (!startsHistory(subject, frame) && !checkpoints.at(frame - 1)) --frame;
+  return frame;
+}
+
+// Gives a lane what was kept of the frame.
+void restore(const Subject& subject, const Checkpoints& checkpoints, int frame, ShownLane& lane) {
+  lane.previous = startsHistory(subject, frame) ? nullptr : checkpoints.at(frame - 1);
+  lane.current = checkpoints.at(frame);
+  lane.exact = true;
+  lane.isExposed = false;
+  lane.asked.reset();
+}
+
+bool isAtHand(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  return startsHistory(subject, frame) || checkpoints.at(frame - 1);
+}
+
+} // namespace
+
+CameraTrackHandle Subject::track() const {
+  const auto found =
+      std::ranges::find(tracks, camera, [](const CameraTrackHandle& handle) { return handle->name; });
+  return found == tracks.end() ? nullptr : *found;
+}
+
+Shot Subject::shot() const {
+  Shot shot = scene->shot;
+  shot.cuts.insert(shot.cuts.end(), restarts.begin(), restarts.end());
+  return shot;
+}
+
+FrameRequest Subject::request(std::size_t lane) const {
+  return {.camera = camera,
+          .width = width,
+          .height = height,
+          .jitter = lanes[lane].jitter,
+          .inputs = lanes[lane].inputs,
+          .motionModes = motionModes,
+          .filter = filter,
+          .track = track(),
+          .objectClasses = objectClasses,
+          .restarts = restarts};
+}
+
+bool startsHistory(const Subject& subject, int frame) {
+  return taa::startsHistory(*subject.scene, subject.restarts, frame);
+}
+
+bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {
+  return checkpoints.at(frame) && isAtHand(subject, checkpoints, frame);
+}
+
+std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget) {
+  const auto bytesOf = [&](const Settings& settings) {
+    return historyBytes(subject.width, subject.height, settings);
+  };
+  std::size_t frameOfAll = 0;
+  for (const Settings& settings : subject.lanes) frameOfAll += bytesOf(settings);
+  assert(frameOfAll > 0);
+  return budget / frameOfAll * bytesOf(subject.lanes[lane]);
+}
+
+int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+  int most = 0;
+  for (const Checkpoints& kept : checkpoints)
+    most = std::max(most, frame + 1 - firstToResolve(subject, kept, frame));
+  return most;
+}
+
+int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+  const auto isFound = [&](int candidate) {
+    return candidate >= 0 && candidate < subject.scene->shot.frames &&
+           std::ranges::all_of(checkpoints,
+                               [&](const Checkpoints& kept) { return isAtHand(subject, kept, candidate); });
+  };
+  int distance = 0; // frame 0 is always at hand
+  while (!isFound(frame - distance) && !isFound(frame + distance)) ++distance;
+  return isFound(frame - distance) ? frame - distance : frame + distance;
+}
+
+ShownFrame FrameMaker::take() {
+  if (!spare_) return {};
+  ShownFrame frame = std::move(*spare_);
+  spare_.reset();
+  return frame;
+}
+
+void FrameMaker::recycle(ShownFrame&& frame) {
+  for (ShownLane& lane : frame.lanes) {
+    lane.previous = lane.current = nullptr;
+    lane.asked.reset();
+  }
+  spare_ = std::move(frame);
+}
+
+void FrameMaker::freeTextures() {
+  spare_.reset();
+  pool_.clear();
+}
+
+const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown, std::size_t lane) {
+  LazyInputs& inputs = *shown.lanes[lane].inputs;
+  if (inputs.areDrawn) return inputs.textures;
+  const auto start = std::chrono::steady_clock::now();
+  subject.renderer->draw(subject.request(lane), shown.frame, inputs.textures);
+  gl::finish();
+  shown.sceneMs += millisecondsSince(start);
+  inputs.areDrawn = true;
+  return inputs.textures;
+}
+
+std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) const {
+  return ExposureLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
+}
+
+void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
+  gl::PassTimer::startFrame();
+  arrange(subject, step.inputs, next);
+  next.frame = step.frame;
+  next.sceneMs = 0.0;
+  for (std::size_t lane = 0; lane < next.lanes.size(); ++lane)
+    if (step.active[lane]) inputs(subject, next, lane);
+  const auto drawn = std::chrono::steady_clock::now();
+  for (std::size_t index = 0; index < next.lanes.size(); ++index) {
+    if (!step.active[index]) continue;
+    ShownLane& lane = next.lanes[index];
+    const FrameInputs& inputs = lane.inputs->textures;
+    lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
+    lane.asked.reset();
+    lane.isExposed = step.exposes && !exposedRows(subject.lanes[index]).empty();
+    if (lane.isExposed)
+      fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])),
+                  wholePicture(subject));
+    const std::shared_ptr<History> out = pool_.take();
+    pass.resolve(inputs, lane.previous.get(), subject.lanes[index], *out,
+                 lane.isExposed ? &lane.watched : nullptr);
+    lane.current = out;
+  }
+  gl::finish();
+  next.resolveMs = millisecondsSince(drawn);
+  gl::checkErrors(say<"cannot make frame %1">(step.frame));
+}
+
+ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
+                              std::size_t budget, const Progress& progress) {
+  const std::size_t lanes = subject.lanes.size();
+  std::vector<int> first(lanes);
+  FrameStep step{
+      .previous = std::vector<HistoryHandle>(lanes), .active = std::vector<bool>(lanes), .inputs = {}};
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    first[lane] = firstToResolve(subject, checkpoints[lane], frame);
+    step.previous[lane] = checkpoints[lane].at(first[lane] - 1);
+  }
+  const int begin = *std::ranges::min_element(first);
+  ShownFrame next = take();
+  next.frame = frame;
+  next.sceneMs = next.resolveMs = 0.0;
+  arrange(subject, {}, next);
+  for (step.frame = begin; step.frame <= frame; ++step.frame) {
+    report(progress, say<"Replaying frames">(), step.frame - begin, frame - begin + 1);
+    step.exposes = step.frame == frame;
+    for (std::size_t lane = 0; lane < lanes; ++lane) step.active[lane] = step.frame >= first[lane];
+    make(subject, step, next);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (!step.active[lane]) continue;
+      next.lanes[lane].exact = true;
+      step.previous[lane] = next.lanes[lane].current;
+      checkpoints[lane].keep(step.frame, next.lanes[lane].current);
+      checkpoints[lane].trim(checkpointShare(subject, lane, budget), step.frame, subject.shot());
+    }
+  }
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    if (first[lane] > frame) restore(subject, checkpoints[lane], frame, next.lanes[lane]);
+  return next;
+}
+
+// What the history holds is there at once; for all else the inputs are drawn.
+void FrameMaker::fill(const Subject& subject, ShownFrame& shown, std::size_t index, Exposure& exposure) {
+  const ShownLane& lane = shown.lanes[index];
+  if (!exposure.layout().needsInputs()) return exposure.readFrom(nullptr, *lane.current);
+  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, subject.lanes[index],
+              exposure);
+}
+
+Exposure FrameMaker::expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+                            int laneIndex) {
+  const auto index = static_cast<std::size_t>(laneIndex);
+  Exposure exposure(ExposureLayout(ids, rowSources(subject.lanes[index])), wholePicture(subject));
+  fill(subject, shown, index, exposure);
+  return exposure;
+}
+
+const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, IntermediateId id,
+                                    int laneIndex) {
+  return exposedAll(subject, shown, {id}, laneIndex);
+}
+
+// What is watched is exposed together.
+const Exposure& FrameMaker::exposedAll(const Subject& subject, ShownFrame& shown,
+                                       const std::vector<IntermediateId>& ids, int laneIndex) {
+  const auto index = static_cast<std::size_t>(laneIndex);
+  ShownLane& lane = shown.lanes[index];
+  const auto hasAll = [&](const Exposure& exposure) {
+    return std::ranges::all_of(ids, [&](IntermediateId id) { return exposure.holds(id); });
+  };
+  if (lane.isExposed && hasAll(lane.watched)) return lane.watched;
+  if (lane.asked && hasAll(*lane.asked)) return *lane.asked;
+  const auto isWatched = [&](IntermediateId id) { return std::ranges::find(watched, id) != watched.end(); };
+  if (!std::ranges::all_of(ids, isWatched)) return lane.asked.emplace(expose(subject, shown, ids, laneIndex));
+  lane.isExposed = false;
+  fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])), wholePicture(subject));
+  fill(subject, shown, index, lane.watched);
+  lane.isExposed = true;
+  return lane.watched;
+}
+
+} // namespace taa

@@ -1,0 +1,129 @@
+// Makes frames of all lanes and replays them from checkpoints: frame n of a lane is a function (design §2.1).
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/render/FrameInputs.h"
+#include "core/render/SceneRenderer.h"
+#include "core/replay/Checkpoints.h"
+#include "core/settings/Settings.h"
+#include "core/taa/TaaPass.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// All that frame n is a function of, besides n.
+struct Subject {
+  std::string source;
+  std::shared_ptr<const Scene> scene;      // also owned by the renderer
+  std::shared_ptr<SceneRenderer> renderer; // also owned by the copy that a change is tried on
+  std::string camera;
+  int width = 1280, height = 720;
+  std::vector<Settings> lanes{Settings{}};
+  std::vector<MotionOverride> motionModes;
+
+  ObjectFilter filter;
+  std::vector<CameraTrackHandle> tracks; ///< cameras besides the scene's, by their names
+  std::vector<ClassOverride> objectClasses;
+  std::vector<int> restarts; ///< frames at which history starts anew besides the scene's cuts, rising
+
+  /// The track that `camera` names; null: a path of the scene's.
+  CameraTrackHandle track() const;
+  /// The scene's, with restarts among the cuts: where history starts.
+  Shot shot() const;
+  /// What of it a lane draws.
+  FrameRequest request(std::size_t lane) const;
+};
+
+/// Inputs that are drawn when somebody first wants them. Shared by frames on show that want the same.
+struct LazyInputs {
+  FrameInputs textures; ///< nothing of use before they are drawn
+  bool areDrawn = false;
+};
+using InputsHandle = std::shared_ptr<LazyInputs>;
+
+/// One lane of the frame on show.
+struct ShownLane {
+  InputsHandle inputs;    ///< one for lanes whose inputs are the same
+  HistoryHandle previous; ///< what the frame was resolved on; null: no history
+  HistoryHandle current;
+  bool exact = true;             ///< false: `previous` is not what these settings would have left
+  bool isExposed = false;        ///< whether `watched` holds this frame
+  Exposure watched;              ///< the whole picture of what is watched
+  std::optional<Exposure> asked; ///< the whole picture of what was asked for besides
+};
+
+/// A frame as it is looked at.
+struct ShownFrame {
+  int frame = 0;
+  std::vector<ShownLane> lanes;
+  /// Wall clock up to the end of the GPU's work, for what of the frame was drawn and resolved; 0: nothing.
+  double sceneMs = 0.0, resolveMs = 0.0;
+};
+
+/// One frame to make: lanes that are not active are left out.
+struct FrameStep {
+  int frame = 0;
+  std::vector<HistoryHandle> previous; ///< one a lane; ignored where the frame starts a history
+  std::vector<bool> active;
+  bool exposes = true;              ///< fill `watched` in the same run
+  std::vector<InputsHandle> inputs; ///< one a lane: this frame's, when there are some already; empty: none
+};
+
+class FrameMaker {
+ public:
+  TaaPass pass;
+  std::vector<IntermediateId> watched;
+
+  /// A frame to make the next one in, with the textures of one that is not on show any more.
+  ShownFrame take();
+  /// What a run of the resolve exposes: nothing when no watched row has to be written.
+  std::vector<IntermediateId> exposedRows(const Settings& settings) const;
+  /// Gives back a frame that is not on show any more.
+  void recycle(ShownFrame&& frame);
+  /// Frees textures that are kept for later: they have not the right size any more.
+  void freeTextures();
+
+  /// Resolves the active lanes and draws what inputs that takes. `next` is whole only when all are active.
+  void make(const Subject& subject, const FrameStep& step, ShownFrame& next);
+
+  /// Frame `frame` of all lanes, exactly: from the nearest checkpoint of each lane, which new ones are added
+  /// to, as many as `budget` bytes hold. Lanes that have kept it are given back as they were, and nothing is
+  /// drawn for them. Throws Cancelled when `progress` says so; what was kept stays.
+  ShownFrame replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
+                    std::size_t budget, const Progress& progress);
+
+  /// The exposure of the whole picture that holds `id`, made now when there is none.
+  const Exposure& exposed(const Subject& subject, ShownFrame& shown, IntermediateId id, int lane);
+  /// One exposure of the whole picture that holds all of `ids`, made now when there is none.
+  const Exposure& exposedAll(const Subject& subject, ShownFrame& shown,
+                             const std::vector<IntermediateId>& ids, int lane);
+  /// The whole picture of several rows, made now.
+  Exposure expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+                  int lane);
+  /// The inputs of a lane, drawn now when they are not.
+  const FrameInputs& inputs(const Subject& subject, ShownFrame& shown, std::size_t lane);
+
+ private:
+  void fill(const Subject& subject, ShownFrame& shown, std::size_t lane, Exposure& exposure);
+  HistoryPool pool_;
+  std::optional<ShownFrame> spare_;
+};
+
+/// Whether frame `frame` may use no history: the first, after cuts and at restarts.
+bool startsHistory(const Subject& subject, int frame);
+
+/// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.
+bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame);
+/// What of `budget` bytes the checkpoints of a lane may use: as many frames as those of every other lane,
+/// because going to a frame takes as long as in the lane that has kept the least.
+std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget);
+/// How many frames replay() resolves to reach `frame`.
+int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
+/// The frame nearest to `frame` for which that is one at most.
+int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
+
+} // namespace taa

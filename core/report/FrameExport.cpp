@@ -1,0 +1,61 @@
+#include "core/report/FrameExport.h"
+
+#include "core/inspect/Inspector.h"
+#include "core/taa/TaaPass.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+/// Exposes the parts of a frame in their order, some at a time.
+class PartSource {
+ public:
+  PartSource(Inspector& inspector, const std::vector<FramePart>& parts, std::size_t bytes)
+      : inspector_(inspector), parts_(parts), bytes_(bytes) {}
+
+  Image next() {
+    if (held_.empty()) expose();
+    Image image = std::move(held_.back());
+    held_.pop_back();
+    return image;
+  }
+
+ private:
+  void expose() {
+    const int lane = parts_[first_].lane;
+    const gl::Rect picture{0, 0, inspector_.width(), inspector_.height()};
+    std::vector<IntermediateId> ids;
+    for (std::size_t sum = 0; first_ < parts_.size() && parts_[first_].lane == lane; ++first_) {
+      sum += exposureBytes(ExposureLayout({parts_[first_].id}), picture); // as an image, if not as a texture
+      if (!ids.empty() && sum > bytes_) break;
+      ids.push_back(parts_[first_].id);
+    }
+    held_ = inspector_.images(ids, lane);
+    std::ranges::reverse(held_);
+  }
+
+  Inspector& inspector_;
+  const std::vector<FramePart>& parts_;
+  std::size_t bytes_;
+  std::size_t first_ = 0;   ///< of the parts that are not exposed yet
+  std::vector<Image> held_; ///< exposed and not yet asked for, the next one last
+};
+
+} // namespace
+
+void exportFrame(Inspector& inspector, FrameFile frame, const std::vector<IntermediateId>& ids,
+                 const std::filesystem::path& path, std::size_t bytes) {
+  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+    frame.lanes.at(static_cast<std::size_t>(lane)).referenceSamples = inspector.referenceSamples(lane);
+    for (const IntermediateId id : ids) frame.parts.push_back({lane, id});
+  }
+  PartSource source(inspector, frame.parts, bytes);
+  writeFrameFile(path, frame, {inspector.width(), inspector.height()},
+                 [&](const FramePart&) { return source.next(); });
+}
+
+} // namespace taa

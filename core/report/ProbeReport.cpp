@@ -1,0 +1,193 @@
+#include "core/report/ProbeReport.h"
+
+#include "core/base/Say.h"
+#include "core/io/FrameJson.h"
+#include "core/story/ProbeHeadline.h"
+#include "core/taa/twin/Known.h"
+
+#include <array>
+
+namespace taa {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string valuesText(const Intermediate& row, const twin::PixelRecord& record, const char* between) {
+  if (!twin::isKnown(record, row.id)) return "—";
+  const glm::vec4& value = twin::at(record, row.id);
+  std::string text;
+  for (int channel = 0; channel < row.channels; ++channel)
+    text += (channel > 0 ? between : "") + floatText(value[channel]);
+  if (row.id == IntermediateId::rejectReason)
+    text += " (" + std::string(rejectReasonText(static_cast<int>(value.x))) + ")";
+  return text;
+}
+
+ordered_json colorJson(const glm::vec3& color) {
+  return {{"R", floatJson(color.x)}, {"G", floatJson(color.y)}, {"B", floatJson(color.z)}};
+}
+
+ordered_json whatIfJson(const WhatIfRow& row) {
+  ordered_json json = {{"group", whatIfGroupLabel(row.group)},
+                       {"id", row.id},
+                       {"current", row.isCurrent},
+                       {"historyRectified", colorJson(row.historyRectified)},
+                       {"alpha", floatJson(row.alpha)},
+                       {"rejectReason", row.rejectReason},
+                       {"resolved", colorJson(row.resolved)},
+                       {"difference", colorJson(row.difference)}};
+  if (!row.note.empty()) json["note"] = row.note;
+  return json;
+}
+
+/// Bars would end the cell.
+std::string inMarkdown(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
+  return escaped;
+}
+
+std::string listOf(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "- " + line + "\n";
+  return text;
+}
+
+std::string placeText(const ProbeReport& report, const LaneFacts& lane) {
+  return say<"pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8">(
+      report.pixel.x, report.pixel.y, lane.info.frame, report.shot.source, report.shot.camera,
+      report.shot.width, report.shot.height, lane.preset);
+}
+
+/// What the window tells of a row; nothing without details.
+RowStory storyOf(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
+  if (!lane.details) return {};
+  return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel});
+}
+
+/// "R: half(0.5) = 0.5"
+std::string formulaText(const RowStory& story) {
+  return (story.subject.empty() ? "" : story.subject + ": ") + story.formula;
+}
+
+/// Words and formula as lines below a row.
+std::string linesOf(const RowStory& story, const std::string& indent) {
+  std::string text;
+  for (const std::string& line : {story.words, formulaText(story)})
+    if (!line.empty()) text += indent + line + "\n";
+  return text;
+}
+
+std::vector<std::string> headlineOf(const ProbedLane& lane) {
+  return probeHeadline(lane.record, lane.lane.settings, lane.lane.info);
+}
+
+ordered_json storiesJson(const ProbedLane& lane, const glm::ivec2& pixel) {
+  ordered_json json;
+  for (const Intermediate& row : kIntermediates) {
+    const RowStory story = storyOf(lane, pixel, row.id);
+    ordered_json& told = json[std::string(row.name)] = {{"words", story.words}};
+    if (const std::string meaning = meaningOf(row.id, lane.record, lane.lane.settings); !meaning.empty())
+      told["meaning"] = meaning;
+    if (!story.formula.empty()) told["formula"] = story.formula;
+    if (!story.subject.empty()) told["of"] = story.subject;
+  }
+  return json;
+}
+
+/// Rows of a stage; `tell` gets each.
+template <typename Tell>
+void forEachRow(Tell tell) {
+  for (const StageInfo& stage : kStages) {
+    bool isFirst = true;
+    for (const IntermediateId id : allRows()) {
+      const Intermediate& row = intermediate(id);
+      if (row.stage != stage.stage) continue;
+      tell(stage, row, isFirst);
+      isFirst = false;
+    }
+  }
+}
+
+} // namespace
+
+ordered_json shotJson(const ShotFacts& shot) {
+  return {{"source", shot.source},
+          {"camera", shot.camera},
+          {"driver", shot.driver},
+          {"size", {shot.width, shot.height}}};
+}
+
+ordered_json laneJson(const LaneFacts& lane) {
+  return {{"name", lane.name},
+          {"preset", lane.preset},
+          {"settings", toJson(lane.settings)},
+          {"jitterIndex", lane.info.jitterIndex},
+          {"jitterPx", {floatJson(lane.info.jitterPx.x), floatJson(lane.info.jitterPx.y)}}};
+}
+
+ordered_json probeJson(const ProbeReport& report) {
+  ordered_json json = shotJson(report.shot);
+  json["frame"] = report.lanes.front().lane.info.frame;
+  json["time"] = report.lanes.front().lane.info.time;
+  json["pixel"] = {report.pixel.x, report.pixel.y};
+  for (const ProbedLane& lane : report.lanes) {
+    ordered_json row = laneJson(lane.lane);
+    row["headline"] = headlineOf(lane);
+    row["values"] = recordJson(lane.record, lane.lane.settings.space);
+    if (lane.details) row["stories"] = storiesJson(lane, report.pixel);
+    for (const WhatIfRow& variant : lane.whatIf) row["whatIf"].push_back(whatIfJson(variant));
+    json["lanes"].push_back(row);
+  }
+  return json;
+}
+
+std::string probeText(const ProbeReport& report) {
+  std::string text;
+  for (const ProbedLane& lane : report.lanes) {
+    text += (text.empty() ? "" : "\n") + placeText(report, lane.lane) + "\n";
+    for (const std::string& line : headlineOf(lane)) text += line + "\n";
+    forEachRow([&](const StageInfo&, const Intermediate& row, bool) {
+      text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
+      if (!row.unit.empty()) text += " " + std::string(row.unit);
+      text += "\n" + linesOf(storyOf(lane, report.pixel, row.id), "  ");
+    });
+  }
+  return text;
+}
+
+std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
+  std::string text;
+  for (const std::string& line : headlineOf(lane)) text += line + "\n";
+  for (const StageInfo& stage : kStages) {
+    bool isAny = false;
+    for (const Intermediate& row : kIntermediates) {
+      if (row.stage != stage.stage || (isOfReference(row.id) && !twin::isKnown(lane.record, row.id)))
+        continue;
+      if (!isAny) text += std::string(stage.label) + "\n";
+      isAny = true;
+      text += "  " + std::string(row.label) + "  " + valuesText(row, lane.record, "  ");
+      if (!row.unit.empty()) text += " " + std::string(row.unit);
+      text += "\n" + linesOf(storyOf(lane, pixel, row.id), "      ");
+    }
+  }
+  return text;
+}
+
+std::string probeMarkdown(const ProbeReport& report) {
+  std::string text;
+  for (const ProbedLane& lane : report.lanes) {
+    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) + "\n\n" +
+            listOf(headlineOf(lane)) +
+            "\n| Stage | Intermediate | Value | Unit | What happened |\n|---|---|---|---|---|\n";
+    forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
+      text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +
+              valuesText(row, lane.record, ", ") + " | " + std::string(row.unit) + " | " +
+              inMarkdown(storyOf(lane, report.pixel, row.id).words) + " |\n";
+    });
+  }
+  return text;
+}
+
+} // namespace taa

@@ -1,0 +1,105 @@
+#include "core/report/ReferencePage.h"
+
+#include "core/base/Say.h"
+#include "core/settings/Parameters.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/rows/Intermediates.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (char letter : text) {
+    switch (letter) {
+    case '&':
+      out += "&amp;";
+      break;
+    case '<':
+      out += "&lt;";
+      break;
+    case '>':
+      out += "&gt;";
+      break;
+    default:
+      out += letter;
+    }
+  }
+  return out;
+}
+
+/// A text of the tables, in the user's language.
+std::string shown(std::string_view text) {
+  return escaped(sayLabel(text));
+}
+
+std::string rangeText(const Parameter& row) {
+  if (row.kind == ParameterKind::Toggle) return say<"on, off">();
+  if (row.kind != ParameterKind::Choice)
+    return valueText(row, row.minimum) + " … " + valueText(row, row.maximum) +
+           (row.unit.empty() ? "" : " " + sayLabel(row.unit));
+  std::string text;
+  for (const Choice& choice : row.choices)
+    text += (text.empty() ? "" : "<br>") + escaped(choice.id) + ": " + shown(choice.explanation);
+  return text;
+}
+
+std::string parameterHtml(const Parameter& row) {
+  std::string text = "<tr><td><b>" + shown(row.label) + "</b><br><code>" + escaped(row.path) +
+                     "</code></td><td>" + shown(row.tooltip);
+  if (!row.formula.empty()) text += "<br><i>" + shown(row.formula) + "</i>";
+  return text + "<br>" + shown(row.source) + "</td><td>" + rangeText(row) + "</td><td>" +
+         escaped(valueText(row, row.defaultValue())) + "</td></tr>\n";
+}
+
+std::string intermediateHtml(const Intermediate& row) {
+  return "<tr><td><b>" + shown(row.label) + "</b><br><code>" + std::string(row.name) + "</code></td><td>" +
+         shown(row.description) + "</td><td>" + escaped(channelNamesText(row)) + "</td><td>" +
+         shown(row.unit) + "</td></tr>\n";
+}
+
+constexpr std::string_view kTable = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
+
+std::string headHtml(const std::vector<std::string>& columns) {
+  std::string text = "<tr>";
+  for (const std::string& column : columns) text += "<th align=\"left\">" + escaped(column) + "</th>";
+  return text + "</tr>\n";
+}
+
+std::string stageHtml(const StageInfo& stage) {
+  std::string parametersText, intermediatesText;
+  for (const Parameter& row : parameters())
+    if (row.stage == stage.stage) parametersText += parameterHtml(row);
+  for (const Intermediate& row : kIntermediates)
+    if (row.stage == stage.stage) intermediatesText += intermediateHtml(row);
+  std::string text = "<h2>" + shown(stage.label) + "</h2>\n<p>" + shown(stage.description) + "</p>\n";
+  if (!parametersText.empty())
+    text += std::string(kTable) +
+            headHtml({say<"Parameter">(), say<"What it does">(), say<"Range">(), say<"Default">()}) +
+            parametersText + "</table>\n";
+  if (!intermediatesText.empty())
+    text += std::string(kTable) +
+            headHtml({say<"Intermediate">(), say<"What it is">(), say<"Channels">(), say<"Unit">()}) +
+            intermediatesText + "</table>\n";
+  return text;
+}
+
+} // namespace
+
+std::string referencePageHtml() {
+  std::string text =
+      "<h1>" + escaped(say<"Reference">()) + "</h1>\n<p>" +
+      say<"Each frame goes through these stages from top to bottom. Parameters can be set in the pipeline "
+          "panel, in presets, and by %1; intermediates can be viewed, probed and exported.">(
+          "<code>--set path=value</code>") +
+      "</p>\n";
+  for (const StageInfo& stage : kStages) text += stageHtml(stage);
+  return text;
+}
+
+} // namespace taa

@@ -1,0 +1,150 @@
+#include "core/report/SequenceExport.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/inspect/Inspector.h"
+#include "core/io/GifFile.h"
+#include "core/io/PictureFile.h"
+#include "core/report/FrameExport.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <iomanip>
+#include <memory>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder for what is not finished, gone with this.
+class Workshop {
+ public:
+  explicit Workshop(const fs::path& target)
+      : folder_(fs::absolute(target).parent_path() / (".taa-export." + std::to_string(::getpid()))) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) throw Error(say<"cannot write %1: %2">(target.string(), error.message()));
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+  fs::path place(const fs::path& file) const { return folder_ / file.filename(); }
+  /// A sentence about a file in here, told of the place it was to have.
+  std::string retold(std::string sentence) const {
+    const std::string from = folder_.string() + "/", to = folder_.parent_path().string() + "/";
+    for (std::size_t at = sentence.find(from); at != sentence.npos; at = sentence.find(from, at + to.size()))
+      sentence.replace(at, from.size(), to);
+    return sentence;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// Takes the inspector back to where it was, whatever happens.
+class Return {
+ public:
+  explicit Return(Inspector& inspector) : inspector_(inspector), frame_(inspector.frame()) {}
+  ~Return() {
+    try {
+      inspector_.seek(frame_);
+    } catch (const std::exception&) { // the frame on show then says which it is
+    }
+  }
+  Return(const Return&) = delete;
+  Return& operator=(const Return&) = delete;
+
+ private:
+  Inspector& inspector_;
+  int frame_;
+};
+
+void writeValues(Inspector& inspector, const SequenceRequest& request, const fs::path& path,
+                 const Progress& stop) {
+  FrameFile frame{inspector.source(), inspector.camera(), inspector.driver().renderer, {}, {}};
+  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+    const std::string name = inspector.laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
+    frame.lanes.push_back(
+        {name, inspector.settings(lane), inspector.info(lane), inspector.inputs(lane).block});
+    inspector.makeRows(request.ids, request.picture.referenceSamples, stop, lane);
+  }
+  exportFrame(inspector, std::move(frame), request.ids, path);
+}
+
+void writeFrame(Inspector& inspector, const SequenceRequest& request, const fs::path& path, GifWriter* gif,
+                const Progress& stop) {
+  if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path, stop);
+  const Picture picture = shownPicture(inspector, request.picture, stop);
+  if (gif)
+    gif->add(picture.rgba);
+  else
+    writePng(path, picture.width, picture.height, picture.rgba);
+}
+
+void makeFiles(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop,
+               const Progress& progress) {
+  std::unique_ptr<GifWriter> gif;
+  if (request.kind == SequenceKind::Gif)
+    gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.picture.width,
+                                      request.picture.height, request.framesPerSecond);
+  const int count = request.last - request.first + 1;
+  for (int frame = request.first; frame <= request.last; ++frame) {
+    const auto tell = [&] { return !progress || progress(say<"Exporting">(), frame - request.first, count); };
+    if (!tell()) throw Cancelled();
+    const Progress stop = [&](std::string_view, int, int) { return tell(); };
+    inspector.seek(frame, stop); // to the first one it may be long
+    writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get(), stop);
+  }
+  report(progress, say<"Exporting">(), count, count);
+  if (gif) gif->finish();
+}
+
+void moveIntoPlace(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw Error(say<"cannot write %1: %2">(to.string(), error.message()));
+}
+
+} // namespace
+
+fs::path sequenceFile(const SequenceRequest& request, int frame) {
+  if (request.kind == SequenceKind::Gif) return request.target;
+  std::ostringstream name;
+  name << request.target.stem().string() << '.' << std::setw(4) << std::setfill('0') << frame
+       << request.target.extension().string();
+  fs::path path = request.target;
+  return path.replace_filename(name.str());
+}
+
+std::vector<fs::path> sequenceFiles(const SequenceRequest& request) {
+  if (request.kind == SequenceKind::Gif) return {request.target};
+  std::vector<fs::path> files;
+  for (int frame = request.first; frame <= request.last; ++frame)
+    files.push_back(sequenceFile(request, frame));
+  return files;
+}
+
+void exportSequence(Inspector& inspector, const SequenceRequest& request, const Progress& progress) {
+  const Return back(inspector);
+  const Workshop workshop(request.target);
+  try {
+    makeFiles(inspector, request, workshop, progress);
+  } catch (const Error& error) {
+    throw Error(workshop.retold(error.what()));
+  }
+  if (request.kind == SequenceKind::Gif) return moveIntoPlace(workshop.place(request.target), request.target);
+  for (int frame = request.first; frame <= request.last; ++frame)
+    moveIntoPlace(workshop.place(sequenceFile(request, frame)), sequenceFile(request, frame));
+}
+
+} // namespace taa

@@ -1,0 +1,181 @@
+#include "core/scene/gltf/GltfDocument.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/base/Say.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace taa {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t(1) << 30;
+constexpr std::size_t kMaxJsonBytes = std::size_t(1) << 28;
+constexpr int kMaxDepth = 64; ///< of nested JSON; what walks it afterwards is recursive
+
+constexpr std::array<std::string_view, 6> kExtensions{
+    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
+    "KHR_materials_unlit",     "KHR_mesh_quantization", "KHR_texture_transform"};
+
+constexpr std::string_view kMagic = "glTF";
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
+std::uint32_t word(const std::string& bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + offset, sizeof value); // both glTF and our machines are little-endian
+  return value;
+}
+
+/// The two chunks of a .glb.
+struct Chunks {
+  std::string json, binary;
+};
+
+Chunks splitBinary(const std::string& bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (bytes.size() < kHeader) throw Error(say<"header: the file ends after %1 bytes">(bytes.size()));
+  const std::uint32_t version = word(bytes, 4), length = word(bytes, 8);
+  if (version != 2)
+    throw Error(say<"header: it is binary glTF %1; only glTF 2.0 can be opened, export it anew">(version));
+  if (length > bytes.size())
+    throw Error(say<"header: the file has %1 bytes where it says %2">(bytes.size(), length));
+  Chunks chunks;
+  int index = 0;
+  for (std::size_t at = kHeader; at + kChunkHeader <= length; ++index) {
+    const std::size_t size = word(bytes, at);
+    const std::uint32_t type = word(bytes, at + 4);
+    if (size > length - at - kChunkHeader)
+      throw Error(say<"chunk %1: its %2 bytes reach past the end of the file">(index, size));
+    if ((index == 0) != (type == kJsonChunk))
+      throw Error(say<"chunk %1: the first chunk, and only that, must be JSON">(index));
+    if (index == 0) chunks.json = bytes.substr(at + kChunkHeader, size);
+    if (index == 1 && type == kBinaryChunk) chunks.binary = bytes.substr(at + kChunkHeader, size);
+    at += kChunkHeader + size;
+  }
+  if (index == 0) throw Error(say<"header: there is no chunk with JSON">());
+  return chunks;
+}
+
+json parseJson(const std::string& text) {
+  if (text.size() > kMaxJsonBytes)
+    throw Error(say<"JSON: %1 bytes are more than can be opened">(text.size()));
+  try {
+    return json::parse(text, [](int depth, json::parse_event_t, const json&) {
+      if (depth > kMaxDepth) throw Error(say<"JSON: nested deeper than %1 levels">(kMaxDepth));
+      return true;
+    });
+  } catch (const json::exception& exception) {
+    std::string reason = exception.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
+    if (const std::size_t end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
+    throw Error(say<"it is not glTF: %1">(reason));
+  }
+}
+
+void checkVersionText(const json& version, const std::string& place) {
+  if (!version.is_string()) throw Error(place + ": " + say<"missing or not a text">());
+  const std::string text = version.get<std::string>();
+  if (!text.starts_with("2."))
+    throw Error(place + ": " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(text));
+}
+
+void checkVersion(const json& root) {
+  if (!root.is_object()) throw Error(say<"JSON: the file holds no object">());
+  const auto asset = root.find("asset");
+  const bool isOld = asset == root.end() &&
+                     (root.contains("techniques") || (root.contains("nodes") && root["nodes"].is_object()));
+  if (isOld)
+    throw Error("asset: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">("1.0"));
+  if (asset == root.end() || !asset->is_object())
+    throw Error("asset: " + say<"missing; it is not a glTF file">());
+  checkVersionText(asset->value("version", json()), "asset.version");
+  if (asset->contains("minVersion")) checkVersionText((*asset)["minVersion"], "asset.minVersion");
+}
+
+void checkExtensions(const json& root) {
+  const auto required = root.find("extensionsRequired");
+  if (required == root.end()) return;
+  if (!required->is_array()) throw Error("extensionsRequired: " + say<"not a list">());
+  for (const json& name : *required) {
+    if (!name.is_string()) throw Error("extensionsRequired: " + say<"not a list of texts">());
+    if (!isKnownGltfExtension(name.get<std::string>()))
+      throw Error("extensionsRequired: " +
+                  say<"it needs the extension %1, which is not supported; export it without">(
+                      name.get<std::string>()));
+  }
+}
+
+std::string percentDecoded(const std::string& uri) {
+  std::string text;
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1;
+  };
+  for (std::size_t i = 0; i < uri.size(); ++i)
+    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
+      text += static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2]));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  return text;
+}
+
+} // namespace
+
+bool isKnownGltfExtension(const std::string& name) {
+  return std::ranges::find(kExtensions, name) != kExtensions.end();
+}
+
+std::string readGltfFile(const fs::path& file, std::uintmax_t maxBytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw Error(say<"there is no such file">());
+  if (fs::is_directory(status)) throw Error(say<"it is a folder">());
+  if (!fs::is_regular_file(status)) throw Error(say<"it is not a regular file">());
+  try {
+    return readFile(file, maxBytes);
+  } catch (const Error& failure) { // "cannot read FILE: reason"
+    const std::string text = failure.what();
+    const std::size_t at = text.find(file.string() + ": ");
+    throw Error(at == std::string::npos ? text : text.substr(at + file.string().size() + 2));
+  }
+}
+
+fs::path resolveGltfUri(const fs::path& folder, const std::string& uri) {
+  const std::string name = percentDecoded(uri);
+  const bool hasScheme = name.find(':') != std::string::npos; // http:, file:, C:
+  const bool hasOddCharacter = name.find('\0') != std::string::npos || name.find('\\') != std::string::npos;
+  const fs::path path(name);
+  if (name.empty() || hasScheme || hasOddCharacter || path.is_absolute() ||
+      std::ranges::find(path, fs::path("..")) != path.end())
+    throw Error(say<"\"%1\" is not a file below the folder of the scene; only such files are opened">(name));
+  fs::path file = folder / path;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) throw Error(say<"there is no file \"%1\" beside it">(name));
+  return file;
+}
+
+GltfDocument readGltfDocument(const fs::path& file) {
+  std::string bytes = readGltfFile(file, kMaxFileBytes);
+  GltfDocument document;
+  document.folder = file.parent_path();
+  if (bytes.starts_with(kMagic)) {
+    Chunks chunks = splitBinary(bytes);
+    document.isBinary = true;
+    document.binary = std::move(chunks.binary);
+    bytes = std::move(chunks.json);
+  }
+  document.json = parseJson(bytes);
+  checkVersion(document.json);
+  checkExtensions(document.json);
+  return document;
+}
+
+} // namespace taa

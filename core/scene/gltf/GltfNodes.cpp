@@ -1,0 +1,158 @@
+#include "core/scene/gltf/GltfNodes.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/scene/Pose.h"
+#include "core/scene/gltf/GltfContext.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+constexpr std::size_t kMaxNodes = 200000;
+
+float toFloat(double value) {
+  return static_cast<float>(value);
+}
+
+glm::vec3 vectorOr(const std::vector<double>& list, const glm::vec3& fallback) {
+  return list.size() == 3 ? glm::vec3(toFloat(list[0]), toFloat(list[1]), toFloat(list[2])) : fallback;
+}
+
+void readTransform(const tinygltf::Node& source, Node& node) {
+  if (source.matrix.size() == 16) {
+    node.hasMatrix = true;
+    for (int i = 0; i < 16; ++i)
+      node.matrix[i / 4][i % 4] = toFloat(source.matrix[static_cast<std::size_t>(i)]);
+    return;
+  }
+  node.translation = vectorOr(source.translation, glm::vec3(0.0f));
+  node.scale = vectorOr(source.scale, glm::vec3(1.0f));
+  if (source.rotation.size() != 4) return;
+  const glm::dvec4 q(source.rotation[0], source.rotation[1], source.rotation[2], source.rotation[3]);
+  const double length = glm::length(q);
+  if (length > 0.0)
+    node.rotation = {toFloat(q.w / length), toFloat(q.x / length), toFloat(q.y / length),
+                     toFloat(q.z / length)};
+}
+
+void addCamera(GltfContext& context, const tinygltf::Camera& source, int nodeIndex) {
+  SceneCamera camera;
+  camera.name = source.name;
+  camera.node = nodeIndex;
+  camera.orthographic = source.type == "orthographic";
+  const float nearPlane = toFloat(camera.orthographic ? source.orthographic.znear : source.perspective.znear);
+  if (camera.orthographic) {
+    camera.height = 2.0f * std::max(std::abs(toFloat(source.orthographic.ymag)), 1e-6f);
+    camera.nearPlane = std::max(nearPlane, 0.0f);
+    camera.farPlane = std::max(toFloat(source.orthographic.zfar), camera.nearPlane + 1e-3f);
+  } else {
+    camera.fovY = std::clamp(toFloat(source.perspective.yfov), 0.01f, 3.0f);
+    camera.nearPlane = nearPlane > 0.0f ? nearPlane : camera.nearPlane;
+  }
+  context.scene.nodes[static_cast<std::size_t>(nodeIndex)].camera =
+      static_cast<int>(context.scene.cameras.size());
+  context.scene.cameras.push_back(std::move(camera));
+}
+
+void addLight(GltfContext& context, const tinygltf::Light& source, int nodeIndex) {
+  Light light;
+  light.node = nodeIndex;
+  if (source.type == "point")
+    light.kind = LightKind::Point;
+  else if (source.type == "spot")
+    light.kind = LightKind::Spot;
+  else if (source.type != "directional")
+    return context.warn(say<"A light of the unknown type \"%1\" is left out.">(source.type));
+  light.color = glm::max(vectorOr(source.color, glm::vec3(1.0f)), glm::vec3(0.0f));
+  light.intensity = std::max(toFloat(source.intensity), 0.0f);
+  light.range = std::max(toFloat(source.range), 0.0f);
+  constexpr float kHalfPi = 0.5f * std::numbers::pi_v<float>;
+  light.outerConeAngle = std::clamp(toFloat(source.spot.outerConeAngle), 1e-3f, kHalfPi);
+  light.innerConeAngle = std::clamp(toFloat(source.spot.innerConeAngle), 0.0f, 0.999f * light.outerConeAngle);
+  context.scene.nodes[static_cast<std::size_t>(nodeIndex)].light =
+      static_cast<int>(context.scene.lights.size());
+  context.scene.lights.push_back(light);
+}
+
+/// The nodes the default scene starts from; all roots when the file has no scenes.
+std::vector<int> rootsOf(GltfContext& context) {
+  const tinygltf::Model& model = context.model;
+  if (!model.scenes.empty()) {
+    const std::size_t chosen = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
+    if (model.scenes.size() > 1)
+      context.warn(say<"The file has %1 scenes; scenes[%2] is shown.">(model.scenes.size(), chosen));
+    return model.scenes.at(chosen).nodes;
+  }
+  std::vector<bool> isChild(model.nodes.size(), false);
+  for (const tinygltf::Node& node : model.nodes)
+    for (const int child : node.children) isChild[static_cast<std::size_t>(child)] = true;
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < isChild.size(); ++i)
+    if (!isChild[i]) roots.push_back(static_cast<int>(i));
+  return roots;
+}
+
+void addNode(GltfContext& context, std::size_t sourceIndex, int parent) {
+  const tinygltf::Node& source = context.model.nodes[sourceIndex];
+  const int index = static_cast<int>(context.scene.nodes.size());
+  if (context.scene.nodes.size() >= kMaxNodes)
+    throw Error("nodes: " + say<"more than %1 are drawn">(kMaxNodes));
+  context.sceneNode[sourceIndex] = index;
+  Node node;
+  node.name = source.name;
+  node.parent = parent;
+  readTransform(source, node);
+  context.scene.nodes.push_back(std::move(node));
+  if (source.camera >= 0)
+    addCamera(context, context.model.cameras.at(static_cast<std::size_t>(source.camera)), index);
+  const auto light = source.extensions.find("KHR_lights_punctual");
+  if (light != source.extensions.end())
+    addLight(context,
+             context.model.lights.at(static_cast<std::size_t>(light->second.Get("light").GetNumberAsInt())),
+             index);
+}
+
+} // namespace
+
+void addGltfNodes(GltfContext& context) {
+  struct Visit {
+    int source, parent;
+  };
+  context.sceneNode.assign(context.model.nodes.size(), -1);
+  std::vector<Visit> open;
+  const std::vector<int> roots = rootsOf(context);
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, -1});
+  while (!open.empty()) { // depth first, in the file's order; checkGltfGraph has seen to it that this ends
+    const Visit visit = open.back();
+    open.pop_back();
+    const std::size_t source = static_cast<std::size_t>(visit.source);
+    addNode(context, source, visit.parent);
+    const std::vector<int>& children = context.model.nodes[source].children;
+    for (auto child = children.rbegin(); child != children.rend(); ++child)
+      open.push_back({*child, context.sceneNode[source]});
+  }
+}
+
+void checkRestTransforms(const GltfContext& context) {
+  Scene atRest;
+  atRest.nodes = context.scene.nodes;
+  const std::vector<glm::mat4> transforms = poseAt(atRest, 0.0).worldFromNode;
+  for (std::size_t source = 0; source < context.sceneNode.size(); ++source) {
+    if (context.sceneNode[source] < 0) continue;
+    const glm::mat4& transform = transforms[static_cast<std::size_t>(context.sceneNode[source])];
+    for (int i = 0; i < 16; ++i)
+      if (!std::isfinite(transform[i / 4][i % 4]))
+        throw Error(gltfPlace("nodes", source) + ": " + say<"its transform is not finite">());
+  }
+}
+
+} // namespace taa

@@ -1,0 +1,214 @@
+#include "core/story/ProbeStory.h"
+
+#include "core/base/Say.h"
+#include "core/scene/ObjectClass.h"
+#include "core/story/StoryText.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/twin/Color.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace taa {
+
+namespace story {
+
+std::string numberText(double x, int digits) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x < 0 ? "−inf" : "inf";
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::fabs(x) + 0.0,
+                                 std::chars_format::general, digits);
+  return (x < 0 ? "−" : "") + std::string(text.data(), end.ptr);
+}
+
+std::string tupleText(const glm::vec2& v, int digits) {
+  const auto number = [digits](float x) { return numberText(static_cast<double>(x), digits); };
+  return "(" + number(v.x) + ", " + number(v.y) + ")";
+}
+
+std::string tupleText(const glm::vec3& v, int digits) {
+  const auto number = [digits](float x) { return numberText(static_cast<double>(x), digits); };
+  return "(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
+}
+
+std::string percentText(double share) {
+  const double tenths = std::round(share * 1000.0);
+  const bool isLong = std::fabs(tenths) >= 10000.0; // without an exponent, "1060 %"
+  return numberText(isLong ? std::round(tenths / 10.0) : tenths / 10.0, isLong ? 9 : 3) + " %";
+}
+
+std::string Teller::equals(const std::string& expression, Id id) const {
+  const int channels = intermediate(id).channels;
+  return expression + " = " + (channels == 1 ? number(id) : channels == 2 ? tuple(pair(id)) : tuple(id));
+}
+
+glm::vec3 Teller::box(const glm::vec3& color) const {
+  return twin::toBox(color, settings().space);
+}
+
+std::string Teller::channelName(int channel) const {
+  return channelNames(intermediate(Id::boxMin), settings().space)[static_cast<std::size_t>(channel)];
+}
+
+std::string call(const std::string& function, std::initializer_list<std::string> arguments) {
+  return call(function, std::span(arguments.begin(), arguments.size()));
+}
+
+std::string call(const std::string& function, std::span<const std::string> arguments) {
+  std::string text = function + "(";
+  for (const std::string& argument : arguments)
+    text += (&argument == arguments.data() ? "" : ", ") + argument;
+  return text + ")";
+}
+
+bool isOn(Switch value) {
+  return value == Switch::On;
+}
+
+namespace {
+
+std::string depthWords(float depth) {
+  return depth == 0.0f ? say<"nothing was drawn here: the sky">()
+                       : say<"1 at the near plane, 0 in the distance">();
+}
+
+std::string motionWords(const Teller& t) {
+  if (t.value(Id::motion) >= kNoPreviousPosition)
+    return t.settings().inputs.motion == MotionSource::ObjectsAsPrinted
+               ? say<"the surface was behind the previous camera, or its motion as printed is beyond all "
+                     "numbers">()
+               : say<"the surface was behind the previous camera">();
+  const glm::vec2 motion = t.pair(Id::motion);
+  return motion == glm::vec2(0.0f) ? say<"the surface stayed where it was">()
+                                   : say<"the surface came from %1 px from here">(t.tuple(-motion));
+}
+
+std::string objectWords(const Teller& t) {
+  switch (static_cast<ObjectClass>(static_cast<int>(t.value(Id::objectClass)))) {
+  case ObjectClass::Still:
+    return say<"an object that stands still">();
+  case ObjectClass::Moving:
+    return say<"an object that moves rigidly">();
+  case ObjectClass::Deforming:
+    return say<"an object that deforms">();
+  case ObjectClass::Character:
+    return say<"an object that was given the class of characters">();
+  default:
+    return say<"the sky">();
+  }
+}
+
+RowStory viewDepthStory(const Teller& t) {
+  const float depth = t.value(Id::depth);
+  if (depth == 0.0f) return {depthWords(depth), "", ""};
+  const glm::vec4& p = t.details().depthTerms;
+  const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
+  return {say<"distance along the view axis">(),
+          t.equals("(" + n(depth) + " × " + n(p.x) + " − " + n(p.y) + ") / (" + n(depth) + " × " + n(p.z) +
+                       " − " + n(p.w) + ")",
+                   Id::depthView),
+          ""};
+}
+
+/// Of inputs that are read as they are.
+std::string readWords(Id id, const Teller& t) {
+  switch (id) {
+  case Id::color:
+    return t.settings().jitter.projection == JitterProjection::Translation
+               ? say<"the sample of this frame, taken %1 px from the pixel's center">(
+                     t.tuple(-t.details().jitterPx))
+               : say<"the sample of this frame, which the resolve believes %1 px from the pixel's center">(
+                     t.tuple(-t.details().jitterPx));
+  case Id::depth:
+    return depthWords(t.value(id));
+  case Id::motion:
+    return motionWords(t);
+  case Id::normal:
+    return t.color(id) == glm::vec3(0.0f) ? say<"the sky has none">()
+                                          : say<"the way the surface faces, in the world">();
+  case Id::objectId:
+  case Id::objectClass:
+    return objectWords(t);
+  case Id::reactive:
+    return t.value(id) > 0 ? say<"%1 was blended in">(t.percent(id)) : say<"nothing was blended in">();
+  case Id::responsive:
+    return t.value(id) > 0 ? say<"a material that changes without motion">()
+                           : say<"no material that changes without motion">();
+  case Id::fog:
+  case Id::fogOpacity:
+    return t.value(Id::fogOpacity) > 0
+               ? say<"the fog before it takes %1 of the surface's light">(t.percent(Id::fogOpacity))
+               : say<"no fog lies before it">();
+  default:
+    return t.value(Id::overlayAlpha) > 0
+               ? say<"%1 of the output is hidden by it">(t.percent(Id::overlayAlpha))
+               : say<"nothing is laid over the output here">();
+  }
+}
+
+} // namespace
+
+RowStory inputStory(Id id, const Teller& t) {
+  return id == Id::depthView ? viewDepthStory(t) : RowStory{readWords(id, t), "", ""};
+}
+
+/// Of rows that are otherwise where TAA is off.
+std::optional<RowStory> storyWithoutTaa(Id id, const Teller& t) {
+  switch (id) {
+  case Id::color:
+    return RowStory{say<"the sample of this frame, at the pixel's center">(), "", ""};
+  case Id::currentFiltered:
+    return RowStory{say<"TAA is off: the sample as it is">(), t.equals(t.tuple(Id::color), id), ""};
+  case Id::sampleConfidence:
+    return RowStory{say<"TAA is off: the nearest sample is all there is">(), t.equals("1", id), ""};
+  case Id::alpha:
+    return RowStory{say<"TAA is off: the current frame alone">(), t.equals("1", id), ""};
+  case Id::alphaChannels:
+    return RowStory{say<"TAA is off: 1 in each">(), "", ""};
+  default:
+    return std::nullopt;
+  }
+}
+
+} // namespace story
+
+RowStory storyOf(IntermediateId id, const ProbedPixel& whole, int digits) {
+  Settings settings = whole.settings;
+  if (!isTaaOn(settings)) settings.output = {}; // nothing of it is done
+  const ProbedPixel probed{whole.record, whole.details, settings, whole.info, whole.pixel};
+  const story::Teller teller{probed, digits};
+  if (!isTaaOn(settings))
+    if (const auto other = story::storyWithoutTaa(id, teller)) return *other;
+  switch (intermediate(id).stage) {
+  case Stage::Inputs:
+    return story::inputStory(id, teller);
+  case Stage::DilateMotion:
+  case Stage::Reproject:
+    return story::sampleStory(id, teller);
+  case Stage::SampleHistory:
+  case Stage::FilterCurrent:
+    return story::filterStory(id, teller);
+  case Stage::Neighborhood:
+    return story::boxStory(id, teller);
+  case Stage::RectifyHistory:
+    return story::rectifyStory(id, teller);
+  case Stage::ValidateHistory:
+    return story::validateStory(id, teller);
+  case Stage::BlendWeight:
+    return story::weightStory(id, teller);
+  case Stage::Blend:
+    return story::blendStory(id, teller);
+  case Stage::Output:
+  case Stage::Reference:
+    return story::outputStory(id, teller);
+  case Stage::Jitter: // it gives no row
+    break;
+  }
+  return {};
+}
+
+} // namespace taa

@@ -1,0 +1,58 @@
+// Stories of what takes a correction of history back: locks of thin features, and luma that comes and goes.
+#include "core/story/StoryText.h"
+
+#include "core/base/Say.h"
+
+#include <cmath>
+#include <string>
+
+namespace taa::story {
+
+namespace {
+
+std::string lifeWords(const Teller& t) {
+  const twin::Held& held = t.details().held;
+  const std::string luma = t.number(held.luma), life = t.number(held.storedLock.x);
+  const bool hadLock = held.storedLock.x > 0.0f;
+  if (held.isChanged)
+    return say<"mean luma %1 is another than the %2 it was locked at: no lock">(luma,
+                                                                                t.number(held.storedLock.y));
+  if (held.isThin)
+    return hadLock ? say<"a thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
+                   : say<"a thin feature, mean luma %1, no lock before">(luma);
+  return hadLock ? say<"no thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
+                 : say<"no thin feature, mean luma %1, no lock before">(luma);
+}
+
+/// The life that the rule gives, from the one before.
+std::string lifeText(const Teller& t) {
+  const twin::Held& held = t.details().held;
+  if (held.isChanged) return "0";
+  if (held.isThin) return held.storedLock.x == 0.0f ? "1" : "2";
+  return t.number(held.storedLock.x);
+}
+
+RowStory instabilityStory(const Teller& t) {
+  const twin::Held& held = t.details().held;
+  const std::string now = t.number(std::round(held.keptLumas.x * 255.0f));
+  std::string before;
+  for (int k = 0; k < 4; ++k) before += (k == 0 ? "" : ", ") + t.number(held.storedLumas[k]);
+  return {t.value(Id::instability) > 0
+              ? say<"luma comes and goes, history is kept: %1 of 255, before %2">(now, before)
+              : say<"luma does not come and go: %1 of 255, before %2">(now, before),
+          "", ""};
+}
+
+} // namespace
+
+RowStory lockStory(Id id, const Teller& t) {
+  const RectifySettings& rectify = t.settings().rectify;
+  const bool isLock = id == Id::lock || id == Id::lockLife;
+  if (!isOn(isLock ? rectify.locks : rectify.instability)) return {say<"not asked for">(), "", ""};
+  if (id == Id::instability) return instabilityStory(t);
+  if (id == Id::lockLife) return {lifeWords(t), t.equals(lifeText(t), id), ""};
+  return {t.value(id) > 0 ? say<"a thin feature keeps its history">() : say<"no lock holds history">(),
+          t.equals("clamp(4 × clamp(" + t.number(Id::lockLife) + " − 1, 0, 1), 0, 1)", id), ""};
+}
+
+} // namespace taa::story

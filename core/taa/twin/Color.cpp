@@ -1,0 +1,230 @@
+// Color arithmetic of the CPU twin; order of operations as in the definition of the resolve.
+#include "core/taa/twin/Color.h"
+
+#include "core/taa/twin/ToneCurves.h"
+
+#include <array>
+
+namespace taa::twin {
+namespace {
+
+constexpr float kLargestHalf = 65504.0f;
+
+/// Least denominator of the inverse tone curve: caps the result at 10⁵ times the box color.
+constexpr float kLeastToneDenominator = 1e-5f;
+
+float largest(const glm::vec3& c) {
+  const float redGreen = c.x > c.y ? c.x : c.y;
+  return redGreen > c.z ? redGreen : c.z;
+}
+
+template <typename Curve>
+glm::vec3 eachChannel(const glm::vec3& c, Curve curve) {
+  return {curve(c.x), curve(c.y), curve(c.z)};
+}
+
+int within(int value, int count) {
+  return value < 0 ? 0 : value > count - 1 ? count - 1 : value;
+}
+
+} // namespace
+
+bool isBad(float value) {
+  return !(value >= 0.0f && value <= kLargestHalf);
+}
+
+glm::vec3 sanitized(const glm::vec3& color) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) result[i] = isBad(color[i]) ? 0.0f : color[i];
+  return result;
+}
+
+glm::vec3 storable(const glm::vec3& color) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    const float positive = color[i] > 0.0f ? color[i] : 0.0f;
+    result[i] = positive < kLargestHalf ? positive : kLargestHalf;
+  }
+  return result;
+}
+
+float luma(const glm::vec3& color) {
+  return (0.2126f * color.x + 0.7152f * color.y) + 0.0722f * color.z;
+}
+
+float saturated(float x) {
+  return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
+  switch (tone) {
+  case ToneSpace::Linear:
+    return c;
+  case ToneSpace::ReinhardLuma:
+    return c / (1.0f + luma(c));
+  case ToneSpace::ReinhardChannel:
+    return c / (1.0f + c);
+  case ToneSpace::MaxChannel:
+    return c / (1.0f + largest(c));
+  case ToneSpace::Pq:
+    return eachChannel(c, pq);
+  case ToneSpace::Logarithm:
+    return eachChannel(c, logarithm);
+  }
+  return c;
+}
+
+glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
+  const auto divisor = [](float brightness) {
+    const float rest = 1.0f - brightness;
+    return rest > kLeastToneDenominator ? rest : kLeastToneDenominator;
+  };
+  switch (tone) {
+  case ToneSpace::Linear:
+    return y;
+  case ToneSpace::ReinhardLuma:
+    return y / divisor(luma(y));
+  case ToneSpace::ReinhardChannel:
+    return {y.x / divisor(y.x), y.y / divisor(y.y), y.z / divisor(y.z)};
+  case ToneSpace::MaxChannel:
+    return y / divisor(largest(y));
+  case ToneSpace::Pq:
+    return eachChannel(y, inversePq);
+  case ToneSpace::Logarithm:
+    return eachChannel(y, inverseLogarithm);
+  }
+  return y;
+}
+
+bool mixesCompressed(ToneWeight tone) {
+  return tone != ToneWeight::None && tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted;
+}
+
+namespace {
+
+/// The box's curve that a mix has too.
+ToneSpace sameCurve(ToneWeight tone) {
+  switch (tone) {
+  case ToneWeight::ReinhardChannel:
+    return ToneSpace::ReinhardChannel;
+  case ToneWeight::MaxChannel:
+    return ToneSpace::MaxChannel;
+  case ToneWeight::Pq:
+    return ToneSpace::Pq;
+  case ToneWeight::Logarithm:
+    return ToneSpace::Logarithm;
+  default:
+    return ToneSpace::Linear;
+  }
+}
+
+} // namespace
+
+glm::vec3 compress(const glm::vec3& color, const BlendSettings& blend) {
+  if (blend.tone == ToneWeight::WhitePoint)
+    return eachChannel(color, [&](float c) { return whitePoint(c, blend.white); });
+  return compress(color, sameCurve(blend.tone));
+}
+
+glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend) {
+  if (blend.tone == ToneWeight::WhitePoint)
+    return eachChannel(color, [&](float y) { return inverseWhitePoint(y, blend.white); });
+  return decompress(color, sameCurve(blend.tone));
+}
+
+glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
+  const glm::vec3 c = compress(color, space.tone);
+  switch (space.color) {
+  case ColorSpace::Rgb:
+    return c;
+  case ColorSpace::YCoCg:
+  case ColorSpace::YCoCgAsPrinted: {
+    const float y = (0.25f * c.x + 0.5f * c.y) + 0.25f * c.z;
+    const float co = 0.5f * c.x - 0.5f * c.z;
+    const float cg = (-0.25f * c.x + 0.5f * c.y) - 0.25f * c.z;
+    return {y, co, cg};
+  }
+  case ColorSpace::YCoCgLifting: {
+    const float co = c.x - c.z;
+    const float t = c.z + 0.5f * co;
+    const float cg = c.y - t;
+    return {t + 0.5f * cg, co, cg};
+  }
+  case ColorSpace::YCbCr: {
+    const float y = luma(c);
+    return {y, (c.z - y) / 1.8556f, (c.x - y) / 1.5748f};
+  }
+  }
+  return c;
+}
+
+glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
+  const auto& [y, first, second] = std::array{box.x, box.y, box.z};
+  glm::vec3 c = box;
+  switch (space.color) {
+  case ColorSpace::Rgb:
+    break;
+  case ColorSpace::YCoCg:
+    c = {(y + first) - second, y + second, (y - first) - second};
+    break;
+  case ColorSpace::YCoCgAsPrinted: // D7: clamped, compressed or not
+    c = {saturated((y + first) - second), saturated(y + second), saturated((y - first) - second)};
+    break;
+  case ColorSpace::YCoCgLifting: {
+    const float t = y - 0.5f * second;
+    const float blue = t - 0.5f * first;
+    c = {blue + first, second + t, blue};
+    break;
+  }
+  case ColorSpace::YCbCr: {
+    const float red = y + 1.5748f * second;
+    const float blue = y + 1.8556f * first;
+    c = {red, ((y - 0.2126f * red) - 0.0722f * blue) / 0.7152f, blue};
+    break;
+  }
+  }
+  return decompress(c, space.tone);
+}
+
+SpaceSettings withoutClamp(const SpaceSettings& space) {
+  return {space.color == ColorSpace::YCoCgAsPrinted ? ColorSpace::YCoCg : space.color, space.tone};
+}
+
+float boxLuma(const glm::vec3& box, const SpaceSettings& space) {
+  return space.color == ColorSpace::Rgb ? luma(box) : box.x;
+}
+
+glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) result[i] = a[i] < b[i] ? a[i] : b[i];
+  return result;
+}
+
+glm::vec3 larger(const glm::vec3& a, const glm::vec3& b) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) result[i] = a[i] > b[i] ? a[i] : b[i];
+  return result;
+}
+
+glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high) {
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = value[i] < low[i] ? low[i] : value[i] > high[i] ? high[i] : value[i];
+  }
+  return result;
+}
+
+glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs) {
+  return {within(pixel.x, inputs.outputWidth()), within(pixel.y, inputs.outputHeight())};
+}
+
+glm::ivec2 clampedToDrawn(const glm::ivec2& texel, const Inputs& inputs) {
+  return {within(texel.x, inputs.width()), within(texel.y, inputs.height())};
+}
+
+glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& texel) {
+  const glm::ivec2 p = clampedToDrawn(texel, inputs);
+  return sanitized(glm::vec3(inputs.color.texel(p.x, p.y)));
+}
+
+} // namespace taa::twin

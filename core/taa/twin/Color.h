@@ -1,0 +1,55 @@
+// Colors as the resolve sees them: read safely, measured, and moved into the space of the box.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/taa/twin/Twin.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace taa::twin {
+
+/// NaN, negative, infinite or above the largest half float.
+bool isBad(float value);
+/// The color with bad channels 0.
+glm::vec3 sanitized(const glm::vec3& color);
+
+/// What a computed color becomes: negative values and NaN 0, too bright ones the brightest half.
+glm::vec3 storable(const glm::vec3& color);
+
+/// Rec. 709 luma of scene-linear color.
+float luma(const glm::vec3& color);
+
+/// Within 0 and 1; NaN becomes 0.
+float saturated(float x);
+
+/// Highlights bounded (catalogue §15), and back.
+glm::vec3 compress(const glm::vec3& color, ToneSpace tone);
+glm::vec3 decompress(const glm::vec3& color, ToneSpace tone);
+
+/// Whether colors are compressed before they are mixed (catalogue 15.3 to 15.7); that, and back.
+bool mixesCompressed(ToneWeight tone);
+glm::vec3 compress(const glm::vec3& color, const BlendSettings& blend);
+glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend);
+
+/// Scene-linear color in the space the box is built in (catalogue §9, §15), and back.
+glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space);
+glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space);
+/// The same axes with a way back that is not clamped as printed (§26, D7).
+SpaceSettings withoutClamp(const SpaceSettings& space);
+/// Luma of a color of that space.
+float boxLuma(const glm::vec3& box, const SpaceSettings& space);
+
+// Channel by channel, by comparisons, so that what NaN does is defined.
+glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 larger(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high);
+
+/// The pixel of the picture, so of its history, nearest to `pixel`.
+glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs);
+/// The texel of what was drawn nearest to `texel`.
+glm::ivec2 clampedToDrawn(const glm::ivec2& texel, const Inputs& inputs);
+/// This frame's color at `texel`, clamped to the border, sanitized.
+glm::vec3 currentColor(const Inputs& inputs, const glm::ivec2& texel);
+
+} // namespace taa::twin

@@ -1,0 +1,28 @@
+#include "core/taa/twin/Random.h"
+
+namespace taa::twin {
+namespace {
+
+/// PCG's permutation of 32 bits.
+std::uint32_t hashed(std::uint32_t x) {
+  const std::uint32_t state = x * 747796405u + 2891336453u;
+  const std::uint32_t word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+} // namespace
+
+std::uint32_t randomBits(const glm::ivec2& pixel, int frame, std::uint32_t channel) {
+  std::uint32_t seed = hashed(static_cast<std::uint32_t>(pixel.x));
+  seed = hashed(seed + static_cast<std::uint32_t>(pixel.y));
+  seed = hashed(seed + static_cast<std::uint32_t>(frame));
+  return hashed(seed + channel) >> 19u;
+}
+
+float screenNoise(const glm::ivec2& pixel, int frame) {
+  const auto first = static_cast<float>(randomBits(pixel, frame, 3));
+  const auto second = static_cast<float>(randomBits(pixel, frame, 4));
+  return ((first + 0.5f) + (second + 0.5f)) / 8192.0f - 1.0f;
+}
+
+} // namespace taa::twin

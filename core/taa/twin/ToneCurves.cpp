@@ -1,0 +1,60 @@
+// Order of operations as in the definition of the resolve.
+#include "core/taa/twin/ToneCurves.h"
+
+#include "core/taa/twin/Powers.h"
+
+#include <cmath>
+
+namespace taa::twin {
+namespace {
+
+// As SMPTE ST 2084 writes them.
+constexpr float kM1 = 2610.0f / 16384.0f;
+constexpr float kM2 = 2523.0f / 4096.0f * 128.0f;
+constexpr float kC1 = 3424.0f / 4096.0f;
+constexpr float kC2 = 2413.0f / 4096.0f * 32.0f;
+constexpr float kC3 = 2392.0f / 4096.0f * 32.0f;
+constexpr float kBrightest = 10000.0f;
+static_assert(kC1 == 1.0f + kC3 - kC2);
+/// Less than what black becomes, and a normal float.
+constexpr float kDarkest = 1e-37f;
+/// Where the curve would be infinitely bright, it is this far from it.
+constexpr float kLeastDivisor = 1e-5f;
+
+} // namespace
+
+// The fraction (c₁ + c₂r)/(1 + c₃r) is near 1 and its power large, so that its last bit would show: c₁ is
+// 1 + c₃ − c₂, with which it is (1 + t)/(1 − t), or 1 + less, without a difference of near numbers.
+
+float pq(float c) {
+  const float root = power(c / kBrightest, kM1);
+  const float t = ((kC2 - kC3) * (root - 1.0f)) / ((1.0f + kC1) + (kC2 + kC3) * root);
+  return exp2Of(kM2 * log2OfRatio(t));
+}
+
+float inversePq(float y) {
+  const float less = exp2LessOne((1.0f / kM2) * log2Of(y > kDarkest ? y : kDarkest));
+  const float above = (1.0f - kC1) + less, below = (kC2 - kC3) - kC3 * less;
+  const float root = (above > 0.0f ? above : 0.0f) / (below > kLeastDivisor ? below : kLeastDivisor);
+  return kBrightest * power(root, 1.0f / kM1);
+}
+
+float logarithm(float c) {
+  return log2OfOnePlus(c);
+}
+
+float inverseLogarithm(float y) {
+  return exp2LessOne(y);
+}
+
+float whitePoint(float c, float white) {
+  return (c * (1.0f + c / (white * white))) / (1.0f + c);
+}
+
+float inverseWhitePoint(float y, float white) {
+  const float squared = white * white, rest = 1.0f - y;
+  const float root = std::sqrt(rest * rest + (4.0f * y) / squared);
+  return y <= 1.0f ? (2.0f * y) / (rest + root) : ((root - rest) * squared) / 2.0f;
+}
+
+} // namespace taa::twin

@@ -1,0 +1,121 @@
+// Stage 9, blend: current and history mixed, and how many frames' worth of samples that holds.
+#include "core/base/Half.h"
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/Random.h"
+#include "core/taa/twin/stages/Stages.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace taa::twin {
+namespace {
+
+float blendFactor(float alpha, float toneWeightCurrent, float toneWeightHistory, ToneWeight tone) {
+  if (alpha >= 1.0f) return 1.0f;
+  if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return alpha;
+  const float current = alpha * toneWeightCurrent;
+  return current / (current + (1.0f - alpha) * toneWeightHistory);
+}
+
+/// 1/(1 + L); as printed (D19) of the color divided by 1 + its largest channel.
+float toneWeight(const glm::vec3& color, ToneWeight tone) {
+  if (tone == ToneWeight::Luma) return 1.0f / (1.0f + luma(color));
+  if (tone == ToneWeight::LumaAsPrinted) return 1.0f / (1.0f + luma(compress(color, ToneSpace::MaxChannel)));
+  return 1.0f;
+}
+
+/// The mix itself, of compressed colors where the choice says so (catalogue 15.3 to 15.7). `keepsHistory`: a
+/// share of 0 leaves it as it is, even then (invariant 65).
+glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::vec3& k,
+                const BlendSettings& settings, bool keepsHistory) {
+  glm::vec3 result = history + k * (current - history);
+  if (mixesCompressed(settings.tone)) {
+    const glm::vec3 from = compress(history, settings);
+    const glm::vec3 between = from + k * (compress(current, settings) - from);
+    result = current == history ? history : decompress(between, settings);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (k[i] >= 1.0f) result[i] = current[i];
+    if (k[i] <= 0.0f && keepsHistory) result[i] = history[i];
+  }
+  return result;
+}
+
+/// x as a multiple of 1/steps, of those around it the one that `u`, 0 to 1, chooses.
+float quantized(float x, float steps, float u) {
+  return std::floor(saturated(x) * steps + u) / steps;
+}
+
+/// The half below or above x: cutting off 13 bits after `number` was added to them.
+float ditheredHalf(float x, std::uint32_t number) {
+  constexpr float kLeastNormal = 0x1p-14f;
+  if (x < kLeastNormal)
+    return std::floor(x * 0x1p24f + (static_cast<float>(number) + 0.5f) / 8192.0f) / 0x1p24f;
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + number) & 0xFFFFE000u);
+}
+
+/// A channel as the history holds it (catalogue 1.6, 14.7, 20.6).
+float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint32_t channel) {
+  const bool isDithered = settings.dither == Switch::On;
+  const std::uint32_t number = isDithered ? randomBits(mix.pixel, mix.frame, channel) : 0;
+  const float u = isDithered ? (static_cast<float>(number) + 0.5f) / 8192.0f : 0.5f;
+  switch (settings.precision) {
+  case Precision::Full:
+    return x;
+  case Precision::Half:
+    return isDithered ? ditheredHalf(x, number) : roundedToHalf(x);
+  case Precision::Unorm8:
+    return quantized(x, 255.0f, u);
+  case Precision::Unorm10:
+    return quantized(x, 1023.0f, u);
+  }
+  return x;
+}
+
+/// N after the frame (catalogue §16), of a sample of confidence κ.
+float lengthAfter(const Settings& settings, const Mix& mix) {
+  const LengthRule rule = settings.blend.length;
+  const float alpha = mix.alpha, before = mix.historyLength, confidence = mix.confidence;
+  if (rule == LengthRule::CountTo16) {
+    if (mix.isFirst) return 0.0f;
+    const float counted = before + confidence < 16.0f ? before + confidence : 16.0f;
+    return alpha >= 1.0f && settings.validate.action != RejectAction::Decay ? 1.0f : counted;
+  }
+  if (alpha >= 1.0f) return 1.0f;
+  if (rule == LengthRule::Reciprocal) {
+    if (!(alpha > 1e-6f)) return before;
+    return confidence / alpha > 1.0f ? confidence / alpha : 1.0f;
+  }
+  if (rule == LengthRule::Confidence) return confidenceAfter(before, mix.motion);
+  if (rule == LengthRule::Count) return before + confidence;
+  const float rest = 1.0f - alpha;
+  const float variance = alpha * alpha + (rest * rest) / before;
+  return rule == LengthRule::VarianceAsPrinted ? variance : 1.0f / variance;
+}
+
+} // namespace
+
+Blended blend(const Settings& settings, const Mix& mix) {
+  const ToneWeight tone = settings.blend.tone;
+  Blended result;
+  result.toneWeightCurrent = toneWeight(mix.current, tone);
+  result.toneWeightHistory = toneWeight(mix.history, tone);
+  const auto factorOf = [&](float alpha) {
+    return blendFactor(alpha, result.toneWeightCurrent, result.toneWeightHistory, tone);
+  };
+  result.factor = factorOf(mix.alpha);
+  glm::vec3 factors(result.factor);
+  if (settings.weight.source == AlphaSource::ContrastPerChannel)
+    for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
+  const bool mayKeepAll = isUpsampled(settings) || settings.validate.offScreen == OffScreen::OneSided;
+  const glm::vec3 color = mixed(mix.current, mix.history, factors, settings.blend, mayKeepAll);
+  for (int i = 0; i < 3; ++i) {
+    const float channel = isBad(color[i]) ? mix.current[i] : color[i];
+    result.resolved[i] = stored(settings.history, channel, mix, static_cast<std::uint32_t>(i));
+  }
+  result.historyLength = lengthAfter(settings, mix);
+  return result;
+}
+
+} // namespace taa::twin

@@ -1,0 +1,273 @@
+// Stage 6, rectify history: a color outside the box is moved onto it.
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/stages/Stages.h"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace taa::twin {
+namespace {
+
+/// Keeps the extent of a flat box from being a zero divisor.
+constexpr float kLeastExtent = 1e-8f;
+
+float magnitude(const glm::vec3& v) {
+  return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
+}
+
+bool isInside(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(h[i] >= low[i] && h[i] <= high[i])) return false;
+  }
+  return true;
+}
+
+/// Nearest point of the box (catalogue 11.1).
+Clipped clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+  const glm::vec3 center = 0.5f * (low + high);
+  const glm::vec3 r = clamped(h, low, high);
+  const float whole = magnitude(center - h);
+  return {r, whole == 0.0f ? 0.0f : magnitude(r - h) / whole};
+}
+
+/// Along the line to the center (catalogue 11.2).
+Clipped clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+  const glm::vec3 center = 0.5f * (low + high);
+  const glm::vec3 extent = 0.5f * (high - low) + kLeastExtent;
+  float m = 0.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float u = std::fabs(h[i] - center[i]) / extent[i];
+    m = u > m ? u : m;
+  }
+  if (!(m > 1.0f)) return {h, 0.0f};
+  return {center + (h - center) / m, 1.0f - 1.0f / m};
+}
+
+/// Along the line to `aim`, a color of this frame, brought into the box first (catalogue 11.3).
+Clipped clipToColor(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& low, const glm::vec3& high) {
+  const glm::vec3 target = clamped(aim, low, high);
+  const glm::vec3 d = target - h;
+  float t = 0.0f;
+  for (int i = 0; i < 3; ++i) {
+    const float enter = h[i] < low[i]    ? (low[i] - h[i]) / d[i]
+                        : h[i] > high[i] ? (high[i] - h[i]) / d[i]
+                                         : 0.0f;
+    t = enter > t ? enter : t;
+  }
+  if (t >= 1.0f) return {target, 1.0f};
+  return {h + d * t, t};
+}
+
+} // namespace
+
+Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
+             const glm::vec3& boxMax) {
+  if (method == RectifyMethod::None || isInside(value, boxMin, boxMax)) return {value, 0.0f};
+  switch (method) {
+  case RectifyMethod::Clamp:
+    return clampToBox(value, boxMin, boxMax);
+  case RectifyMethod::ClipToCenter:
+    return clipToCenter(value, boxMin, boxMax);
+  case RectifyMethod::ClipToFiltered:
+    return clipToColor(value, target, boxMin, boxMax);
+  default:
+    break;
+  }
+  assert(false);
+  return {value, 0.0f};
+}
+
+namespace {
+
+/// How far `value` is from h, against the way from h to `target`.
+float share(const glm::vec3& value, const glm::vec3& h, const glm::vec3& target) {
+  const float whole = magnitude(target - h);
+  return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
+}
+
+/// Towards the mean, made to fit axis by axis (catalogue 11.5).
+Clipped shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
+  if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
+  const glm::vec3 mean = clamped(n.mean, n.boxMin, n.boxMax);
+  glm::vec3 r = h - mean;
+  for (int i = 0; i < 3; ++i) {
+    const float high = n.boxMax[i] - mean[i];
+    const float low = n.boxMin[i] - mean[i];
+    if (r[i] > high) {
+      r = r * (high / r[i]);
+    } else if (r[i] < low) {
+      r = r * (low / r[i]);
+    }
+  }
+  const glm::vec3 value = mean + r;
+  return {value, share(value, h, mean)};
+}
+
+/// One box after the other (catalogue 10.5).
+Clipped clampThenClip(const glm::vec3& h, const Neighborhood& n) {
+  const Clipped second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
+  return {second.value, share(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
+}
+
+/// Where the ray to the current color meets the box, if that is not too far (catalogue 11.4).
+Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
+  if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
+  const glm::vec3 d = current - h;
+  const glm::vec3 b = 0.5f * (n.boxMin + n.boxMax);
+  const glm::vec3 e = 0.5f * (n.boxMax - n.boxMin);
+  float t = 1e9f;
+  for (int i = 0; i < 3; ++i) {
+    if (d[i] == 0.0f) continue;
+    const float hit = ((b[i] - (d[i] > 0.0f ? e[i] : -e[i])) - h[i]) / d[i];
+    if (hit >= 0.0f && hit < t) t = hit;
+  }
+  if (t > farthest) return {h, 0.0f};
+  return {h + d * t, t < 1.0f ? t : 1.0f};
+}
+
+/// Towards `target` into what slabs [min d·c, max d·c] of the samples and the target leave
+/// (catalogue 9.7, 10.12).
+Clipped clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
+                    const std::vector<glm::vec3>& directions) {
+  const glm::vec3 way = target - h;
+  float t = 0.0f;
+  for (const glm::vec3& d : directions) {
+    const auto along = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
+    float low = along(target), high = low;
+    for (const glm::vec3& sample : n.samples) {
+      low = along(sample) < low ? along(sample) : low;
+      high = along(sample) > high ? along(sample) : high;
+    }
+    const float from = along(h);
+    const float enter = from < low    ? (low - from) / along(way)
+                        : from > high ? (high - from) / along(way)
+                                      : 0.0f;
+    t = enter > t ? enter : t;
+  }
+  if (!(t > 0.0f)) return {h, 0.0f};
+  if (t >= 1.0f) return {target, 1.0f};
+  return {h + way * t, t};
+}
+
+/// Axes of the space that is looked at besides the box's: Y, Co and Cg by R, G and B, or those by the box's
+/// axes. How long they are does not matter.
+std::vector<glm::vec3> otherAxes(ColorSpace space) {
+  switch (space) {
+  case ColorSpace::Rgb:
+    return {{1, 2, 1}, {1, 0, -1}, {-1, 2, -1}};
+  case ColorSpace::YCoCg:
+  case ColorSpace::YCoCgAsPrinted:
+    return {{1, 1, -1}, {1, 0, 1}, {1, -1, -1}};
+  case ColorSpace::YCoCgLifting:
+    return {{2, 1, -1}, {2, 0, 1}, {2, -1, -1}};
+  case ColorSpace::YCbCr: // green: Y less 0.0722 × 1.8556 / 0.7152 Cb and 0.2126 × 1.5748 / 0.7152 Cr
+    return {{1, 0, 1.5748f}, {1, -0.18732427f, -0.46812427f}, {1, 1.8556f, 0}};
+  }
+  return {};
+}
+
+Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::vec3& h,
+                  const glm::vec3& current, const Neighborhood& n) {
+  switch (settings.method) {
+  case RectifyMethod::ShrinkAxes:
+    return shrinkAxes(h, n);
+  case RectifyMethod::ClampThenClip:
+    return clampThenClip(h, n);
+  case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
+    return clipToSlabs(h, current, n, slabDirections(settings.method, space));
+  case RectifyMethod::RayToCurrent:
+    return rayToCurrent(h, current, n, settings.mostSteps);
+  case RectifyMethod::ClampForget:
+    return clip(RectifyMethod::Clamp, h, current, n.boxMin, n.boxMax);
+  default:
+    return clip(settings.method, h, current, n.boxMin, n.boxMax);
+  }
+}
+
+/// Part of the correction that is applied (catalogue 11.6, 13.9).
+float strengthAt(const RectifySettings& settings, const Applied& applied) {
+  if (settings.method == RectifyMethod::None) return 0.0f;
+  const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
+  if (settings.relaxAtRest == Switch::Off) return ofFlicker;
+  const float q = applied.speed / settings.restSpeed;
+  return (settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q)) * ofFlicker;
+}
+
+/// A sample in the place of history, inside the box as well, and not taken through its space
+/// (catalogue 11.8).
+Clipped selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
+  const glm::vec3 color = n.colors[nearestSample(h, n)];
+  if (color == historyRaw) return {historyRaw, 0.0f};
+  return {color, 1.0f, 1.0f, true};
+}
+
+/// Where history is moved, scene-linear, and how far on its way.
+Clipped rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
+                       const glm::vec3& currentFiltered, const Neighborhood& n) {
+  const glm::vec3 h = toBox(historyRaw, settings.space);
+  if (settings.rectify.method == RectifyMethod::Select) return selected(historyRaw, h, n);
+  const Clipped clipped =
+      rectified(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
+  // Kept history is kept exactly: no way there and back through the box's space.
+  if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f};
+  return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
+}
+
+} // namespace
+
+std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
+  std::vector<glm::vec3> directions;
+  if (method == RectifyMethod::ClipToBoth) {
+    directions = otherAxes(space);
+    for (int i = 0; i < 3; ++i) {
+      glm::vec3 own(0.0f);
+      own[i] = 1.0f;
+      directions.push_back(own);
+    }
+  }
+  if (method != RectifyMethod::ClipToHull) return directions;
+  for (int code = 14; code < 27; ++code) // components −1, 0 or 1: 26 directions, one of each opposite pair
+    directions.emplace_back(glm::ivec3(code / 9 - 1, code / 3 % 3 - 1, code % 3 - 1));
+  return directions;
+}
+
+std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) {
+  const auto squared = [&](std::size_t k) {
+    const glm::vec3 way = neighborhood.samples[k] - h;
+    return (way.x * way.x + way.y * way.y) + way.z * way.z;
+  };
+  std::size_t nearest = 4; // the pixel's own, unless another is nearer
+  for (std::size_t k = 0; k < neighborhood.samples.size(); ++k)
+    if (squared(k) < squared(nearest)) nearest = k;
+  return nearest;
+}
+
+Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
+                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                       const Applied& applied) {
+  const RectifySettings& rectify = settings.rectify;
+  const float strength = strengthAt(rectify, applied);
+  if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
+  Clipped clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
+  clipped.strength = strength;
+  if (!clipped.moved) return clipped;
+  if (rectify.relaxAtRest == Switch::On || strength < 1.0f) {
+    clipped.value = historyRaw + strength * (clipped.value - historyRaw);
+    clipped.amount = clipped.amount * strength;
+  }
+  if (rectify.locks == Switch::On || rectify.instability == Switch::On) {
+    clipped.value = clipped.value + applied.held * (historyRaw - clipped.value);
+    clipped.amount = clipped.amount * (1.0f - applied.held);
+  }
+  return clipped;
+}
+
+float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held) {
+  if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return length;
+  const float forgotten = length < 1.6216216f ? length : 1.6216216f; // 0.1 / (0.74/12)
+  return forgotten + held * (length - forgotten);
+}
+
+} // namespace taa::twin

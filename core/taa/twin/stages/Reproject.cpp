@@ -1,0 +1,31 @@
+// Stage 2, reproject: pixel center minus motion, or the center itself.
+#include "core/taa/twin/stages/Stages.h"
+
+#include <cmath>
+
+namespace taa::twin {
+
+float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx) {
+  if (unit == SpeedUnit::Pixels) return speed;
+  if (unit == SpeedUnit::Lines1080) return speed * (1080.0f / static_cast<float>(picturePx.y));
+  const glm::vec2 share = motionPx / glm::vec2(picturePx);
+  const float length = std::sqrt(share.x * share.x + share.y * share.y);
+  return 1080.0f * (length <= kNoPreviousPosition ? length : kNoPreviousPosition);
+}
+
+Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
+                      const glm::ivec2& pixel) {
+  const bool isInPlace = settings.method == ReprojectMethod::InPlace;
+  Reprojected result;
+  result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
+  const glm::vec2 center = glm::vec2(pixel) + 0.5f;
+  const glm::vec2 q = isInPlace ? center : center - motionPx;
+  result.position = q;
+  result.onScreen = q.x >= 0.0f && q.x <= static_cast<float>(inputs.outputWidth()) && q.y >= 0.0f &&
+                    q.y <= static_cast<float>(inputs.outputHeight()); // NaN is off the screen
+  const float speed = std::sqrt(motionPx.x * motionPx.x + motionPx.y * motionPx.y);
+  result.speed = speed <= kNoPreviousPosition ? speed : kNoPreviousPosition; // NaN is the fastest
+  return result;
+}
+
+} // namespace taa::twin

@@ -1,0 +1,62 @@
+// Stage 7, validate history: off the screen, or another surface's.
+#include "core/taa/twin/Color.h"
+#include "core/taa/twin/stages/CompareDepth.h"
+#include "core/taa/twin/stages/Stages.h"
+
+namespace taa::twin {
+namespace {
+
+/// By the chosen rule (catalogue 5.0, 5.1, 5.3, 5.7); NaN is outside.
+bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
+  if (rule == OffScreen::Keep) return false;
+  if (rule == OffScreen::OneSided) return !(q.x > 0.0f);
+  const float margin = rule == OffScreen::Margin ? 0.5f : 0.0f;
+  return !(q.x >= margin && q.x <= static_cast<float>(inputs.outputWidth()) - margin && q.y >= margin &&
+           q.y <= static_cast<float>(inputs.outputHeight()) - margin);
+}
+
+/// The first of the reasons to reject history, the weightiest first.
+RejectReason reasonOf(const Inputs& inputs, const ValidateSettings& settings, const Reprojected& reprojected,
+                      const GeometryMatch& geometry, bool isOtherDepth, float changed) {
+  const auto isOn = [](Switch value) { return value == Switch::On; };
+  if (inputs.historyColor.empty()) return RejectReason::NoHistory;
+  if (reprojected.noPrevious) return RejectReason::NoPrevious;
+  if (isOutside(inputs, settings.offScreen, reprojected.position)) return RejectReason::OffScreen;
+  if (isOn(settings.depth) && isOtherDepth) return RejectReason::Depth;
+  if (isOn(settings.object) && !geometry.isSameObject) return RejectReason::Object;
+  if (isOn(settings.objectClass) && !geometry.isSameClass) return RejectReason::Class;
+  if (isOn(settings.normal) && geometry.normalAgreement < settings.normalLimit) return RejectReason::Normal;
+  if (isOn(settings.speed) && reprojected.speed > settings.speedLimit) return RejectReason::Speed;
+  return changed > 0.0f ? RejectReason::Velocity : RejectReason::Kept;
+}
+
+} // namespace
+
+Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
+                          const Reprojected& reprojected, const glm::vec2& readPosition,
+                          const glm::ivec2& pixel, const GeometryMatch& geometry) {
+  const ComparedDepth depth = compareDepth(inputs, settings, dilated, pixel, readPosition);
+  Validated result;
+  result.depthExpected = depth.expected;
+  result.historyDepth = depth.stored;
+  result.depthMismatch = depth.mismatch;
+  result.depthAllowed = depth.allowed;
+  float changed = 0.0f; // share that a change of velocity rejects, 12.5
+  if (settings.velocity != VelocityTest::None)
+    changed = saturated((geometry.velocityChange - settings.velocityLimit) * settings.velocityGain);
+  result.reason = reasonOf(inputs, settings, reprojected, geometry, depth.isOther, changed);
+  result.isFlicker = depth.isFlicker && result.reason == RejectReason::Kept;
+  if (result.reason == RejectReason::Kept) return result;
+  result.isFrozen = result.reason == RejectReason::OffScreen && settings.offScreen == OffScreen::OneSided;
+  if (result.isFrozen) return result;
+  const bool isSoft = settings.action == RejectAction::RaiseAlpha && result.reason >= RejectReason::Depth;
+  const float whole = isSoft ? settings.softAlpha : 1.0f;
+  result.invalid = result.reason == RejectReason::Velocity ? changed * whole : whole;
+  return result;
+}
+
+float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated) {
+  return settings.action == RejectAction::Decay ? length * (1.0f - validated.invalid) : length;
+}
+
+} // namespace taa::twin

@@ -1,0 +1,382 @@
+// Sessions, autosaves, exports and shaders as the window handles them, on a fake renderer.
+#include "app/dialogs/GlslWindow.h"
+#include "app/dialogs/RangeDialog.h"
+#include "app/dialogs/SourceText.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/ProbePanel.h"
+#include "app/session/Autosave.h"
+#include "app/session/SessionKeeper.h"
+#include "app/session/ShaderWatch.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/bars/OfferBar.h"
+#include "app/window/Exports.h"
+#include "core/base/Files.h"
+#include "tests/app/WindowFixture.h"
+#include "tests/support/ShaderFolder.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QImage>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include <cstring>
+#include <memory>
+#include <string>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+/// A window that remembers, in a folder of its own.
+class SessionFiles : public taa::app::test::FakeWindow {
+ protected:
+  QTemporaryDir folder;
+  QSettings settings{folder.filePath("taa.ini"), QSettings::IniFormat};
+  std::unique_ptr<MainWindow> own = std::make_unique<MainWindow>(session, &settings);
+
+  void SetUp() override {
+    FakeWindow::SetUp();
+    own->show();
+    own->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(own.get()));
+    settle();
+  }
+  QString path(const char* name) const { return folder.filePath(QString::fromLatin1(name)); }
+  void drop(const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(own.get(), &enter); // says where the drop goes
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(own.get(), &event);
+    settle();
+  }
+};
+
+TEST_F(SessionFiles, CtrlSAsksOnceAndThenSavesThere) {
+  QTest::keyClick(own.get(), Qt::Key_S, Qt::ControlModifier);
+  auto* dialog = own->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->close();
+  own->keeper()->saveTo(path("first"));
+  EXPECT_EQ(own->keeper()->path(), path("first.taa.json"));
+  EXPECT_EQ(readSession(path("first.taa.json").toStdString()).source, "builtin:fan");
+  session.seek(12);
+  settle();
+  own->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(own.get()));
+  QTest::keyClick(own.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(readSession(path("first.taa.json").toStdString()).frame, 12);
+  EXPECT_EQ(own->keeper()->recent().front(), path("first.taa.json"));
+}
+
+TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
+  session.setPreset("fsr2");
+  session.setParameter("weight.minimum", 0.25);
+  session.setCamera("pan");
+  session.setSize(96, 54);
+  session.setMotionMode("rotor & hub", MotionMode::None);
+  session.seek(33);
+  settle();
+  session.setPick(glm::ivec2(70, 40));
+  session.addPin(glm::ivec2(12, 9), Follow::Surface);
+  own->setPanelVisible(own->probe(), false);
+  settle();
+  own->keeper()->saveTo(path("it.taa.json"));
+  const std::string saved = readFile(path("it.taa.json").toStdString());
+
+  session.setPreset("minimal");
+  session.setCamera("still");
+  session.setSize(64, 36);
+  session.setMotionMode("rotor & hub", MotionMode::PerObject);
+  session.seek(3);
+  session.removeAllPins();
+  own->setPanelVisible(own->probe(), true);
+  settle();
+  drop(path("it.taa.json"));
+  EXPECT_EQ(session.presetId(), "fsr2");
+  EXPECT_TRUE(session.isPresetChanged());
+  EXPECT_EQ(renderer->status.settings.weight.minimum, 0.25f);
+  EXPECT_EQ(renderer->status.camera, "pan");
+  EXPECT_EQ(renderer->status.width, 96);
+  EXPECT_EQ(renderer->status.info.frame, 33);
+  EXPECT_FALSE(renderer->status.playing);
+  ASSERT_EQ(renderer->status.motionModes.size(), 1u);
+  EXPECT_EQ(renderer->status.motionModes[0].mode, MotionMode::None);
+  ASSERT_EQ(session.pins().size(), 2u);
+  EXPECT_EQ(session.pins()[0].pixel, glm::ivec2(70, 40));
+  EXPECT_EQ(session.pins()[1].follow, Follow::Surface);
+  EXPECT_EQ(session.activePin(), 1);
+  own->keeper()->saveTo(path("again.taa.json"));
+  EXPECT_EQ(readFile(path("again.taa.json").toStdString()), saved);
+}
+
+TEST_F(SessionFiles, OneThatCannotBeOpenedIsNamedAndChangesNothing) {
+  writeFile(path("bad.taa.json").toStdString(), R"({"format": 1, "sauce": 3})");
+  session.seek(5);
+  settle();
+  own->openSource(path("bad.taa.json"));
+  settle();
+  EXPECT_TRUE(own->messages()->text().contains("sauce")) << own->messages()->text().toStdString();
+  EXPECT_EQ(renderer->status.info.frame, 5);
+  EXPECT_TRUE(own->keeper()->path().isEmpty());
+}
+
+TEST_F(SessionFiles, AnAutosaveGoesWithACleanEnd) {
+  own->keeper()->autosave()->save();
+  const QString kept = own->keeper()->autosave()->path();
+  EXPECT_TRUE(QFile::exists(kept));
+  MainWindow second(session, &settings); // the first one runs
+  second.keeper()->offerOrphan();
+  EXPECT_FALSE(second.keeper()->offer());
+  own.reset();
+  EXPECT_FALSE(QFile::exists(kept));
+  EXPECT_TRUE(QDir(folder.filePath("autosave")).entryList({"*.taa.json"}, QDir::Files).isEmpty());
+}
+
+TEST_F(SessionFiles, WhatACrashLeftIsOfferedOnce) {
+  session.seek(21);
+  settle();
+  own->keeper()->autosave()->save();
+  const QString kept = own->keeper()->autosave()->path(), left = folder.filePath("autosave/77-1.taa.json");
+  ASSERT_TRUE(QFile::copy(kept, left)); // nobody holds a lock for it
+  session.seek(2);
+  settle();
+  own->keeper()->offerOrphan();
+  settle();
+  OfferBar* offer = own->keeper()->offer();
+  ASSERT_TRUE(offer && offer->isVisible());
+  MainWindow second(session, &settings);
+  second.keeper()->offerOrphan();
+  EXPECT_FALSE(second.keeper()->offer()) << "it is offered in the first window";
+  QTest::mouseClick(offer->findChild<QPushButton*>("accept"), Qt::LeftButton);
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, 21);
+  EXPECT_FALSE(QFile::exists(left));
+  EXPECT_FALSE(own->keeper()->offer());
+  EXPECT_TRUE(own->keeper()->path().isEmpty());
+}
+
+TEST_F(SessionFiles, WhatIsRefusedIsGone) {
+  own->keeper()->autosave()->save();
+  const QString left = folder.filePath("autosave/77-1.taa.json");
+  ASSERT_TRUE(QFile::copy(own->keeper()->autosave()->path(), left));
+  own->keeper()->offerOrphan();
+  ASSERT_TRUE(own->keeper()->offer());
+  QTest::mouseClick(own->keeper()->offer()->findChild<QPushButton*>("refuse"), Qt::LeftButton);
+  EXPECT_FALSE(QFile::exists(left));
+}
+
+TEST_F(SessionFiles, ACommandLineIsCopied) {
+  session.setParameter("weight.minimum", 0.25);
+  session.seek(9);
+  settle();
+  QTest::keyClick(own.get(), Qt::Key_L, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_EQ(QApplication::clipboard()->text(),
+            "taa-batch render builtin:fan --size 64x36 --camera still --preset balanced --set "
+            "weight.minimum=0.25 --frames 9 --emit resolved --format png --out .");
+}
+
+TEST_F(SessionFiles, AViewIsWrittenAsItIsShown) {
+  session.removeAllPins(); // a legend's picture shows them
+  settle();
+  const std::shared_ptr<const ViewResult> shown = session.picture(0);
+  ASSERT_TRUE(shown);
+  own->views()->view(0)->setResult(shown);
+  own->exports()->writeView(path("view.png"), false);
+  own->exports()->writeView(path("legend.png"), true);
+  ASSERT_TRUE(taa::app::test::waitFor(
+      [&] { return QFile::exists(path("view.png")) && QFile::exists(path("legend.png")); }));
+  const QImage plain = QImage(path("view.png")).convertToFormat(QImage::Format_RGBA8888);
+  ASSERT_EQ(plain.size(), QSize(shown->picture.width, shown->picture.height));
+  for (int y = 0; y < plain.height(); ++y)
+    ASSERT_EQ(std::memcmp(plain.constScanLine(y), shown->picture.rgba.data() + 4ll * y * plain.width(),
+                          static_cast<std::size_t>(4) * plain.width()),
+              0);
+  const QImage more = QImage(path("legend.png")).convertToFormat(QImage::Format_RGBA8888);
+  ASSERT_GT(more.height(), plain.height());
+  EXPECT_EQ(more.copy(0, 0, plain.width(), plain.height()), plain);
+  own->exports()->writeView("/nowhere/view.png", false);
+  EXPECT_TRUE(taa::app::test::waitFor([&] { return own->messages()->text().contains("/nowhere/view.png"); }));
+}
+
+TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
+  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = own->findChild<RangeDialog*>();
+  ASSERT_TRUE(dialog && !dialog->isModal());
+  const QList<QSpinBox*> frames = dialog->findChildren<QSpinBox*>();
+  frames[0]->setValue(3);
+  frames[1]->setValue(8);
+  dialog->findChild<QComboBox*>()->setCurrentIndex(1);
+  QLineEdit* target = nullptr;
+  for (QLineEdit* field : dialog->findChildren<QLineEdit*>())
+    if (field->accessibleName() == "File") target = field;
+  ASSERT_TRUE(target);
+  QPushButton* start = nullptr;
+  for (QPushButton* button : dialog->findChildren<QPushButton*>())
+    if (button->text().contains("Export")) start = button;
+  ASSERT_TRUE(start);
+  target->setText("/nowhere/at/all.gif");
+  EXPECT_FALSE(start->isEnabled());
+  target->setText(path("out"));
+  EXPECT_TRUE(start->isEnabled());
+  QTest::mouseClick(start, Qt::LeftButton);
+  ASSERT_TRUE(renderer->exported);
+  EXPECT_EQ(renderer->exported->kind, SequenceKind::Gif);
+  EXPECT_EQ(renderer->exported->target, path("out.gif").toStdString());
+  EXPECT_EQ(renderer->exported->first, 3);
+  EXPECT_EQ(renderer->exported->last, 8);
+  EXPECT_EQ(renderer->exported->picture.width, 64);
+  renderer->listener().onExported({path("out.gif").toStdString(), 6});
+  settle();
+  EXPECT_TRUE(own->messages()->text().contains("out.gif"));
+}
+
+TEST_F(SessionFiles, ARangeAsksOnceBeforeItReplacesFiles) {
+  for (const char* name : {"out.0004.png", "out.0006.png"}) writeFile(path(name).toStdString(), "mine");
+  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = own->findChild<RangeDialog*>();
+  ASSERT_TRUE(dialog);
+  const QList<QSpinBox*> frames = dialog->findChildren<QSpinBox*>();
+  frames[0]->setValue(3);
+  frames[1]->setValue(8);
+  QPushButton* start = nullptr;
+  for (QPushButton* button : dialog->findChildren<QPushButton*>())
+    if (button->text().contains("Export")) start = button;
+  for (QLineEdit* field : dialog->findChildren<QLineEdit*>())
+    if (field->accessibleName() == "File") field->setText(path("out.png"));
+  ASSERT_TRUE(start && start->isEnabled());
+  const auto answer = [&](const QString& text) {
+    QTest::mouseClick(start, Qt::LeftButton);
+    const auto boxes = dialog->findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes[0]->text().contains("2 of 6") && boxes[0]->text().contains("out.0004.png"))
+        << boxes[0]->text().toStdString();
+    EXPECT_FALSE(renderer->exported);
+    for (QAbstractButton* button : boxes[0]->buttons())
+      if (button->text().remove('&') == text) QTest::mouseClick(button, Qt::LeftButton);
+    QTest::qWait(50);
+  };
+  answer("Cancel");
+  EXPECT_FALSE(renderer->exported);
+  ASSERT_TRUE(dialog->isVisible()) << "another place can be chosen";
+  answer("Replace");
+  ASSERT_TRUE(renderer->exported);
+  EXPECT_EQ(renderer->exported->first, 3);
+}
+
+// Without a desktop's own dialogs; those ask by themselves.
+TEST_F(SessionFiles, SaveDialogsAskBeforeTheyReplaceAFile) {
+  writeFile(path("kept.taa.json").toStdString(), "mine");
+  const auto saveAs = [&](const QString& name, const QString& answer) {
+    own->keeper()->askWhereToSave();
+    auto* dialog = own->findChild<QFileDialog*>();
+    ASSERT_TRUE(dialog);
+    dialog->setDirectory(folder.path());
+    settle(); // it reads the folder, then selects the file that the session came from
+    auto* field = dialog->findChild<QLineEdit*>("fileNameEdit");
+    field->selectAll();
+    QTest::keyClicks(field, name);
+    ASSERT_EQ(field->text(), name);
+    bool asked = false;
+    // Its question has a loop of its own.
+    QTimer looks;
+    QObject::connect(&looks, &QTimer::timeout, own.get(), [&] {
+      for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible() && !asked) {
+          for (QAbstractButton* button : box->buttons())
+            asked = asked || button->text().remove('&') == answer;
+          for (QAbstractButton* button : box->buttons())
+            if (button->text().remove('&') == answer || !asked) return button->click();
+        }
+    });
+    looks.start(20);
+    QMetaObject::invokeMethod(dialog, "accept");
+    EXPECT_TRUE(taa::app::test::waitFor([&] { return asked; }, 5000)) << name.toStdString();
+    looks.stop();
+    delete own->findChild<QFileDialog*>();
+    settle();
+  };
+  const auto text = [&] { return readFile(path("kept.taa.json").toStdString()); };
+  saveAs("kept.taa.json", "No");
+  EXPECT_EQ(text(), "mine");
+  writeFile(path("kept.old.taa.json").toStdString(), "mine");
+  saveAs("kept.old", "Cancel"); // the ending is added after the dialog's own question
+  EXPECT_EQ(readFile(path("kept.old.taa.json").toStdString()), "mine");
+  saveAs("kept.taa.json", "Yes");
+  EXPECT_NE(text(), "mine");
+  saveAs("kept.old", "Replace");
+  EXPECT_NE(readFile(path("kept.old.taa.json").toStdString()), "mine");
+}
+
+TEST_F(SessionFiles, AShaderErrorStaysUntilItIsMended) {
+  renderer->listener().onShaders("cannot compile shaders/taa/resolve.frag:\ntaa/blend.glsl:17: error: no");
+  settle();
+  EXPECT_TRUE(own->messages()->text().contains("taa/blend.glsl:17: error: no"));
+  renderer->listener().onShaders("");
+  settle();
+  EXPECT_FALSE(own->messages()->text().contains("taa/blend.glsl:17"));
+  EXPECT_TRUE(own->messages()->text().contains("compile again"));
+}
+
+TEST_F(SessionFiles, TheGlslOfAStageIsRead) {
+  own->views()->active()->setIntermediate(IntermediateId::alpha);
+  QTest::keyClick(own.get(), Qt::Key_F5, Qt::ShiftModifier);
+  auto* glsl = own->findChild<GlslWindow*>();
+  ASSERT_TRUE(glsl && glsl->isVisible() && !glsl->isModal());
+  EXPECT_EQ(glsl->files()->currentData().toString(), "shaders/taa/blend_weight.glsl");
+  const auto shows = [&](const char* words) {
+    return taa::app::test::waitFor([&] { return glsl->text()->toPlainText().contains(words); }, 20000);
+  };
+  EXPECT_TRUE(shows("Weight blendWeight("));
+  QTest::keyClicks(glsl->search(), "leastWeight");
+  EXPECT_EQ(glsl->text()->textCursor().selectedText(), "leastWeight");
+  const int line = glsl->text()->textCursor().blockNumber();
+  QTest::keyClick(glsl->search(), Qt::Key_Return);
+  EXPECT_GT(glsl->text()->textCursor().blockNumber(), line);
+  glsl->files()->setCurrentIndex(1); // what is exported follows the settings
+  EXPECT_TRUE(shows("kWeightMinimum = 0.1;"));
+  session.setParameter("weight.minimum", 0.3125);
+  EXPECT_TRUE(shows("kWeightMinimum = 0.3125;"));
+}
+
+TEST_F(SessionFiles, CommandsHoldTheChoicesOfParameters) {
+  own->showCommands();
+  auto* chooser = own->findChild<Chooser*>();
+  ASSERT_TRUE(chooser);
+  auto* field = chooser->findChild<QLineEdit*>();
+  QTest::keyClicks(field, "rectify.method=none");
+  QTest::keyClick(field, Qt::Key_Return);
+  settle();
+  EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::None);
+}
+
+TEST(ShaderWatchTest, SaysOnceThatAFileWasSaved) {
+  const taa::test::ShaderFolder shaders;
+  ShaderWatch watch(ShaderWatch::folder(), nullptr);
+  int changes = 0;
+  QObject::connect(&watch, &ShaderWatch::changed, &watch, [&] { ++changes; });
+  shaders.replace("taa/blend.glsl", "float blendFactor(", "// edited\nfloat blendFactor(");
+  ASSERT_TRUE(taa::app::test::waitFor([&] { return changes > 0; }, 10000));
+  QTest::qWait(400);
+  EXPECT_EQ(changes, 1);
+  shaders.write("taa/blend.glsl", shaders.read("taa/blend.glsl")); // the same again
+  QTest::qWait(400);
+  EXPECT_EQ(changes, 1);
+  shaders.write("taa/blend.glsl", shaders.read("taa/blend.glsl") + "\n"); // replaced once more
+  EXPECT_TRUE(taa::app::test::waitFor([&] { return changes == 2; }, 10000));
+}
+
+} // namespace

@@ -1,0 +1,228 @@
+// Plots of the probes over frames: what is shown adds points, a click seeks, zoom is shared, the CSV is that
+// of taa-batch.
+#include "app/panels/PlotsPanel.h"
+
+#include "app/panels/LowerArea.h"
+#include "app/panels/WeightsPanel.h"
+#include "app/views/plots/CurveChart.h"
+#include "core/report/TraceText.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+class Plots : public test::FakeWindow {
+ protected:
+  void SetUp() override {
+    FakeWindow::SetUp();
+    session.setPick(glm::ivec2(3, 2));
+    settle();
+    key(Qt::Key_F6);
+    refresh();
+  }
+  /// Charts follow a few times a second.
+  void refresh() { QTest::qWait(200); }
+  void goTo(int frame) {
+    session.seek(frame);
+    test::waitFor([&] { return session.status().info.frame == frame; }, 5000);
+    settle();
+  }
+  PlotsPanel* plots() const { return window.plots(); }
+  CurveChart* chart(std::size_t index = 0) const { return plots()->charts().at(index); }
+  QPoint placeOf(double frame) const {
+    return {static_cast<int>(std::lround(chart()->viewXOf(frame))), chart()->height() / 2};
+  }
+  void wheel(const QPoint& at, int notches) {
+    QWheelEvent event(at, chart()->viewport()->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(chart()->viewport(), &event);
+    settle();
+  }
+};
+
+} // namespace
+
+TEST_F(Plots, EveryFrameThatIsShownAddsAPoint) {
+  ASSERT_EQ(plots()->rows().front().id, IntermediateId::alpha);
+  for (const int frame : {5, 6, 9}) goTo(frame);
+  ASSERT_EQ(chart()->curves().size(), 1u);
+  ASSERT_TRUE(test::waitFor([&] { return valueAt(chart()->curves()[0].points, 9).has_value(); }, 5000));
+  const std::vector<QPointF>& points = chart()->curves()[0].points;
+  for (const int frame : {0, 5, 6, 9})
+    EXPECT_EQ(valueAt(points, frame), static_cast<double>(test::FakeRenderer::valueAt(3, 2, frame))) << frame;
+  EXPECT_FALSE(valueAt(points, 7));
+  EXPECT_EQ(runsOf(points).size(), 3u) << "lines break where frames are not known";
+}
+
+TEST_F(Plots, CostNothingWhileTheyAreHidden) {
+  EXPECT_TRUE(renderer->tracing);
+  key(Qt::Key_F11);
+  EXPECT_FALSE(renderer->tracing);
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  EXPECT_TRUE(renderer->tracing) << "weights are measured at the probe, too";
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  EXPECT_FALSE(renderer->tracing);
+}
+
+TEST_F(Plots, AClickGoesToItsFrame) {
+  QTest::mouseClick(chart()->viewport(), Qt::LeftButton, {}, placeOf(120));
+  settle();
+  EXPECT_EQ(renderer->status.info.frame, static_cast<int>(std::round(chart()->xAt(placeOf(120).x()))));
+  EXPECT_NEAR(renderer->status.info.frame, 120, 1);
+}
+
+TEST_F(Plots, WheelAndDragZoomAllChartsAndAKeyShowsEverything) {
+  ASSERT_GE(plots()->charts().size(), 2u);
+  const double under = chart()->xAt(placeOf(60).x());
+  wheel(placeOf(60), 3);
+  EXPECT_LT(chart()->shown().length(), 239.0);
+  EXPECT_NEAR(chart()->xAt(placeOf(under).x()), under, 0.5);
+  EXPECT_EQ(chart(1)->shown(), chart()->shown());
+  key(Qt::Key_0, Qt::ControlModifier);
+  EXPECT_EQ(chart()->shown(), (Span{0.0, 239.0}));
+  QTest::mousePress(chart()->viewport(), Qt::LeftButton, {}, placeOf(50));
+  QTest::mouseMove(chart()->viewport(), placeOf(100));
+  const QPoint end = placeOf(100);
+  QTest::mouseRelease(chart()->viewport(), Qt::LeftButton, {}, end);
+  settle();
+  EXPECT_NEAR(chart()->shown().low, 50.0, 1.0);
+  EXPECT_NEAR(chart()->shown().high, 100.0, 1.0);
+  EXPECT_EQ(renderer->status.info.frame, 0) << "a drag is no click";
+  QTest::mouseDClick(chart()->viewport(), Qt::LeftButton, {}, placeOf(70));
+  EXPECT_EQ(chart(1)->shown(), (Span{0.0, 239.0}));
+}
+
+TEST_F(Plots, AllFramesAreFilledInByKey) {
+  key(Qt::Key_F6, Qt::ControlModifier);
+  refresh();
+  EXPECT_EQ(runsOf(chart()->curves()[0].points).size(), 1u);
+  EXPECT_EQ(chart()->curves()[0].points.size(), 240u);
+  EXPECT_TRUE(plots()->summary().contains("240 of 240")) << plots()->summary().toStdString();
+  renderer->listener().onWork({"Tracing the probes", 3, 240});
+  settle();
+  EXPECT_FALSE(plots()->findChild<QPushButton*>("fillTraces")->isEnabled());
+  renderer->listener().onWork({});
+  settle();
+  EXPECT_TRUE(plots()->findChild<QPushButton*>("fillTraces")->isEnabled());
+}
+
+TEST_F(Plots, MarkRejectionsAndCuts) {
+  renderer->status.cuts = {33};
+  goTo(20);
+  goTo(21);
+  refresh();
+  const std::vector<ChartMark> expected{
+      {33.0, MarkKind::Cut, "cut"}, {0.0, MarkKind::Reject, "depth"}, {20.0, MarkKind::Reject, "depth"}};
+  EXPECT_EQ(chart()->marks(), expected);
+  chart()->setHovered(20.0);
+  EXPECT_TRUE(chart()->readout().contains("depth")) << chart()->readout().toStdString();
+}
+
+TEST_F(Plots, SayTheValuesUnderTheMouse) {
+  key(Qt::Key_F6, Qt::ControlModifier);
+  refresh();
+  QTest::mouseMove(chart()->viewport(), placeOf(80));
+  settle();
+  const int frame = static_cast<int>(std::round(chart()->xAt(placeOf(80).x())));
+  const QString value = QString::number(test::FakeRenderer::valueAt(3, 2, frame));
+  EXPECT_TRUE(chart()->readout().contains("1 (3, 2) " + value)) << chart()->readout().toStdString();
+  EXPECT_TRUE(chart(1)->readout().contains(QString("frame %1").arg(frame))) << "the others follow";
+}
+
+TEST_F(Plots, SeveralProbesAndChannelsAreToldApartWithoutColor) {
+  session.addPin(glm::ivec2(9, 9));
+  plots()->addRow(IntermediateId::resolved);
+  settle();
+  refresh();
+  const std::vector<Curve>& curves = plots()->charts().back()->curves();
+  ASSERT_EQ(curves.size(), 6u);
+  EXPECT_EQ(curves[0].name, "1 (3, 2) R");
+  EXPECT_EQ(curves[4].name, "2 (9, 9) G");
+  for (std::size_t curve = 1; curve < 5; ++curve) EXPECT_NE(curves[curve].dash, curves[curve - 1].dash);
+  plots()->setChannel(IntermediateId::resolved, 1, false);
+  refresh();
+  EXPECT_EQ(plots()->charts().back()->curves().size(), 4u);
+}
+
+TEST_F(Plots, NameChannelsByTheSettingsOfTheValues) {
+  plots()->setRows({{IntermediateId::boxMin}});
+  const auto first = [&](ColorSpace space) {
+    session.setParameter("space.color", static_cast<double>(space));
+    goTo(session.status().info.frame == 1 ? 2 : 1);
+    refresh();
+    EXPECT_FALSE(plots()->charts().back()->curves().empty());
+    return plots()->charts().back()->curves()[1].name;
+  };
+  EXPECT_EQ(first(ColorSpace::Rgb), "1 (3, 2) G");
+  EXPECT_TRUE(plots()->csv().startsWith(QStringLiteral("pin,frame,x,y,boxMin.R,boxMin.G,boxMin.B\n")));
+  EXPECT_EQ(first(ColorSpace::YCbCr), "1 (3, 2) Cb");
+  EXPECT_EQ(first(ColorSpace::YCoCg), "1 (3, 2) Co");
+}
+
+TEST_F(Plots, ForgetWhatIsNoLongerTrue) {
+  goTo(5);
+  goTo(6);
+  session.setParameter("jitter.period", 4);
+  settle();
+  refresh();
+  const std::vector<QPointF>& points = chart()->curves()[0].points;
+  EXPECT_FALSE(valueAt(points, 5));
+  EXPECT_TRUE(valueAt(points, 6)) << "the frame on show was made anew";
+}
+
+TEST_F(Plots, GiveTheirValuesAwayAsTaaBatchPrintsThem) {
+  goTo(1);
+  plots()->setRows({{IntermediateId::alpha}, {IntermediateId::motion}});
+  const QString expected = "pin,frame,x,y,alpha,motion.X,motion.Y\n"
+                           "1,0,3,2,203,203,203\n"
+                           "1,1,3,2,204,204,204\n";
+  EXPECT_EQ(plots()->csv(), expected);
+  QApplication::clipboard()->clear();
+  auto* menu = plots()->findChild<QWidget*>("copyTraces")->findChild<QMenu*>();
+  menu->actions().first()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->text(), expected);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("trace.csv");
+  EXPECT_EQ(plots()->saveCsvTo(path), QString());
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(QString::fromUtf8(file.readAll()), expected);
+  EXPECT_TRUE(plots()->saveCsvTo("/nowhere/trace.csv").contains("cannot write /nowhere/trace.csv"));
+}
+
+TEST_F(Plots, TheirStateComesBack) {
+  plots()->setRows({{IntermediateId::resolved, 0b101}, {IntermediateId::speed}});
+  const QJsonObject state = plots()->state();
+  plots()->setState({});
+  EXPECT_EQ(plots()->rows(), firstPlotRows());
+  plots()->setState(state);
+  ASSERT_EQ(plots()->rows().size(), 2u);
+  EXPECT_TRUE(plots()->rows()[0].has(0) && !plots()->rows()[0].has(1) && plots()->rows()[0].has(2));
+  EXPECT_EQ(plots()->state(), state);
+  plots()->setState({{"rows", QJsonArray{QJsonObject{{"row", "nothing"}}, 7}}});
+  EXPECT_TRUE(plots()->rows().empty());
+}
+
+TEST_F(Plots, WeightsAreMeasuredAtTheProbe) {
+  for (const int frame : {1, 2, 3}) goTo(frame);
+  key(Qt::Key_F7, Qt::ShiftModifier);
+  refresh();
+  const std::vector<Curve>& curves = window.weights()->weights()->curves();
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_TRUE(curves[1].name.contains("(3, 2)")) << curves[1].name.toStdString();
+  EXPECT_EQ(curves[1].points[0].y(), static_cast<double>(test::FakeRenderer::valueAt(3, 2, 3)));
+}

@@ -1,0 +1,91 @@
+// Which range shows the values at hand.
+#include "app/views/legend/RangeMath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+Image valuesOf(int channels, std::vector<float> pixels) {
+  Image image(static_cast<int>(pixels.size()) / channels, 1, channels);
+  image.pixels = std::move(pixels);
+  return image;
+}
+
+const Intermediate& kAlpha = intermediate(IntermediateId::alpha);
+const Intermediate& kColor = intermediate(IntermediateId::color);
+const Intermediate& kMotion = intermediate(IntermediateId::motion);
+
+} // namespace
+
+TEST(RangeMath, TakesTheLeastAndGreatestFiniteValue) {
+  const Image values = valuesOf(1, {0.5f, NAN, 0.25f, INFINITY, -INFINITY, 0.75f});
+  EXPECT_EQ(autoRange(values, kAlpha, {}), (ValueRange{0.25f, 0.75f}));
+}
+
+TEST(RangeMath, HasNoAnswerWithoutValues) {
+  EXPECT_FALSE(autoRange(valuesOf(1, {NAN, INFINITY}), kAlpha, {}));
+  EXPECT_FALSE(autoRange({}, kAlpha, {}));
+}
+
+TEST(RangeMath, CountsShownChannelsOnly) {
+  ViewStyle style;
+  style.green = style.blue = false;
+  EXPECT_EQ(autoRange(valuesOf(3, {1, 50, 60, 2, 70, 80}), kColor, style), (ValueRange{1, 2}));
+}
+
+TEST(RangeMath, IsSymmetricForVectorsAndSkipsWhatHasNoPrevious) {
+  EXPECT_EQ(autoRange(valuesOf(2, {-3, 1, 65504, 65504, 2, 0}), kMotion, {}), (ValueRange{-3, 3}));
+}
+
+TEST(RangeMath, IsNeverEmpty) {
+  EXPECT_EQ(autoRange(valuesOf(1, {2, 2}), kAlpha, {}), (ValueRange{2, 3}));
+}
+
+TEST(RangeMath, AScaleHasRoomForTheValuesAndTheRange) {
+  const Image values = valuesOf(1, {1, 2, NAN, 2, 5});
+  const Distribution narrow = distributionOf(values, kAlpha, {}, {}, 4);
+  EXPECT_EQ(narrow.values, (ValueRange{1, 5}));
+  EXPECT_FLOAT_EQ(narrow.scale.low, 0.8f);
+  EXPECT_FLOAT_EQ(narrow.scale.high, 5.2f);
+  EXPECT_EQ(narrow.counts, (std::vector<int>{1, 2, 0, 1}));
+  const Distribution wide = distributionOf(values, kAlpha, {}, ValueRange{-5, 4}, 0);
+  EXPECT_FLOAT_EQ(wide.scale.low, -5.5f);
+  EXPECT_FLOAT_EQ(wide.scale.high, 5.5f);
+  EXPECT_TRUE(wide.counts.empty());
+  EXPECT_FLOAT_EQ(distributionOf({}, kAlpha, {}, ValueRange{0, 10}, 0).scale.high, 10.5f) << "no value";
+}
+
+TEST(RangeMath, ColorMapsAreForSingleChannels) {
+  ViewStyle style;
+  EXPECT_TRUE(usesColorMap(kAlpha, style));
+  EXPECT_FALSE(usesColorMap(kColor, style));
+  setShown(style, 0, false);
+  setShown(style, 2, false);
+  EXPECT_TRUE(usesColorMap(kColor, style));
+  EXPECT_FALSE(hasRange(intermediate(IntermediateId::rejectReason)));
+  EXPECT_TRUE(hasExposure(kColor));
+  EXPECT_FALSE(hasExposure(kAlpha));
+}
+
+TEST(RangeMath, CountsValuesInEqualPartsOfAScale) {
+  const Image values = valuesOf(1, {0.0f, 0.1f, 0.25f, 0.5f, 1.0f, NAN, INFINITY, -0.5f, 1.5f});
+  EXPECT_EQ(histogram(values, kAlpha, {}, {0.0f, 1.0f}, 4), (std::vector<int>{2, 1, 1, 1}));
+  ViewStyle style;
+  style.red = style.blue = false;
+  EXPECT_EQ(histogram(valuesOf(3, {9, 0.25f, 9, 9, 0.75f, 9}), kColor, style, {0.0f, 1.0f}, 2),
+            (std::vector<int>{1, 1}));
+}
+
+TEST(RangeMath, ADifferenceOpensWithAQuarterOfTheRangeBothWays) {
+  const ViewStyle style = differenceStyle(kMotion);
+  EXPECT_EQ(style.high, 8.0f);
+  EXPECT_EQ(style.low, -8.0f);
+  EXPECT_EQ(style.map, ColorMap::Diverging);
+}

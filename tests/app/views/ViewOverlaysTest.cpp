@@ -1,0 +1,221 @@
+// What lies over, below and above the picture of a view: overlays, legends, histogram, header.
+#include "app/views/ViewArea.h"
+#include "app/views/ViewHeader.h"
+#include "app/views/Viewport.h"
+#include "app/views/legend/RangeHistogram.h"
+#include "app/widgets/ChannelButtons.h"
+#include "app/widgets/Chooser.h"
+#include "app/widgets/IconButton.h"
+#include "app/widgets/parameters/NumberField.h"
+#include "tests/app/views/ViewsFixture.h"
+
+#include <QPainter>
+
+#include <set>
+#include <string>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+using test::FakeRenderer;
+
+class ViewOverlays : public test::FakeViews {};
+
+} // namespace
+
+TEST_F(ViewOverlays, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
+  key(Qt::Key_X, Qt::ShiftModifier);
+  key(Qt::Key_J);
+  key(Qt::Key_K, Qt::ControlModifier);
+  key(Qt::Key_A, Qt::ShiftModifier);
+  const ViewStyle& style = asked().style;
+  EXPECT_TRUE(style.markClipped && style.markRejected && style.outlineObjects && style.arrows);
+  EXPECT_FALSE(asked(1).style.markClipped);
+  window.showIntermediate(IntermediateId::motion, false);
+  settle();
+  EXPECT_TRUE(asked().style.markClipped && asked().style.arrows);
+  key(Qt::Key_J);
+  EXPECT_FALSE(asked().style.markRejected);
+}
+
+TEST_F(ViewOverlays, ChannelsOfABoxAreNamedByTheSettings) {
+  window.showIntermediate(IntermediateId::boxMin, false);
+  const auto names = [&] {
+    return view()->header()->findChild<ChannelButtons*>()->names().join(QLatin1Char(' '));
+  };
+  EXPECT_EQ(names(), "Y Co Cg");
+  session.setParameter("space.color", static_cast<double>(ColorSpace::Rgb));
+  settle();
+  EXPECT_EQ(names(), "R G B");
+  EXPECT_EQ(viewport()->shownContent().space.color, ColorSpace::Rgb) << "of which the legend is made";
+  view()->setComparison({OtherKind::Preset, {}, "balanced"});
+  settle();
+  EXPECT_EQ(viewport()->otherContent()->space.color, ColorSpace::YCoCg) << "the other side has its own";
+}
+
+TEST_F(ViewOverlays, TheGridCanBeSwitchedOff) {
+  viewport()->setCamera({false, 24.0, {32.0, 18.0}});
+  settle();
+  const glm::dvec2 corner = screenFromPicture(viewport()->transform(), {30.0, 20.0});
+  const int x = static_cast<int>(corner.x), y = static_cast<int>(corner.y) + 12;
+  EXPECT_NE(grayAt(x, y), FakeRenderer::kGray);
+  key(Qt::Key_G, Qt::ShiftModifier);
+  EXPECT_EQ(grayAt(x, y), FakeRenderer::kGray);
+}
+
+TEST_F(ViewOverlays, TheHistogramCountsWhatIsVisibleAndItsHandlesSetTheRange) {
+  EXPECT_FALSE(asked().withValues);
+  key(Qt::Key_H);
+  EXPECT_TRUE(asked().withValues);
+  auto* histogram = view()->findChild<RangeHistogram*>();
+  ASSERT_TRUE(histogram && histogram->isVisible());
+  int counted = 0;
+  for (const int count : histogram->counts()) counted += count;
+  EXPECT_EQ(counted, 64 * 36 * 3) << "every channel of every pixel";
+  const int low = static_cast<int>(histogram->position(0.0)),
+            high = static_cast<int>(histogram->position(1.0));
+  EXPECT_NEAR(low, high, 2) << "a range of 1 among thousands";
+  EXPECT_EQ(histogram->rangeText(), QStringLiteral("▲ 0  △ 1"))
+      << "its ends are not those of the axis, which stand beside them";
+  QTest::mousePress(histogram, Qt::LeftButton, {}, {high + 40, 30});
+  QTest::mouseRelease(histogram, Qt::LeftButton, {}, {high + 40, 30});
+  settle();
+  const ViewStyle& style = asked().style;
+  EXPECT_NEAR(histogram->position(static_cast<double>(style.high)), high + 40, 1.0);
+  EXPECT_EQ(style.low, 0.0f);
+  key(Qt::Key_H);
+  EXPECT_FALSE(asked().withValues);
+  EXPECT_TRUE(histogram->isHidden());
+}
+
+TEST_F(ViewOverlays, AReasonIsNamedWithItsNumberAndShareWhereItIsThere) {
+  ViewStyle style;
+  style.markRejected = true;
+  ReasonCounts counts{}, others{};
+  counts[0] = 900;
+  counts[4] = 99;
+  counts[9] = 1;
+  const Intermediate& row = intermediate(IntermediateId::resolved);
+  LegendFlow flow;
+  addOverlayLegend(flow, {row, style, false, {}, &counts}, nullptr, {}, darkColors());
+  EXPECT_EQ(flow.plainText().toStdString(), "4 depth · 9.9 % 9 another velocity · 0.1 %");
+  others[0] = 500;
+  others[3] = 500;
+  LegendFlow both;
+  addOverlayLegend(both, {row, style, false, {}, &counts}, &others, {}, darkColors());
+  EXPECT_EQ(both.plainText().toStdString(), "3 off screen · 0.0 % | 50 % 4 depth · 9.9 % | 0.0 % "
+                                            "9 another velocity · 0.1 % | 0.0 %");
+  others[3] = 0;
+  LegendFlow kept;
+  addOverlayLegend(kept, {row, style, false, {}, &others}, nullptr, {}, darkColors());
+  EXPECT_EQ(kept.plainText().toStdString(), "nothing is rejected in this picture");
+}
+
+TEST_F(ViewOverlays, TheLegendOfArrowsSaysTheirScaleAndWhatADotMeans) {
+  ViewStyle style = defaultStyle(intermediate(IntermediateId::motion));
+  style.arrows = true;
+  const ViewTransform transform{.zoom = 8.0f};
+  LegendFlow flow;
+  addOverlayLegend(flow, {intermediate(IntermediateId::motion), style}, nullptr, transform, darkColors());
+  const std::string text = flow.plainText().toStdString();
+  EXPECT_NE(text.find("px or more"), text.npos) << text;
+  EXPECT_NE(text.find("= still: less than "), text.npos) << text;
+  EXPECT_NE(text.find("where it moves to"), text.npos) << text;
+}
+
+TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
+  view()->setIntermediate(IntermediateId::motion);
+  view()->setOverlay(Overlay::Arrows, true);
+  view()->setOverlay(Overlay::Clipped, true);
+  viewport()->resize(900, 700);
+  EXPECT_TRUE(viewport()->shownLegend().sign.isEmpty()) << "there is room";
+  const auto isWhole = [](const ShownLegend& legend) {
+    const QString text = legend.flow.plainText();
+    return text.contains("Motion") && text.contains("shorter in proportion") &&
+           text.contains("above the range");
+  };
+  EXPECT_TRUE(isWhole(viewport()->shownLegend()));
+  viewport()->resize(300, 160);
+  const ShownLegend folded = viewport()->shownLegend();
+  EXPECT_EQ(folded.place.height(), kLegendHeight);
+  EXPECT_TRUE(folded.flow.plainText().contains("Motion")) << "scale and unit are always there";
+  EXPECT_FALSE(isWhole(folded));
+  ASSERT_TRUE(folded.place.contains(folded.sign));
+  QTest::mouseMove(viewport(), folded.sign.center());
+  const ShownLegend open = viewport()->shownLegend();
+  EXPECT_TRUE(isWhole(open));
+  EXPECT_TRUE(open.place.contains(folded.place)) << "it grows from where it was";
+  EXPECT_GT(open.place.height(), 2 * kLegendHeight);
+  QTest::mouseMove(viewport(), {150, open.place.top() + 2});
+  EXPECT_TRUE(isWhole(viewport()->shownLegend())) << "the mouse reads it";
+  QTest::mouseMove(viewport(), {150, open.place.top() - 4});
+  EXPECT_EQ(viewport()->shownLegend().place, folded.place);
+  key(Qt::Key_L, Qt::ShiftModifier);
+  EXPECT_TRUE(isWhole(viewport()->shownLegend()));
+  viewport()->resize(300, 160);
+  EXPECT_TRUE(viewport()->shownLegend().sign.isEmpty());
+  EXPECT_GT(viewport()->shownLegend().place.height(), 2 * kLegendHeight) << "also where the picture is low";
+}
+
+TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
+  LegendFlow flow;
+  LegendSubject subject{intermediate(IntermediateId::reference), {}};
+  subject.note = QStringLiteral("64 samples · RMSE 0.0125 · PSNR 38.3 dB");
+  addRowLegend(flow, subject, darkColors());
+  EXPECT_EQ(flow.lines(1000), 1);
+  EXPECT_GE(flow.lines(250), 2);
+  QImage image(250, flow.lines(250) * kLegendHeight, QImage::Format_RGB32);
+  image.fill(Qt::black);
+  QPainter painter(&image);
+  flow.paint(painter, {0, 0}, 250, darkColors());
+  painter.end();
+  const QImage last = image.copy(0, image.height() - kLegendHeight, 250, kLegendHeight);
+  std::set<QRgb> colors;
+  for (int y = 0; y < last.height(); ++y)
+    for (int x = 0; x < last.width(); ++x) colors.insert(last.pixel(x, y));
+  EXPECT_GT(colors.size(), 4u) << "the last line holds text";
+}
+
+TEST_F(ViewOverlays, WhatHasNoRoomInANarrowHeaderIsBehindAButton) {
+  ViewHeader* header = view()->header();
+  const auto shown = [&] {
+    std::set<QWidget*> widgets;
+    for (QWidget* child : header->findChildren<QWidget*>())
+      if (child->isVisible() && (qobject_cast<QAbstractButton*>(child) || qobject_cast<NumberField*>(child)))
+        widgets.insert(child);
+    return widgets;
+  };
+  window.resize(1920, 1000);
+  window.views()->setViewCount(1);
+  settle();
+  const std::set<QWidget*> wide = shown();
+  window.resize(1280, 800);
+  window.views()->setViewCount(4);
+  settle();
+  auto* more = header->findChild<IconButton*>(QStringLiteral("more"));
+  ASSERT_TRUE(more && more->isVisible());
+  const auto named = [&](const char* words) {
+    for (QAbstractButton* button : view()->findChildren<QAbstractButton*>())
+      if (button->accessibleName().startsWith(QLatin1String(words))) return button;
+    return static_cast<QAbstractButton*>(nullptr);
+  };
+  QAbstractButton *compare = named("Compare with"), *overlays = named("What lies over");
+  ASSERT_TRUE(compare && overlays);
+  ASSERT_FALSE(compare->isVisible()) << "else this test shows nothing";
+  QTest::mouseClick(more, Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(compare->isVisible() && overlays->isVisible());
+  for (QWidget* widget : wide) EXPECT_TRUE(widget->isVisible()) << widget->metaObject()->className();
+  QTest::mouseClick(compare, Qt::LeftButton);
+  settle();
+  EXPECT_TRUE(window.findChild<Chooser*>());
+  EXPECT_FALSE(compare->isVisible()) << "it went back";
+  EXPECT_EQ(compare->parentWidget(), header);
+  window.views()->setViewCount(1);
+  window.resize(1920, 1000);
+  settle();
+  EXPECT_TRUE(compare->isVisible() && overlays->isVisible());
+  EXPECT_FALSE(more->isVisible());
+}

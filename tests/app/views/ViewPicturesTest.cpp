@@ -1,0 +1,85 @@
+// Pictures of views for files.
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/views/Wipe.h"
+#include "app/window/Exports.h"
+#include "tests/app/views/ViewsFixture.h"
+
+#include <memory>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+using test::FakeRenderer, test::kSharp;
+
+class ViewPictures : public test::FakeViews {};
+
+} // namespace
+
+TEST_F(ViewPictures, APictureForAFileIsWhatBothSidesShow) {
+  compareWith(kSharp);
+  viewport()->setDivider(0.25);
+  settle();
+  const auto grayOf = [&](const QImage& image, int x) { return qRed(image.pixel(x, middleY())); };
+  const int line = viewport()->dividerColumn();
+  EXPECT_EQ(line, wipePosition(0.25, viewport()->width()));
+  const QImage wipe = viewport()->picture(false);
+  ASSERT_EQ(wipe.size(), viewport()->size());
+  EXPECT_EQ(grayOf(wipe, line - 1), FakeRenderer::kGray);
+  EXPECT_EQ(grayOf(wipe, line), FakeRenderer::kOtherGray);
+  view()->setShowing(Showing::Other);
+  settle();
+  EXPECT_EQ(grayOf(viewport()->picture(false), 5), FakeRenderer::kOtherGray);
+  view()->setShowing(Showing::Difference);
+  settle();
+  EXPECT_EQ(grayOf(viewport()->picture(false), 5), FakeRenderer::kDifferenceGray);
+  viewport()->setPeeking(true);
+  EXPECT_EQ(grayOf(viewport()->picture(false), 5), FakeRenderer::kDifferenceGray) << "not what is held";
+  viewport()->setPeeking(false);
+  view()->setShowing(Showing::Wipe); // the difference is still what was delivered last
+  auto late = std::make_shared<ViewResult>(*viewport()->result());
+  late->other.reset();
+  viewport()->setResult(late);
+  EXPECT_TRUE(viewport()->picture(false).isNull()) << "a side is missing";
+}
+
+TEST_F(ViewPictures, TheLegendOfAPictureLiesBelowWhatTheScreenShows) {
+  view()->setIntermediate(IntermediateId::motion);
+  view()->setOverlay(Overlay::Arrows, true);
+  view()->setOverlay(Overlay::Rejected, true);
+  compareWith(kSharp);
+  const QImage file = viewport()->picture(true);
+  const QImage screen = viewport()->grab().toImage().convertToFormat(QImage::Format_RGBA8888);
+  const int strips = file.height() - screen.height();
+  ASSERT_GE(strips, 3 * kLegendHeight) << "arrows, reasons, the row";
+  EXPECT_EQ(strips % kLegendHeight, 0);
+  const QRect seen(0, 0, screen.width(), screen.height() - strips);
+  EXPECT_EQ(file.copy(seen), screen.copy(seen)) << "the divider and the names of both sides, too";
+  const QRect strip(0, screen.height(), screen.width(), strips);
+  // On the screen the strip lets the picture through.
+  EXPECT_NE(file.copy(strip), file.copy(strip.translated(0, -strips)));
+}
+
+TEST_F(ViewPictures, PicturesOfARangeAreAskedForWithBothSides) {
+  compareWith(kSharp);
+  viewport()->setDivider(0.25);
+  const QStringList presets = window.views()->comparedPresets();
+  PictureRequest picture = view()->pictureRequest(presets, PictureExtent::Viewport);
+  EXPECT_EQ(picture.showing, Showing::Wipe);
+  ASSERT_TRUE(picture.other);
+  EXPECT_EQ(picture.other->lane, 1);
+  EXPECT_EQ(picture.divider, viewport()->dividerColumn());
+  EXPECT_EQ(picture.width, viewport()->width());
+  picture = view()->pictureRequest(presets, PictureExtent::Whole);
+  EXPECT_EQ(picture.width, 64);
+  const glm::dvec2 there = screenFromPicture(viewport()->transform(), {picture.divider, 0.0});
+  EXPECT_NEAR(there.x, viewport()->dividerColumn(), 0.51 * viewport()->zoom()) << "at the same place of it";
+  view()->setOverlay(Overlay::Outlines, true);
+  EXPECT_TRUE(view()->pictureRequest(presets, PictureExtent::Whole).style.outlineObjects);
+  EXPECT_TRUE(
+      window.exports()->commandLine().contains(" --compare preset:sharp --compare-as wipe --divider "));
+  compareWith({});
+  EXPECT_EQ(view()->pictureRequest({}, PictureExtent::Whole).showing, Showing::First);
+}

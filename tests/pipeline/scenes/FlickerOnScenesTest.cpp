@@ -1,0 +1,200 @@
+// Flicker of frames of a scene: a function of the last frames however they were reached, that changes
+// nothing.
+#include "core/base/Error.h"
+#include "core/measure/FigureCursor.h"
+#include "core/measure/Flicker.h"
+#include "core/taa/twin/Known.h"
+#include "tests/support/SmallInspector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+using taa::Figure;
+using taa::Image;
+using taa::Inspector;
+using taa::IntermediateId;
+using namespace taa::test::small;
+
+namespace {
+
+using enum IntermediateId;
+
+const std::vector<IntermediateId> kRows = {flicker, deviationOverTime, framesFollowed};
+constexpr int kSamples = 4, kFrames = 5;
+
+std::vector<Image> rowsOf(Inspector& inspector, int samples = kSamples) {
+  inspector.refineFlicker(samples);
+  std::vector<Image> rows;
+  for (const IntermediateId id : kRows)
+    if (samples > 0 || id != flicker) rows.push_back(inspector.image(id));
+  return rows;
+}
+
+void expectSameRows(const std::vector<Image>& a, const std::vector<Image>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t row = 0; row < a.size(); ++row) EXPECT_TRUE(isSame(a[row], b[row])) << row;
+}
+
+} // namespace
+
+class FlickerOnScenesTest : public InspectorTest {
+ protected:
+  static std::unique_ptr<Inspector> small() {
+    auto inspector = opened();
+    inspector->setFlickerFrames(kFrames);
+    return inspector;
+  }
+};
+
+TEST_F(FlickerOnScenesTest, IsTheSameHoweverTheFrameWasReached) {
+  const auto rowsAt9 = [](const taa::Settings& settings) {
+    const auto inspector = small();
+    inspector->setSettings(settings);
+    inspector->seek(9);
+    return rowsOf(*inspector);
+  };
+  const std::vector<Image> sought = rowsAt9({}), others = rowsAt9(otherSettings());
+  EXPECT_GT(*std::ranges::max_element(sought[0].pixels), 0.0f) << "else nothing was tested";
+  EXPECT_FALSE(isSame(others[0], sought[0])) << "else nothing was tested";
+  const auto played = small();
+  while (played->frame() < 9) {
+    if (played->frame() >= 7) rowsOf(*played); // the window goes along
+    played->advance();
+  }
+  expectSameRows(rowsOf(*played), sought);
+  played->seek(12);
+  rowsOf(*played);
+  played->seek(9);
+  expectSameRows(rowsOf(*played), sought);
+  played->setSettings(otherSettings()); // on history of the first ones
+  ASSERT_FALSE(played->isExact());
+  EXPECT_FALSE(played->flickerSamples());
+  expectSameRows(rowsOf(*played), others);
+}
+
+TEST_F(FlickerOnScenesTest, IsThatOfWhatIsShown) {
+  // Where all stands still the way stays on the pixel.
+  const auto inspector = small();
+  inspector->setCamera("still");
+  inspector->seek(9);
+  rowsOf(*inspector);
+  const Image deviation = inspector->image(deviationOverTime), frames = inspector->image(framesFollowed);
+  std::vector<Image> shown;
+  for (int frame = 5; frame <= 9; ++frame) {
+    inspector->seek(frame);
+    shown.push_back(taa::shownColors(inspector->image(output)));
+  }
+  std::vector<Image> motions;
+  for (int frame = 5; frame <= 9; ++frame) {
+    inspector->seek(frame);
+    motions.push_back(inspector->image(motion));
+  }
+  int checked = 0;
+  for (int y = 1; y + 1 < kHeight; ++y)
+    for (int x = 1; x + 1 < kWidth; ++x) {
+      const auto moves = [&](const Image& motionPx) {
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx)
+            if (motionPx.texel(x + dx, y + dy) != glm::vec4(0.0f)) return true;
+        return false;
+      };
+      if (std::ranges::any_of(motions, moves)) continue;
+      double variance = 0.0;
+      for (int channel = 0; channel < 3; ++channel) {
+        double mean = 0.0, square = 0.0;
+        for (const Image& picture : shown) mean += picture.at(x, y)[channel] / 5.0;
+        for (const Image& picture : shown) square += std::pow(picture.at(x, y)[channel] - mean, 2.0) / 5.0;
+        variance += square / 3.0;
+      }
+      EXPECT_NEAR(*deviation.at(x, y), std::sqrt(variance), 1e-6) << x << ", " << y;
+      EXPECT_EQ(*frames.at(x, y), 5.0f) << x << ", " << y;
+      ++checked;
+    }
+  EXPECT_GT(checked, 100);
+}
+
+TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
+  const auto inspector = small();
+  inspector->seek(6);
+  for (const IntermediateId id : kRows) {
+    EXPECT_FALSE(taa::twin::isKnown(inspector->probe(3, 4), id));
+    EXPECT_THROW(inspector->image(id), taa::Error);
+    EXPECT_FALSE(inspector->isAtHand({.id = id}));
+  }
+  inspector->refineFlicker(0);
+  EXPECT_EQ(inspector->flickerSamples(), 0);
+  EXPECT_TRUE(inspector->isAtHand({.id = deviationOverTime}));
+  EXPECT_FALSE(inspector->isAtHand({.id = flicker})) << "it needs a reference";
+  EXPECT_THROW(inspector->image(flicker), taa::Error);
+  EXPECT_FALSE(inspector->figures({Figure::Flicker}).at(Figure::Flicker));
+  inspector->makeRows({flicker}, kSamples);
+  for (const IntermediateId id : kRows)
+    EXPECT_EQ(taa::twin::at(inspector->probe(3, 4), id).x, *inspector->image(id).at(3, 4));
+  inspector->seek(7);
+  EXPECT_FALSE(inspector->flickerSamples());
+}
+
+TEST_F(FlickerOnScenesTest, StartsAnewWithHistory) {
+  const auto inspector = small();
+  rowsOf(*inspector); // frame 0
+  for (const float frames : inspector->image(framesFollowed).pixels) ASSERT_EQ(frames, 1.0f);
+  EXPECT_FALSE(inspector->figures({Figure::Flicker}).at(Figure::Flicker)) << "nothing was seen before";
+  inspector->seek(2);
+  const Image frames = rowsOf(*inspector).back();
+  EXPECT_EQ(*std::ranges::max_element(frames.pixels), 3.0f);
+}
+
+TEST_F(FlickerOnScenesTest, FollowsTheGeometryAndNotTheSettings) {
+  const auto inspector = small();
+  inspector->seek(9);
+  const Image frames = rowsOf(*inspector, 0).back();
+  EXPECT_LT(*std::ranges::min_element(frames.pixels), 5.0f) << "the blades hide what is behind them";
+  taa::Settings minimal;
+  taa::applyAssignment(minimal, "jitter.sequence=none");
+  taa::applyAssignment(minimal, "inputs.renderScale=0.5");
+  inspector->setSettings(minimal);
+  EXPECT_TRUE(isSame(rowsOf(*inspector, 0).back(), frames));
+}
+
+TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
+  const auto inspector = small();
+  inspector->seek(9);
+  const Image before = inspector->image(output);
+  const int kept = static_cast<int>(inspector->keptFrames().size());
+  int reports = 0;
+  EXPECT_THROW(inspector->refineFlicker(kSamples, [&](std::string_view, int, int) { return ++reports < 12; }),
+               taa::Cancelled);
+  EXPECT_FALSE(inspector->flickerSamples());
+  const std::vector<Image> rows = rowsOf(*inspector);
+  EXPECT_TRUE(isSame(inspector->image(output), before));
+  EXPECT_EQ(inspector->frame(), 9);
+  EXPECT_EQ(static_cast<int>(inspector->keptFrames().size()), kept);
+  const auto straight = small();
+  straight->seek(9);
+  expectSameRows(rows, rowsOf(*straight));
+}
+
+TEST_F(FlickerOnScenesTest, FiguresBesideAreThoseOfTheFrame) {
+  const auto inspector = small();
+  const std::vector<Figure> wanted{Figure::Deviation, Figure::Flicker, Figure::Psnr, Figure::MeanAlpha};
+  taa::FigureCursor cursor;
+  std::vector<taa::FrameFigures> beside;
+  for (int frame = 6; frame <= 8; ++frame)
+    beside.push_back(inspector->figuresBeside(frame, wanted, kSamples, cursor));
+  for (const taa::FrameFigures& figures : beside) {
+    inspector->seek(figures.frame);
+    inspector->refineReference(kSamples);
+    const std::vector<Image> rows = rowsOf(*inspector);
+    const taa::FrameFigures shown = inspector->figures(wanted);
+    EXPECT_EQ(figures.flickerSamples, kSamples);
+    EXPECT_EQ(figures.values, shown.values);
+    EXPECT_EQ(shown.at(Figure::Flicker), taa::meanOverTime(rows[0], rows[2]));
+    EXPECT_EQ(shown.at(Figure::Deviation), taa::meanOverTime(rows[1], rows[2]));
+    EXPECT_GT(*shown.at(Figure::Deviation), *shown.at(Figure::Flicker)) << "the fan turns";
+    EXPECT_GT(*shown.at(Figure::Flicker), 0.0);
+  }
+}

@@ -1,0 +1,260 @@
+// Wishes in, results out: what the window can rely on.
+#include "tests/support/RenderRecorder.h"
+#include "tests/support/frames/Variants.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace {
+
+using taa::IntermediateId;
+using taa::RenderThread;
+using taa::ViewRequest;
+using taa::test::otherJitter;
+using taa::test::onThread::kHeight;
+using taa::test::onThread::kWidth;
+using taa::test::onThread::viewOf;
+
+using RenderThreadTest = taa::test::onThread::RenderThreadTest;
+
+} // namespace
+
+TEST_F(RenderThreadTest, TellsWhatItHasOpened) {
+  const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
+  EXPECT_EQ(status.source, "builtin:fan");
+  EXPECT_EQ(status.width, kWidth);
+  EXPECT_EQ(status.height, kHeight);
+  EXPECT_GT(status.frameCount, 1);
+  EXPECT_EQ(status.jitterPeriod, 16);
+  EXPECT_NE(std::ranges::find(status.cameras, status.camera), status.cameras.end());
+  EXPECT_FALSE(status.driver.renderer.empty());
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderThreadTest, DeliversViewsAndWhatChangesInThem) {
+  ViewRequest alpha = viewOf(IntermediateId::alpha);
+  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 2u);
+  EXPECT_EQ(recorder.pictures[0].view, 0);
+  EXPECT_EQ(recorder.pictures[1].view, 1);
+  EXPECT_EQ(recorder.pictures[1].request, alpha);
+  EXPECT_EQ(recorder.pictures[1].picture.width, kWidth);
+  EXPECT_TRUE(recorder.pictures[1].values.empty());
+  recorder.clear();
+  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.pictures.empty()) << "nothing has changed";
+  alpha.transform.zoom = 2.0f;
+  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 1u) << "only what has changed";
+  EXPECT_EQ(recorder.pictures[0].view, 1);
+  recorder.clear();
+  thread->step(1);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 2u);
+  EXPECT_EQ(recorder.pictures[0].frame, 1);
+  recorder.clear();
+  thread->seek(1);
+  thread->setSettings({});
+  thread->setSize(kWidth, kHeight);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.pictures.empty()) << "it was all so already";
+}
+
+TEST_F(RenderThreadTest, DeliversTheValuesOfVisibleTexels) {
+  ViewRequest view = viewOf(IntermediateId::alpha);
+  view.withValues = true;
+  view.transform = {.origin = {4.5f, 15.0f}, .zoom = 8.0f};
+  thread->setViews({view});
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 1u);
+  EXPECT_EQ(recorder.pictures[0].region, (taa::gl::Rect{4, 15, 5, 3}));
+  EXPECT_EQ(recorder.pictures[0].values.width, 5);
+  EXPECT_EQ(recorder.pictures[0].values.height, 3);
+  EXPECT_EQ(recorder.pictures[0].values.at(0, 0)[0], 1.0f) << "frame 0 has no history";
+}
+
+TEST_F(RenderThreadTest, GoesWhereTheLastWishSays) {
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->waitUntilIdle();
+  recorder.clear();
+  for (int frame = 10; frame < 60; ++frame) thread->seek(frame);
+  thread->seek(20);
+  for (int count = 0; count < 5; ++count) thread->step(1);
+  thread->step(-2);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.frame(), 23);
+  // Wishes that came while it worked may have shown a frame each, but never one for every wish.
+  EXPECT_LE(recorder.pictures.size(), 5u);
+  EXPECT_EQ(recorder.pictures.back().frame, 23);
+  thread->seek(100000);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.frame(), recorder.statuses.back().frameCount - 1);
+  thread->step(-100000);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.frame(), 0);
+}
+
+TEST_F(RenderThreadTest, ShowsEveryFrameInOrderWhenPlaying) {
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->waitUntilIdle();
+  thread->setPlaying(true);
+  EXPECT_TRUE(recorder.waitFor([&] { return recorder.pictures.size() >= 12; }));
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  for (std::size_t index = 0; index < recorder.pictures.size(); ++index) {
+    EXPECT_EQ(recorder.pictures[index].frame, static_cast<int>(index));
+    EXPECT_TRUE(recorder.pictures[index].exact);
+  }
+  EXPECT_FALSE(recorder.statuses.back().playing);
+  EXPECT_EQ(recorder.frame(), recorder.pictures.back().frame);
+}
+
+TEST_F(RenderThreadTest, PlaysNoFasterThanTheShot) {
+  const auto start = std::chrono::steady_clock::now();
+  const int first = recorder.frame();
+  thread->setPlaying(true);
+  EXPECT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().info.frame >= first + 7; }));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_GE(seconds, 6.0 / recorder.read([&] { return recorder.statuses.back().framesPerSecond; }));
+}
+
+TEST_F(RenderThreadTest, StartsAgainAtTheEndOrPausesThere) {
+  const int last = recorder.statuses.back().frameCount - 1;
+  thread->seek(last - 2);
+  thread->waitUntilIdle();
+  recorder.clear();
+  thread->setPlaying(true);
+  EXPECT_TRUE(recorder.waitFor([&] {
+    return std::ranges::any_of(recorder.statuses, [](const auto& status) { return status.info.frame == 2; });
+  }));
+  thread->setLooping(false);
+  thread->seek(last - 2);
+  EXPECT_TRUE(
+      recorder.waitFor([&] { return !recorder.statuses.empty() && !recorder.statuses.back().playing; }));
+  EXPECT_EQ(recorder.frame(), last);
+  thread->setPlaying(true);
+  EXPECT_TRUE(recorder.waitFor(
+      [&] { return recorder.statuses.back().playing && recorder.statuses.back().info.frame < last; }));
+}
+
+TEST_F(RenderThreadTest, PlaysOnAfterNewSettingsAndIsExactWhenPaused) {
+  thread->seek(3);
+  thread->setPlaying(true);
+  thread->waitUntilIdle();
+  recorder.clear();
+  thread->setSettings(otherJitter());
+  EXPECT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() > 5; }));
+  EXPECT_FALSE(recorder.read([&] { return recorder.statuses[4].exact; }));
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.statuses.back().exact);
+}
+
+TEST_F(RenderThreadTest, AnswersViewsAndProbesWhileItReplays) {
+  bool isAsked = false;
+  recorder.onWork = [&](const taa::Work& work) {
+    if (isAsked || work.done < 2) return;
+    isAsked = true;
+    thread->setViews({viewOf(IntermediateId::motion)});
+    thread->setPins({.pins = {{.pixel = {3, 3}}}});
+  };
+  thread->seek(40);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.pictures.size(), 2u);
+  EXPECT_EQ(recorder.pictures[0].frame, 0) << "the frame that was on show";
+  EXPECT_EQ(recorder.pictures[1].frame, 40);
+  ASSERT_EQ(recorder.probes.size(), 2u);
+  EXPECT_EQ(recorder.probes[1].frame, 40);
+}
+
+TEST_F(RenderThreadTest, TellsErrorsAndKeepsWhatItShows) {
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->seek(2);
+  thread->waitUntilIdle();
+  recorder.clear();
+  thread->open("no/such/file.glb");
+  thread->setCamera("sideways");
+  thread->setSize(1, 1);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.errors.size(), 3u);
+  EXPECT_NE(recorder.errors[0].find("file.glb"), std::string::npos) << recorder.errors[0];
+  EXPECT_TRUE(recorder.pictures.empty());
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.frame(), 3);
+  EXPECT_EQ(recorder.statuses.back().source, "builtin:fan");
+}
+
+TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
+  thread->setPins({.pins = {{.pixel = {5, 6}}}});
+  thread->waitUntilIdle();
+  thread->step(1);
+  thread->waitUntilIdle();
+  thread->step(1);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.probes.size(), 3u);
+  for (int frame = 0; frame < 3; ++frame) {
+    const taa::ProbeResult& probe = recorder.probes[static_cast<std::size_t>(frame)];
+    EXPECT_EQ(probe.frame, frame);
+    EXPECT_EQ(probe.x, 5);
+    EXPECT_EQ(probe.around.size(), 9u);
+  }
+  thread->setPins({});
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.probes.size(), 3u) << "taken back";
+  thread->setPins({.pins = {{.pixel = {kWidth, 0}}}});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.probes.size(), 3u) << "outside the picture";
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+// Who hears that shaders were read anew may look at once: the picture on show is not theirs yet.
+TEST_F(RenderThreadTest, TellsThatThePictureIsNotExactBeforeNewShadersAreInUse) {
+  std::vector<bool> wereExact;
+  taa::RenderListener listener = recorder.listener();
+  listener.onShaders = [&](const std::string& error) {
+    recorder.read([&] {
+      wereExact.push_back(recorder.statuses.back().exact);
+      return wereExact.size();
+    });
+    EXPECT_EQ(error, "");
+  };
+  thread = std::make_unique<RenderThread>(listener);
+  thread->setSize(kWidth, kHeight);
+  thread->open("builtin:fan");
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->seek(4);
+  thread->waitUntilIdle();
+  ASSERT_TRUE(recorder.statuses.back().exact);
+  thread->reloadShaders();
+  thread->waitUntilIdle();
+  EXPECT_EQ(wereExact, std::vector<bool>{false});
+  EXPECT_TRUE(recorder.statuses.back().exact) << "replayed with them";
+}
+
+TEST_F(RenderThreadTest, EndsAtOnceInTheMiddleOfWork) {
+  bool isWorking = false;
+  recorder.onWork = [&](const taa::Work& work) {
+    const std::lock_guard lock(recorder.mutex);
+    isWorking = isWorking || work.done > 1;
+  };
+  thread->seek(239);
+  EXPECT_TRUE(recorder.waitFor([&] { return isWorking; }));
+  thread.reset();
+  EXPECT_LT(recorder.works.back().done, 200) << "it did not go on to the end";
+}
+
+TEST_F(RenderThreadTest, EndsAtOnceBeforeItHasBegun) {
+  for (int count = 0; count < 3; ++count) {
+    RenderThread brief(taa::RenderListener{});
+    brief.open("builtin:fence");
+  }
+}

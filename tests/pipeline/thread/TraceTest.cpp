@@ -1,0 +1,185 @@
+// Traces of pins on the render thread: what is shown adds to them, the rest is filled in beside it, and
+// taa-batch prints the same. And how time goes on in a part of the shot.
+#include "core/report/TraceText.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+#include "tests/support/RenderRecorder.h"
+#include "tests/support/frames/Variants.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace taa;
+using taa::test::onThread::viewOf;
+
+namespace {
+
+/// Bit for bit: rows that nobody asked for are NaN.
+bool isSame(const PixelRecord& a, const PixelRecord& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(PixelRecord)) == 0;
+}
+
+class TraceTest : public taa::test::onThread::RenderThreadTest {
+ protected:
+  void SetUp() override {
+    RenderThreadTest::SetUp();
+    if (!thread) return;
+    thread->setPins({{pin}, 0});
+    thread->setTracing(true);
+    thread->waitUntilIdle();
+  }
+  std::vector<int> frames() {
+    return recorder.read([&] {
+      std::vector<int> frames;
+      for (const TraceDelivery& trace : recorder.traces) frames.push_back(trace.frame);
+      return frames;
+    });
+  }
+  PinTrace trace() {
+    return recorder.read([&] {
+      PinTrace traced{pin, {}};
+      for (const TraceDelivery& each : recorder.traces) traced.trace.add(each.frame, each.sample);
+      return traced;
+    });
+  }
+  const ProbePin pin{{20, 7}, Follow::Screen, 0, {}};
+};
+
+} // namespace
+
+TEST_F(TraceTest, EveryExactFrameOnShowAddsWhatItsProbeSays) {
+  thread->step(1);
+  thread->waitUntilIdle();
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(frames(), (std::vector{0, 1, 2}));
+  EXPECT_TRUE(isSame(recorder.traces.back().sample.record, recorder.probes.back().around[4]));
+  thread->setTracing(false);
+  thread->step(1);
+  thread->waitUntilIdle();
+  EXPECT_EQ(frames().size(), 3u) << "nobody looks any more";
+}
+
+TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
+  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->seek(12);
+  thread->waitUntilIdle();
+  recorder.clear();
+  thread->fillTraces(3, 14);
+  thread->waitUntilIdle();
+  const std::vector<int> filled = frames();
+  EXPECT_EQ(filled, (std::vector{3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14})) << "12 was known";
+  EXPECT_TRUE(recorder.pictures.empty()) << "what is shown stays";
+  EXPECT_EQ(recorder.works.back().what, "");
+  EXPECT_TRUE(std::ranges::any_of(recorder.works,
+                                  [](const Work& work) { return work.what == "Tracing the probes"; }));
+  const PinTrace traced = trace();
+  for (const int frame : {3, 8, 14}) {
+    thread->seek(frame);
+    thread->waitUntilIdle();
+    EXPECT_EQ(recorder.probes.back().frame, frame);
+    EXPECT_TRUE(isSame(recorder.probes.back().around[4], traced.trace.at(frame)->record)) << frame;
+  }
+  recorder.clear();
+  thread->fillTraces(3, 14);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(frames().empty()) << "all is known";
+}
+
+TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
+  thread->fillTraces(0, 3);
+  thread->waitUntilIdle();
+  const std::uint64_t before = recorder.statuses.back().subject;
+  recorder.clear();
+  thread->setSettings(test::otherJitter());
+  thread->waitUntilIdle();
+  EXPECT_GT(recorder.statuses.back().subject, before);
+  thread->fillTraces(0, 3);
+  thread->waitUntilIdle();
+  EXPECT_EQ(frames(), (std::vector{0, 1, 2, 3}));
+  for (const TraceDelivery& each : recorder.traces) EXPECT_EQ(each.subject, recorder.statuses.back().subject);
+}
+
+TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
+  bool isAsked = false;
+  recorder.onWork = [&](const Work& work) {
+    if (work.what != "Tracing the probes" || work.done < 5 || isAsked) return;
+    isAsked = true;
+    thread->cancel();
+  };
+  thread->fillTraces(0, 100);
+  thread->waitUntilIdle();
+  EXPECT_TRUE(isAsked);
+  EXPECT_LT(frames().size(), 20u);
+  isAsked = false;
+  recorder.clear();
+  recorder.onWork = [&](const Work& work) {
+    if (work.what != "Tracing the probes" || isAsked) return;
+    isAsked = true;
+    thread->step(1);
+  };
+  thread->fillTraces(0, 20);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.frame(), 1);
+  std::map<int, int> times;
+  for (const int frame : frames()) ++times[frame];
+  EXPECT_TRUE(times.contains(20)) << "it goes on afterwards";
+}
+
+TEST_F(TraceTest, IsWhatTaaBatchPrints) {
+  thread->fillTraces(2, 9);
+  thread->waitUntilIdle();
+  PinTrace traced = trace();
+  PinTrace range{pin, {}};
+  for (int frame = 2; frame <= 9; ++frame) range.trace.add(frame, *traced.trace.at(frame));
+  const std::string here =
+      traceCsv({range}, {IntermediateId::alpha, IntermediateId::resolved, IntermediateId::rejectReason}, {});
+  const auto printed =
+      test::runProcess({test::binary("taa-batch").string(), "trace", "builtin:fan", "--size", "32x18",
+                        "--pixel", "20,7", "--frames", "2..9", "--emit", "alpha,resolved,rejectReason"});
+  EXPECT_EQ(printed.exitCode, 0) << printed.err;
+  EXPECT_EQ(printed.out, here);
+  const auto outside = test::runProcess({test::binary("taa-batch").string(), "trace", "builtin:fan", "--size",
+                                         "32x18", "--pixel", "32,0", "--frames", "0"});
+  EXPECT_EQ(outside.exitCode, 1);
+  EXPECT_NE(outside.err.find("outside the picture"), std::string::npos) << outside.err;
+}
+
+TEST_F(TraceTest, APartOfTheShotRepeats) {
+  thread->setPlayback({.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(4, 7)});
+  thread->setPlaying(true);
+  std::vector<int> shown;
+  const bool repeats = recorder.waitFor([&] {
+    shown.clear();
+    for (const Status& status : recorder.statuses)
+      if (shown.empty() || shown.back() != status.info.frame) shown.push_back(status.info.frame);
+    return std::ranges::count(shown, 4) >= 3;
+  });
+  thread->setPlaying(false);
+  thread->waitUntilIdle();
+  ASSERT_TRUE(repeats);
+  const auto start = std::ranges::find(shown, 4);
+  int expected = 4;
+  for (auto frame = start; frame != shown.end(); ++frame) {
+    EXPECT_EQ(*frame, expected);
+    expected = expected == 7 ? 4 : expected + 1;
+  }
+  EXPECT_EQ(std::vector(shown.begin(), start), std::vector{0}) << "frames before it lead into it";
+  const Status last = recorder.statuses.back();
+  EXPECT_TRUE(std::ranges::binary_search(last.keptFrames, last.info.frame));
+  EXPECT_EQ(last.playback.range, std::pair(4, 7));
+}
+
+TEST_F(TraceTest, ThePartIsPlayedOnceWithoutRepeating) {
+  thread->setLooping(false);
+  thread->setPlayback({.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(0, 3)});
+  thread->setPlaying(true);
+  ASSERT_TRUE(recorder.waitFor([&] {
+    return !recorder.statuses.empty() && !recorder.statuses.back().playing &&
+           recorder.statuses.back().info.frame == 3;
+  }));
+}

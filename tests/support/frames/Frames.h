@@ -1,0 +1,64 @@
+// Frames of a scene resolved one after another, and what the CPU twin says of them.
+#pragma once
+
+#include "core/render/SceneRenderer.h"
+#include "core/taa/TaaPass.h"
+#include "core/taa/twin/Twin.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace taa::test {
+
+/// What the twin is given for a frame, downloaded.
+twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous);
+
+/// Compares pictures (in the table's order) with the twin's, every pixel: bit for bit when `exact`, else
+/// within the table's tolerances but for one pixel in 500, where a comparison may fall the other way. Says
+/// what differs first; empty when nothing does.
+std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
+                               const std::vector<Image>& pictures, bool exact);
+
+/// Resolves frames one after another, each on the history of the one before.
+class Accumulator {
+ public:
+  /// Fills `exposure` when given.
+  void resolve(TaaPass& pass, const FrameInputs& inputs, const Settings& settings,
+               Exposure* exposure = nullptr);
+
+  const History& history() const { return histories_[current_]; }
+  /// What the last frame was resolved on; null: nothing.
+  const History* previous() const { return hadHistory_ ? &histories_[1 - current_] : nullptr; }
+
+ private:
+  std::array<History, 2> histories_;
+  std::size_t current_ = 0;
+  bool hadHistory_ = false;
+};
+
+/// Draws a scene's frames one after another and resolves them.
+class Player {
+ public:
+  Player(const std::string& source, const std::string& camera, int width, int height,
+         const Settings& settings);
+
+  /// Draws the next frame.
+  void draw();
+  /// Draws the next frame and resolves it, filling `exposure` when given.
+  void step(TaaPass& pass, Exposure* exposure = nullptr);
+
+  const FrameInputs& inputs() const { return inputs_; }
+  const History& history() const { return accumulator_.history(); }
+  const History* previous() const { return accumulator_.previous(); }
+
+ private:
+  Settings settings_;
+  FrameRequest request_;
+  SceneRenderer renderer_;
+  FrameInputs inputs_;
+  Accumulator accumulator_;
+  int frame_ = -1;
+};
+
+} // namespace taa::test

@@ -1,0 +1,65 @@
+// A fixture that resolves synthetic frames.
+#include "tests/support/frames/ResolveTest.h"
+
+namespace taa::test {
+
+namespace {
+
+std::unique_ptr<TaaPass> sharedPass; // lives as long as the shared context, that is, to the end
+
+} // namespace
+
+Exposed images(const Exposure& exposure) {
+  Exposed all;
+  for (const IntermediateId id : exposure.watched()) all[id] = exposure.image(id);
+  return all;
+}
+
+void ResolveTest::SetUp() {
+  GlTest::SetUp();
+  if (IsSkipped() || HasFatalFailure() || sharedPass) return;
+  sharedPass = std::make_unique<TaaPass>();
+}
+
+TaaPass& ResolveTest::pass() {
+  return *sharedPass;
+}
+
+History ResolveTest::resolve(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
+                             Exposure* exposure) {
+  const FrameInputs inputs = upload(images, shape);
+  const History previous = uploadHistory(images, shape);
+  History out;
+  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, exposure);
+  return out;
+}
+
+Exposed ResolveTest::expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings) {
+  const FrameInputs inputs = upload(images, shape);
+  const History previous = uploadHistory(images, shape);
+  Exposure exposure(allRows(), whole(shape));
+  History out;
+  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposure);
+  return test::images(exposure);
+}
+
+void ResolveTest::advance(twin::Inputs& images, const FrameShape& shape, const Settings& settings) {
+  downloadHistory(resolve(images, shape, settings), images);
+}
+
+Settings bareSettings() {
+  Settings settings;
+  settings.dilate.method = DilateMethod::None;
+  settings.history = {HistoryFilter::Bilinear, Switch::Off, Precision::Full};
+  settings.current.filter = CurrentFilter::Center;
+  settings.space = {ColorSpace::Rgb, ToneSpace::Linear};
+  settings.neighborhood.includeFiltered = Switch::Off;
+  settings.rectify.method = RectifyMethod::None;
+  settings.validate.offScreen = OffScreen::Keep;
+  settings.validate.depth = Switch::Off;
+  settings.weight.source = AlphaSource::Constant;
+  settings.blend.tone = ToneWeight::None;
+  return settings;
+}
+
+} // namespace taa::test

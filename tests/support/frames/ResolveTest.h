@@ -1,0 +1,40 @@
+// A fixture that resolves synthetic frames.
+#pragma once
+
+#include "core/taa/TaaPass.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/frames/SyntheticFrame.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace taa::test {
+
+using Exposed = std::map<IntermediateId, Image>;
+
+/// Everything exposed, read back.
+Exposed images(const Exposure& exposure);
+
+/// Shares one TaaPass, hence its programs, among all tests of the process.
+class ResolveTest : public GlTest {
+ protected:
+  void SetUp() override;
+  static TaaPass& pass();
+
+  static gl::Rect whole(const FrameShape& shape) { return {0, 0, shape.width, shape.height}; }
+  /// The history after `images` were resolved on their own history, nothing exposed.
+  static History resolve(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
+                         Exposure* exposure = nullptr);
+  /// Everything about that frame.
+  static Exposed expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings);
+  /// Resolves `images` and makes the result their history.
+  static void advance(twin::Inputs& images, const FrameShape& shape, const Settings& settings);
+};
+
+/// Every stage switched off: center color, bilinear 32-bit history, nothing rectified or rejected, plain
+/// blend with constant α, linear RGB boxes.
+Settings bareSettings();
+
+} // namespace taa::test

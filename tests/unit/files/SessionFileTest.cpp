@@ -1,0 +1,251 @@
+// Session files: what is written is read, and what is wrong is refused by name.
+#include "core/io/SessionFile.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/picture/StyleText.h"
+#include "core/report/CommandLine.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "tests/support/Paths.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+using namespace taa;
+
+namespace {
+
+SessionFile sample() {
+  SessionFile session;
+  session.source = "builtin:fan";
+  session.camera = "orbit";
+  session.frame = 31;
+  session.size = {640, 360};
+  session.settings = {"fsr2", preset("fsr2").settings, preset("fsr2").settings};
+  applyAssignment(session.settings.settings, "weight.minimum=0.0625");
+  session.lanes = {{"my own", preset("minimal").settings, preset("sharp").settings}};
+  session.motionModes = {{"rotor & hub", MotionMode::None}, {"a=b", MotionMode::CameraOnly}};
+  session.checkpointsMiB = 256;
+  session.window = R"({"pick":[3,4]})";
+  return session;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    sessionFromText(text, "a.taa.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "it was read";
+}
+
+/// The sample with a field changed; null: removed.
+std::string changed(const std::string& key, const nlohmann::json& value) {
+  nlohmann::json json = nlohmann::json::parse(sessionToText(sample()));
+  if (value.is_null())
+    json.erase(key);
+  else
+    json[key] = value;
+  return json.dump();
+}
+
+} // namespace
+
+TEST(SessionFile, ReadsWhatItWrote) {
+  const SessionFile want = sample(), is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.source, want.source);
+  EXPECT_EQ(is.camera, want.camera);
+  EXPECT_EQ(is.frame, want.frame);
+  EXPECT_EQ(is.size, want.size);
+  EXPECT_EQ(is.settings.preset, "fsr2");
+  EXPECT_EQ(is.settings.settings, want.settings.settings);
+  EXPECT_EQ(is.settings.presetSettings, want.settings.presetSettings);
+  ASSERT_EQ(is.lanes.size(), 1u);
+  EXPECT_EQ(is.lanes[0].preset, "my own");
+  EXPECT_EQ(is.lanes[0].settings, want.lanes[0].settings);
+  EXPECT_EQ(is.lanes[0].presetSettings, want.lanes[0].presetSettings);
+  ASSERT_EQ(is.motionModes.size(), 2u);
+  for (const MotionOverride& mode : want.motionModes)
+    EXPECT_NE(std::find(is.motionModes.begin(), is.motionModes.end(), mode), is.motionModes.end())
+        << mode.node;
+  EXPECT_EQ(is.checkpointsMiB, 256);
+  EXPECT_EQ(is.window, want.window);
+  EXPECT_EQ(sessionToText(is), sessionToText(want));
+}
+
+TEST(SessionFile, KeepsAFlownCameraAndWhatIsHidden) {
+  SessionFile want = sample();
+  want.track = CameraTrack{"Recorded 1", 2, {{{1.0, 2.0, 3.0}}, {{0.1, 0.25, 1e-9}}}};
+  want.filter = {{"floor", "#3"}, {"rotor & hub"}};
+  const SessionFile is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.track, want.track);
+  EXPECT_EQ(is.filter, want.filter);
+  EXPECT_FALSE(sessionFromText(sessionToText(sample()), "it").track);
+}
+
+TEST(SessionFile, KeepsClassesAndRestarts) {
+  SessionFile want = sample();
+  want.objectClasses = {{"rotor & hub", ObjectClass::Character}, {"floor", ObjectClass::Still}};
+  want.restarts = {12, 31};
+  const SessionFile is = sessionFromText(sessionToText(want), "it");
+  EXPECT_EQ(is.restarts, want.restarts);
+  ASSERT_EQ(is.objectClasses.size(), 2u);
+  for (const ClassOverride& given : want.objectClasses)
+    EXPECT_EQ(std::ranges::count(is.objectClasses, given), 1) << given.object;
+  EXPECT_TRUE(sessionFromText(sessionToText(sample()), "it").restarts.empty());
+  const std::string line = renderCommand(want, {});
+  EXPECT_NE(
+      line.find(" --class 'rotor & hub=character' --class floor=still --restart 12 --restart 31 --frames 31"),
+      std::string::npos)
+      << line;
+}
+
+TEST(SessionFile, RefusesByName) {
+  const std::pair<std::string, std::string> cases[] = {
+      {changed("colour", 1), "\"colour\""},
+      {changed("format", 2), "format is 2"},
+      {changed("source", nullptr), "\"source\" is missing"},
+      {changed("source", 7), "\"source\" is not text"},
+      {changed("frame", -1), "\"frame\""},
+      {changed("frame", 1.5), "\"frame\""},
+      {changed("frame", 1e300), "\"frame\""},
+      {changed("size", {1, 2, 3}), "\"size\""},
+      {changed("size", {640, 99999}), "\"size\""},
+      {changed("settings", {{"weight", {{"minimun", 0.1}}}}), "weight.minimun"},
+      {changed("settings", {{"weight", {{"minimum", 7}}}}), "weight.minimum"},
+      {changed("lanes", {1, 2, 3, 4, 5}), "\"lanes\""},
+      {changed("lanes", {{{"preset", "x"}, {"settings", nlohmann::json::object()}, {"more", 1}}}),
+       "\"more\""},
+      {changed("motionModes", {{"floor", "sideways"}}), "sideways"},
+      {changed("classes", {{"floor", "sky"}}), "floor=sky"},
+      {changed("restarts", 7), "\"restarts\""},
+      {changed("restarts", {1, -1}), "\"restarts\""},
+      {changed("hidden", "floor"), "\"hidden\""},
+      {changed("isolated", {7}), "\"isolated\""},
+      {changed("track", {{"name", "x"}}), "poses"},
+      {changed("checkpointsMiB", -5), "\"checkpointsMiB\""},
+      {changed("window", 3), "\"window\""},
+      {changed("source", std::string(5000, 'x')), "too long"},
+      {"not JSON", "a.taa.json"},
+      {"[]", "not an object"},
+      {std::string(100000, '['), "nested"},
+  };
+  for (const auto& [text, word] : cases) {
+    const std::string said = refusal(text);
+    EXPECT_NE(said.find(word), std::string::npos) << said;
+    EXPECT_EQ(said.find("cannot open the session a.taa.json"), 0u) << said;
+  }
+}
+
+TEST(SessionFile, AMissingParameterHasItsDefault) {
+  const SessionFile session = sessionFromText(changed("settings", nlohmann::json::object()), "it");
+  EXPECT_EQ(session.settings.settings, Settings{});
+}
+
+TEST(SessionFile, ASceneBesideItMovesWithIt) {
+  const std::filesystem::path folder = test::temporaryFolder() / "moved";
+  std::filesystem::create_directories(folder / "a/models");
+  SessionFile session = sample();
+  session.source = (folder / "a/models/ship.glb").string();
+  writeSession(folder / "a/it.taa.json", session);
+  EXPECT_NE(readFile(folder / "a/it.taa.json").find("\"models/ship.glb\""), std::string::npos);
+  std::filesystem::remove_all(folder / "b");
+  std::filesystem::rename(folder / "a", folder / "b");
+  EXPECT_EQ(readSession(folder / "b/it.taa.json").source, (folder / "b/models/ship.glb").string());
+  session.source = "/elsewhere/ship.glb";
+  writeSession(folder / "b/it.taa.json", session);
+  EXPECT_EQ(readSession(folder / "b/it.taa.json").source, "/elsewhere/ship.glb");
+}
+
+TEST(CommandLine, QuotesForAShell) {
+  EXPECT_EQ(shellQuoted("builtin:fan"), "builtin:fan");
+  EXPECT_EQ(shellQuoted("a b"), "'a b'");
+  EXPECT_EQ(shellQuoted("it's $HOME"), "'it'\\''s $HOME'");
+  EXPECT_EQ(shellQuoted(""), "''");
+}
+
+TEST(CommandLine, SaysWhatDiffersFromAPreset) {
+  ViewStyle style = defaultStyle(intermediate(IntermediateId::alpha));
+  style.high = 0.5f;
+  EXPECT_EQ(renderCommand(sample(), {IntermediateId::alpha, style}),
+            "taa-batch render builtin:fan --size 640x360 --camera orbit --preset fsr2 --set "
+            "weight.minimum=0.0625 --motion-mode 'rotor & hub=none' --motion-mode a=b=cameraOnly --frames 31 "
+            "--emit alpha --style high=0.5 --format png --out .");
+}
+
+TEST(CommandLine, SaysWhatIsComparedAndHow) {
+  CommandView view{.comparison = {.kind = OtherKind::Preset, .preset = "sharp"}, .showing = Showing::Wipe};
+  view.style = view.otherStyle = defaultStyle(intermediate(view.id));
+  view.divider = 0.25;
+  const auto end = [&] {
+    const std::string line = renderCommand(sample(), view);
+    return line.substr(line.find(" --emit"));
+  };
+  EXPECT_EQ(end(), " --emit resolved --compare preset:sharp --compare-as wipe --divider 0.25 --format png "
+                   "--out .");
+  view.showing = Showing::Difference;
+  view.style = differenceStyle(intermediate(view.id));
+  view.style.outlineObjects = true;
+  EXPECT_EQ(end(), " --emit resolved --style outlines=on --compare preset:sharp --compare-as difference "
+                   "--format png --out .");
+  view.comparison = {.kind = OtherKind::Row, .id = IntermediateId::reference};
+  view.showing = Showing::Other;
+  view.style = view.otherStyle = defaultStyle(intermediate(view.id));
+  view.otherStyle.exposure = 1.0f;
+  view.referenceSamples = 256;
+  EXPECT_EQ(end(), " --emit resolved --compare reference --compare-as other --other-style exposure=1 "
+                   "--reference-samples 256 --format png --out .");
+  view.showing = Showing::First;
+  EXPECT_EQ(end(), " --emit resolved --format png --out .");
+}
+
+TEST(CommandLine, SaysWhereAFlownCameraRestsAndWhatIsHidden) {
+  SessionFile session = sample();
+  session.track = CameraTrack{"free", 0, {{{1.0f, 2.5f, -3.0f}, 90.0f, -10.0f, 60.0f}}};
+  session.filter = {{"the floor"}, {"rotor"}};
+  const std::string line = renderCommand(session, {});
+  EXPECT_NE(line.find(" --camera-pose 1,2.5,-3,90,-10,60 --hide 'the floor' --isolate rotor "), line.npos)
+      << line;
+  EXPECT_EQ(line.find("--camera orbit"), line.npos);
+  EXPECT_FALSE(needsCameraFile(session));
+}
+
+TEST(CommandLine, NamesTheFileOfAFlownPathAndTheSamplesOfAReference) {
+  SessionFile session = sample();
+  session.track = CameraTrack{"Recorded 1", 3, {CameraPose{}, CameraPose{.yaw = 20.0f}}};
+  ASSERT_TRUE(needsCameraFile(session));
+  CommandView view{IntermediateId::referenceError,
+                   defaultStyle(intermediate(IntermediateId::referenceError))};
+  view.referenceSamples = 16;
+  const std::string line = renderCommand(session, view, "/tmp/a b/path.json");
+  EXPECT_NE(line.find(" --camera-path '/tmp/a b/path.json' "), line.npos) << line;
+  EXPECT_NE(line.find(" --emit referenceError --reference-samples 16"), line.npos) << line;
+  EXPECT_EQ(renderCommand(session, {}).find("--reference-samples"), line.npos);
+}
+
+TEST(StyleText, ReadsWhatItWrote) {
+  const ViewStyle base;
+  ViewStyle style;
+  style.low = -0.1f;
+  style.exposure = 1.5f;
+  style.green = false;
+  style.map = ColorMap::Cyclic;
+  style.markInvalid = false;
+  ViewStyle read = base;
+  for (const std::string& assignment : styleDifferences(style, base)) applyStyle(read, assignment);
+  EXPECT_EQ(read, style);
+  EXPECT_TRUE(styleDifferences(base, base).empty());
+}
+
+TEST(StyleText, SaysWhatItExpects) {
+  ViewStyle style;
+  for (const char* wrong : {"low=x", "low=nan", "channels=rgx", "map=pink", "marks=1", "gamma=2", "low", ""})
+    EXPECT_THROW(applyStyle(style, wrong), Error) << wrong;
+  EXPECT_EQ(style, ViewStyle{});
+}
