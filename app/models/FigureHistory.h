@@ -1,7 +1,7 @@
 // A figure of each frame of the shot, as far as it was measured, as long as it is true.
 #pragma once
 
-#include "app/views/timeline/Timeline.h"
+#include "app/models/TimelineStrip.h"
 #include "core/measure/Metrics.h"
 
 #include <cstdint>

@@ -95,7 +95,7 @@ std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& t
               ? QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)])
               : QString();
       const std::size_t number = curves.size();
-      curves.push_back({pinName(pin, traces[pin].pin) + name, CurveChart::colorOf(static_cast<int>(number)),
+      curves.push_back({pinName(pin, traces[pin].pin) + name, curveColor(static_cast<int>(number)),
                         kDashes[number % kDashes.size()], pointsOf(traces[pin].trace, row.id, channel),
                         QString::number(pin + 1) + name});
     }

@@ -1,7 +1,7 @@
 // Which intermediates are plotted, and the curves that come of it.
 #pragma once
 
-#include "app/views/plots/CurveChart.h"
+#include "app/models/Curve.h"
 #include "core/probe/PixelTrace.h"
 #include "core/settings/Settings.h"
 

@@ -2,6 +2,7 @@
 
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
+#include "app/views/plots/CurveChart.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/IconButton.h"
 

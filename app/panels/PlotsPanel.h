@@ -1,6 +1,7 @@
 // Intermediates at the pinned probes over frames: one chart for each, all over the same frames.
 #pragma once
 
+#include "app/models/ChartMath.h"
 #include "app/models/PlotRows.h"
 #include "app/models/TraceStore.h"
 
@@ -16,6 +17,8 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace taa::app {
+
+class CurveChart;
 
 class PlotsPanel : public QWidget {
   Q_OBJECT

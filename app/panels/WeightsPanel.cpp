@@ -73,7 +73,7 @@ void WeightsPanel::refresh() {
   // On to where the count has nearly settled, so that the curve shows where it leads.
   const std::vector<double> ahead =
       calmAlphas(history().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
-  const QColor color = CurveChart::colorOf(0), measuredColor = CurveChart::colorOf(1);
+  const QColor color = curveColor(0), measuredColor = curveColor(1);
   std::vector<Curve> weights{{tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)}};
   std::vector<Curve> samples{
       {tr("by the settings"), color, Qt::DashLine, from(first, effectiveSamplesOver(ahead))}};

@@ -3,8 +3,6 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
-#include "core/picture/ColorMap.h"
-
 #include <QChart>
 #include <QEvent>
 #include <QGraphicsLayout>
@@ -15,7 +13,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -49,11 +46,6 @@ CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* par
   applyColors();
   layOutLegend();
   fitAxes();
-}
-
-QColor CurveChart::colorOf(int place) {
-  const std::array<float, 3> linear = categoryColor(place + 1); // number 0 stands for nothing elsewhere
-  return QColor::fromRgbF(srgbEncoded(linear[0]), srgbEncoded(linear[1]), srgbEncoded(linear[2]));
 }
 
 void CurveChart::setCurves(std::vector<Curve> curves) {

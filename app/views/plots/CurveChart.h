@@ -6,10 +6,8 @@
 #include "app/widgets/Drags.h"
 
 #include <QChartView>
-#include <QColor>
 #include <QString>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,15 +15,6 @@ class QLineSeries;
 class QValueAxis;
 
 namespace taa::app {
-
-/// Drawn at the bottom of the chart: × where history was rejected, a line where the shot is cut.
-enum class MarkKind : std::uint8_t { Reject, Cut };
-struct ChartMark {
-  double x = 0.0;
-  MarkKind kind = MarkKind::Cut;
-  QString text;
-  bool operator==(const ChartMark&) const = default;
-};
 
 class CurveChart : public QChartView, public Draggable {
   Q_OBJECT
@@ -46,8 +35,6 @@ class CurveChart : public QChartView, public Draggable {
   void resetZoom() { setShown(all_); }
   /// Where the mouse is, in all charts that show the same x.
   void setHovered(std::optional<double> x);
-  /// A color of the palette that is safe for color-blind eyes.
-  static QColor colorOf(int place);
 
   /// The line above the curves: names and values under the mouse, else at the playhead.
   QString readout() const;

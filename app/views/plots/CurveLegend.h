@@ -1,10 +1,9 @@
 // The lines above the curves of a chart: their names, dashes and values.
 #pragma once
 
-#include "app/views/plots/ChartMath.h"
+#include "app/models/ChartMath.h"
+#include "app/models/Curve.h"
 
-#include <QColor>
-#include <QPen>
 #include <QString>
 
 #include <optional>
@@ -15,14 +14,6 @@ class QPainter;
 namespace taa::app {
 
 struct ThemeColors;
-
-struct Curve {
-  QString name;
-  QColor color;
-  Qt::PenStyle dash = Qt::SolidLine;
-  std::vector<QPointF> points; ///< rising in x; y NaN: a gap
-  QString shortName{};         ///< where names of all do not fit in a line; empty: there is none
-};
 
 /// Names are shortened before they take a second line; each value has room for any, so that nothing moves
 /// while they change.

@@ -1,8 +1,8 @@
 #include "app/views/timeline/Timeline.h"
 
+#include "app/models/ChartMath.h"
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
-#include "app/views/plots/ChartMath.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>

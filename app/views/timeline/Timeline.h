@@ -2,6 +2,7 @@
 // each frame.
 #pragma once
 
+#include "app/models/TimelineStrip.h"
 #include "app/views/timeline/TimelineMath.h"
 #include "app/widgets/Drags.h"
 
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace taa::app {
-
-/// A figure of each frame, as far as it is known.
-struct TimelineStrip {
-  QString name, unit;                        ///< no name: no strip
-  std::vector<std::optional<double>> values; ///< by frame
-  bool operator==(const TimelineStrip&) const = default;
-};
 
 class Timeline : public QWidget, public Draggable {
   Q_OBJECT

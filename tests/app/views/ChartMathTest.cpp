@@ -1,5 +1,5 @@
 // The arithmetic of charts.
-#include "app/views/plots/ChartMath.h"
+#include "app/models/ChartMath.h"
 #include "app/views/plots/CurveLegend.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/views/plots/ChartMath.h"
+#include "app/models/ChartMath.h"
 
 #include <algorithm>
 #include <cmath>
