@@ -18,11 +18,12 @@ constexpr int kRounds = 15; // so that the range leaves out three of them at eac
 constexpr double kLeastSampleMs = 4.0;
 constexpr int kMostRepeats = 64;
 
-// In the order of resolve.frag; the first only stores, the last is the whole resolve.
-constexpr std::array<Stage, 11> kPrograms{
-    Stage::Jitter,         Stage::Inputs,        Stage::DilateMotion, Stage::Reproject,
-    Stage::SampleHistory,  Stage::FilterCurrent, Stage::Neighborhood, Stage::ValidateHistory,
-    Stage::RectifyHistory, Stage::BlendWeight,   Stage::Blend};
+// One ends after each stage: the first only stores, the last is the whole resolve.
+constexpr auto kPrograms = [] {
+  std::array<Stage, kResolveStages.size()> stages{};
+  std::ranges::transform(kResolveStages, stages.begin(), &StageInfo::stage);
+  return stages;
+}();
 
 } // namespace
 

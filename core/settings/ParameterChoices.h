@@ -324,32 +324,6 @@ inline constexpr Choice kBoxKinds[] = {
     {"variance", "Variance", "Mean ± γ deviations (catalogue 10.2, Salvi 2016)."},
     {"intersection", "Both", "Variance box inside the min-max box (catalogue 10.3)."},
 };
-inline constexpr Choice kRectifyMethods[] = {
-    {"none", "None", "History is taken as it is: everything ghosts (catalogue 11.0)."},
-    {"clamp", "Clamp", "Nearest point of the box (catalogue 11.1)."},
-    {"clipToCenter", "To center", "Clip towards the middle of the box (catalogue 11.2, Playdead)."},
-    {"clipToFiltered", "To filtered",
-     "Clip towards the filtered current color (catalogue 11.3, Karis 2014)."},
-    {"shrinkAxes", "Shrink axes", "Towards the mean, one axis after the other (catalogue 11.5, Godot)."},
-    {"clampThenClip", "Clamp, then clip",
-     "Clamp to the min-max box, then clip to the center of this one (catalogue 10.5, Raptor)."},
-    {"rayToCurrent", "Ray to current",
-     "Along the ray to the current color, unless the box is hit too late (catalogue 11.4, DiligentFX)."},
-    {"clipToHull", "To filtered, hull",
-     "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
-     "which "
-     "no box and no γ widens (catalogue 10.12)."},
-    {"clipToBoth", "To filtered, both boxes",
-     "Towards the filtered color until it lies in the min-max boxes of RGB and of the color space (of RGB: "
-     "and of YCoCg): six slabs, which no γ widens (catalogue 9.7, Lottes)."},
-    {"clampForget", "Clamp and forget",
-     "Nearest point of the box, and history that was moved counts as no more than 1.6 frames, a tenth of "
-     "what "
-     "FSR2 can accumulate (catalogue 11.7)."},
-    {"select", "Select",
-     "The one of the nine samples that is nearest to history takes its place: no color of the past is left, "
-     "and no ghost (catalogue 11.8, 17.6, Godot's proposal)."},
-};
 inline constexpr Choice kOffScreens[] = {
     {"keep", "Keep", "Border pixels streak into the picture (catalogue 5.0)."},
     {"reject", "Reject", "Outside the picture there is no history (catalogue 5.1)."},
@@ -386,6 +360,32 @@ inline constexpr Choice kRejectActions[] = {
     {"decay", "Decay",
      "By the share r that is rejected N falls to N(1 − r) and α rises by r: a whole r starts anew "
      "(catalogue 12.5, 13.3, Godot)."},
+};
+inline constexpr Choice kRectifyMethods[] = {
+    {"none", "None", "History is taken as it is: everything ghosts (catalogue 11.0)."},
+    {"clamp", "Clamp", "Nearest point of the box (catalogue 11.1)."},
+    {"clipToCenter", "To center", "Clip towards the middle of the box (catalogue 11.2, Playdead)."},
+    {"clipToFiltered", "To filtered",
+     "Clip towards the filtered current color (catalogue 11.3, Karis 2014)."},
+    {"shrinkAxes", "Shrink axes", "Towards the mean, one axis after the other (catalogue 11.5, Godot)."},
+    {"clampThenClip", "Clamp, then clip",
+     "Clamp to the min-max box, then clip to the center of this one (catalogue 10.5, Raptor)."},
+    {"rayToCurrent", "Ray to current",
+     "Along the ray to the current color, unless the box is hit too late (catalogue 11.4, DiligentFX)."},
+    {"clipToHull", "To filtered, hull",
+     "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
+     "which "
+     "no box and no γ widens (catalogue 10.12)."},
+    {"clipToBoth", "To filtered, both boxes",
+     "Towards the filtered color until it lies in the min-max boxes of RGB and of the color space (of RGB: "
+     "and of YCoCg): six slabs, which no γ widens (catalogue 9.7, Lottes)."},
+    {"clampForget", "Clamp and forget",
+     "Nearest point of the box, and history that was moved counts as no more than 1.6 frames, a tenth of "
+     "what "
+     "FSR2 can accumulate (catalogue 11.7)."},
+    {"select", "Select",
+     "The one of the nine samples that is nearest to history takes its place: no color of the past is left, "
+     "and no ghost (catalogue 11.8, 17.6, Godot's proposal)."},
 };
 inline constexpr Choice kAlphaSources[] = {
     {"constant", "Constant", "The same α everywhere (catalogue 13.1)."},

@@ -191,31 +191,6 @@ struct NeighborhoodSettings {
   SpeedUnit gammaSpeedIn = SpeedUnit::Pixels; ///< unit of gammaSpeed
 };
 
-enum class RectifyMethod : std::int32_t {
-  None,
-  Clamp,
-  ClipToCenter,
-  ClipToFiltered,
-  ShrinkAxes,
-  ClampThenClip,
-  RayToCurrent,
-  ClipToHull,
-  ClipToBoth,
-  ClampForget,
-  Select,
-};
-struct RectifySettings {
-  RectifyMethod method = RectifyMethod::ClipToFiltered;
-  float mostSteps = 10.0f;          ///< T of RayToCurrent: hits farther than this along the ray do not count
-  Switch relaxAtRest = Switch::Off; ///< only a part of the correction where little moves
-  float leastStrength = 0.25f;      ///< that part at rest
-  float restSpeed = 1.0f;           ///< px a frame from which on all of it is applied
-  Switch locks = Switch::Off;       ///< thin features keep their history
-  float lockFrames = 16.0f;         ///< frames a lock lasts
-  Switch instability = Switch::Off; ///< what comes and goes with the jitter keeps its history
-  float flickerStrength = 0.0f;     ///< part of the correction applied to geometric flicker
-};
-
 enum class OffScreen : std::int32_t { Keep, Reject, Margin, OneSided };
 enum class VelocityTest : std::int32_t { None, Vector, Length };
 enum class RejectAction : std::int32_t { Restart, RaiseAlpha, Decay };
@@ -241,6 +216,31 @@ struct ValidateSettings {
   DepthFootprint depthFootprint = DepthFootprint::ReadInMotion; ///< where depth is looked for in history
   Switch flicker = Switch::On; ///< depth of a thin feature at rest that differs is no other surface
   float restLimit = 0.5f;      ///< px a frame of change of motion up to which nothing parts
+};
+
+enum class RectifyMethod : std::int32_t {
+  None,
+  Clamp,
+  ClipToCenter,
+  ClipToFiltered,
+  ShrinkAxes,
+  ClampThenClip,
+  RayToCurrent,
+  ClipToHull,
+  ClipToBoth,
+  ClampForget,
+  Select,
+};
+struct RectifySettings {
+  RectifyMethod method = RectifyMethod::ClipToFiltered;
+  float mostSteps = 10.0f;          ///< T of RayToCurrent: hits farther than this along the ray do not count
+  Switch relaxAtRest = Switch::Off; ///< only a part of the correction where little moves
+  float leastStrength = 0.25f;      ///< that part at rest
+  float restSpeed = 1.0f;           ///< px a frame from which on all of it is applied
+  Switch locks = Switch::Off;       ///< thin features keep their history
+  float lockFrames = 16.0f;         ///< frames a lock lasts
+  Switch instability = Switch::Off; ///< what comes and goes with the jitter keeps its history
+  float flickerStrength = 0.0f;     ///< part of the correction applied to geometric flicker
 };
 
 enum class AlphaSource : std::int32_t {
@@ -338,8 +338,8 @@ struct Settings {
   CurrentSettings current;
   SpaceSettings space;
   NeighborhoodSettings neighborhood;
-  RectifySettings rectify;
   ValidateSettings validate;
+  RectifySettings rectify;
   WeightSettings weight;
   BlendSettings blend;
   OutputSettings output;

@@ -1,9 +1,11 @@
-// The stages of the resolve in the order of the data, and the reference behind them: the one list that
-// tables, panels and files group by.
+// The stages in the order in which resolve.frag runs them, the output and the reference behind them: the one
+// list that tables, panels, files and the profiler take their order from.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace taa {
@@ -16,8 +18,8 @@ enum class Stage : std::uint8_t {
   SampleHistory,
   FilterCurrent,
   Neighborhood,
-  RectifyHistory,
   ValidateHistory,
+  RectifyHistory,
   BlendWeight,
   Blend,
   Output,
@@ -49,11 +51,11 @@ inline constexpr std::array<StageInfo, 13> kStages{{
      "Rebuilds the color at the pixel's center from the jittered samples around it.", "currentFiltered"},
     {Stage::Neighborhood, "neighborhood", "Neighborhood",
      "Measures the colors around the pixel and bounds them by a box.", "boxMax"},
-    {Stage::RectifyHistory, "rectify_history", "Rectify history",
-     "Pulls history that lies outside the box back to it.", "historyRectified"},
     {Stage::ValidateHistory, "validate_history", "Validate history",
      "Rejects history that belongs to something else: off the screen, or behind what is now in front.",
      "rejectReason"},
+    {Stage::RectifyHistory, "rectify_history", "Rectify history",
+     "Pulls history that lies outside the box back to it.", "historyRectified"},
     {Stage::BlendWeight, "blend_weight", "Blend weight", "Decides α, how much the current frame counts.",
      "alpha"},
     {Stage::Blend, "blend", "Blend", "Mixes current and history into the resolved picture.", "resolved"},
@@ -66,6 +68,10 @@ inline constexpr std::array<StageInfo, 13> kStages{{
      "it flickers. Drawn while somebody looks at it.",
      ""},
 }};
+
+/// Those of the resolve's own shader.
+inline constexpr std::span<const StageInfo> kResolveStages =
+    std::span(kStages).first(static_cast<std::size_t>(Stage::Blend) + 1);
 
 constexpr const StageInfo& stageInfo(Stage stage) {
   return kStages[static_cast<std::size_t>(stage)];

@@ -31,7 +31,7 @@ gl::TextureSize outputSize(const FrameInputs& inputs) {
 std::string stageEndsPrelude(std::optional<Stage> last) {
   if (!last || *last == Stage::Blend) return "#define stage_ends(stage, value)\n";
   std::string text;
-  for (const StageInfo& stage : kStages) // more than the resolve has
+  for (const StageInfo& stage : kResolveStages)
     text += "const int kStage_" + std::string(stage.id) + " = " +
             std::to_string(static_cast<int>(stage.stage)) + ";\n";
   return text + "const int kLastStage = kStage_" + std::string(stageInfo(*last).id) +

@@ -15,15 +15,6 @@ namespace {
 // So many rows of the resolve are not packed: beside the targets of the history they take one run.
 constexpr std::size_t kMostAlone = kMostTargets - kHistoryTargets;
 
-// How late in the resolve a stage's rows are known. The box needs no history but where γ grows by it.
-constexpr int lateness(Stage stage) {
-  constexpr Stage kEarliestFirst[] = {
-      Stage::Inputs,       Stage::DilateMotion,  Stage::Reproject,       Stage::FilterCurrent,
-      Stage::Neighborhood, Stage::SampleHistory, Stage::ValidateHistory, Stage::RectifyHistory,
-      Stage::BlendWeight,  Stage::Blend};
-  return static_cast<int>(std::ranges::find(kEarliestFirst, stage) - std::begin(kEarliestFirst));
-}
-
 // GL draws into no three.
 int storedChannels(IntermediateId id) {
   const int channels = intermediate(id).channels;
@@ -110,7 +101,7 @@ void ExposureLayout::giveLayers(const std::vector<IntermediateId>& rows) {
 void ExposureLayout::pack(std::vector<IntermediateId> rows) {
   std::ranges::stable_sort(rows, [](IntermediateId a, IntermediateId b) {
     const Intermediate &left = intermediate(a), &right = intermediate(b);
-    return lateness(left.stage) > lateness(right.stage);
+    return left.stage > right.stage; // the latest first
   });
   for (std::size_t taken = sources_.historyTargets; !rows.empty(); taken = 0)
     rows = packRun(rows, kMostTargets - taken);

@@ -95,20 +95,6 @@ enum class Visual : std::uint8_t {
       "Lower corner of the box history must lie in.")                                                        \
   ROW(boxMax, "Box maximum", Neighborhood, 3, "", 0, 1, Box, 1e-3,                                           \
       "Upper corner of the box history must lie in.")                                                        \
-  ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color, 1e-3,                       \
-      "History after it was pulled into the box.")                                                           \
-  ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                  \
-      "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
-  ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                        \
-      "Part of the correction that is applied.")                                                             \
-  ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                               \
-      "How much of the correction a lock takes back; 0 when off.")                                           \
-  ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar, 1e-3,                                      \
-      "2: locked in this frame; less than 1 does nothing, 0: no lock.")                                      \
-  ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask, 0,                                 \
-      "1 where luma comes and goes, which takes back all of the correction; 0 when off.")                    \
-  ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
-      "N after rectification: less than before only where that forgets.")                                    \
   ROW(depthExpected, "Depth expected", ValidateHistory, 1, "m", 0, 20, Depth, 1e-4,                          \
       "View depth this surface had in the previous frame.")                                                  \
   ROW(historyDepth, "History depth", ValidateHistory, 1, "m", 0, 20, Depth, 1e-5,                            \
@@ -130,6 +116,20 @@ enum class Visual : std::uint8_t {
   ROW(rejectReason, "Reject reason", ValidateHistory, 1, "", 0, 9, Index, 0,                                 \
       "Why history was rejected: 0 kept, 1 no history, 2 no previous position, 3 off screen, 4 depth, 5 "    \
       "too fast, 6 another object, 7 another class, 8 another normal, 9 another velocity.")                  \
+  ROW(historyRectified, "History rectified", RectifyHistory, 3, "", 0, 1, Color, 1e-3,                       \
+      "History after it was pulled into the box.")                                                           \
+  ROW(clipAmount, "Clip amount", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                  \
+      "How far history was pulled towards its target: 0 kept, 1 all the way.")                               \
+  ROW(rectifyStrength, "Rectify strength", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                        \
+      "Part of the correction that is applied.")                                                             \
+  ROW(lock, "Lock", RectifyHistory, 1, "", 0, 1, Scalar, 1e-3,                                               \
+      "How much of the correction a lock takes back; 0 when off.")                                           \
+  ROW(lockLife, "Lock life", RectifyHistory, 1, "", 0, 2, Scalar, 1e-3,                                      \
+      "2: locked in this frame; less than 1 does nothing, 0: no lock.")                                      \
+  ROW(instability, "Luma instability", RectifyHistory, 1, "", 0, 1, Mask, 0,                                 \
+      "1 where luma comes and goes, which takes back all of the correction; 0 when off.")                    \
+  ROW(historyKeptLength, "History length kept", RectifyHistory, 1, "frames", 0, 20, Scalar, 1e-3,            \
+      "N after rectification: less than before only where that forgets.")                                    \
   ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "α of the chosen source.")                \
   ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
   ROW(alphaLumaFlicker, "α calm luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
