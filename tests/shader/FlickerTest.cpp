@@ -89,9 +89,9 @@ TEST_F(FlickerTest, IsWhatTheTwinSays) {
       for (int i = 0; i < kWidth * kHeight; ++i)
         std::copy_n(&taa::twin::at(twin[static_cast<std::size_t>(i)], row.id).x, row.channels,
                     expected.at(i % kWidth, i / kWidth));
-      EXPECT_EQ(taa::test::difference(exposed.at(row.id), expected, isExact() ? 0.0f : row.tolerance,
-                                      isExact() ? 0 : expected.pixels.size() / 100),
-                "")
+      EXPECT_EQ(
+          taa::test::difference(exposed.at(row.id), expected, taa::test::limitsOf(isExact(), row.tolerance)),
+          "")
           << row.name;
     }
   }

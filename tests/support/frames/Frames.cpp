@@ -3,32 +3,36 @@
 
 #include "core/probe/TwinInputs.h"
 #include "core/scene/SceneSource.h"
+#include "tests/support/CompareImages.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
+#include <cstddef>
 #include <memory>
 
 namespace taa::test {
 namespace {
 
-/// On a GPU one pixel in this many may be decided differently by a comparison.
-constexpr std::size_t kPixelsPerOutlier = 500;
+/// On a GPU one value of as many pixels may be decided differently by a comparison.
+constexpr double kPixelsPerOutlier = 500.0;
 
-bool agrees(float is, float want, float tolerance, bool exact) {
-  if (std::isnan(is) && std::isnan(want)) return true;
-  if (exact) return std::bit_cast<std::uint32_t>(is) == std::bit_cast<std::uint32_t>(want);
-  return is == want || std::fabs(is - want) <= tolerance * std::max(1.0f, std::fabs(want));
+Limits limitsOfRow(const Intermediate& row, bool isExact) {
+  Limits limits = limitsOf(isExact, row.tolerance);
+  if (!isExact) limits.outliers = 1.0 / (kPixelsPerOutlier * row.channels);
+  return limits;
 }
 
-std::string describe(const Intermediate& row, int x, int y, int channel, float is, float want) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%.*s channel %d at (%d, %d) is %.9g (%a), the twin says %.9g (%a)",
-                static_cast<int>(row.name.size()), row.name.data(), channel, x, y, static_cast<double>(is),
-                static_cast<double>(is), static_cast<double>(want), static_cast<double>(want));
-  return text.data();
+/// What the twin says of every pixel, in the table's order.
+std::vector<Image> twinPictures(const twin::Inputs& inputs, const Settings& settings) {
+  std::vector<Image> images;
+  for (const Intermediate& row : kResolveRows)
+    images.emplace_back(inputs.outputWidth(), inputs.outputHeight(), row.channels);
+  for (int y = 0; y < inputs.outputHeight(); ++y)
+    for (int x = 0; x < inputs.outputWidth(); ++x) {
+      const twin::PixelRecord record = twin::resolvePixel(inputs, settings, x, y);
+      for (std::size_t row = 0; row < images.size(); ++row)
+        std::copy_n(&record[row].x, images[row].channels, images[row].at(x, y));
+    }
+  return images;
 }
 
 } // namespace
@@ -40,30 +44,19 @@ twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous) {
 std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact) {
   inputs.resolved = pictures[static_cast<std::size_t>(IntermediateId::resolved)];
-  std::string first;
-  std::array<std::size_t, kResolveRowCount> outliers{};
-  for (int y = 0; y < inputs.outputHeight(); ++y) {
-    for (int x = 0; x < inputs.outputWidth(); ++x) {
-      const twin::PixelRecord record = twin::resolvePixel(inputs, settings, x, y);
-      for (std::size_t i = 0; i < kResolveRowCount; ++i) {
-        const Intermediate& row = kResolveRows[i];
-        for (int channel = 0; channel < row.channels; ++channel) {
-          const float is = pictures[i].at(x, y)[channel];
-          const float want = record[i][channel];
-          if (agrees(is, want, row.tolerance, exact)) continue;
-          if (outliers[i]++ == 0 && first.empty()) first = describe(row, x, y, channel, is, want);
-        }
-      }
-    }
+  const std::vector<Image> expected = twinPictures(inputs, settings);
+  std::string first, others;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const Intermediate& row = kResolveRows[i];
+    const Limits limits = limitsOfRow(row, exact);
+    if (compare(pictures[i], expected[i], limits).agrees) continue;
+    const std::string name(row.name);
+    if (first.empty())
+      first = name + ": " + difference(pictures[i], expected[i], limits);
+    else
+      others += " " + name;
   }
-  const std::size_t pixels = static_cast<std::size_t>(inputs.outputWidth()) * inputs.outputHeight();
-  const std::size_t allowed = exact ? 0 : pixels / kPixelsPerOutlier;
-  std::string counts;
-  for (std::size_t i = 0; i < kResolveRowCount; ++i) {
-    if (outliers[i] <= allowed) continue;
-    counts += " " + std::string(kResolveRows[i].name) + ": " + std::to_string(outliers[i]);
-  }
-  return counts.empty() ? "" : first + "; values that differ:" + counts;
+  return others.empty() ? first : first + "; other rows that differ:" + others;
 }
 
 void Accumulator::resolve(TaaPass& pass, const FrameInputs& inputs, const Settings& settings,

@@ -15,8 +15,8 @@ namespace taa::test {
 twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous);
 
 /// Compares pictures (in the table's order) with the twin's, every pixel: bit for bit when `exact`, else
-/// within the table's tolerances but for one pixel in 500, where a comparison may fall the other way. Says
-/// what differs first; empty when nothing does.
+/// within the table's tolerances but for one value in 500 pixels, where a comparison may fall the other way
+/// (limitsOf()). Says how the first row that differs does, and names the others; empty when none does.
 std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
                                const std::vector<Image>& pictures, bool exact);
 
