@@ -13,20 +13,12 @@ Buffer::Buffer(std::size_t bytes, const void* data, const std::string& label) : 
   assert(bytes > 0);
   const std::string what = say<"cannot allocate %1 of %2 bytes">(label, bytes);
   allocation_ = Allocation(StorageKind::Buffer, label, bytes, what);
-  glCreateBuffers(1, &id_);
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  id_ = Handle<ObjectKind::Buffer>(id);
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
   glObjectLabel(GL_BUFFER, id_, -1, label.c_str());
-  try {
-    checkErrors(what);
-  } catch (...) {
-    glDeleteBuffers(1, &id_);
-    id_ = 0;
-    throw;
-  }
-}
-
-Buffer::~Buffer() {
-  if (id_) glDeleteBuffers(1, &id_);
+  checkErrors(what);
 }
 
 void Buffer::update(std::size_t offset, const void* data, std::size_t bytes) {
@@ -46,7 +38,9 @@ Mesh::Mesh(std::span<const std::byte> vertices, std::size_t stride,
     : vertices_(vertices.size(), vertices.data(), label + " vertices"),
       indices_(indices.size_bytes(), indices.data(), label + " indices"),
       indexCount_(static_cast<int>(indices.size())), kind_(kind) {
-  glCreateVertexArrays(1, &vertexArray_);
+  GLuint id = 0;
+  glCreateVertexArrays(1, &id);
+  vertexArray_ = Handle<ObjectKind::VertexArray>(id);
   glObjectLabel(GL_VERTEX_ARRAY, vertexArray_, -1, label.c_str());
   glVertexArrayVertexBuffer(vertexArray_, 0, vertices_.id(), 0, static_cast<GLsizei>(stride));
   glVertexArrayElementBuffer(vertexArray_, indices_.id());
@@ -56,18 +50,6 @@ Mesh::Mesh(std::span<const std::byte> vertices, std::size_t stride,
                               static_cast<GLuint>(attribute.offset));
     glVertexArrayAttribBinding(vertexArray_, attribute.location, 0);
   }
-}
-
-Mesh::~Mesh() {
-  if (vertexArray_) glDeleteVertexArrays(1, &vertexArray_);
-}
-
-void Mesh::swap(Mesh& other) noexcept {
-  std::swap(vertexArray_, other.vertexArray_);
-  std::swap(vertices_, other.vertices_);
-  std::swap(indices_, other.indices_);
-  std::swap(indexCount_, other.indexCount_);
-  std::swap(kind_, other.kind_);
 }
 
 } // namespace taa::gl

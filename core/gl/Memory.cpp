@@ -37,6 +37,10 @@ Allocation::Allocation(StorageKind kind, const std::string& label, std::size_t b
 }
 
 Allocation::~Allocation() {
+  end();
+}
+
+void Allocation::end() {
   if (!ledger_) return;
   --row_->objects;
   row_->bytes -= bytes_;
@@ -44,9 +48,11 @@ Allocation::~Allocation() {
 }
 
 Allocation& Allocation::operator=(Allocation&& other) noexcept {
-  std::swap(ledger_, other.ledger_);
-  std::swap(row_, other.row_);
-  std::swap(bytes_, other.bytes_);
+  if (this == &other) return *this;
+  end();
+  ledger_ = std::move(other.ledger_);
+  row_ = other.row_;
+  bytes_ = other.bytes_;
   return *this;
 }
 

@@ -43,6 +43,7 @@ class Allocation {
   Allocation(StorageKind kind, const std::string& label, std::size_t bytes, const std::string& what);
   ~Allocation();
   Allocation(Allocation&& other) noexcept = default;
+  /// Ends the share that it had, at once.
   Allocation& operator=(Allocation&& other) noexcept;
 
  private:
@@ -54,6 +55,7 @@ class Allocation {
   friend void resetMemoryPeak();
   friend void failAllocationsAfter(int count);
   static const std::shared_ptr<Ledger>& ledger();
+  void end();
 
   std::shared_ptr<Ledger> ledger_; // also owned by the thread, which may end before a static object
   Row* row_ = nullptr;             ///< of the ledger, stable

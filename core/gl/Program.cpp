@@ -104,7 +104,7 @@ std::string shaderLog(GLuint shader) {
 }
 
 struct Shader {
-  GLuint id;
+  Handle<ObjectKind::Shader> id;
   Shader(GLenum stage, const ShaderSource& source) : id(glCreateShader(stage)) {
     const char* text = source.text().c_str();
     glShaderSource(id, 1, &text, nullptr);
@@ -112,13 +112,8 @@ struct Shader {
     GLint compiled = 0;
     glGetShaderiv(id, GL_COMPILE_STATUS, &compiled);
     if (compiled) return;
-    const std::string log = source.readableLog(shaderLog(id));
-    glDeleteShader(id);
-    throw Error(say<"cannot compile %1:\n%2">("shaders/" + source.path(), log));
+    throw Error(say<"cannot compile %1:\n%2">("shaders/" + source.path(), source.readableLog(shaderLog(id))));
   }
-  ~Shader() { glDeleteShader(id); }
-  Shader(const Shader&) = delete;
-  Shader& operator=(const Shader&) = delete;
 };
 
 // One shader, or two: a single one links into a program for a pipeline. What the driver says where it cannot.
@@ -167,20 +162,12 @@ ProgramBinary binaryOf(GLuint program) {
 } // namespace
 
 struct Program::VertexStage {
-  GLuint id = glCreateProgram();
+  const Handle<ObjectKind::Program> id{glCreateProgram()};
   explicit VertexStage(const ShaderSource& source) {
-    try {
-      const Shader shader(GL_VERTEX_SHADER, source);
-      if (const auto log = link(id, shader.id, 0))
-        throw Error(say<"cannot link %1:\n%2">("shaders/" + source.path(), *log));
-    } catch (...) {
-      glDeleteProgram(id);
-      throw;
-    }
+    const Shader shader(GL_VERTEX_SHADER, source);
+    if (const auto log = link(id, shader.id, 0))
+      throw Error(say<"cannot link %1:\n%2">("shaders/" + source.path(), *log));
   }
-  ~VertexStage() { glDeleteProgram(id); }
-  VertexStage(const VertexStage&) = delete;
-  VertexStage& operator=(const VertexStage&) = delete;
 };
 
 namespace {
@@ -205,16 +192,13 @@ std::shared_ptr<Program::VertexStage> Program::sharedVertexStage(const ShaderSou
 Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label)
     : id_(glCreateProgram()) {
   const bool isAlone = handsOnNothing(vertex);
-  try {
-    if (isAlone) vertexStage_ = sharedVertexStage(vertex);
-    make(vertex, fragment);
-  } catch (...) {
-    glDeleteProgram(id_);
-    throw;
-  }
+  if (isAlone) vertexStage_ = sharedVertexStage(vertex);
+  make(vertex, fragment);
   glObjectLabel(GL_PROGRAM, id_, -1, label.c_str());
   if (!isAlone) return;
-  glCreateProgramPipelines(1, &pipeline_);
+  GLuint pipeline = 0;
+  glCreateProgramPipelines(1, &pipeline);
+  pipeline_ = Handle<ObjectKind::ProgramPipeline>(pipeline);
   glUseProgramStages(pipeline_, GL_VERTEX_SHADER_BIT, vertexStage_->id);
   glUseProgramStages(pipeline_, GL_FRAGMENT_SHADER_BIT, id_);
 }
@@ -237,9 +221,11 @@ void Program::make(const ShaderSource& vertex, const ShaderSource& fragment) {
   if (const ProgramBinary binary = binaryOf(id_); !binary.bytes.empty()) kept->keep(source, binary);
 }
 
-Program::~Program() {
-  if (pipeline_) glDeleteProgramPipelines(1, &pipeline_);
-  if (id_) glDeleteProgram(id_);
+Program& Program::operator=(Program&& other) noexcept {
+  pipeline_ = std::move(other.pipeline_); // before its stages
+  id_ = std::move(other.id_);
+  vertexStage_ = std::move(other.vertexStage_);
+  return *this;
 }
 
 void Program::use() const {

@@ -1,6 +1,8 @@
 // Shader programs: source with includes and a prelude, compiled, with errors that name file and line.
 #pragma once
 
+#include "core/gl/Handle.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -41,12 +43,9 @@ class Program {
  public:
   Program() = default;
   Program(const ShaderSource& vertex, const ShaderSource& fragment, const std::string& label);
-  ~Program();
-  Program(Program&& other) noexcept { swap(other); }
-  Program& operator=(Program&& other) noexcept {
-    swap(other);
-    return *this;
-  }
+  ~Program() = default;
+  Program(Program&&) noexcept = default;
+  Program& operator=(Program&& other) noexcept;
   unsigned id() const { return id_; }
   /// For what is drawn next.
   void use() const;
@@ -60,13 +59,9 @@ class Program {
   struct VertexStage;
   void make(const ShaderSource& vertex, const ShaderSource& fragment);
   static std::shared_ptr<VertexStage> sharedVertexStage(const ShaderSource& source);
-  void swap(Program& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(pipeline_, other.pipeline_);
-    std::swap(vertexStage_, other.vertexStage_);
-  }
-  unsigned id_ = 0, pipeline_ = 0; ///< with a pipeline, id_ is its fragment stage
   std::shared_ptr<VertexStage> vertexStage_;
+  Handle<ObjectKind::Program> id_;               ///< with a pipeline, its fragment stage
+  Handle<ObjectKind::ProgramPipeline> pipeline_; ///< the last one here, for it ends before its stages
 };
 
 } // namespace taa::gl

@@ -34,19 +34,23 @@ GLenum storeFormat(Format format) {
 
 // Passes without attributes still need a vertex array in core profiles; one for each context, found by being
 // bound to nothing else.
-struct EmptyVertexArray {
+Handle<ObjectKind::VertexArray> emptyVertexArray() {
   GLuint id = 0;
-  EmptyVertexArray() { glCreateVertexArrays(1, &id); }
-  ~EmptyVertexArray() { glDeleteVertexArrays(1, &id); }
-  EmptyVertexArray(const EmptyVertexArray&) = delete;
-  EmptyVertexArray& operator=(const EmptyVertexArray&) = delete;
-};
+  glCreateVertexArrays(1, &id);
+  return Handle<ObjectKind::VertexArray>(id);
+}
+
+Handle<ObjectKind::Framebuffer> newFramebuffer() {
+  GLuint id = 0;
+  glCreateFramebuffers(1, &id);
+  return Handle<ObjectKind::Framebuffer>(id);
+}
 
 } // namespace
 
 Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* depth,
-                         const std::string& label) {
-  glCreateFramebuffers(1, &id_);
+                         const std::string& label)
+    : id_(newFramebuffer()) {
   std::vector<GLenum> buffers;
   for (const Attachment& color : colors) {
     if (!color.texture) {
@@ -70,26 +74,14 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
   const GLenum status = glCheckNamedFramebufferStatus(id_, GL_DRAW_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
-  glDeleteFramebuffers(1, &id_);
-  id_ = 0;
   throw Error(say<"cannot draw into %1: GL reports framebuffer status %2">(label, status));
 }
 
-Framebuffer::Framebuffer(int width, int height, const std::string& label) : width_(width), height_(height) {
-  glCreateFramebuffers(1, &id_);
+Framebuffer::Framebuffer(int width, int height, const std::string& label)
+    : id_(newFramebuffer()), width_(width), height_(height) {
   glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
   glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
   glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
-}
-
-Framebuffer::~Framebuffer() {
-  if (id_) glDeleteFramebuffers(1, &id_);
-}
-
-void Framebuffer::swap(Framebuffer& other) noexcept {
-  std::swap(id_, other.id_);
-  std::swap(width_, other.width_);
-  std::swap(height_, other.height_);
 }
 
 void Framebuffer::clearColor(int index, const glm::vec4& value) {
@@ -176,8 +168,8 @@ void RenderPass::blending(unsigned attachment, Blending blending) {
 }
 
 void RenderPass::drawFullscreen() {
-  const EmptyVertexArray empty;
-  glBindVertexArray(empty.id);
+  const Handle<ObjectKind::VertexArray> empty = emptyVertexArray();
+  glBindVertexArray(empty);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
 }

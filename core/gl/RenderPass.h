@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/gl/Buffer.h"
+#include "core/gl/Handle.h"
 #include "core/gl/Program.h"
 #include "core/gl/Texture.h"
 
@@ -10,7 +11,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace taa::gl {
@@ -27,12 +27,6 @@ class Framebuffer {
   Framebuffer(const std::vector<Attachment>& colors, const Texture* depth, const std::string& label);
   /// No attachments: for passes that write by image stores only.
   Framebuffer(int width, int height, const std::string& label);
-  ~Framebuffer();
-  Framebuffer(Framebuffer&& other) noexcept { swap(other); }
-  Framebuffer& operator=(Framebuffer&& other) noexcept {
-    Framebuffer(std::move(other)).swap(*this);
-    return *this;
-  }
   void clearColor(int index, const glm::vec4& value);
   void clearColorUint(int index, std::uint32_t value);
   void clearDepth(float value);
@@ -41,9 +35,8 @@ class Framebuffer {
   int height() const { return height_; }
 
  private:
-  void swap(Framebuffer& other) noexcept;
-  unsigned id_ = 0;
-  int width_ = 0, height_ = 0;
+  Handle<ObjectKind::Framebuffer> id_;
+  ResetOnMove<int> width_, height_;
 };
 
 struct RenderState {

@@ -91,32 +91,23 @@ std::size_t textureBytes(const TextureSize& size, Format format) {
 }
 
 Texture::Texture(const TextureSize& size, Format format, const std::string& label)
-    : size_(size), format_(format) {
+    : size_({size.width, size.height, size.layers, levelCount(size)}), format_(format) {
   assert(size.width > 0 && size.height > 0);
-  size_.levels = levelCount(size);
   const std::string texels = std::to_string(size.width) + " x " + std::to_string(size.height) +
                              (size.layers > 0 ? " x " + std::to_string(size.layers) : "");
   const std::string what =
       say<"cannot allocate %1 of %2 texels (%3 MiB)">(label, texels, textureBytes(size_, format) >> 20);
   allocation_ = Allocation(StorageKind::Texture, label, textureBytes(size_, format), what);
-  glCreateTextures(size.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id_);
+  GLuint id = 0;
+  glCreateTextures(size.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id);
+  id_ = Handle<ObjectKind::Texture>(id);
   const GLenum internalFormat = info(format).internalFormat;
   if (size.layers > 0)
-    glTextureStorage3D(id_, size_.levels, internalFormat, size.width, size.height, size.layers);
+    glTextureStorage3D(id_, size_->levels, internalFormat, size.width, size.height, size.layers);
   else
-    glTextureStorage2D(id_, size_.levels, internalFormat, size.width, size.height);
+    glTextureStorage2D(id_, size_->levels, internalFormat, size.width, size.height);
   glObjectLabel(GL_TEXTURE, id_, -1, label.c_str());
-  try {
-    checkErrors(what);
-  } catch (...) {
-    glDeleteTextures(1, &id_);
-    id_ = 0;
-    throw;
-  }
-}
-
-Texture::~Texture() {
-  if (id_) glDeleteTextures(1, &id_);
+  checkErrors(what);
 }
 
 std::size_t Texture::bytes() const {
@@ -132,7 +123,7 @@ void Texture::upload(const Image& image, int layer) {
     for (float value : image.pixels) integers.push_back(static_cast<std::uint32_t>(value));
     data = integers.data();
   }
-  if (size_.layers > 0)
+  if (size_->layers > 0)
     glTextureSubImage3D(id_, 0, 0, 0, layer, width(), height(), 1, format.transfer, format.type, data);
   else
     glTextureSubImage2D(id_, 0, 0, 0, width(), height(), format.transfer, format.type, data);
@@ -140,7 +131,7 @@ void Texture::upload(const Image& image, int layer) {
 
 void Texture::uploadBytes(std::span<const std::uint8_t> bytes) {
   assert(format_ == Format::RGBA8 || format_ == Format::SRGBA8);
-  assert(bytes.size() == textureBytes({width(), height()}, format_) && size_.layers == 0);
+  assert(bytes.size() == textureBytes({width(), height()}, format_) && size_->layers == 0);
   glTextureSubImage2D(id_, 0, 0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
 }
 
@@ -149,7 +140,7 @@ void Texture::generateMipmaps() {
 }
 
 void Texture::copyFrom(const Texture& source) {
-  assert(size_ == source.size() && format_ == source.format() && size_.layers == 0);
+  assert(size() == source.size() && format_ == source.format() && size_->layers == 0);
   glCopyImageSubData(source.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id_, GL_TEXTURE_2D, 0, 0, 0, 0, width(),
                      height(), 1);
 }
@@ -175,12 +166,14 @@ Image Texture::download(const Rect& rect, int layer) const {
 
 void Texture::downloadBytes(std::span<std::uint8_t> bytes) const {
   assert(format_ == Format::RGBA8 && bytes.size() == textureBytes({width(), height()}, format_) &&
-         size_.layers == 0);
+         size_->layers == 0);
   glGetTextureImage(id_, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes.size()), bytes.data());
 }
 
 Sampler::Sampler(const SamplerState& state) {
-  glCreateSamplers(1, &id_);
+  GLuint id = 0;
+  glCreateSamplers(1, &id);
+  id_ = Handle<ObjectKind::Sampler>(id);
   glSamplerParameteri(id_, GL_TEXTURE_MAG_FILTER, state.magnifyLinear ? GL_LINEAR : GL_NEAREST);
   glSamplerParameteri(id_, GL_TEXTURE_MIN_FILTER, minifyFilter(state));
   glSamplerParameteri(id_, GL_TEXTURE_WRAP_S, wrapMode(state.wrapU));
@@ -188,10 +181,6 @@ Sampler::Sampler(const SamplerState& state) {
   glSamplerParameterf(id_, GL_TEXTURE_LOD_BIAS, state.lodBias);
   if (state.anisotropy > 1.0f && epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))
     glSamplerParameterf(id_, GL_TEXTURE_MAX_ANISOTROPY, state.anisotropy);
-}
-
-Sampler::~Sampler() {
-  if (id_) glDeleteSamplers(1, &id_);
 }
 
 } // namespace taa::gl

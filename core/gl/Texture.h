@@ -1,13 +1,13 @@
-// Immutable-size GL textures and samplers, owned by value (move-only; id 0 means moved-from).
+// Immutable-size GL textures and samplers, owned by value (move-only, see Handle.h).
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/gl/Handle.h"
 #include "core/gl/Memory.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace taa::gl {
 
@@ -49,18 +49,12 @@ class Texture {
   /// Storage with undefined contents. Throws Error when the driver has not the memory, saying what was asked
   /// for.
   Texture(const TextureSize& size, Format format, const std::string& label);
-  ~Texture();
-  Texture(Texture&& other) noexcept { swap(other); }
-  Texture& operator=(Texture&& other) noexcept {
-    Texture(std::move(other)).swap(*this);
-    return *this;
-  }
 
   explicit operator bool() const { return id_ != 0; }
   unsigned id() const { return id_; }
   const TextureSize& size() const { return size_; }
-  int width() const { return size_.width; }
-  int height() const { return size_.height; }
+  int width() const { return size_->width; }
+  int height() const { return size_->height; }
   Format format() const { return format_; }
   std::size_t bytes() const; ///< of all levels and layers
 
@@ -82,14 +76,8 @@ class Texture {
   void downloadBytes(std::span<std::uint8_t> bytes) const;
 
  private:
-  void swap(Texture& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(size_, other.size_);
-    std::swap(format_, other.format_);
-    std::swap(allocation_, other.allocation_);
-  }
-  unsigned id_ = 0;
-  TextureSize size_;
+  Handle<ObjectKind::Texture> id_;
+  ResetOnMove<TextureSize> size_;
   Format format_ = Format::RGBA8;
   Allocation allocation_;
 };
@@ -109,16 +97,10 @@ class Sampler {
  public:
   Sampler() = default;
   explicit Sampler(const SamplerState& state);
-  ~Sampler();
-  Sampler(Sampler&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
-  Sampler& operator=(Sampler&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-  }
   unsigned id() const { return id_; }
 
  private:
-  unsigned id_ = 0;
+  Handle<ObjectKind::Sampler> id_;
 };
 
 } // namespace taa::gl
