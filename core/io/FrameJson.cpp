@@ -98,7 +98,7 @@ ordered_json parameterJson(const Parameter& row) {
   json["tooltip"] = row.tooltip;
   json["formula"] = row.formula;
   json["source"] = row.source;
-  json["relevantWhen"] = row.relevantWhen;
+  json["relevantWhen"] = relevantWhen(row);
   return json;
 }
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -115,6 +114,45 @@ nlohmann::json jsonValue(const Parameter& row, double value) {
   return {};
 }
 
+// What the row uses at this value.
+const Uses& usedBy(const Parameter& row, double value) {
+  if (row.kind == ParameterKind::Choice) return row.choices[static_cast<std::size_t>(value)].uses;
+  const bool isFirst = row.kind == ParameterKind::Toggle ? value != 0.0 : value < row.maximum;
+  return isFirst ? row.uses : row.usesOtherwise;
+}
+
+bool usesEver(const Parameter& row, Field field) {
+  return row.uses.contains(field) || row.usesOtherwise.contains(field) ||
+         std::ranges::any_of(row.choices,
+                             [field](const Choice& choice) { return choice.uses.contains(field); });
+}
+
+// The rows that use it with some value, from a table that is made once.
+const std::vector<const Parameter*>& usersOf(const Parameter& row) {
+  static const auto kUsers = [] {
+    std::vector<std::vector<const Parameter*>> users;
+    for (const Parameter& used : parameters()) {
+      users.emplace_back();
+      for (const Parameter& user : parameters())
+        if (usesEver(user, used.field)) users.back().push_back(&user);
+    }
+    return users;
+  }();
+  return kUsers[static_cast<std::size_t>(&row - parameters().data())];
+}
+
+// With which values `user` uses the row: "path=choice|choice" or "path<number".
+std::string condition(const Parameter& user, const Parameter& row) {
+  const std::string path(user.path);
+  if (user.kind == ParameterKind::Toggle) return path + (user.uses.contains(row.field) ? "=on" : "=off");
+  if (user.kind != ParameterKind::Choice)
+    return path + (user.uses.contains(row.field) ? "<" : "=") + valueText(user, user.maximum);
+  std::string ids;
+  for (const Choice& choice : user.choices)
+    if (choice.uses.contains(row.field)) ids += (ids.empty() ? "" : "|") + std::string(choice.id);
+  return path + "=" + ids;
+}
+
 double valueFromJson(const Parameter& row, const nlohmann::json& json) {
   if (row.kind == ParameterKind::Toggle && json.is_boolean()) return json.get<bool>() ? 1.0 : 0.0;
   if (row.kind == ParameterKind::Choice && json.is_string()) return parseValue(row, json.get<std::string>());
@@ -133,21 +171,16 @@ const Parameter& parameter(std::string_view path) {
 }
 
 bool isRelevant(const Parameter& row, const Settings& settings) {
-  if (row.relevantWhen.empty()) return true;
-  const std::size_t equals = row.relevantWhen.find_first_of("=<");
-  assert(equals != std::string_view::npos);
-  const Parameter& other = parameter(row.relevantWhen.substr(0, equals));
-  if (!isRelevant(other, settings)) return false;
-  if (row.relevantWhen[equals] == '<')
-    return other.get(settings) < parseNumber(other, row.relevantWhen.substr(equals + 1));
-  const std::string value = valueText(other, other.get(settings));
-  std::string_view allowed = row.relevantWhen.substr(equals + 1);
-  while (!allowed.empty()) {
-    const std::size_t bar = allowed.find('|');
-    if (allowed.substr(0, bar) == value) return true;
-    allowed = bar == std::string_view::npos ? std::string_view() : allowed.substr(bar + 1);
-  }
-  return false;
+  const auto& users = usersOf(row);
+  return users.empty() || std::ranges::any_of(users, [&](const Parameter* user) {
+           return usedBy(*user, user->get(settings)).contains(row.field) && isRelevant(*user, settings);
+         });
+}
+
+std::string relevantWhen(const Parameter& row) {
+  std::string text;
+  for (const Parameter* user : usersOf(row)) text += (text.empty() ? "" : " or ") + condition(*user, row);
+  return text;
 }
 
 std::string valueText(const Parameter& row, double value) {

@@ -7,6 +7,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,10 +21,34 @@ namespace taa {
 
 enum class ParameterKind : std::uint8_t { Choice, Toggle, Integer, Number };
 
+/// A field of Settings, by where it lies in it.
+struct Field {
+  std::uint16_t offset; ///< bytes
+  bool operator==(const Field&) const = default;
+};
+
+/// The fields that a choice, a switch or a number reads besides its own.
+class Uses {
+ public:
+  template <std::same_as<Field>... Fields>
+  constexpr explicit Uses(Fields... fields) : fields_{fields...}, count_(sizeof...(fields)) {}
+
+  constexpr bool contains(Field field) const {
+    return std::find(fields_.begin(), fields_.begin() + count_, field) != fields_.begin() + count_;
+  }
+  constexpr std::span<const Field> all() const { return std::span(fields_).first(count_); }
+
+ private:
+  std::array<Field, 6> fields_;
+  std::size_t count_;
+};
+
+/// A technique: all that tables, panels and files know of it.
 struct Choice {
   std::string_view id;    ///< in files and flags: "closest3x3"
   std::string_view label; ///< in the window: "Closest 3×3"
   std::string_view explanation;
+  Uses uses; ///< settings that have an effect with this choice and none with choices that do not use them
 };
 
 /// What has to be done again when the parameter changes.
@@ -46,11 +73,11 @@ struct Parameter {
   std::string_view tooltip;        ///< what it does, in a sentence
   std::string_view formula;        ///< empty where there is none
   std::string_view source;         ///< catalogue id and paper
-  /// "path=choice|choice" or "path<number": it has no effect otherwise, nor where that parameter has none.
-  /// Empty: always relevant.
-  std::string_view relevantWhen;
+  Uses uses;                       ///< Toggle: where it is on; Number: below its maximum
+  Field field;
   double (*get)(const Settings&);
   void (*set)(Settings&, double);
+  Uses usesOtherwise = Uses(); ///< Toggle: where it is off; Number: at its maximum
 
   double defaultValue() const { return get(Settings{}); }
 };
@@ -60,8 +87,11 @@ std::span<const Parameter> parameters();
 /// The row of `path`. Throws Error that names the nearest paths when there is none.
 const Parameter& parameter(std::string_view path);
 
-/// Whether the value of the row has any effect with these settings (see relevantWhen).
+/// Whether the value of the row has any effect with these settings: no other row uses it, or one does that
+/// has an effect itself and the value that uses it.
 bool isRelevant(const Parameter& parameter, const Settings& settings);
+/// That in a text: "path=choice|choice" or "path<number"; empty where it always has an effect.
+std::string relevantWhen(const Parameter& parameter);
 
 /// The value as files and flags write it: choice id, "on"/"off", integer, or the shortest decimal that reads
 /// back.

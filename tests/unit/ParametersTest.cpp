@@ -50,6 +50,7 @@ TEST(Parameters, HaveOneRowForEachFieldOfTheSettings) {
     for (std::size_t i = 0; i < before.size(); ++i)
       if (before[i] != after[i]) {
         EXPECT_TRUE(fields.insert(i).second) << row.path << " shares its field";
+        EXPECT_EQ(row.field.offset, 4 * i) << row.path;
       }
     EXPECT_EQ(row.get(settings), otherValue(row, row.defaultValue())) << row.path;
   }
@@ -137,6 +138,29 @@ TEST(Parameters, KnowWhenTheyMatter) {
   EXPECT_FALSE(isRelevant(parameter("current.filter"), settings));
   EXPECT_FALSE(isRelevant(parameter("current.variance"), settings)) << "of a filter that is not relevant";
   EXPECT_TRUE(isRelevant(parameter("current.upsample"), settings));
+}
+
+TEST(Parameters, SayInATextWhenTheyMatter) {
+  EXPECT_EQ(relevantWhen(parameter("taa.enabled")), "");
+  EXPECT_EQ(relevantWhen(parameter("neighborhood.gamma")), "neighborhood.box=variance|intersection");
+  EXPECT_EQ(relevantWhen(parameter("validate.depthTolerance")), "validate.depth=on");
+  EXPECT_EQ(relevantWhen(parameter("current.upsample")), "inputs.renderScale<1");
+  EXPECT_EQ(relevantWhen(parameter("current.filter")), "inputs.renderScale=1");
+}
+
+// So that the question whether a row matters has an answer.
+TEST(Parameters, UseRowsThatThereAreAndNotThemselves) {
+  const auto expectRows = [](const Parameter& user, const Uses& uses) {
+    for (const Field field : uses.all()) {
+      EXPECT_EQ(std::ranges::count(parameters(), field, &Parameter::field), 1) << user.path;
+      EXPECT_NE(field, user.field) << user.path;
+    }
+  };
+  for (const Parameter& row : parameters()) {
+    expectRows(row, row.uses);
+    expectRows(row, row.usesOtherwise);
+    for (const Choice& choice : row.choices) expectRows(row, choice.uses);
+  }
 }
 
 TEST(Parameters, ReachTheShaderOrTheInputs) {
