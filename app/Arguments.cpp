@@ -5,8 +5,8 @@
 #include "app/window/Dialogs.h"
 
 #include "core/base/Error.h"
-#include "core/inspect/Inspector.h"
 #include "core/io/CameraTrackJson.h"
+#include "core/replay/Checkpoints.h"
 
 #include <CLI/CLI.hpp>
 

@@ -7,6 +7,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/inspect/FirstSize.h"
+#include "core/replay/Checkpoints.h"
 #include "core/settings/Presets.h"
 
 #include <QBoxLayout>

@@ -1,9 +1,9 @@
 #include "core/cli/Arguments.h"
 
 #include "core/base/Error.h"
-#include "core/inspect/InspectedShot.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/measure/Metrics.h"
+#include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 

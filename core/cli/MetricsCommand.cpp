@@ -116,7 +116,7 @@ void printJson(std::ostream& out, const Inspector& inspector, const std::vector<
   ordered_json json = shotJson(inspector);
   json["referenceSamples"] = referenceSamples;
   if (std::ranges::any_of(wanted, [](Figure figure) { return figureInfo(figure).isOverTime; }))
-    json["flickerFrames"] = inspector.flickerFrames();
+    json["flickerFrames"] = inspector.flicker().frames();
   for (const Figure figure : wanted) {
     const FigureInfo& info = figureInfo(figure);
     json["figures"].push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
@@ -137,17 +137,17 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   if (samples != 0) checkReferenceSamples(samples);
   const std::vector<Figure> wanted = figuresWanted(arguments);
   Inspector inspector;
-  inspector.setFlickerFrames(arguments.flickerFrames);
+  inspector.flicker().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
   std::vector<LaneFigures> lanes(plan.lanes.size());
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Measuring frames", frame - range.first, range.count());
-    inspector.seek(frame, frame == range.first ? progress : Progress());
-    for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-      if (samples > 0) inspector.refineReference(samples, progress, lane);
-      if (arguments.flicker) inspector.refineFlicker(samples, progress, lane);
-      lanes[static_cast<std::size_t>(lane)].push_back(inspector.figures(wanted, lane));
+    inspector.shot().seek(frame, frame == range.first ? progress : Progress());
+    for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+      if (samples > 0) inspector.reference().refine(samples, progress, lane);
+      if (arguments.flicker) inspector.flicker().refine(samples, progress, lane);
+      lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().figures(wanted, lane));
     }
   }
   if (arguments.json) return printJson(out, inspector, lanes, plan, samples, wanted);

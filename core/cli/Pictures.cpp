@@ -81,11 +81,12 @@ Picture Pictures::draw(Inspector& inspector, IntermediateId id, int lane, const 
   PictureRequest request{.id = id,
                          .style = first,
                          .transform = {},
-                         .width = inspector.width(),
-                         .height = inspector.height(),
+                         .width = inspector.shot().width(),
+                         .height = inspector.shot().height(),
                          .lane = lane,
                          .showing = showing_,
-                         .divider = static_cast<int>(std::lround(arguments_.divider * inspector.width())),
+                         .divider =
+                             static_cast<int>(std::lround(arguments_.divider * inspector.shot().width())),
                          .referenceSamples = arguments_.referenceSamples};
   if (!compares()) return shownPicture(inspector, request, progress);
   if (showing_ == Showing::Difference) request.style = styled(differenceStyle(row), arguments_.style);

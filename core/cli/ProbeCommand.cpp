@@ -46,14 +46,14 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frame);
-  inspector.seek(frame, progress);
+  inspector.shot().seek(frame, progress);
 
   ProbeReport report{shotFacts(inspector), pixel, {}};
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
     const LaneChoice& choice = plan.lanes.at(static_cast<std::size_t>(lane));
-    ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probe(pixel.x, pixel.y, lane)};
-    probed.details = std::make_shared<twin::Details>(inspector.details(pixel.x, pixel.y, lane));
-    if (arguments.whatIf) probed.whatIf = inspector.whatIf(pixel.x, pixel.y, lane);
+    ProbedLane probed{laneFacts(inspector, choice, lane), inspector.probes().probe(pixel.x, pixel.y, lane)};
+    probed.details = std::make_shared<twin::Details>(inspector.probes().details(pixel.x, pixel.y, lane));
+    if (arguments.whatIf) probed.whatIf = inspector.probes().whatIf(pixel.x, pixel.y, lane);
     report.lanes.push_back(std::move(probed));
   }
   if (arguments.json) {

@@ -117,19 +117,19 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, frames.last);
-  inspector.seek(frames.first, progress); // compiles: nothing of that is measured
-  inspector.seek(frames.first - 1, progress);
-  inspector.setProfiling(true);
+  inspector.shot().seek(frames.first, progress); // compiles: nothing of that is measured
+  inspector.shot().seek(frames.first - 1, progress);
+  inspector.profiler().setProfiling(true);
   std::vector<PassRow> passes;
   FrameProfile last;
   for (int frame = frames.first; frame <= frames.last; ++frame) {
     report(progress, "Profiling frames", frame - frames.first, frames.count());
-    inspector.advance();
-    last = inspector.takeProfile().value();
+    inspector.shot().advance();
+    last = inspector.profiler().takeProfile().value();
     add(passes, last);
   }
-  inspector.setProfiling(false);
-  const StageCosts costs = inspector.measureStages(progress);
+  inspector.profiler().setProfiling(false);
+  const StageCosts costs = inspector.profiler().measureStages(progress);
   if (arguments.json) {
     ordered_json json = shotJson(inspector);
     json["frames"] = {frames.first, frames.last};
@@ -137,8 +137,8 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
     out << json.dump(2) << '\n';
     return;
   }
-  out << inspector.driver().renderer << ", " << inspector.width() << " × " << inspector.height() << ": "
-      << timingWords(last.method) << "\n\n";
+  out << inspector.shot().driver().renderer << ", " << inspector.shot().width() << " × "
+      << inspector.shot().height() << ": " << timingWords(last.method) << "\n\n";
   printPasses(out, passes);
   out << '\n';
   printStages(out, costs);

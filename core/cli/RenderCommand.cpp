@@ -84,17 +84,20 @@ void makeFolder(const fs::path& folder) {
 
 std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& plan) {
   std::vector<FrameLane> lanes;
-  for (int lane = 0; lane < inspector.laneCount(); ++lane)
-    lanes.push_back({plan.lanes.at(static_cast<std::size_t>(lane)).name, inspector.settings(lane),
-                     inspector.info(lane), inspector.inputs(lane).block});
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
+    lanes.push_back({plan.lanes.at(static_cast<std::size_t>(lane)).name, inspector.shot().settings(lane),
+                     inspector.shot().info(lane), inspector.views().inputs(lane).block});
   return lanes;
 }
 
 fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids,
                   const RenderArguments& arguments) {
-  fs::path path = exrPath(arguments, inspector.frame());
-  FrameFile frame{
-      inspector.source(), inspector.camera(), inspector.driver().renderer, laneHeaders(inspector, plan), {}};
+  fs::path path = exrPath(arguments, inspector.shot().frame());
+  FrameFile frame{inspector.shot().source(),
+                  inspector.shot().camera(),
+                  inspector.shot().driver().renderer,
+                  laneHeaders(inspector, plan),
+                  {}};
   exportFrame(inspector, std::move(frame), ids, path);
   return path;
 }
@@ -108,7 +111,7 @@ std::vector<fs::path> writePngs(Inspector& inspector, const ShotPlan& plan, cons
     for (const IntermediateId id : ids) {
       const Picture picture = pictures.draw(inspector, id, lane, progress);
       paths.push_back(
-          pngPath(arguments, inspector.frame(), plan.lanes.at(static_cast<std::size_t>(lane)), id));
+          pngPath(arguments, inspector.shot().frame(), plan.lanes.at(static_cast<std::size_t>(lane)), id));
       writePng(paths.back(), picture.width, picture.height, picture.rgba);
     }
   return paths;
@@ -120,17 +123,17 @@ class Animations {
   Animations(const Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
              const std::vector<IntermediateId>& ids, const Pictures& pictures)
       : pictures_(pictures) {
-    const double rate =
-        arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : inspector.scene().shot.framesPerSecond;
+    const double rate = arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond
+                                                        : inspector.shot().scene().shot.framesPerSecond;
     for (int lane = 0; lane < pictures.laneCount(plan); ++lane)
       for (const IntermediateId id : ids) {
         const fs::path path = gifPath(arguments, plan.lanes.at(static_cast<std::size_t>(lane)), id);
         fs::path temporary = path;
         temporary.replace_filename("." + path.stem().string() + "." + std::to_string(::getpid()) +
                                    ".part.gif");
-        rows_.push_back(
-            {lane, id, path, temporary,
-             std::make_unique<GifWriter>(temporary, path, inspector.width(), inspector.height(), rate)});
+        rows_.push_back({lane, id, path, temporary,
+                         std::make_unique<GifWriter>(temporary, path, inspector.shot().width(),
+                                                     inspector.shot().height(), rate)});
       }
   }
   ~Animations() {
@@ -172,13 +175,13 @@ void sayMemory(const Inspector& inspector, const ShotPlan& plan, const std::vect
   // Rows that are written to files are counted with the export.
   std::vector<IntermediateId> ofReference;
   std::ranges::copy_if(ids, std::back_inserter(ofReference), isOfReference);
-  const MemoryNeed need = memoryNeed(lanes, plan.size, ofReference, !inspector.scene().fog.empty());
+  const MemoryNeed need = memoryNeed(lanes, plan.size, ofReference, !inspector.shot().scene().fog.empty());
   std::cerr << "memory: about " << bytesText(need.total()) << " for " << plan.size.x << " × " << plan.size.y
             << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories);
   if (need.reference > 0) std::cerr << ", reference " << bytesText(need.reference);
   std::cerr << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
             << " at a time";
-  if (const std::optional<std::size_t> available = gl::availableMemory(inspector.driver()))
+  if (const std::optional<std::size_t> available = gl::availableMemory(inspector.shot().driver()))
     std::cerr << "; " << bytesText(*available) << " are free";
   std::cerr << '\n';
 }
@@ -194,14 +197,14 @@ void renderFrames(Inspector& inspector, const RenderArguments& arguments, const 
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
-    inspector.seek(frame, frame == range.first ? progress : Progress());
-    for (int lane = 0; isExr && lane < inspector.laneCount(); ++lane)
-      inspector.makeRows(ids, arguments.referenceSamples, progress, lane);
+    inspector.shot().seek(frame, frame == range.first ? progress : Progress());
+    for (int lane = 0; isExr && lane < inspector.shot().laneCount(); ++lane)
+      inspector.reference().makeRows(ids, arguments.referenceSamples, progress, lane);
     if (isExr) {
       written(writeExr(inspector, plan, ids, arguments));
       continue;
     }
-    inspector.watch(ids);
+    inspector.views().watch(ids);
     if (animations)
       animations->add(inspector, progress);
     else
@@ -244,7 +247,7 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   json["frames"] = {range.first, range.last};
   if (pictures.showsReference()) json["referenceSamples"] = arguments.referenceSamples;
   if (pictures.compares()) json["compare"] = arguments.compare;
-  for (int lane = 0; lane < inspector.laneCount(); ++lane)
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
     json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
   json["files"] = files;
   out << json.dump(2) << '\n';

@@ -50,30 +50,31 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
               const Progress& progress) {
   std::vector<Settings> settings;
   for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
-  inspector.setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
-  inspector.setLanes(settings);
-  inspector.setSize(plan.size.x, plan.size.y);
-  inspector.open(plan.source, progress);
-  if (!plan.camera.empty()) inspector.setCamera(plan.camera);
-  if (plan.track) inspector.setCameraTrack(*plan.track);
-  inspector.setMotionModes(plan.motionModes);
-  inspector.setObjectFilter(plan.filter);
-  inspector.setObjectClasses(plan.objectClasses);
-  inspector.setRestarts(plan.restarts);
-  for (const std::string& warning : inspector.scene().warnings) std::cerr << "warning: " << warning << '\n';
+  inspector.shot().setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
+  inspector.shot().setLanes(settings);
+  inspector.shot().setSize(plan.size.x, plan.size.y);
+  inspector.shot().open(plan.source, progress);
+  if (!plan.camera.empty()) inspector.shot().setCamera(plan.camera);
+  if (plan.track) inspector.shot().setCameraTrack(*plan.track);
+  inspector.shot().setMotionModes(plan.motionModes);
+  inspector.shot().setObjectFilter(plan.filter);
+  inspector.shot().setObjectClasses(plan.objectClasses);
+  inspector.shot().setRestarts(plan.restarts);
+  for (const std::string& warning : inspector.shot().scene().warnings)
+    std::cerr << "warning: " << warning << '\n';
 }
 
 void requireFrame(const Inspector& inspector, int frame) {
-  const int last = inspector.frameCount() - 1;
+  const int last = inspector.shot().frameCount() - 1;
   if (frame > last)
-    throw Error("there is no frame " + std::to_string(frame) + ": " + inspector.source() +
+    throw Error("there is no frame " + std::to_string(frame) + ": " + inspector.shot().source() +
                 " has frames 0 to " + std::to_string(last));
 }
 
 ShotFacts shotFacts(const Inspector& inspector) {
-  return {inspector.source(), inspector.camera(),
-          inspector.driver().renderer + ", " + inspector.driver().version, inspector.width(),
-          inspector.height()};
+  return {inspector.shot().source(), inspector.shot().camera(),
+          inspector.shot().driver().renderer + ", " + inspector.shot().driver().version,
+          inspector.shot().width(), inspector.shot().height()};
 }
 
 ordered_json shotJson(const Inspector& inspector) {
@@ -81,7 +82,7 @@ ordered_json shotJson(const Inspector& inspector) {
 }
 
 LaneFacts laneFacts(const Inspector& inspector, const LaneChoice& choice, int lane) {
-  return {choice.name, choice.preset, choice.settings, inspector.info(lane)};
+  return {choice.name, choice.preset, choice.settings, inspector.shot().info(lane)};
 }
 
 ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane) {

@@ -26,24 +26,25 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   requireFrame(inspector, range.last);
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Tracing", frame - range.first, range.count());
-    inspector.seek(frame, progress);
+    inspector.shot().seek(frame, progress);
     for (PinTrace& traced : traces) {
-      traced.pin = inspector.anchored(traced.pin);
-      const PinSpot spot = inspector.spot(traced.pin);
+      traced.pin = inspector.probes().anchored(traced.pin);
+      const PinSpot spot = inspector.probes().spot(traced.pin);
       if (spot.state != PinState::Seen) {
-        if (traced.pin.follow == Follow::Screen) inspector.probe(traced.pin.pixel.x, traced.pin.pixel.y);
+        if (traced.pin.follow == Follow::Screen)
+          inspector.probes().probe(traced.pin.pixel.x, traced.pin.pixel.y);
         continue; // probe() says why: it lies outside
       }
-      traced.trace.add(frame, {spot.pixel, inspector.probe(spot.pixel.x, spot.pixel.y)});
+      traced.trace.add(frame, {spot.pixel, inspector.probes().probe(spot.pixel.x, spot.pixel.y)});
     }
   }
   if (!arguments.json) {
-    out << traceCsv(traces, rows, inspector.settings().space);
+    out << traceCsv(traces, rows, inspector.shot().settings().space);
     return;
   }
   nlohmann::ordered_json json = shotJson(inspector);
   json["lane"] = laneJson(inspector, plan.lanes[0], 0);
-  json["pins"] = traceJson(traces, rows, inspector.settings().space);
+  json["pins"] = traceJson(traces, rows, inspector.shot().settings().space);
   out << json.dump(2) << '\n';
 }
 

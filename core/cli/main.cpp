@@ -2,8 +2,9 @@
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
 #include "core/inspect/Comparison.h"
-#include "core/inspect/Inspector.h"
 #include "core/measure/Flicker.h"
+#include "core/measure/Metrics.h"
+#include "core/replay/Checkpoints.h"
 
 #include <CLI/CLI.hpp>
 

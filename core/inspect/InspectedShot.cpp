@@ -1,52 +1,34 @@
 #include "core/inspect/InspectedShot.h"
 
+#include "core/base/EmbeddedFiles.h"
+#include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/inspect/FirstSize.h"
-#include "core/inspect/InspectorParts.h"
 #include "core/inspect/MemoryNeed.h"
+#include "core/inspect/ReferenceOfShot.h"
+#include "core/inspect/ShotProfiler.h"
+#include "core/picture/Visualizer.h"
+#include "core/replay/ShotPlayer.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
-namespace {
-
-/// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
-/// counted on: it goes only when the new is there.
-void checkSize(const glm::ivec2& size, const std::vector<Settings>& lanes,
-               const std::vector<IntermediateId>& watched, const gl::Driver& driver, bool hasFog) {
-  const int most = driver.maxTextureSize;
-  if (size.x < 4 || size.y < 4 || size.x > most || size.y > most)
-    throw Error(say<"cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side">(
-        size.x, size.y, most));
-  // Asked before anything is allocated: a software driver does not run out of memory, its process is killed.
-  const std::optional<std::size_t> available = gl::availableMemory(driver);
-  if (!available) return;
-  const std::string refusal = memoryRefusal(memoryNeed(lanes, size, watched, hasFog), size, *available);
-  if (!refusal.empty()) throw Error(refusal);
-}
-
-} // namespace
-
-InspectedShot::InspectedShot() : parts_(std::make_unique<Parts>()) {
-  const glm::ivec2 size = firstSize(driver());
-  parts_->subject.width = size.x;
-  parts_->subject.height = size.y;
-}
-InspectedShot::~InspectedShot() = default;
-
-const gl::Driver& InspectedShot::driver() const {
-  return parts_->context.driver();
-}
+InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visualizer& visualizer,
+                             ReferenceOfShot& reference, const ShotProfiler& profiler)
+    : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
 void InspectedShot::open(const std::string& source, const Progress& progress) {
-  Subject next = parts_->subject;
+  Subject next = player_.subject();
   next.source = source;
   next.scene = std::make_shared<const Scene>(openScene(source, progress));
   next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
@@ -57,72 +39,71 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.objectClasses.clear();
   next.restarts.clear();
   next.renderer->warmUp(next.request(0), progress);
-  parts_->startAnew(std::move(next), std::vector<Checkpoints>(parts_->subject.lanes.size()), 0);
-  parts_->forgetReferences();
+  player_.open(std::move(next));
+  reference_.forget();
 }
 
 const std::string& InspectedShot::source() const {
-  return parts_->subject.source;
+  return player_.subject().source;
 }
 
 const Scene& InspectedShot::scene() const {
-  assert(parts_->isOpen());
-  return *parts_->subject.scene;
+  assert(player_.isOpen());
+  return *player_.subject().scene;
 }
 
 void InspectedShot::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
-  checkSize({width, height}, parts_->subject.lanes, parts_->watched(), driver(), parts_->hasFog());
-  Subject next = parts_->subject;
+  requirePicture(driver_, player_.subject().lanes, {width, height}, player_.watched(), player_.hasFog());
+  Subject next = player_.subject();
   next.width = width;
   next.height = height;
-  const std::vector<bool> changed(next.lanes.size(), true);
-  parts_->redraw(std::move(next), changed, false);
-  parts_->maker.freeTextures();
+  player_.redrawAll(std::move(next), false);
+  player_.freeTextures();
 }
 
 int InspectedShot::width() const {
-  return parts_->subject.width;
+  return player_.subject().width;
 }
 
 int InspectedShot::height() const {
-  return parts_->subject.height;
+  return player_.subject().height;
 }
 
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMostLanes)
     throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMostLanes));
-  checkSize({width(), height()}, lanes, parts_->watched(), driver(), parts_->hasFog());
+  requirePicture(driver_, lanes, player_.picturePx(), player_.watched(), player_.hasFog());
 }
 
 void InspectedShot::setLanes(const std::vector<Settings>& lanes) {
   checkLanes(lanes);
-  Subject next = parts_->subject;
-  next.lanes = lanes;
-  std::vector<Checkpoints> kept(lanes.size());
-  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    for (std::size_t old = 0; old < parts_->subject.lanes.size(); ++old)
-      if (lanes[lane] == parts_->subject.lanes[old]) kept[lane] = parts_->checkpoints[old];
-  if (parts_->isOpen()) return parts_->startAnew(std::move(next), std::move(kept), frame());
-  parts_->subject = std::move(next);
-  parts_->checkpoints = std::move(kept);
+  player_.setLanes(lanes);
+}
+
+void InspectedShot::changeLanes(const std::vector<Settings>& lanes) {
+  checkLanes(lanes);
+  if (player_.isOpen())
+    player_.changeLanes(lanes);
+  else
+    player_.setLanes(lanes);
 }
 
 int InspectedShot::laneCount() const {
-  return static_cast<int>(parts_->subject.lanes.size());
+  return static_cast<int>(player_.subject().lanes.size());
 }
 
 const Settings& InspectedShot::settings(int lane) const {
-  return parts_->settings(lane);
+  return player_.settings(lane);
 }
 
 void InspectedShot::setSettings(const Settings& settings, int lane) {
   if (settings == this->settings(lane)) return;
-  Subject next = parts_->subject;
+  Subject next = player_.subject();
   next.lanes[static_cast<std::size_t>(lane)] = settings;
   std::vector<bool> changed(next.lanes.size(), false);
   changed[static_cast<std::size_t>(lane)] = true;
-  parts_->redraw(std::move(next), changed, true);
+  player_.redraw(std::move(next), changed, true);
 }
 
 int InspectedShot::frameCount() const {
@@ -130,33 +111,23 @@ int InspectedShot::frameCount() const {
 }
 
 int InspectedShot::frame() const {
-  return parts_->shown.frame;
+  return player_.shown().frame;
 }
 
 FrameInfo InspectedShot::info(int lane) const {
-  return frameInfo(scene(), parts_->subject.request(static_cast<std::size_t>(lane)), frame());
+  return frameInfo(scene(), player_.subject().request(static_cast<std::size_t>(lane)), frame());
 }
 
 void InspectedShot::seek(int frame, const Progress& progress) {
   if (frame < 0 || frame >= frameCount())
     throw Error(say<"there is no frame %1: the shot has frames 0 to %2">(frame, frameCount() - 1));
-  if (frame == this->frame() && parts_->isExact()) return;
-  parts_->goTo(frame, progress);
+  if (frame == this->frame() && player_.isExact()) return;
+  player_.goTo(frame, progress);
 }
 
 void InspectedShot::advance() {
   assert(frame() + 1 < frameCount());
-  const std::size_t lanes = parts_->subject.lanes.size();
-  FrameStep step{
-      .frame = frame() + 1, .previous = {}, .active = std::vector<bool>(lanes, true), .inputs = {}};
-  for (const ShownLane& lane : parts_->shown.lanes) step.previous.push_back(lane.current);
-  ShownFrame next = parts_->maker.take();
-  parts_->maker.make(parts_->subject, step, next);
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    next.lanes[lane].exact = parts_->shown.lanes[lane].exact || startsHistory(parts_->subject, step.frame);
-  parts_->show(std::move(next));
-  parts_->keepShown();
-  parts_->trimCheckpoints();
+  player_.advance();
 }
 
 void InspectedShot::refine(const Progress& progress) {
@@ -164,85 +135,190 @@ void InspectedShot::refine(const Progress& progress) {
 }
 
 bool InspectedShot::isExact(int lane) const {
-  return parts_->lane(lane).exact;
+  return player_.lane(lane).exact;
 }
 
 FrameTimes InspectedShot::times() const {
-  return {parts_->shown.sceneMs, parts_->shown.resolveMs};
+  return {player_.shown().sceneMs, player_.shown().resolveMs};
 }
 
 int InspectedShot::replayLength(int frame) const {
-  return taa::replayLength(parts_->subject, parts_->checkpoints, frame);
+  return taa::replayLength(player_.subject(), player_.checkpoints(), frame);
 }
 
 int InspectedShot::nearestAtHand(int frame) const {
-  return taa::nearestAtHand(parts_->subject, parts_->checkpoints, frame);
+  return taa::nearestAtHand(player_.subject(), player_.checkpoints(), frame);
 }
 
 std::size_t InspectedShot::checkpointBudget() const {
-  return parts_->budget;
+  return player_.budget();
 }
 
 void InspectedShot::setCheckpointBudget(std::size_t bytes) {
-  parts_->budget = bytes;
-  if (parts_->isOpen()) parts_->trimCheckpoints();
-}
-
-void InspectedShot::changeLanes(const std::vector<Settings>& lanes) {
-  const std::size_t old = parts_->subject.lanes.size();
-  if (!parts_->isOpen()) return setLanes(lanes);
-  checkLanes(lanes);
-  const auto resize = [&](std::size_t count) {
-    parts_->subject.lanes.resize(count, lanes.back());
-    parts_->checkpoints.resize(count);
-    parts_->shown.lanes.resize(count);
-    parts_->aside.clear();
-  };
-  std::vector<bool> changed(lanes.size(), false);
-  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    changed[lane] = lane >= old || !(lanes[lane] == parts_->subject.lanes[lane]);
-  resize(lanes.size());
-  if (std::ranges::none_of(changed, [](bool is) { return is; })) return;
-  try {
-    Subject next = parts_->subject;
-    next.lanes = lanes;
-    parts_->redraw(std::move(next), changed, true);
-  } catch (...) {
-    resize(std::min(old, lanes.size()));
-    throw;
-  }
+  player_.setBudget(bytes);
 }
 
 bool InspectedShot::areAllExact() const {
-  return parts_->isExact();
+  return player_.isExact();
 }
 
 std::vector<int> InspectedShot::keptFrames() const {
-  std::vector<int> frames = parts_->checkpoints.front().frames();
+  std::vector<int> frames = player_.checkpoints().front().frames();
   std::erase_if(frames, [&](int frame) {
-    return !std::ranges::all_of(parts_->checkpoints,
+    return !std::ranges::all_of(player_.checkpoints(),
                                 [&](const Checkpoints& kept) { return kept.at(frame) != nullptr; });
   });
   return frames;
 }
 
+std::vector<std::string> InspectedShot::cameras() const {
+  std::vector<std::string> names = cameraNames(scene());
+  for (const CameraTrackHandle& track : player_.subject().tracks) names.push_back(track->name);
+  return names;
+}
+
+const std::string& InspectedShot::camera() const {
+  return player_.subject().camera;
+}
+
+void InspectedShot::setCamera(const std::string& name) {
+  assert(player_.isOpen());
+  if (name == camera()) return;
+  Subject next = player_.subject();
+  next.camera = name;
+  player_.redrawAll(std::move(next), false);
+}
+
+const std::vector<MotionOverride>& InspectedShot::motionModes() const {
+  return player_.subject().motionModes;
+}
+
+void InspectedShot::setMotionModes(const std::vector<MotionOverride>& modes) {
+  assert(player_.isOpen());
+  if (modes == motionModes()) return;
+  checkMotionOverrides(scene(), modes);
+  Subject next = player_.subject();
+  next.motionModes = modes;
+  player_.redrawAll(std::move(next), true);
+}
+
+const ObjectFilter& InspectedShot::objectFilter() const {
+  return player_.subject().filter;
+}
+
+void InspectedShot::setObjectFilter(const ObjectFilter& filter) {
+  assert(player_.isOpen());
+  if (filter == objectFilter()) return;
+  checkObjectFilter(scene(), filter);
+  Subject next = player_.subject();
+  next.filter = filter;
+  player_.redrawAll(std::move(next), true);
+}
+
+const std::vector<ClassOverride>& InspectedShot::objectClasses() const {
+  return player_.subject().objectClasses;
+}
+
+void InspectedShot::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  assert(player_.isOpen());
+  if (classes == objectClasses()) return;
+  checkClassOverrides(scene(), classes);
+  Subject next = player_.subject();
+  next.objectClasses = classes;
+  player_.redrawAll(std::move(next), true);
+}
+
+const std::vector<int>& InspectedShot::restarts() const {
+  return player_.subject().restarts;
+}
+
+void InspectedShot::setRestarts(std::vector<int> frames) {
+  assert(player_.isOpen());
+  for (const int frame : frames)
+    if (frame < 0 || frame >= frameCount())
+      throw Error(say<"cannot restart the history at frame %1: the shot has frames 0 to %2">(
+          frame, frameCount() - 1));
+  std::ranges::sort(frames);
+  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  std::erase(frames, 0); // history starts there anyway
+  std::vector<int> changed;
+  std::ranges::set_symmetric_difference(frames, restarts(), std::back_inserter(changed));
+  if (changed.empty()) return;
+  Subject next = player_.subject();
+  next.restarts = std::move(frames);
+  player_.follow(std::move(next), changed.front(), true);
+}
+
+const std::vector<CameraTrackHandle>& InspectedShot::cameraTracks() const {
+  return player_.subject().tracks;
+}
+
+void InspectedShot::setCameraTrack(CameraTrack track) {
+  assert(player_.isOpen());
+  checkCameraTrack(track);
+  if (std::ranges::count(cameraNames(scene()), track.name) > 0)
+    throw Error(say<"the scene has a camera called \"%1\" already; give the path another name">(track.name));
+  Subject next = player_.subject();
+  const CameraTrackHandle old = next.track();
+  const auto made = std::make_shared<const CameraTrack>(std::move(track));
+  const auto known = std::ranges::find_if(
+      next.tracks, [&](const CameraTrackHandle& handle) { return handle->name == made->name; });
+  if (known == next.tracks.end())
+    next.tracks.push_back(made);
+  else
+    *known = made;
+  next.camera = made->name;
+  constexpr int kNever = std::numeric_limits<int>::max();
+  player_.follow(std::move(next), old ? firstDifference(*old, *made).value_or(kNever) : 0);
+}
+
+void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
+  assert(player_.isOpen());
+  Subject next = player_.subject();
+  next.tracks.clear();
+  std::vector<std::string> names = cameraNames(scene());
+  for (const CameraTrack& track : cameras.tracks) {
+    checkCameraTrack(track);
+    if (std::ranges::count(names, track.name) > 0)
+      throw Error(say<"there is a camera called \"%1\" already; give the path another name">(track.name));
+    names.push_back(track.name);
+    next.tracks.push_back(std::make_shared<const CameraTrack>(track));
+  }
+  if (std::ranges::count(names, cameras.camera) == 0)
+    throw Error(say<"there is no camera called \"%1\"">(cameras.camera));
+  next.camera = cameras.camera;
+  const CameraTrackHandle now = next.track(), old = player_.subject().track();
+  const bool isSame = now && old ? now->firstFrame == old->firstFrame && now->poses == old->poses
+                                 : !now && !old && next.camera == camera();
+  player_.follow(std::move(next), isSame ? std::numeric_limits<int>::max() : 0);
+}
+
+CameraPose InspectedShot::cameraPose() const {
+  if (const CameraTrackHandle track = player_.subject().track()) return track->at(frame());
+  const float aspect = static_cast<float>(width()) / static_cast<float>(height());
+  return poseOf(cameraAt(scene(), camera(), info().time, aspect));
+}
+
 void InspectedShot::prepare(const Settings& settings, int lane) {
-  if (parts_->isOpen() && !parts_->timer) parts_->prepare(settings, static_cast<std::size_t>(lane));
+  if (player_.isOpen() && !profiler_.isProfiling()) player_.prepare(settings, lane);
 }
 
 void InspectedShot::prepareAside(const Settings& settings, int lane) {
-  if (!parts_->isOpen() || !sameInputs(settings, this->settings(lane))) return;
-  parts_->compiler.want({settings, {width(), height()}, parts_->maker.exposedRows(settings)});
+  if (!player_.isOpen() || !sameInputs(settings, this->settings(lane))) return;
+  compiler_.want({settings, {width(), height()}, player_.maker().exposedRows(settings)});
 }
 
 bool InspectedShot::waitUntilPrepared(std::chrono::milliseconds duration) {
-  return parts_->compiler.waitFor(duration);
+  return compiler_.waitFor(duration);
 }
 
 void InspectedShot::reloadShaders() {
   const auto before = useShaders(readShaders());
   try {
-    parts_->reloadShaders();
+    Visualizer fresh = visualizer_.reloaded();
+    player_.reloadShaders();
+    visualizer_ = std::move(fresh);
+    reference_.forget();
   } catch (...) {
     useShaders(before); // whatever is compiled later goes on with these
     throw;

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/gl/Context.h"
 #include "core/render/FrameInputs.h"
+#include "core/replay/BackgroundCompiler.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
@@ -13,16 +14,15 @@
 
 #include <chrono>
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace taa {
 
-/// Of 1280 × 720 with the default settings it holds 48 histories.
-inline constexpr std::size_t kDefaultCheckpointBudget = std::size_t(1) << 30;
-/// What a program can be asked for, MiB.
-inline constexpr int kMostCheckpointMiB = 1 << 20;
+class ReferenceOfShot;
+class ShotPlayer;
+class ShotProfiler;
+class Visualizer;
 
 /// Milliseconds of the frame on show, by glFinish and the wall clock; 0: it was kept, nothing was done for
 /// it.
@@ -30,15 +30,19 @@ struct FrameTimes {
   double scene = 0.0, resolve = 0.0; ///< of all lanes together
 };
 
-/// The half of the Inspector that changes something. Frame n of a lane is f(scene, camera, the lane's
+/// The part of the Inspector that changes something. Frame n of a lane is f(scene, camera, the lane's
 /// settings, size, n): however it was reached, the same bits (design §2.1). Strong guarantee: when a member
 /// throws, everything is as it was before.
 class InspectedShot {
  public:
+  /// Reloads the shaders of the visualizer, makes the reference forget what was drawn of another scene or by
+  /// other shaders, and prepares nothing while the profiler times passes.
+  InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visualizer& visualizer,
+                ReferenceOfShot& reference, const ShotProfiler& profiler);
   InspectedShot(const InspectedShot&) = delete;
   InspectedShot& operator=(const InspectedShot&) = delete;
 
-  const gl::Driver& driver() const;
+  const gl::Driver& driver() const { return driver_; }
 
   // What is looked at; all but settings, lanes and size expect that something is open
   /// A glTF file or "builtin:NAME". Goes to frame 0 with the scene's own camera.
@@ -126,16 +130,16 @@ class InspectedShot {
   /// Compiles all shaders again; on Error everything stays as it was.
   void reloadShaders();
 
- protected:
-  InspectedShot();
-  ~InspectedShot();
-
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
-
  private:
   /// Throws Error when there are too many or the memory is too small for them.
   void checkLanes(const std::vector<Settings>& lanes) const;
+
+  const gl::Driver& driver_;
+  ShotPlayer& player_;
+  Visualizer& visualizer_;
+  ReferenceOfShot& reference_;
+  const ShotProfiler& profiler_;
+  BackgroundCompiler compiler_;
 };
 
 } // namespace taa

@@ -1,5 +1,6 @@
 #include "core/inspect/MemoryNeed.h"
 
+#include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/measure/FlickerRows.h"
 #include "core/measure/References.h"
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <optional>
 #include <sstream>
+#include <string>
 
 namespace taa {
 
@@ -103,6 +106,27 @@ std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std
   return say<
       "cannot draw the reference of a picture of %1 pixels: it takes about %2 of memory and %3 are free; "
       "choose a smaller size">(sizeText(picturePx), bytesText(bytes), bytesText(available));
+}
+
+void requirePicture(const gl::Driver& driver, const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
+                    const std::vector<IntermediateId>& watched, bool hasFog) {
+  const int most = driver.maxTextureSize;
+  if (picturePx.x < 4 || picturePx.y < 4 || picturePx.x > most || picturePx.y > most)
+    throw Error(say<"cannot use a picture of %1 × %2 pixels: this driver allows 4 to %3 a side">(
+        picturePx.x, picturePx.y, most));
+  // Asked before anything is allocated: a software driver does not run out of memory, its process is killed.
+  const std::optional<std::size_t> available = gl::availableMemory(driver);
+  if (!available) return;
+  const std::string refusal =
+      memoryRefusal(memoryNeed(lanes, picturePx, watched, hasFog), picturePx, *available);
+  if (!refusal.empty()) throw Error(refusal);
+}
+
+void requireReference(const gl::Driver& driver, std::size_t bytes, const glm::ivec2& picturePx) {
+  const std::optional<std::size_t> available = gl::availableMemory(driver);
+  if (!available) return;
+  const std::string refusal = referenceRefusal(bytes, picturePx, *available);
+  if (!refusal.empty()) throw Error(refusal);
 }
 
 } // namespace taa

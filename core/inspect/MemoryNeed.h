@@ -1,6 +1,7 @@
 // How much graphics memory a picture takes: known from settings and size alone, before anything is allocated.
 #pragma once
 
+#include "core/gl/Context.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"
 
@@ -35,5 +36,12 @@ std::string bytesText(std::size_t bytes);
 std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, std::size_t available);
 /// Why the reference of one cannot be drawn, in the same way.
 std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std::size_t available);
+
+/// Throws Error where the driver or its memory is too small for lanes of a picture. What is held now is not
+/// counted on: it goes only when the new is there.
+void requirePicture(const gl::Driver& driver, const std::vector<Settings>& lanes, const glm::ivec2& picturePx,
+                    const std::vector<IntermediateId>& watched, bool hasFog);
+/// Throws Error where there are not the `bytes` that drawing a reference takes.
+void requireReference(const gl::Driver& driver, std::size_t bytes, const glm::ivec2& picturePx);
 
 } // namespace taa

@@ -16,13 +16,13 @@ void makeReference(Inspector& inspector, const PictureRequest& request, const Lo
                    const Progress& progress) {
   if (!isOfReference(look.id)) return;
   if (look.frame)
-    throw Error(
-        say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame, inspector.frame()));
-  inspector.makeRows({look.id}, request.referenceSamples, progress, look.lane);
+    throw Error(say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame,
+                                                                                 inspector.shot().frame()));
+  inspector.reference().makeRows({look.id}, request.referenceSamples, progress, look.lane);
 }
 
 void checkSides(const Inspector& inspector, const PictureRequest& request) {
-  const int lanes = inspector.laneCount();
+  const int lanes = inspector.shot().laneCount();
   if (request.lane >= lanes || (showsOther(request) && request.other->lane >= lanes))
     throw Error(say<"the settings that are compared with are no longer there">());
   const bool isDifference = showsOther(request) && request.showing == Showing::Difference;
@@ -57,14 +57,14 @@ Picture shownPicture(Inspector& inspector, const PictureRequest& request, const 
   checkSides(inspector, request);
   const Look first{request.id, request.lane, {}};
   const auto draw = [&](const Look& look, const ViewStyle& style, const std::optional<Look>& minus = {}) {
-    return inspector.picture(look, minus, style, request.transform, request.width, request.height);
+    return inspector.views().picture(look, minus, style, request.transform, request.width, request.height);
   };
   if (!showsOther(request)) {
     makeReference(inspector, request, first, progress);
     return draw(first, request.style);
   }
-  const Look other = otherLook(*request.other, inspector.frame(), inspector.frameCount());
-  if (other.frame) inspector.keepAside({*other.frame}, progress);
+  const Look other = otherLook(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
+  if (other.frame) inspector.views().keepAside({*other.frame}, progress);
   if (request.showing != Showing::Other) makeReference(inspector, request, first, progress);
   makeReference(inspector, request, other, progress);
   switch (request.showing) {

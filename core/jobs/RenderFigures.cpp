@@ -49,8 +49,8 @@ void RenderWorker::deliverFigures() {
   if (figures_.wanted.empty() || figures_.deliveredOf == state) return;
   figures_.deliveredOf = state; // also when it fails: once is enough to tell
   attempt(RequestKind::Figures, [&] {
-    for (int lane = 0; lane < inspector_.laneCount(); ++lane)
-      deliver(inspector_.figures(figures_.wanted, lane));
+    for (int lane = 0; lane < inspector_.shot().laneCount(); ++lane)
+      deliver(inspector_.metrics().figures(figures_.wanted, lane));
   });
 }
 
@@ -76,11 +76,11 @@ std::optional<int> RenderWorker::frameOfFigures() const {
   const auto isMissing = [&, from = first, to = last](int frame) {
     return frame >= from && frame <= to && !figures_.known.contains(frame);
   };
-  const int now = inspector_.frame();
+  const int now = inspector_.shot().frame();
   if (figures_.frames && figures_.around == now)
     for (int frame = figures_.frames->first; frame <= figures_.frames->second; ++frame)
       if (isMissing(frame)) return frame;
-  for (int distance = 0; distance <= inspector_.frameCount(); ++distance)
+  for (int distance = 0; distance <= inspector_.shot().frameCount(); ++distance)
     for (const int frame : {now + distance, now - distance})
       if (isMissing(frame)) {
         int start = frame; // of those before it as many as one way brings along
@@ -93,10 +93,10 @@ std::optional<int> RenderWorker::frameOfFigures() const {
 
 // One frame; any wish is answered first, and what is there of its reference is kept.
 void RenderWorker::fillFigures(int frame) {
-  if (!figures_.frames || figures_.around != inspector_.frame() || frame < figures_.frames->first ||
+  if (!figures_.frames || figures_.around != inspector_.shot().frame() || frame < figures_.frames->first ||
       frame > figures_.frames->second) {
     figures_.frames = {frame, frame + framesAtOnce(figures_.wanted) - 1};
-    figures_.around = inspector_.frame();
+    figures_.around = inspector_.shot().frame();
   }
   const auto [first, last] = playedFrames();
   const auto done = std::ranges::count_if(
@@ -110,7 +110,8 @@ void RenderWorker::fillFigures(int frame) {
   };
   const bool isDone = attempt(RequestKind::Figures, [&] {
     try {
-      deliver(inspector_.figuresBeside(frame, figures_.wanted, reference_.goal, figures_.cursor, stops));
+      deliver(inspector_.metrics().figuresBeside(frame, figures_.wanted, reference_.goal, figures_.cursor,
+                                                 stops));
     } catch (const Cancelled&) { // goes on later
     }
   });

@@ -10,11 +10,11 @@ namespace taa {
 void RenderWorker::reloadShaders() {
   std::string error;
   try {
-    inspector_.reloadShaders();
+    inspector_.shot().reloadShaders();
     noteChange(RequestKind::Shaders);
     refinementStopped_ = false;
     // First: who hears that they are in use must know that the picture on show is not theirs yet.
-    if (isOpen() && !inspector_.isExact()) sendStatus();
+    if (isOpen() && !inspector_.shot().isExact()) sendStatus();
   } catch (const std::exception& failed) {
     error = failed.what();
   }

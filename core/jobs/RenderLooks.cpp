@@ -10,7 +10,7 @@
 namespace taa {
 
 void RenderWorker::applyLooks(const Wishes& wishes) {
-  if (wishes.profiling) inspector_.setProfiling(*wishes.profiling);
+  if (wishes.profiling) inspector_.profiler().setProfiling(*wishes.profiling);
   if (wishes.cancel && measuring_) {
     measuring_ = false;
     if (listener_.onWork) listener_.onWork({});
@@ -19,7 +19,7 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
   if (wishes.thumbnails) thumbnails_.want(*wishes.thumbnails);
   if (wishes.prepared && isOpen()) {
     prepared_ = wishes.prepared;
-    inspector_.prepareAside(*prepared_);
+    inspector_.shot().prepareAside(*prepared_);
   }
   if (wishes.settings) prepared_.reset(); // it came too late
   if (wishes.exported) exportSequence(*wishes.exported);
@@ -27,7 +27,7 @@ void RenderWorker::applyLooks(const Wishes& wishes) {
 
 void RenderWorker::deliverProfile() {
   attempt(RequestKind::Profile, [&] {
-    if (auto profile = inspector_.takeProfile(); profile && listener_.onProfile)
+    if (auto profile = inspector_.profiler().takeProfile(); profile && listener_.onProfile)
       listener_.onProfile(std::move(*profile));
   });
 }
@@ -37,7 +37,7 @@ void RenderWorker::measureStages() {
   bool goesOn = false;
   attempt(RequestKind::Profile, [&] {
     try {
-      StageCosts costs = inspector_.measureStages(progress("", isAny));
+      StageCosts costs = inspector_.profiler().measureStages(progress("", isAny));
       if (listener_.onStageCosts) listener_.onStageCosts(std::move(costs));
     } catch (const Cancelled&) {
       goesOn = true;
@@ -64,9 +64,9 @@ std::optional<RenderWorker::Clock::time_point> RenderWorker::wakeAt() {
 bool RenderWorker::compileAhead() {
   constexpr std::chrono::milliseconds kSlice{5}; // that a wish may have to wait
   if (!isCompilingAhead()) return false;
-  if (!inspector_.waitUntilPrepared(kSlice)) return true;
+  if (!inspector_.shot().waitUntilPrepared(kSlice)) return true;
   try {
-    inspector_.prepare(*std::exchange(prepared_, {}));
+    inspector_.shot().prepare(*std::exchange(prepared_, {}));
   } catch (const Error&) {
   }
   return true;
@@ -75,9 +75,10 @@ bool RenderWorker::compileAhead() {
 void RenderWorker::deliverShares() {
   sharesDelivered_ = version_;
   attempt(RequestKind::Thumbnails, [&] {
-    StageShares shares{
-        .frame = inspector_.frame(), .startsHistory = inspector_.info().startsHistory, .stages = {}};
-    shares.stages = sharesOf(inspector_.images(shareRows()), inspector_.settings());
+    StageShares shares{.frame = inspector_.shot().frame(),
+                       .startsHistory = inspector_.shot().info().startsHistory,
+                       .stages = {}};
+    shares.stages = sharesOf(inspector_.views().images(shareRows()), inspector_.shot().settings());
     if (listener_.onStageShares) listener_.onStageShares(std::move(shares));
   });
 }
@@ -95,7 +96,8 @@ void RenderWorker::useIdleTime() {
   if (!playing_ && sharesDelivered_ != version_) return deliverShares(); // then the thumbnails, which wait
   const bool isDrawn = attempt(RequestKind::Thumbnails, [&] {
     const IntermediateId id = thumbnails_.next();
-    Thumbnail thumbnail{id, inspector_.frame(), inspector_.thumbnail(id, thumbnails_.texels()), subject_};
+    Thumbnail thumbnail{id, inspector_.shot().frame(), inspector_.views().thumbnail(id, thumbnails_.texels()),
+                        subject_};
     if (listener_.onThumbnail) listener_.onThumbnail(std::move(thumbnail));
   });
   if (!isDrawn) return thumbnails_.want({}); // told once; wanted again when the window says so

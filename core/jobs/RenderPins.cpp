@@ -31,24 +31,26 @@ void RenderWorker::deliverPins() {
 void RenderWorker::deliverPin(int index) {
   ProbePin& pin = pins_.pins[static_cast<std::size_t>(index)];
   // A pinned pixel may lie outside for a while, when the size changes.
-  const bool isInside = pin.pixel.x >= 0 && pin.pixel.y >= 0 && pin.pixel.x < inspector_.width() &&
-                        pin.pixel.y < inspector_.height();
+  const bool isInside = pin.pixel.x >= 0 && pin.pixel.y >= 0 && pin.pixel.x < inspector_.shot().width() &&
+                        pin.pixel.y < inspector_.shot().height();
   if (!isInside && !pin.anchor) return;
   attempt(RequestKind::Probes, [&] {
-    pin = inspector_.anchored(pin);
-    ProbeResult result{.pin = pin, .spot = inspector_.spot(pin), .around = {}};
+    pin = inspector_.probes().anchored(pin);
+    ProbeResult result{.pin = pin, .spot = inspector_.probes().spot(pin), .around = {}};
     result.x = result.spot.pixel.x;
     result.y = result.spot.pixel.y;
-    result.frame = inspector_.frame();
+    result.frame = inspector_.shot().frame();
     if (result.spot.state == PinState::Seen || result.spot.state == PinState::Hidden) {
-      result.around = inspector_.probeAround(result.x, result.y, 1);
+      result.around = inspector_.probes().probeAround(result.x, result.y, 1);
       if (index == pins_.active)
-        result.details = std::make_shared<const twin::Details>(inspector_.details(result.x, result.y));
-      if (index == pins_.active && pins_.whatIf) result.whatIf = inspector_.whatIf(result.x, result.y);
+        result.details =
+            std::make_shared<const twin::Details>(inspector_.probes().details(result.x, result.y));
+      if (index == pins_.active && pins_.whatIf)
+        result.whatIf = inspector_.probes().whatIf(result.x, result.y);
     }
-    result.exact = inspector_.isExact();
-    result.settings = inspector_.settings();
-    result.info = inspector_.info();
+    result.exact = inspector_.shot().isExact();
+    result.settings = inspector_.shot().settings();
+    result.info = inspector_.shot().info();
     traceShown(result);
     if (listener_.onProbe) listener_.onProbe(std::move(result));
   });

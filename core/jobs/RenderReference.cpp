@@ -36,14 +36,14 @@ void RenderWorker::applyReference(const Wishes& wishes) {
 std::optional<int> RenderWorker::laneOfReference() const {
   if (!isOpen() || playing_ || reference_.stoppedAt == version_) return {};
   const bool isCompared = std::ranges::any_of(figures_.wanted, needsReferenceFor);
-  for (int lane = 0; lane < inspector_.laneCount(); ++lane) {
+  for (int lane = 0; lane < inspector_.shot().laneCount(); ++lane) {
     const bool isShown = std::ranges::any_of(views_, [lane](const ViewRequest& view) {
       const auto isIt = [lane](const auto& side) {
         return side.lane == lane && needsReference(side.id) && !isOverTime(side.id);
       };
       return view.width > 0 && view.height > 0 && (isIt(view) || (view.other && isIt(*view.other)));
     });
-    if ((isShown || isCompared) && inspector_.referenceSamples(lane) != reference_.goal) return lane;
+    if ((isShown || isCompared) && inspector_.reference().samples(lane) != reference_.goal) return lane;
   }
   return {};
 }
@@ -54,12 +54,12 @@ void RenderWorker::refineReference(int lane) {
     if (listener_.onWork) listener_.onWork({say<"Drawing the reference">(), done, reference_.goal});
     return !ends_ && !pending_(isAny);
   };
-  const int goal = nextShown(inspector_.referenceSamples(lane), reference_.goal);
+  const int goal = nextShown(inspector_.reference().samples(lane), reference_.goal);
   reference_.isTold = true;
   bool goesOn = false;
   const bool isDone = attempt(RequestKind::Reference, [&] {
     try {
-      inspector_.refineReference(goal, told, lane);
+      inspector_.reference().refine(goal, told, lane);
     } catch (const Cancelled&) {
       goesOn = true;
     }
@@ -99,9 +99,9 @@ int RenderWorker::flickerSamplesFor(int lane) const {
 // The next lane whose flicker is to be measured; nothing where it is known where somebody wants it.
 std::optional<int> RenderWorker::laneOfFlicker() const {
   if (!isOpen() || playing_ || reference_.stoppedAt == version_) return {};
-  for (int lane = 0; lane < inspector_.laneCount(); ++lane)
+  for (int lane = 0; lane < inspector_.shot().laneCount(); ++lane)
     if (const int wanted = flickerSamplesFor(lane); wanted >= 0) {
-      const std::optional<int> known = inspector_.flickerSamples(lane);
+      const std::optional<int> known = inspector_.flicker().samples(lane);
       if (!known || (wanted > 0 && *known != wanted)) return lane;
     }
   return {};
@@ -117,7 +117,7 @@ void RenderWorker::refineFlicker(int lane) {
   bool goesOn = false;
   const bool isDone = attempt(RequestKind::Reference, [&] {
     try {
-      inspector_.refineFlicker(flickerSamplesFor(lane), told, lane);
+      inspector_.flicker().refine(flickerSamplesFor(lane), told, lane);
     } catch (const Cancelled&) {
       goesOn = true;
     }
@@ -140,13 +140,13 @@ void RenderWorker::endFlicker() {
 void RenderWorker::addReference(ViewResult& result) {
   if (isOverTime(result.request.id)) {
     const Figure figure = needsReference(result.request.id) ? Figure::Flicker : Figure::Deviation;
-    const FrameFigures figures = inspector_.figures({figure}, result.request.lane);
+    const FrameFigures figures = inspector_.metrics().figures({figure}, result.request.lane);
     result.flickerSamples = figures.flickerSamples;
     result.flicker = figures.at(figure);
     return;
   }
-  result.referenceSamples = inspector_.referenceSamples(result.request.lane);
-  if (result.referenceSamples > 0) result.error = inspector_.referenceError(result.request.lane);
+  result.referenceSamples = inspector_.reference().samples(result.request.lane);
+  if (result.referenceSamples > 0) result.error = inspector_.reference().error(result.request.lane);
 }
 
 } // namespace taa

@@ -58,12 +58,12 @@ void RenderWorker::applyScene(const Wishes& wishes) {
     areaDelivered_ = 0;
   }
   if (!isOpen()) return;
-  if (scene.filter && !(*scene.filter == inspector_.objectFilter()))
-    change(RequestKind::Objects, [&] { inspector_.setObjectFilter(*scene.filter); });
-  if (scene.classes && *scene.classes != inspector_.objectClasses())
-    change(RequestKind::Classes, [&] { inspector_.setObjectClasses(*scene.classes); });
-  if (scene.restarts && *scene.restarts != inspector_.restarts())
-    change(RequestKind::Restarts, [&] { inspector_.setRestarts(*scene.restarts); });
+  if (scene.filter && !(*scene.filter == inspector_.shot().objectFilter()))
+    change(RequestKind::Objects, [&] { inspector_.shot().setObjectFilter(*scene.filter); });
+  if (scene.classes && *scene.classes != inspector_.shot().objectClasses())
+    change(RequestKind::Classes, [&] { inspector_.shot().setObjectClasses(*scene.classes); });
+  if (scene.restarts && *scene.restarts != inspector_.shot().restarts())
+    change(RequestKind::Restarts, [&] { inspector_.shot().setRestarts(*scene.restarts); });
   applyFlight(wishes);
 }
 
@@ -92,23 +92,24 @@ void RenderWorker::applyFlight(const ShotWishes& wishes) {
   if (playing_)
     flight_.pose = pose; // of the next frame
   else
-    change(RequestKind::Flight, [&] { inspector_.setCameraTrack({kFreeCamera, 0, {pose}}); });
+    change(RequestKind::Flight, [&] { inspector_.shot().setCameraTrack({kFreeCamera, 0, {pose}}); });
 }
 
 // What was flown up to here belongs to it, so that the frame on show stays what it is.
 void RenderWorker::beginRecording(Clock::time_point at) {
-  const int frame = goal_.value_or(inspector_.frame()), end = inspector_.frameCount() - 1;
+  const int frame = goal_.value_or(inspector_.shot().frame()), end = inspector_.shot().frameCount() - 1;
   const auto [first, last] = playedFrames();
   if (frame >= end)
     throw Error(say<"cannot record a flight at frame %1, which is the last one: go to another frame">(frame));
-  CameraTrack track{"", frame, {inspector_.cameraPose()}};
+  CameraTrack track{"", frame, {inspector_.shot().cameraPose()}};
   const CameraTrackHandle flown = currentTrack();
   if (flown && flown->firstFrame <= frame) track = *flown;
-  track.name = freeName(inspector_.cameras());
-  track.put(frame, inspector_.cameraPose());
-  inspector_.setCameraTrack(track);
+  track.name = freeName(inspector_.shot().cameras());
+  track.put(frame, inspector_.shot().cameraPose());
+  inspector_.shot().setCameraTrack(track);
   flight_.recorded = std::move(track);
-  flight_.recording.emplace(frame, frame >= first && frame < last ? last : end, inspector_.cameraPose(), at);
+  flight_.recording.emplace(frame, frame >= first && frame < last ? last : end,
+                            inspector_.shot().cameraPose(), at);
   flight_.recording->setRate(playedPerSecond(), at);
   flight_.playsAfter = playing_;
   setPlaying(true);
@@ -121,7 +122,7 @@ void RenderWorker::endRecording(Clock::time_point at) {
   CameraTrack track = std::move(flight_.recorded);
   int frame = recording.firstFrame() - 1;
   for (const CameraPose& pose : poses) track.put(++frame, pose);
-  change(RequestKind::Recording, [&] { inspector_.setCameraTrack(std::move(track)); });
+  change(RequestKind::Recording, [&] { inspector_.shot().setCameraTrack(std::move(track)); });
   flight_.pose.reset();
   flight_.isLaying = false;
   goal_ = frame;
@@ -130,8 +131,8 @@ void RenderWorker::endRecording(Clock::time_point at) {
 }
 
 CameraTrackHandle RenderWorker::currentTrack() const {
-  for (const CameraTrackHandle& track : inspector_.cameraTracks())
-    if (track->name == inspector_.camera()) return track;
+  for (const CameraTrackHandle& track : inspector_.shot().cameraTracks())
+    if (track->name == inspector_.shot().camera()) return track;
   return nullptr;
 }
 
@@ -139,12 +140,12 @@ CameraTrackHandle RenderWorker::currentTrack() const {
 // camera has the poses that were on show.
 void RenderWorker::layTrack(int frame, const CameraPose& pose) {
   const std::string name = flight_.recording ? flight_.recorded.name : kFreeCamera;
-  CameraTrack track{name, inspector_.frame(), {inspector_.cameraPose()}};
+  CameraTrack track{name, inspector_.shot().frame(), {inspector_.shot().cameraPose()}};
   // One that begins later was begun before somebody jumped here.
   const CameraTrackHandle flown = currentTrack();
-  if (flown && flown->name == name && flown->firstFrame <= inspector_.frame()) track = *flown;
+  if (flown && flown->name == name && flown->firstFrame <= inspector_.shot().frame()) track = *flown;
   track.put(frame, pose);
-  inspector_.setCameraTrack(std::move(track));
+  inspector_.shot().setCameraTrack(std::move(track));
   // What is known of the frames up to here stays true; of those to come nothing is once they were dropped.
   if (!std::exchange(flight_.isLaying, true)) ++subject_;
 }
@@ -154,12 +155,12 @@ void RenderWorker::layTrack(int frame, const CameraPose& pose) {
 void RenderWorker::endFlight() {
   if (flight_.recording) return endRecording(now_());
   flight_.isLaying = false;
-  if (!isOpen() || inspector_.camera() != kFreeCamera) return flight_.pose.reset();
-  const CameraPose pose = flight_.pose.value_or(inspector_.cameraPose());
+  if (!isOpen() || inspector_.shot().camera() != kFreeCamera) return flight_.pose.reset();
+  const CameraPose pose = flight_.pose.value_or(inspector_.shot().cameraPose());
   flight_.pose.reset();
   CameraTrack rests{kFreeCamera, 0, {pose}};
   if (*currentTrack() == rests) return;
-  if (!attempt(RequestKind::Flight, [&] { inspector_.setCameraTrack(std::move(rests)); })) return;
+  if (!attempt(RequestKind::Flight, [&] { inspector_.shot().setCameraTrack(std::move(rests)); })) return;
   noteChange(RequestKind::Flight);
 }
 
@@ -168,8 +169,8 @@ void RenderWorker::deliverArea() {
   if (located_.empty() || areaDelivered_ == version_ || playing_ || goal_) return;
   areaDelivered_ = version_;
   attempt(RequestKind::Objects, [&] {
-    ObjectArea area = areaOf(inspector_.image(IntermediateId::objectId), located_);
-    area.frame = inspector_.frame();
+    ObjectArea area = areaOf(inspector_.views().image(IntermediateId::objectId), located_);
+    area.frame = inspector_.shot().frame();
     if (listener_.onObjectArea) listener_.onObjectArea(std::move(area));
   });
 }

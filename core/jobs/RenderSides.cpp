@@ -57,15 +57,15 @@ std::vector<IntermediateId> rowsOf(const std::vector<ViewRequest>& views) {
 
 // Lane 0 is the one of the settings.
 void RenderWorker::applyLanes(const std::vector<Settings>& others) {
-  std::vector<Settings> lanes{inspector_.settings()};
+  std::vector<Settings> lanes{inspector_.shot().settings()};
   lanes.insert(lanes.end(), others.begin(), others.end());
-  inspector_.changeLanes(lanes);
+  inspector_.shot().changeLanes(lanes);
 }
 
 // The frame of a view's other side, when it is not the one on show.
 std::optional<int> RenderWorker::otherFrame(const ViewRequest& view) const {
   if (!isOpen() || !view.other) return {};
-  return otherLook(*view.other, inspector_.frame(), inspector_.frameCount()).frame;
+  return otherLook(*view.other, inspector_.shot().frame(), inspector_.shot().frameCount()).frame;
 }
 
 std::vector<int> RenderWorker::asideFrames() const {
@@ -80,7 +80,8 @@ bool RenderWorker::needsAside() const {
   if (!isOpen() || playing_) return false;
   const std::vector<int> frames = asideFrames();
   if (asides_.stoppedAt == version_ && asides_.framesStopped == frames) return false;
-  return std::ranges::any_of(frames, [&](int frame) { return !inspector_.isAtHand({.frame = frame}); });
+  return std::ranges::any_of(frames,
+                             [&](int frame) { return !inspector_.views().isAtHand({.frame = frame}); });
 }
 
 void RenderWorker::stopAside() {
@@ -94,7 +95,7 @@ void RenderWorker::makeAside() {
   bool isCancelled = false;
   const bool isDone = attempt(RequestKind::Views, [&] {
     try {
-      inspector_.keepAside(frames, progress(say<"Drawing the frame to compare with">(), endsReplay));
+      inspector_.views().keepAside(frames, progress(say<"Drawing the frame to compare with">(), endsReplay));
     } catch (const Cancelled&) {
       isCancelled = true;
     }
@@ -113,9 +114,9 @@ void RenderWorker::deliverView(int index) {
   if (!isShown(view) || last == now) return;
   const Look look{view.id, view.lane, {}};
   std::optional<Look> other;
-  if (view.other) other = otherLook(*view.other, inspector_.frame(), inspector_.frameCount());
-  if (other && !inspector_.isAtHand(*other)) other.reset(); // on its way
-  const bool isLaneThere = view.lane < inspector_.laneCount();
+  if (view.other) other = otherLook(*view.other, inspector_.shot().frame(), inspector_.shot().frameCount());
+  if (other && !inspector_.views().isAtHand(*other)) other.reset(); // on its way
+  const bool isLaneThere = view.lane < inspector_.shot().laneCount();
   if (!isLaneThere || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
   attempt(RequestKind::Views, [&] {
@@ -132,8 +133,8 @@ ReasonCounts RenderWorker::reasonsOf(const Look& look, IntermediateId id, const 
   const Look reasons{IntermediateId::rejectReason, look.lane, look.frame};
   const auto known = std::ranges::find(reasons_.counts, reasons, &std::pair<Look, ReasonCounts>::first);
   if (known != reasons_.counts.end()) return known->second;
-  const gl::Rect whole{0, 0, inspector_.width(), inspector_.height()};
-  const ReasonCounts counts = countReasons(inspector_.image(reasons, {}, whole));
+  const gl::Rect whole{0, 0, inspector_.shot().width(), inspector_.shot().height()};
+  const ReasonCounts counts = countReasons(inspector_.views().image(reasons, {}, whole));
   reasons_.counts.emplace_back(reasons, counts);
   return counts;
 }
@@ -141,24 +142,26 @@ ReasonCounts RenderWorker::reasonsOf(const Look& look, IntermediateId id, const 
 ViewResult RenderWorker::draw(int index, const Look& look, const std::optional<Look>& other) {
   const ViewRequest& view = views_[static_cast<std::size_t>(index)];
   ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
-  const gl::Rect region = visiblePixels(view, inspector_.width(), inspector_.height());
+  const gl::Rect region = visiblePixels(view, inspector_.shot().width(), inspector_.shot().height());
   if (isOfReference(view.id)) addReference(result);
   const bool hasValues =
-      view.withValues && inspector_.isAtHand(look) && region.width > 0 && region.height > 0;
+      view.withValues && inspector_.views().isAtHand(look) && region.width > 0 && region.height > 0;
   if (hasValues) result.region = region;
   const std::optional<Look> minus = view.asDifference ? other : std::nullopt;
-  result.frame = inspector_.frame();
+  result.frame = inspector_.shot().frame();
   result.subject = subject_;
-  result.exact = inspector_.isExact(look) && (!minus || inspector_.isExact(*minus));
-  result.picture = inspector_.picture(look, minus, view.style, view.transform, view.width, view.height);
-  if (hasValues) result.values = inspector_.image(look, minus, region);
+  result.exact = inspector_.views().isExact(look) && (!minus || inspector_.views().isExact(*minus));
+  result.picture =
+      inspector_.views().picture(look, minus, view.style, view.transform, view.width, view.height);
+  if (hasValues) result.values = inspector_.views().image(look, minus, region);
   result.reasons = reasonsOf(look, view.id, view.style);
   if (!other) return result;
   ViewSide& side = result.other.emplace();
-  side.frame = other->frame.value_or(inspector_.frame());
-  side.exact = inspector_.isExact(*other);
-  side.picture = inspector_.picture(*other, {}, view.other->style, view.transform, view.width, view.height);
-  if (hasValues) side.values = inspector_.image(*other, {}, region);
+  side.frame = other->frame.value_or(inspector_.shot().frame());
+  side.exact = inspector_.views().isExact(*other);
+  side.picture =
+      inspector_.views().picture(*other, {}, view.other->style, view.transform, view.width, view.height);
+  if (hasValues) side.values = inspector_.views().image(*other, {}, region);
   side.reasons = reasonsOf(*other, view.other->id, view.other->style);
   return result;
 }

@@ -54,17 +54,17 @@ bool RenderWorker::wantsToFillTraces() const {
 
 // Any wish is answered between two frames; then it goes on with what is still missing.
 void RenderWorker::fillTraces() {
-  const int last = std::min(traces_.filling->second, inspector_.frameCount() - 1);
+  const int last = std::min(traces_.filling->second, inspector_.shot().frameCount() - 1);
   const int first = std::clamp(traces_.filling->first, 0, last);
   const bool isDone = attempt(RequestKind::Traces, [&] {
     for (int frame = first; frame <= last; ++frame) {
       std::vector<ProbePin> missing;
       for (ProbePin& pin : pins_.pins)
-        if (!tracedFrames(pin).contains(frame)) missing.push_back(pin = inspector_.anchored(pin));
+        if (!tracedFrames(pin).contains(frame)) missing.push_back(pin = inspector_.probes().anchored(pin));
       if (missing.empty()) continue;
       if (listener_.onWork) listener_.onWork({"Tracing the probes", frame - first, last - first + 1});
       const auto stops = [this](std::string_view, int, int) { return !ends_ && !pending_(isAny); };
-      const auto samples = inspector_.traceFrame(frame, missing, traces_.cursor, stops);
+      const auto samples = inspector_.probes().traceFrame(frame, missing, traces_.cursor, stops);
       for (std::size_t pin = 0; pin < missing.size(); ++pin) deliverTrace(missing[pin], frame, samples[pin]);
       if (ends_ || pending_(isAny)) throw Cancelled();
     }

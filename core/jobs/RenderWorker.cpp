@@ -76,7 +76,7 @@ void RenderWorker::apply(Wishes wishes) {
     stopAside();
   }
   if (wishes.checkpointBudget) {
-    inspector_.setCheckpointBudget(*wishes.checkpointBudget);
+    inspector_.shot().setCheckpointBudget(*wishes.checkpointBudget);
     statusChanged_ = true;
   }
   applyPlayback(wishes);
@@ -84,8 +84,8 @@ void RenderWorker::apply(Wishes wishes) {
   if (wishes.views) {
     views_ = *wishes.views;
     delivered_.resize(views_.size());
-    inspector_.watch(rowsOf(views_));
-    if (isOpen() && asideFrames().empty()) inspector_.keepAside({});
+    inspector_.views().watch(rowsOf(views_));
+    if (isOpen() && asideFrames().empty()) inspector_.views().keepAside({});
   }
   if (wishes.reload) reloadShaders();
   if (wishes.source && !open(*wishes.source)) wishes.refuseSource();
@@ -106,10 +106,11 @@ bool RenderWorker::open(const std::string& source) {
   endFlight(); // of the old one, which stays where the new one is refused
   goal_.reset();
   const bool isOpened = change(RequestKind::Source, [&] {
-    inspector_.open(source, progress("", stopsOpening));
-    objects_ = objectNames(inspector_.scene());
+    inspector_.shot().open(source, progress("", stopsOpening));
+    objects_ = objectNames(inspector_.shot().scene());
     objects_.resize(std::min(objects_.size(), kMostObjects));
-    outline_ = std::make_shared<const SceneOutline>(outlineOf(inspector_.scene(), inspector_.source()));
+    outline_ = std::make_shared<const SceneOutline>(
+        outlineOf(inspector_.shot().scene(), inspector_.shot().source()));
   });
   if (isOpened) opened_ = latest_.of(RequestKind::Source);
   if (listener_.onWork) listener_.onWork({});
@@ -117,21 +118,21 @@ bool RenderWorker::open(const std::string& source) {
 }
 
 void RenderWorker::applyShot(const Wishes& wishes) {
-  if (wishes.size && *wishes.size != glm::ivec2(inspector_.width(), inspector_.height()))
-    change(RequestKind::Size, [&] { inspector_.setSize(wishes.size->x, wishes.size->y); });
+  if (wishes.size && *wishes.size != glm::ivec2(inspector_.shot().width(), inspector_.shot().height()))
+    change(RequestKind::Size, [&] { inspector_.shot().setSize(wishes.size->x, wishes.size->y); });
   const SceneWishes& scene = wishes.scene;
   if (wishes.camera || wishes.frame || scene.cameras || !scene.tracks.empty()) endFlight();
   if (isOpen() && scene.cameras)
-    change(RequestKind::FlownCameras, [&] { inspector_.setFlownCameras(*scene.cameras); });
+    change(RequestKind::FlownCameras, [&] { inspector_.shot().setFlownCameras(*scene.cameras); });
   if (isOpen())
     for (const CameraTrack& track : scene.tracks)
-      change(RequestKind::FlownCameras, [&] { inspector_.setCameraTrack(track); });
-  if (wishes.camera && isOpen() && *wishes.camera != inspector_.camera())
-    change(RequestKind::Camera, [&] { inspector_.setCamera(*wishes.camera); });
-  if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.motionModes())
-    change(RequestKind::MotionModes, [&] { inspector_.setMotionModes(*wishes.motionModes); });
-  if (wishes.settings && !(*wishes.settings == inspector_.settings()))
-    change(RequestKind::Settings, [&] { inspector_.setSettings(*wishes.settings); });
+      change(RequestKind::FlownCameras, [&] { inspector_.shot().setCameraTrack(track); });
+  if (wishes.camera && isOpen() && *wishes.camera != inspector_.shot().camera())
+    change(RequestKind::Camera, [&] { inspector_.shot().setCamera(*wishes.camera); });
+  if (wishes.motionModes && isOpen() && *wishes.motionModes != inspector_.shot().motionModes())
+    change(RequestKind::MotionModes, [&] { inspector_.shot().setMotionModes(*wishes.motionModes); });
+  if (wishes.settings && !(*wishes.settings == inspector_.shot().settings()))
+    change(RequestKind::Settings, [&] { inspector_.shot().setSettings(*wishes.settings); });
   if (wishes.otherLanes) change(RequestKind::Lanes, [&] { applyLanes(*wishes.otherLanes); });
 }
 
@@ -139,7 +140,7 @@ void RenderWorker::applyTime(const Wishes& wishes) {
   if (!isOpen()) return;
   if (wishes.playing) {
     const auto [first, last] = playedFrames();
-    const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.frame() == last;
+    const bool restarts = *wishes.playing && !playing_ && !looping_ && inspector_.shot().frame() == last;
     if (!*wishes.playing) endFlight();
     setPlaying(*wishes.playing);
     if (restarts) goal_ = first;
@@ -147,8 +148,8 @@ void RenderWorker::applyTime(const Wishes& wishes) {
   }
   if (!wishes.frame && wishes.steps == 0) return;
   if (flight_.recording) endFlight(); // time is taken out of its hands
-  const int last = inspector_.frameCount() - 1;
-  const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.frame());
+  const int last = inspector_.shot().frameCount() - 1;
+  const int from = wishes.frame ? *wishes.frame : goal_.value_or(inspector_.shot().frame());
   goal_ = static_cast<int>(std::clamp<std::int64_t>(std::int64_t(from) + wishes.steps, 0, last));
   if (*goal_ < from) endFlight();
   isNear_ = false;
@@ -156,7 +157,7 @@ void RenderWorker::applyTime(const Wishes& wishes) {
 }
 
 bool RenderWorker::needsRefinement() const {
-  return isOpen() && !playing_ && !refinementStopped_ && !inspector_.areAllExact();
+  return isOpen() && !playing_ && !refinementStopped_ && !inspector_.shot().areAllExact();
 }
 
 void RenderWorker::work() {
@@ -169,7 +170,7 @@ void RenderWorker::work() {
   else if (playing_ && Clock::now() >= nextFrameAt_)
     playOn();
   else if (needsRefinement())
-    replay(inspector_.frame(), replayText(inexactSince_));
+    replay(inspector_.shot().frame(), replayText(inexactSince_));
   else if (needsAside())
     makeAside();
   else if (wantsToFillTraces())
@@ -179,24 +180,24 @@ void RenderWorker::work() {
 // Before a long way: shows the nearest frame at hand when it is much nearer than what is on show, and tells
 // that another one is on its way. Returns whether there is something to deliver.
 bool RenderWorker::goNear() {
-  if (std::exchange(isNear_, true) || inspector_.replayLength(*goal_) <= 1) return false;
-  const int near = inspector_.nearestAtHand(*goal_);
+  if (std::exchange(isNear_, true) || inspector_.shot().replayLength(*goal_) <= 1) return false;
+  const int near = inspector_.shot().nearestAtHand(*goal_);
   statusChanged_ = true;
-  if (2 * std::abs(*goal_ - near) > std::abs(*goal_ - inspector_.frame())) return true;
-  attempt(RequestKind::Time, [&] { inspector_.seek(near); });
+  if (2 * std::abs(*goal_ - near) > std::abs(*goal_ - inspector_.shot().frame())) return true;
+  attempt(RequestKind::Time, [&] { inspector_.shot().seek(near); });
   ++version_;
   return true;
 }
 
 // Goes to a frame, as far as wishes let it; what they interrupt is taken up again by the next work().
 void RenderWorker::replay(int frame, const std::string& what) {
-  const int oldFrame = inspector_.frame();
-  const bool wasExact = inspector_.areAllExact();
+  const int oldFrame = inspector_.shot().frame();
+  const bool wasExact = inspector_.shot().areAllExact();
   bool isCancelled = false;
   const RequestKind kind = goal_ || inexactSince_.empty() ? RequestKind::Time : inexactSince_.back();
   attempt(kind, [&] {
     try {
-      inspector_.seek(frame, progress(what, endsReplay));
+      inspector_.shot().seek(frame, progress(what, endsReplay));
     } catch (const Cancelled&) {
       isCancelled = true;
     }
@@ -204,15 +205,15 @@ void RenderWorker::replay(int frame, const std::string& what) {
   if (listener_.onWork) listener_.onWork({});
   if (isCancelled) return;
   if (std::exchange(goal_, {})) statusChanged_ = true;
-  if (!inspector_.areAllExact()) refinementStopped_ = true; // it failed
-  if (inspector_.frame() == oldFrame && inspector_.areAllExact() == wasExact) return;
+  if (!inspector_.shot().areAllExact()) refinementStopped_ = true; // it failed
+  if (inspector_.shot().frame() == oldFrame && inspector_.shot().areAllExact() == wasExact) return;
   ++version_;
   statusChanged_ = true;
 }
 
 void RenderWorker::deliver() {
   if (isOpen()) {
-    if (statusChanged_ && (goal_ || !inspector_.isExact())) sendStatus();
+    if (statusChanged_ && (goal_ || !inspector_.shot().isExact())) sendStatus();
     for (int index = 0; index < static_cast<int>(views_.size()); ++index) deliverView(index);
     deliverPins();
     deliverFigures();
@@ -224,41 +225,41 @@ void RenderWorker::deliver() {
 
 void RenderWorker::sendStatus() {
   statusChanged_ = false;
-  if (isOpen() && inspector_.areAllExact()) inexactSince_.clear();
+  if (isOpen() && inspector_.shot().areAllExact()) inexactSince_.clear();
   if (!listener_.onStatus) return;
   Status status;
-  status.width = inspector_.width();
-  status.height = inspector_.height();
-  status.settings = inspector_.settings();
+  status.width = inspector_.shot().width();
+  status.height = inspector_.shot().height();
+  status.settings = inspector_.shot().settings();
   status.jitterPeriod = jitterPeriod(status.settings.jitter);
   status.playing = playing_;
-  status.driver = inspector_.driver();
+  status.driver = inspector_.shot().driver();
   status.referenceGoal = reference_.goal;
-  status.checkpointBudget = inspector_.checkpointBudget();
+  status.checkpointBudget = inspector_.shot().checkpointBudget();
   status.playback = playback_;
   status.subject = subject_;
   status.inexactSince = inexactSince_;
   if (isOpen()) {
-    status.source = inspector_.source();
-    status.camera = inspector_.camera();
-    status.cameras = inspector_.cameras();
-    status.warnings = inspector_.scene().warnings;
+    status.source = inspector_.shot().source();
+    status.camera = inspector_.shot().camera();
+    status.cameras = inspector_.shot().cameras();
+    status.warnings = inspector_.shot().scene().warnings;
     status.objects = objects_;
-    status.motionModes = inspector_.motionModes();
-    status.frameCount = inspector_.frameCount();
-    status.framesPerSecond = inspector_.scene().shot.framesPerSecond;
-    status.info = inspector_.info();
-    status.exact = inspector_.isExact();
-    if (goal_ && isNear_ && *goal_ != inspector_.frame()) status.goal = goal_;
-    status.times = inspector_.times();
-    status.cuts = inspector_.scene().shot.cuts;
-    status.restarts = inspector_.restarts();
-    status.keptFrames = inspector_.keptFrames();
+    status.motionModes = inspector_.shot().motionModes();
+    status.frameCount = inspector_.shot().frameCount();
+    status.framesPerSecond = inspector_.shot().scene().shot.framesPerSecond;
+    status.info = inspector_.shot().info();
+    status.exact = inspector_.shot().isExact();
+    if (goal_ && isNear_ && *goal_ != inspector_.shot().frame()) status.goal = goal_;
+    status.times = inspector_.shot().times();
+    status.cuts = inspector_.shot().scene().shot.cuts;
+    status.restarts = inspector_.shot().restarts();
+    status.keptFrames = inspector_.shot().keptFrames();
     status.outline = outline_;
-    status.filter = inspector_.objectFilter();
-    status.objectClasses = inspector_.objectClasses();
-    status.tracks = inspector_.cameraTracks();
-    status.pose = inspector_.cameraPose();
+    status.filter = inspector_.shot().objectFilter();
+    status.objectClasses = inspector_.shot().objectClasses();
+    status.tracks = inspector_.shot().cameraTracks();
+    status.pose = inspector_.shot().cameraPose();
     status.recording = flight_.recording.has_value();
     status.recordedFrames = flight_.recording ? flight_.recording->frameCount(now_()) : 0;
     status.opened = opened_;

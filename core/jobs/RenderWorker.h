@@ -54,7 +54,7 @@ class RenderWorker {
     std::vector<std::pair<Look, ReasonCounts>> counts;
   };
   bool hasFrameGoal() const { return goal_ || needsRefinement() || needsAside() || measuring_; }
-  bool isOpen() const { return !inspector_.source().empty(); }
+  bool isOpen() const { return !inspector_.shot().source().empty(); }
   bool needsRefinement() const;
   bool needsAside() const;
   bool open(const std::string& source);

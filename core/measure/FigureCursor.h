@@ -3,7 +3,7 @@
 
 #include "core/measure/FlickerRows.h"
 #include "core/measure/References.h"
-#include "core/probe/PixelTrace.h"
+#include "core/replay/TraceCursor.h"
 
 namespace taa {
 

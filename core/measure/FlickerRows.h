@@ -3,9 +3,9 @@
 
 #include "core/gl/Texture.h"
 #include "core/measure/Flicker.h"
-#include "core/probe/PixelTrace.h"
 #include "core/probe/SurfaceSteps.h"
 #include "core/render/SceneRenderer.h"
+#include "core/replay/TraceCursor.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"
 

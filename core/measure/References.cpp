@@ -2,6 +2,8 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
+#include "core/gl/PassTimer.h"
+#include "core/measure/Profiler.h"
 #include "core/render/jitter/ReferencePoints.h"
 
 #include <algorithm>
@@ -81,6 +83,17 @@ void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject
     report(progress, say<"Reference">(), picture.samples, samples);
   }
   drawn_ = {};
+}
+
+const ReferencePicture& References::foundOrDrawn(SceneRenderer& renderer, const ReferenceSubject& subject,
+                                                 int samples, const References& known,
+                                                 const Progress& progress) {
+  const gl::PassGroup group(pass_group::kReference);
+  for (const References* place : {&known, static_cast<const References*>(this)})
+    if (const ReferencePicture* picture = place->find(subject); picture && picture->samples == samples)
+      return *picture;
+  refine(renderer, subject, samples, progress);
+  return *find(subject);
 }
 
 std::size_t References::bytes() const {

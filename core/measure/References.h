@@ -51,6 +51,10 @@ class References {
   /// depends on the last number only. Reports after each sample; Cancelled: keeps those it has. Throws Error.
   void refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
               const Progress& progress);
+  /// One of so many samples: that of `known` or of these, else drawn as refine() does. Valid as long as
+  /// find()'s.
+  const ReferencePicture& foundOrDrawn(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
+                                       const References& known, const Progress& progress);
 
   /// Forgets those used longest ago; the latest always stays.
   void setBudget(std::size_t bytes);

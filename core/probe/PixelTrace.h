@@ -7,12 +7,9 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace taa {
-
-struct History;
 
 struct TraceSample {
   glm::ivec2 pixel{0}; ///< where the pin was
@@ -55,13 +52,6 @@ struct TraceDelivery {
   int frame = 0;
   TraceSample sample;
   std::uint64_t subject = 0; ///< counts what frames were a function of; true while it is the same
-};
-
-/// Where a trace has come to: the history that its last frame left. Worth nothing once what frames are a
-/// function of has changed.
-struct TraceCursor {
-  int frame = 0;
-  std::shared_ptr<const History> history; ///< also owned by the frame made last; null: not begun
 };
 
 } // namespace taa

@@ -27,14 +27,14 @@ class PartSource {
  private:
   void expose() {
     const int lane = parts_[first_].lane;
-    const gl::Rect picture{0, 0, inspector_.width(), inspector_.height()};
+    const gl::Rect picture{0, 0, inspector_.shot().width(), inspector_.shot().height()};
     std::vector<IntermediateId> ids;
     for (std::size_t sum = 0; first_ < parts_.size() && parts_[first_].lane == lane; ++first_) {
       sum += exposureBytes(ExposureLayout({parts_[first_].id}), picture); // as an image, if not as a texture
       if (!ids.empty() && sum > bytes_) break;
       ids.push_back(parts_[first_].id);
     }
-    held_ = inspector_.images(ids, lane);
+    held_ = inspector_.views().images(ids, lane);
     std::ranges::reverse(held_);
   }
 
@@ -49,12 +49,12 @@ class PartSource {
 
 void exportFrame(Inspector& inspector, FrameFile frame, const std::vector<IntermediateId>& ids,
                  const std::filesystem::path& path, std::size_t bytes) {
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-    frame.lanes.at(static_cast<std::size_t>(lane)).referenceSamples = inspector.referenceSamples(lane);
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+    frame.lanes.at(static_cast<std::size_t>(lane)).referenceSamples = inspector.reference().samples(lane);
     for (const IntermediateId id : ids) frame.parts.push_back({lane, id});
   }
   PartSource source(inspector, frame.parts, bytes);
-  writeFrameFile(path, frame, {inspector.width(), inspector.height()},
+  writeFrameFile(path, frame, {inspector.shot().width(), inspector.shot().height()},
                  [&](const FramePart&) { return source.next(); });
 }
 

@@ -54,10 +54,10 @@ class Workshop {
 /// Takes the inspector back to where it was, whatever happens.
 class Return {
  public:
-  explicit Return(Inspector& inspector) : inspector_(inspector), frame_(inspector.frame()) {}
+  explicit Return(Inspector& inspector) : inspector_(inspector), frame_(inspector.shot().frame()) {}
   ~Return() {
     try {
-      inspector_.seek(frame_);
+      inspector_.shot().seek(frame_);
     } catch (const std::exception&) { // the frame on show then says which it is
     }
   }
@@ -71,12 +71,14 @@ class Return {
 
 void writeValues(Inspector& inspector, const SequenceRequest& request, const fs::path& path,
                  const Progress& stop) {
-  FrameFile frame{inspector.source(), inspector.camera(), inspector.driver().renderer, {}, {}};
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-    const std::string name = inspector.laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
-    frame.lanes.push_back(
-        {name, inspector.settings(lane), inspector.info(lane), inspector.inputs(lane).block});
-    inspector.makeRows(request.ids, request.picture.referenceSamples, stop, lane);
+  FrameFile frame{
+      inspector.shot().source(), inspector.shot().camera(), inspector.shot().driver().renderer, {}, {}};
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+    const std::string name =
+        inspector.shot().laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
+    frame.lanes.push_back({name, inspector.shot().settings(lane), inspector.shot().info(lane),
+                           inspector.views().inputs(lane).block});
+    inspector.reference().makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   }
   exportFrame(inspector, std::move(frame), request.ids, path);
 }
@@ -102,7 +104,7 @@ void makeFiles(Inspector& inspector, const SequenceRequest& request, const Works
     const auto tell = [&] { return !progress || progress(say<"Exporting">(), frame - request.first, count); };
     if (!tell()) throw Cancelled();
     const Progress stop = [&](std::string_view, int, int) { return tell(); };
-    inspector.seek(frame, stop); // to the first one it may be long
+    inspector.shot().seek(frame, stop); // to the first one it may be long
     writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get(), stop);
   }
   report(progress, say<"Exporting">(), count, count);

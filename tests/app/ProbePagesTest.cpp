@@ -95,16 +95,17 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   const std::string copied = QApplication::clipboard()->text().toStdString();
   const auto printed = [] {
     Inspector inspector;
-    inspector.setSize(64, 36);
-    inspector.open("builtin:fan");
-    inspector.seek(5);
-    const ProbeReport report{{inspector.source(), inspector.camera(),
-                              inspector.driver().renderer + ", " + inspector.driver().version, 64, 36},
+    inspector.shot().setSize(64, 36);
+    inspector.shot().open("builtin:fan");
+    inspector.shot().seek(5);
+    const ProbeReport report{{inspector.shot().source(), inspector.shot().camera(),
+                              inspector.shot().driver().renderer + ", " + inspector.shot().driver().version,
+                              64, 36},
                              {40, 14},
-                             {{{"", "balanced", inspector.settings(), inspector.info()},
-                               inspector.probe(40, 14),
+                             {{{"", "balanced", inspector.shot().settings(), inspector.shot().info()},
+                               inspector.probes().probe(40, 14),
                                {},
-                               std::make_shared<twin::Details>(inspector.details(40, 14))}}};
+                               std::make_shared<twin::Details>(inspector.probes().details(40, 14))}}};
     return probeJson(report).dump(2) + "\n";
   };
   EXPECT_EQ(copied, std::async(std::launch::async, printed).get());

@@ -116,10 +116,10 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
       [&] { return session.probe() && session.probe()->frame == 6 && session.probe()->x == 60; }));
 
   Inspector inspector;
-  inspector.open("builtin:fan");
-  inspector.setSize(96, 54);
-  inspector.seek(6);
-  const PixelRecord record = inspector.probe(pixel.x, pixel.y);
+  inspector.shot().open("builtin:fan");
+  inspector.shot().setSize(96, 54);
+  inspector.shot().seek(6);
+  const PixelRecord record = inspector.probes().probe(pixel.x, pixel.y);
   const ProbeResult& shown = *session.probe();
   ASSERT_EQ(shown.around.size(), 9u);
   EXPECT_EQ(0, std::memcmp(shown.around[4].data(), record.data(), sizeof(record)));

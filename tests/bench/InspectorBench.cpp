@@ -29,22 +29,22 @@ constexpr int kWidth = 1280, kHeight = 720;
 /// builtin:fan, warmed up; opened anew, so that one benchmark's checkpoints do not help the next.
 std::unique_ptr<taa::Inspector> openFan() {
   auto inspector = std::make_unique<taa::Inspector>();
-  inspector->setSize(kWidth, kHeight);
-  inspector->open("builtin:fan");
-  inspector->seek(kWarmUpFrames);
+  inspector->shot().setSize(kWidth, kHeight);
+  inspector->shot().open("builtin:fan");
+  inspector->shot().seek(kWarmUpFrames);
   return inspector;
 }
 
 /// One frame on, at the end of the shot back to where the warm-up ended.
 void stepForward(taa::Inspector& inspector) {
-  const int next = inspector.frame() + 1;
-  inspector.seek(next < inspector.frameCount() ? next : kWarmUpFrames);
+  const int next = inspector.shot().frame() + 1;
+  inspector.shot().seek(next < inspector.shot().frameCount() ? next : kWarmUpFrames);
 }
 
 double resolveTime(taa::Inspector& inspector, const std::vector<IntermediateId>& watched) {
-  inspector.watch(watched);
+  inspector.views().watch(watched);
   stepForward(inspector);
-  return inspector.times().resolve;
+  return inspector.shot().times().resolve;
 }
 
 void benchWatching(benchmark::State& state, const std::vector<IntermediateId>& watched, const char* figure) {
@@ -53,7 +53,7 @@ void benchWatching(benchmark::State& state, const std::vector<IntermediateId>& w
   std::vector<double> ratios, bare, scene;
   for (auto _ : state) {
     bare.push_back(resolveTime(*inspector, {}));
-    scene.push_back(inspector->times().scene);
+    scene.push_back(inspector->shot().times().scene);
     const double exposed = resolveTime(*inspector, watched);
     ratios.push_back(exposed / bare.back());
     state.SetIterationTime(exposed / 1000.0);
@@ -91,7 +91,7 @@ void probe(benchmark::State& state) {
   for (auto _ : state) {
     // Strides that are prime to the size: all over the picture.
     const int x = count * 467 % kWidth, y = count * 311 % kHeight;
-    const double time = seconds([&] { benchmark::DoNotOptimize(inspector->probe(x, y)); });
+    const double time = seconds([&] { benchmark::DoNotOptimize(inspector->probes().probe(x, y)); });
     if (count++ > 0) times.push_back(time * 1000.0); // the first one compiles
     state.SetIterationTime(time);
   }
@@ -101,9 +101,9 @@ void probe(benchmark::State& state) {
 /// From the choice of another option to its picture, s.
 double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
   return seconds([&] {
-    inspector.setSettings(settings);
-    benchmark::DoNotOptimize(
-        inspector.picture(IntermediateId::resolved, {}, {}, inspector.width(), inspector.height()));
+    inspector.shot().setSettings(settings);
+    benchmark::DoNotOptimize(inspector.views().picture(IntermediateId::resolved, {}, {},
+                                                       inspector.shot().width(), inspector.shot().height()));
   });
 }
 
@@ -112,9 +112,9 @@ double switchTime(taa::Inspector& inspector, const taa::Settings& settings) {
 template <typename Action>
 void forEachChoice(Action with) {
   taa::Inspector inspector;
-  inspector.open("builtin:fan");
-  inspector.watch({IntermediateId::resolved});
-  inspector.seek(kWarmUpFrames);
+  inspector.shot().open("builtin:fan");
+  inspector.views().watch({IntermediateId::resolved});
+  inspector.shot().seek(kWarmUpFrames);
   for (const taa::Parameter& row : taa::parameters()) {
     if (row.effect != taa::Effect::Program || row.kind != taa::ParameterKind::Choice) continue;
     taa::Settings settings;
@@ -144,7 +144,7 @@ void switchPrepared(benchmark::State& state) {
   for (auto _ : state) {
     double total = 0.0;
     forEachChoice([&](taa::Inspector& inspector, const taa::Settings& settings) {
-      inspector.prepare(settings);
+      inspector.shot().prepare(settings);
       total += times.emplace_back(switchTime(inspector, settings) * 1000.0);
       switchTime(inspector, {});
     });

@@ -29,18 +29,18 @@ constexpr int kWidth = 1280, kHeight = 720;
 
 std::unique_ptr<taa::Inspector> openScene(const char* source) {
   auto inspector = std::make_unique<taa::Inspector>();
-  inspector->setSize(kWidth, kHeight);
-  inspector->open(source);
-  inspector->seek(kWarmUpFrames);
+  inspector->shot().setSize(kWidth, kHeight);
+  inspector->shot().open(source);
+  inspector->shot().seek(kWarmUpFrames);
   return inspector;
 }
 
 /// What the file says besides values.
 taa::FrameFile header(const taa::Inspector& inspector) {
-  return {inspector.source(),
-          inspector.camera(),
-          inspector.driver().renderer,
-          {{"", inspector.settings(), inspector.info(), {}}},
+  return {inspector.shot().source(),
+          inspector.shot().camera(),
+          inspector.shot().driver().renderer,
+          {{"", inspector.shot().settings(), inspector.shot().info(), {}}},
           {}};
 }
 
@@ -74,7 +74,7 @@ void writePlainly(const std::vector<IntermediateId>& ids, const std::vector<taa:
 void exportExr(benchmark::State& state) {
   const std::unique_ptr<taa::Inspector> inspector = openScene("builtin:fan");
   const std::vector<IntermediateId> all = taa::allRows();
-  const std::vector<taa::Image> images = inspector->images(all);
+  const std::vector<taa::Image> images = inspector->views().images(all);
   taa::FrameFile frame = header(*inspector);
   for (std::size_t index = 0; index < all.size(); ++index)
     frame.parts.push_back({0, all[index], images[index]});
@@ -98,8 +98,8 @@ void crowd(benchmark::State& state) {
   const std::unique_ptr<taa::Inspector> inspector = openScene("builtin:crowd");
   std::vector<double> scene;
   for (auto _ : state) {
-    const double time = seconds([&] { inspector->advance(); });
-    scene.push_back(inspector->times().scene);
+    const double time = seconds([&] { inspector->shot().advance(); });
+    scene.push_back(inspector->shot().times().scene);
     state.SetIterationTime(time);
   }
   state.counters["crowdScene"] = median(scene);

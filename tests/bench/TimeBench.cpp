@@ -29,20 +29,21 @@ constexpr int kWarmUpFrames = 24;
 /// A frame as a window shows it.
 void look(Inspector& inspector, const std::vector<IntermediateId>& rows) {
   for (const IntermediateId id : rows)
-    benchmark::DoNotOptimize(inspector.picture(id, {}, {}, inspector.width(), inspector.height()));
+    benchmark::DoNotOptimize(
+        inspector.views().picture(id, {}, {}, inspector.shot().width(), inspector.shot().height()));
 }
 
 /// Steps back against steps forward to frames that were not there yet, both until `rows` can be seen.
 void benchStepBack(benchmark::State& state, const std::vector<IntermediateId>& rows, const char* figure) {
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.open("builtin:fan");
-  inspector.watch(rows);
-  inspector.seek(kWarmUpFrames);
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().open("builtin:fan");
+  inspector.views().watch(rows);
+  inspector.shot().seek(kWarmUpFrames);
   look(inspector, rows);
-  inspector.seek(kWarmUpFrames - 1);
+  inspector.shot().seek(kWarmUpFrames - 1);
   look(inspector, rows); // compiles what only looking needs
-  inspector.seek(kWarmUpFrames);
+  inspector.shot().seek(kWarmUpFrames);
   std::vector<double> ratios;
   // Runs of steps and not single ones, for a step back may be dear now and then.
   constexpr int kSteps = 12;
@@ -51,13 +52,14 @@ void benchStepBack(benchmark::State& state, const std::vector<IntermediateId>& r
     for (const int way : {1, -1})
       times[way < 0] = seconds([&] {
         for (int step = 0; step < kSteps; ++step) {
-          inspector.seek(inspector.frame() + way);
+          inspector.shot().seek(inspector.shot().frame() + way);
           look(inspector, rows);
         }
       });
     ratios.push_back(times[1] / times[0]);
     state.SetIterationTime(times[1] / kSteps);
-    inspector.seek(inspector.frame() + kSteps); // kept: the next steps forward are to new frames
+    inspector.shot().seek(inspector.shot().frame() +
+                          kSteps); // kept: the next steps forward are to new frames
   }
   state.counters[figure] = median(ratios);
 }
@@ -74,16 +76,16 @@ void stepBackInputs(benchmark::State& state) {
 void seekPlayed(benchmark::State& state) {
   constexpr int kFrames = 240;
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.open("builtin:fan");
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().open("builtin:fan");
   std::vector<double> frames, seeks;
-  while (inspector.frame() < kFrames - 1)
-    frames.push_back(seconds([&] { inspector.seek(inspector.frame() + 1); }));
+  while (inspector.shot().frame() < kFrames - 1)
+    frames.push_back(seconds([&] { inspector.shot().seek(inspector.shot().frame() + 1); }));
   const double frameTime = median(frames);
   std::minstd_rand random(4);
   for (auto _ : state) {
     const int frame = static_cast<int>(random() % kFrames);
-    const double time = seconds([&] { inspector.seek(frame); });
+    const double time = seconds([&] { inspector.shot().seek(frame); });
     seeks.push_back(time / frameTime);
     state.SetIterationTime(time);
   }
@@ -114,19 +116,19 @@ class Wanderer {
     else if (dice == 1)
       changeSettings();
     else if (dice == 2)
-      benchmark::DoNotOptimize(inspector_.probe(3, 5));
-    else if (dice == 3 || inspector_.frame() == inspector_.frameCount() - 1)
-      frames = seek(inspector_.frame() / 2);
+      benchmark::DoNotOptimize(inspector_.probes().probe(3, 5));
+    else if (dice == 3 || inspector_.shot().frame() == inspector_.shot().frameCount() - 1)
+      frames = seek(inspector_.shot().frame() / 2);
     else
-      inspector_.advance();
+      inspector_.shot().advance();
     if (dice % 4 == 0) look(inspector_, {IntermediateId::resolved, IntermediateId::alpha});
     return frames;
   }
 
  private:
   int seek(int frame) {
-    const int frames = std::max(1, inspector_.replayLength(frame));
-    inspector_.seek(frame);
+    const int frames = std::max(1, inspector_.shot().replayLength(frame));
+    inspector_.shot().seek(frame);
     return frames;
   }
 
@@ -136,7 +138,7 @@ class Wanderer {
     settings.weight.minimum = static_cast<float>(1 + random_() % 50) * 0.002f;
     if (random_() % 2) taa::applyAssignment(settings, "jitter.period=8");
     if (random_() % 2) taa::applyAssignment(settings, "history.precision=full");
-    inspector_.setSettings(settings);
+    inspector_.shot().setSettings(settings);
   }
 
   Inspector& inspector_;
@@ -147,9 +149,9 @@ class Wanderer {
 void memoryGrowth(benchmark::State& state) {
   constexpr int kSmall = 32;
   Inspector inspector;
-  inspector.setSize(kSmall, kSmall);
-  inspector.open("builtin:fan");
-  inspector.watch({IntermediateId::resolved});
+  inspector.shot().setSize(kSmall, kSmall);
+  inspector.shot().open("builtin:fan");
+  inspector.views().watch({IntermediateId::resolved});
   Wanderer wanderer(inspector);
   const auto wander = [&] {
     for (int frames = 0; frames < 1000;) frames += wanderer.goOn();

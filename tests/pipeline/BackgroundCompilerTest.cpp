@@ -45,17 +45,17 @@ class BackgroundCompilerTest : public taa::test::small::InspectorTest {
 TEST_F(BackgroundCompilerTest, LeavesOnDiskAllThatASwitchNeeds) {
   const auto inspector = opened();
   if (kept() == 0) GTEST_SKIP() << "this driver gives no programs away";
-  inspector->watch({taa::IntermediateId::alpha});
-  inspector->seek(3);
+  inspector->views().watch({taa::IntermediateId::alpha});
+  inspector->shot().seek(3);
   const std::ptrdiff_t before = kept();
-  inspector->prepareAside(otherSettings());
-  ASSERT_TRUE(inspector->waitUntilPrepared(60s));
+  inspector->shot().prepareAside(otherSettings());
+  ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
   const std::ptrdiff_t after = kept();
   EXPECT_EQ(after, before + 2) << "the resolve that is shown, and the one that is replayed";
-  inspector->setSettings(otherSettings());
-  inspector->refine();
+  inspector->shot().setSettings(otherSettings());
+  inspector->shot().refine();
   EXPECT_EQ(kept(), after) << "none was missing";
-  expectSame(inspector->images(allRows()), taa::test::small::fresh(otherSettings(), 3));
+  expectSame(inspector->views().images(allRows()), taa::test::small::fresh(otherSettings(), 3));
 }
 
 TEST_F(BackgroundCompilerTest, SaysNothingOfWhatDoesNotCompileAndGoesOn) {
@@ -65,12 +65,12 @@ TEST_F(BackgroundCompilerTest, SaysNothingOfWhatDoesNotCompileAndGoesOn) {
   {
     const taa::test::ShaderFolder folder;
     folder.write("taa/resolve.frag", "#error no more\n");
-    inspector->prepareAside(otherSettings());
-    ASSERT_TRUE(inspector->waitUntilPrepared(60s));
+    inspector->shot().prepareAside(otherSettings());
+    ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
     EXPECT_EQ(kept(), before);
   }
-  inspector->prepareAside(otherSettings());
-  ASSERT_TRUE(inspector->waitUntilPrepared(60s));
+  inspector->shot().prepareAside(otherSettings());
+  ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
   EXPECT_GT(kept(), before);
 }
 

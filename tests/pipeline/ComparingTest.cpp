@@ -32,7 +32,7 @@ constexpr taa::gl::Rect kWhole{0, 0, kWidth, kHeight};
 
 Picture draw(Inspector& inspector, const Look& look, const std::optional<Look>& minus = {},
              const ViewStyle& style = {}) {
-  return inspector.picture(look, minus, style, {}, kWidth, kHeight);
+  return inspector.views().picture(look, minus, style, {}, kWidth, kHeight);
 }
 
 int drawsOfTheScene(const taa::FrameProfile& profile) {
@@ -46,34 +46,34 @@ int drawsOfTheScene(const taa::FrameProfile& profile) {
 
 TEST_F(ComparingTest, ALaneThatComesGivesWhatItsPresetGivesAlone) {
   const auto inspector = opened();
-  inspector->seek(5);
-  inspector->changeLanes({Settings{}, otherSettings()});
-  EXPECT_EQ(inspector->laneCount(), 2);
-  EXPECT_TRUE(inspector->isExact(0));
-  EXPECT_FALSE(inspector->isExact(1)) << "its history is yet to be replayed";
-  EXPECT_FALSE(inspector->areAllExact());
-  inspector->refine();
-  EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(taa::allRows(), 0), fresh(Settings{}, 5));
-  expectSame(inspector->images(taa::allRows(), 1), fresh(otherSettings(), 5));
-  inspector->changeLanes({Settings{}});
-  EXPECT_EQ(inspector->laneCount(), 1);
-  EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(taa::allRows()), fresh(Settings{}, 5));
+  inspector->shot().seek(5);
+  inspector->shot().changeLanes({Settings{}, otherSettings()});
+  EXPECT_EQ(inspector->shot().laneCount(), 2);
+  EXPECT_TRUE(inspector->shot().isExact(0));
+  EXPECT_FALSE(inspector->shot().isExact(1)) << "its history is yet to be replayed";
+  EXPECT_FALSE(inspector->shot().areAllExact());
+  inspector->shot().refine();
+  EXPECT_TRUE(inspector->shot().areAllExact());
+  expectSame(inspector->views().images(taa::allRows(), 0), fresh(Settings{}, 5));
+  expectSame(inspector->views().images(taa::allRows(), 1), fresh(otherSettings(), 5));
+  inspector->shot().changeLanes({Settings{}});
+  EXPECT_EQ(inspector->shot().laneCount(), 1);
+  EXPECT_TRUE(inspector->shot().areAllExact());
+  expectSame(inspector->views().images(taa::allRows()), fresh(Settings{}, 5));
 }
 
 TEST_F(ComparingTest, TwoLanesOfTheSameInputsDrawTheSceneOnce) {
   const auto inspector = opened();
-  inspector->changeLanes({Settings{}, otherSettings(), otherJitter()});
-  EXPECT_EQ(&inspector->inputs(0), &inspector->inputs(1));
-  EXPECT_NE(&inspector->inputs(0), &inspector->inputs(2));
-  inspector->changeLanes({Settings{}, otherSettings()});
-  inspector->setProfiling(true);
-  inspector->advance();
-  const auto two = inspector->takeProfile();
-  inspector->changeLanes({Settings{}});
-  inspector->advance();
-  const auto one = inspector->takeProfile();
+  inspector->shot().changeLanes({Settings{}, otherSettings(), otherJitter()});
+  EXPECT_EQ(&inspector->views().inputs(0), &inspector->views().inputs(1));
+  EXPECT_NE(&inspector->views().inputs(0), &inspector->views().inputs(2));
+  inspector->shot().changeLanes({Settings{}, otherSettings()});
+  inspector->profiler().setProfiling(true);
+  inspector->shot().advance();
+  const auto two = inspector->profiler().takeProfile();
+  inspector->shot().changeLanes({Settings{}});
+  inspector->shot().advance();
+  const auto one = inspector->profiler().takeProfile();
   ASSERT_TRUE(one && two);
   EXPECT_GT(drawsOfTheScene(*one), 0);
   EXPECT_EQ(drawsOfTheScene(*two), drawsOfTheScene(*one));
@@ -81,61 +81,62 @@ TEST_F(ComparingTest, TwoLanesOfTheSameInputsDrawTheSceneOnce) {
 
 TEST_F(ComparingTest, ALaneCanTakeOtherSettingsWithoutTheOthersNoticing) {
   const auto inspector = opened({Settings{}, otherSettings()});
-  inspector->seek(3);
-  inspector->changeLanes({Settings{}, otherJitter()});
-  EXPECT_TRUE(inspector->isExact(0));
-  inspector->refine();
-  expectSame(inspector->images(taa::allRows(), 1), fresh(otherJitter(), 3));
+  inspector->shot().seek(3);
+  inspector->shot().changeLanes({Settings{}, otherJitter()});
+  EXPECT_TRUE(inspector->shot().isExact(0));
+  inspector->shot().refine();
+  expectSame(inspector->views().images(taa::allRows(), 1), fresh(otherJitter(), 3));
 }
 
 TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
   const auto inspector = opened();
-  EXPECT_THROW(inspector->changeLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
-  EXPECT_EQ(inspector->laneCount(), 1);
+  EXPECT_THROW(inspector->shot().changeLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
+  EXPECT_EQ(inspector->shot().laneCount(), 1);
 }
 
 TEST_F(ComparingTest, AFrameKeptAsideIsThatFrameAndTheOneOnShowStays) {
   const auto inspector = opened();
-  inspector->seek(6);
-  const std::vector<Image> before = inspector->images(taa::allRows());
+  inspector->shot().seek(6);
+  const std::vector<Image> before = inspector->views().images(taa::allRows());
   const Look aside{IntermediateId::alpha, 0, 2};
-  EXPECT_FALSE(inspector->isAtHand(aside));
-  inspector->keepAside({2, 9});
-  EXPECT_TRUE(inspector->isAtHand(aside) && inspector->isExact(aside));
-  EXPECT_TRUE(inspector->isAtHand({.frame = 9}));
+  EXPECT_FALSE(inspector->views().isAtHand(aside));
+  inspector->views().keepAside({2, 9});
+  EXPECT_TRUE(inspector->views().isAtHand(aside) && inspector->views().isExact(aside));
+  EXPECT_TRUE(inspector->views().isAtHand({.frame = 9}));
   const std::vector<Image> expected = fresh(Settings{}, 2);
   for (std::size_t index = 0; index < taa::allRows().size(); ++index)
-    EXPECT_TRUE(isSame(inspector->image({taa::allRows()[index], 0, 2}, {}, kWhole), expected[index]))
+    EXPECT_TRUE(isSame(inspector->views().image({taa::allRows()[index], 0, 2}, {}, kWhole), expected[index]))
         << taa::kIntermediates[index].name;
-  EXPECT_EQ(inspector->frame(), 6);
-  EXPECT_TRUE(inspector->areAllExact());
-  expectSame(inspector->images(taa::allRows()), before);
-  inspector->keepAside({9});
-  EXPECT_FALSE(inspector->isAtHand(aside));
-  inspector->setSettings(otherSettings());
-  EXPECT_FALSE(inspector->isAtHand({.frame = 9})) << "it was drawn with other settings";
+  EXPECT_EQ(inspector->shot().frame(), 6);
+  EXPECT_TRUE(inspector->shot().areAllExact());
+  expectSame(inspector->views().images(taa::allRows()), before);
+  inspector->views().keepAside({9});
+  EXPECT_FALSE(inspector->views().isAtHand(aside));
+  inspector->shot().setSettings(otherSettings());
+  EXPECT_FALSE(inspector->views().isAtHand({.frame = 9})) << "it was drawn with other settings";
 }
 
 TEST_F(ComparingTest, AFrameToKeepAsideCanBeGivenUp) {
   const auto inspector = opened();
-  inspector->seek(4);
-  EXPECT_THROW(inspector->keepAside({40}, [](std::string_view, int done, int) { return done < 3; }),
+  inspector->shot().seek(4);
+  EXPECT_THROW(inspector->views().keepAside({40}, [](std::string_view, int done, int) { return done < 3; }),
                taa::Cancelled);
-  EXPECT_FALSE(inspector->isAtHand({.frame = 40}));
-  EXPECT_EQ(inspector->frame(), 4);
-  expectSame(inspector->images(taa::allRows()), fresh(Settings{}, 4));
+  EXPECT_FALSE(inspector->views().isAtHand({.frame = 40}));
+  EXPECT_EQ(inspector->shot().frame(), 4);
+  expectSame(inspector->views().images(taa::allRows()), fresh(Settings{}, 4));
 }
 
 TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {
   const auto inspector = opened({Settings{}, otherSettings()});
-  inspector->seek(5);
-  inspector->keepAside({1});
+  inspector->shot().seek(5);
+  inspector->views().keepAside({1});
   const Look resolved{IntermediateId::resolved, 0, {}};
   const Look others[] = {
       {IntermediateId::color, 0, {}}, {IntermediateId::resolved, 1, {}}, {IntermediateId::resolved, 0, 1}};
   for (const Look& other : others) {
-    const Image a = inspector->image(resolved, {}, kWhole), b = inspector->image(other, {}, kWhole);
-    const Image difference = inspector->image(resolved, other, kWhole);
+    const Image a = inspector->views().image(resolved, {}, kWhole),
+                b = inspector->views().image(other, {}, kWhole);
+    const Image difference = inspector->views().image(resolved, other, kWhole);
     ViewStyle style;
     style.map = taa::ColorMap::Gray;
     style.low = -1.0f;
@@ -161,13 +162,13 @@ TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {
 
 TEST_F(ComparingTest, OverlaysOfARowCanBeLookedAtWithoutBeingWatched) {
   const auto inspector = opened();
-  inspector->seek(3);
+  inspector->shot().seek(3);
   ViewStyle style;
   const Picture bare = draw(*inspector, {IntermediateId::resolved}, {}, style);
   style.markRejected = style.outlineObjects = true;
   const Picture over = draw(*inspector, {IntermediateId::resolved}, {}, style);
-  const Image reasons = inspector->image(IntermediateId::rejectReason);
-  const Image objects = inspector->image(IntermediateId::objectId);
+  const Image reasons = inspector->views().image(IntermediateId::rejectReason);
+  const Image objects = inspector->views().image(IntermediateId::objectId);
   int tinted = 0, outlined = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {

@@ -72,11 +72,11 @@ CameraPose shifted(CameraPose pose, int steps) {
 std::vector<Image> straight(int width, int height, int frame, const std::function<void(Inspector&)>& choose) {
   const auto make = [&] {
     Inspector inspector;
-    inspector.setSize(width, height);
-    inspector.open("builtin:fan");
+    inspector.shot().setSize(width, height);
+    inspector.shot().open("builtin:fan");
     choose(inspector);
-    inspector.seek(frame);
-    return inspector.images(allRows());
+    inspector.shot().seek(frame);
+    return inspector.views().images(allRows());
   };
   return std::async(std::launch::async, make).get();
 }
@@ -89,67 +89,67 @@ std::vector<Image> straight(int frame, const std::function<void(Inspector&)>& ch
 
 TEST_F(SceneChoices, HidesObjectsInAllFrames) {
   const auto inspector = opened();
-  inspector->seek(4);
-  const std::vector<Image> whole = inspector->images(allRows());
-  EXPECT_THROW(inspector->setObjectFilter({{"rotor", "nobody"}, {}}), taa::Error);
-  expectSame(inspector->images(allRows()), whole);
-  inspector->setObjectFilter({{"rotor"}, {}});
-  EXPECT_FALSE(inspector->isExact());
-  inspector->refine();
-  const std::vector<Image> hidden = inspector->images(allRows());
+  inspector->shot().seek(4);
+  const std::vector<Image> whole = inspector->views().images(allRows());
+  EXPECT_THROW(inspector->shot().setObjectFilter({{"rotor", "nobody"}, {}}), taa::Error);
+  expectSame(inspector->views().images(allRows()), whole);
+  inspector->shot().setObjectFilter({{"rotor"}, {}});
+  EXPECT_FALSE(inspector->shot().isExact());
+  inspector->shot().refine();
+  const std::vector<Image> hidden = inspector->views().images(allRows());
   EXPECT_FALSE(isSame(hidden[0], whole[0]));
-  expectSame(hidden, straight(4, [](Inspector& other) { other.setObjectFilter({{"rotor"}, {}}); }));
-  inspector->setObjectFilter({{}, {"rotor"}});
-  inspector->refine();
-  EXPECT_FALSE(isSame(inspector->images(allRows())[0], hidden[0]));
-  inspector->setObjectFilter({});
-  inspector->refine();
-  expectSame(inspector->images(allRows()), whole);
+  expectSame(hidden, straight(4, [](Inspector& other) { other.shot().setObjectFilter({{"rotor"}, {}}); }));
+  inspector->shot().setObjectFilter({{}, {"rotor"}});
+  inspector->shot().refine();
+  EXPECT_FALSE(isSame(inspector->views().images(allRows())[0], hidden[0]));
+  inspector->shot().setObjectFilter({});
+  inspector->shot().refine();
+  expectSame(inspector->views().images(allRows()), whole);
 }
 
 TEST_F(SceneChoices, ATrackThatGrowsWhileItPlaysIsWhatSeekingShows) {
   const auto inspector = opened();
-  const CameraPose first = inspector->cameraPose();
+  const CameraPose first = inspector->shot().cameraPose();
   CameraTrack track{"flown", 0, {first}};
-  inspector->setCameraTrack(track);
+  inspector->shot().setCameraTrack(track);
   for (int frame = 1; frame <= 6; ++frame) {
     track.put(frame, shifted(first, frame * frame));
-    inspector->setCameraTrack(track);
-    EXPECT_TRUE(inspector->isExact()) << "nothing of it is on show";
-    inspector->advance();
-    EXPECT_EQ(inspector->cameraPose(), track.at(frame));
+    inspector->shot().setCameraTrack(track);
+    EXPECT_TRUE(inspector->shot().isExact()) << "nothing of it is on show";
+    inspector->shot().advance();
+    EXPECT_EQ(inspector->shot().cameraPose(), track.at(frame));
   }
-  EXPECT_TRUE(inspector->isExact());
-  const std::vector<Image> played = inspector->images(allRows());
-  expectSame(played, straight(6, [&](Inspector& other) { other.setCameraTrack(track); }));
+  EXPECT_TRUE(inspector->shot().isExact());
+  const std::vector<Image> played = inspector->views().images(allRows());
+  expectSame(played, straight(6, [&](Inspector& other) { other.shot().setCameraTrack(track); }));
   // Back and forth over kept frames.
-  inspector->seek(2);
-  expectSame(inspector->images(allRows()),
-             straight(2, [&](Inspector& other) { other.setCameraTrack(track); }));
-  inspector->seek(6);
-  expectSame(inspector->images(allRows()), played);
+  inspector->shot().seek(2);
+  expectSame(inspector->views().images(allRows()),
+             straight(2, [&](Inspector& other) { other.shot().setCameraTrack(track); }));
+  inspector->shot().seek(6);
+  expectSame(inspector->views().images(allRows()), played);
 }
 
 TEST_F(SceneChoices, AnotherPoseOfTheFrameOnShowKeepsWhatWasBefore) {
   const auto inspector = opened();
-  const CameraPose first = inspector->cameraPose();
+  const CameraPose first = inspector->shot().cameraPose();
   CameraTrack track{"flown", 0, {first}};
-  inspector->setCameraTrack(track);
-  inspector->seek(5);
+  inspector->shot().setCameraTrack(track);
+  inspector->shot().seek(5);
   track.put(5, shifted(first, 3));
-  inspector->setCameraTrack(track);
-  EXPECT_TRUE(inspector->isExact()) << "the frames before it are as they were";
-  expectSame(inspector->images(allRows()),
-             straight(5, [&](Inspector& other) { other.setCameraTrack(track); }));
+  inspector->shot().setCameraTrack(track);
+  EXPECT_TRUE(inspector->shot().isExact()) << "the frames before it are as they were";
+  expectSame(inspector->views().images(allRows()),
+             straight(5, [&](Inspector& other) { other.shot().setCameraTrack(track); }));
   track.put(3, shifted(first, 1));
-  inspector->setCameraTrack(track);
-  EXPECT_FALSE(inspector->isExact());
-  inspector->refine();
-  expectSame(inspector->images(allRows()),
-             straight(5, [&](Inspector& other) { other.setCameraTrack(track); }));
-  EXPECT_THROW(inspector->setCameraTrack({"orbit", 0, {first}}), taa::Error) << "the scene has one";
-  inspector->setCamera("orbit");
-  EXPECT_EQ(inspector->cameras().back(), "flown");
+  inspector->shot().setCameraTrack(track);
+  EXPECT_FALSE(inspector->shot().isExact());
+  inspector->shot().refine();
+  expectSame(inspector->views().images(allRows()),
+             straight(5, [&](Inspector& other) { other.shot().setCameraTrack(track); }));
+  EXPECT_THROW(inspector->shot().setCameraTrack({"orbit", 0, {first}}), taa::Error) << "the scene has one";
+  inspector->shot().setCamera("orbit");
+  EXPECT_EQ(inspector->shot().cameras().back(), "flown");
 }
 
 TEST_F(FlightThread, RestsWhereItWasFlownTo) {
@@ -284,26 +284,27 @@ TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
 
 TEST_F(SceneChoices, ARenamedCameraShowsTheSameAndARemovedOneNothing) {
   const auto inspector = opened();
-  const CameraPose first = inspector->cameraPose();
+  const CameraPose first = inspector->shot().cameraPose();
   CameraTrack track{"flown", 0, {first, shifted(first, 3), shifted(first, 9)}};
-  inspector->setCameraTrack({"other", 0, {shifted(first, 4)}});
-  inspector->setCameraTrack(track);
-  inspector->seek(4);
-  const std::vector<Image> flown = inspector->images(allRows());
-  const CameraTrack other = *inspector->cameraTracks()[0];
+  inspector->shot().setCameraTrack({"other", 0, {shifted(first, 4)}});
+  inspector->shot().setCameraTrack(track);
+  inspector->shot().seek(4);
+  const std::vector<Image> flown = inspector->views().images(allRows());
+  const CameraTrack other = *inspector->shot().cameraTracks()[0];
   CameraTrack named = track;
   named.name = "By the wall";
-  inspector->setFlownCameras({{other, named}, "By the wall"});
-  EXPECT_TRUE(inspector->isExact()) << "it is the same camera";
-  EXPECT_EQ(inspector->camera(), "By the wall");
-  expectSame(inspector->images(allRows()), flown);
-  EXPECT_THROW(inspector->setFlownCameras({{other, other}, "other"}), taa::Error);
-  EXPECT_THROW(inspector->setFlownCameras({{other}, "flown"}), taa::Error);
-  EXPECT_EQ(inspector->camera(), "By the wall") << "an error changes nothing";
-  inspector->setFlownCameras({{other}, "orbit"});
-  EXPECT_EQ(inspector->cameras().back(), "other");
-  inspector->refine();
-  expectSame(inspector->images(allRows()), straight(4, [](Inspector& one) { one.setCamera("orbit"); }));
+  inspector->shot().setFlownCameras({{other, named}, "By the wall"});
+  EXPECT_TRUE(inspector->shot().isExact()) << "it is the same camera";
+  EXPECT_EQ(inspector->shot().camera(), "By the wall");
+  expectSame(inspector->views().images(allRows()), flown);
+  EXPECT_THROW(inspector->shot().setFlownCameras({{other, other}, "other"}), taa::Error);
+  EXPECT_THROW(inspector->shot().setFlownCameras({{other}, "flown"}), taa::Error);
+  EXPECT_EQ(inspector->shot().camera(), "By the wall") << "an error changes nothing";
+  inspector->shot().setFlownCameras({{other}, "orbit"});
+  EXPECT_EQ(inspector->shot().cameras().back(), "other");
+  inspector->shot().refine();
+  expectSame(inspector->views().images(allRows()),
+             straight(4, [](Inspector& one) { one.shot().setCamera("orbit"); }));
 }
 
 TEST_F(FlightThread, SaysWhereObjectsAreSeen) {

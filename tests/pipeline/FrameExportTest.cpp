@@ -23,16 +23,17 @@ TEST_F(FrameExportTest, WritesTheSameValuesAFewAtATimeAsAllAtOnce) {
   Settings other;
   applyAssignment(other, "rectify.method=clamp");
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.setLanes({Settings{}, other});
-  inspector.open("builtin:text");
-  inspector.seek(2);
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().setLanes({Settings{}, other});
+  inspector.shot().open("builtin:text");
+  inspector.shot().seek(2);
   const std::vector<IntermediateId> ids{IntermediateId::resolved, IntermediateId::alpha,
                                         IntermediateId::motion, IntermediateId::color,
                                         IntermediateId::historyRectified};
   FrameFile frame{"source", "camera", "driver", {}, {}};
   for (int lane = 0; lane < 2; ++lane)
-    frame.lanes.push_back({lane == 0 ? "A" : "B", inspector.settings(lane), inspector.info(lane), {}});
+    frame.lanes.push_back(
+        {lane == 0 ? "A" : "B", inspector.shot().settings(lane), inspector.shot().info(lane), {}});
   const std::size_t before = gl::memoryInUse(), piece = 40 * kWidth * kHeight; // two or three at a time
   gl::resetMemoryPeak();
   const std::filesystem::path path = test::temporaryFolder() / "pieces.exr";
@@ -40,7 +41,7 @@ TEST_F(FrameExportTest, WritesTheSameValuesAFewAtATimeAsAllAtOnce) {
   EXPECT_LE(gl::memoryPeak(), before + piece);
   EXPECT_GT(gl::memoryPeak(), before);
   for (int lane = 0; lane < 2; ++lane) {
-    const std::vector<Image> expected = inspector.images(ids, lane);
+    const std::vector<Image> expected = inspector.views().images(ids, lane);
     for (std::size_t index = 0; index < ids.size(); ++index) {
       const Intermediate& row = intermediate(ids[index]);
       const Image read = readPart(path, partName(frame.lanes[std::size_t(lane)], row.id),

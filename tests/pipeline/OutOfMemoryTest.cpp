@@ -41,18 +41,18 @@ struct State {
 };
 
 State stateOf(Inspector& inspector) {
-  State state{inspector.source(),
-              inspector.camera(),
-              inspector.frame(),
-              inspector.width(),
-              inspector.height(),
+  State state{inspector.shot().source(),
+              inspector.shot().camera(),
+              inspector.shot().frame(),
+              inspector.shot().width(),
+              inspector.shot().height(),
               {},
               {},
               {}};
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-    state.lanes.push_back(inspector.settings(lane));
-    state.exact.push_back(inspector.isExact(lane));
-    for (Image& image : inspector.images(kLookedAt, lane)) state.images.push_back(std::move(image));
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+    state.lanes.push_back(inspector.shot().settings(lane));
+    state.exact.push_back(inspector.shot().isExact(lane));
+    for (Image& image : inspector.views().images(kLookedAt, lane)) state.images.push_back(std::move(image));
   }
   return state;
 }
@@ -63,9 +63,9 @@ class OutOfMemoryTest : public test::GlTest {
     GlTest::SetUp();
     if (IsSkipped()) return;
     inspector_ = std::make_unique<Inspector>();
-    inspector_->setSize(kWidth, kHeight);
-    inspector_->open("builtin:text");
-    inspector_->seek(3);
+    inspector_->shot().setSize(kWidth, kHeight);
+    inspector_->shot().open("builtin:text");
+    inspector_->shot().seek(3);
   }
   void TearDown() override {
     gl::failAllocationsAfter(-1);
@@ -100,9 +100,9 @@ State fresh(const std::function<void(Inspector&)>& prepare) {
   return std::async(std::launch::async,
                     [&] {
                       Inspector inspector;
-                      inspector.setSize(kWidth, kHeight);
-                      inspector.open("builtin:text");
-                      inspector.seek(3);
+                      inspector.shot().setSize(kWidth, kHeight);
+                      inspector.shot().open("builtin:text");
+                      inspector.shot().seek(3);
                       prepare(inspector);
                       return stateOf(inspector);
                     })
@@ -118,82 +118,84 @@ Settings hungrySettings() {
 }
 
 TEST_F(OutOfMemoryTest, LeavesThePictureWhereAnotherSizeDoesNotFit) {
-  const auto change = [](Inspector& inspector) { inspector.setSize(64, 36); };
+  const auto change = [](Inspector& inspector) { inspector.shot().setSize(64, 36); };
   EXPECT_GE(failEverywhere([&] { change(*inspector_); }), 8);
-  inspector_->seek(3);
+  inspector_->shot().seek(3);
   EXPECT_TRUE(stateOf(*inspector_) == fresh([&](Inspector& inspector) {
                 change(inspector);
-                inspector.seek(3);
+                inspector.shot().seek(3);
               }));
 }
 
 TEST_F(OutOfMemoryTest, LeavesTheSceneWhereAnotherDoesNotFit) {
-  EXPECT_GE(failEverywhere([&] { inspector_->open("builtin:thin"); }), 8);
-  EXPECT_EQ(inspector_->source(), "builtin:thin");
+  EXPECT_GE(failEverywhere([&] { inspector_->shot().open("builtin:thin"); }), 8);
+  EXPECT_EQ(inspector_->shot().source(), "builtin:thin");
 }
 
 TEST_F(OutOfMemoryTest, LeavesTheLanesWhereMoreDoNotFit) {
-  const auto change = [](Inspector& inspector) { inspector.setLanes({Settings{}, hungrySettings()}); };
+  const auto change = [](Inspector& inspector) { inspector.shot().setLanes({Settings{}, hungrySettings()}); };
   EXPECT_GE(failEverywhere([&] { change(*inspector_); }), 8);
   EXPECT_TRUE(stateOf(*inspector_) == fresh(change));
 }
 
 TEST_F(OutOfMemoryTest, LeavesTheSettingsWhereTheirTexturesDoNotFit) {
-  EXPECT_GE(failEverywhere([&] { inspector_->setSettings(hungrySettings()); }), 4);
-  inspector_->seek(3);
+  EXPECT_GE(failEverywhere([&] { inspector_->shot().setSettings(hungrySettings()); }), 4);
+  inspector_->shot().seek(3);
   EXPECT_TRUE(stateOf(*inspector_) == fresh([](Inspector& inspector) {
-                inspector.setSettings(hungrySettings());
-                inspector.seek(3);
+                inspector.shot().setSettings(hungrySettings());
+                inspector.shot().seek(3);
               }));
 }
 
 TEST_F(OutOfMemoryTest, LeavesTheFrameWhereTheNextOneDoesNotFit) {
-  EXPECT_GE(failEverywhere([&] {
-              inspector_->watch({IntermediateId::resolved, IntermediateId::alpha, IntermediateId::motion});
-              inspector_->advance();
-            }),
-            3);
-  EXPECT_TRUE(stateOf(*inspector_) == fresh([](Inspector& inspector) { inspector.advance(); }));
+  EXPECT_GE(
+      failEverywhere([&] {
+        inspector_->views().watch({IntermediateId::resolved, IntermediateId::alpha, IntermediateId::motion});
+        inspector_->shot().advance();
+      }),
+      3);
+  EXPECT_TRUE(stateOf(*inspector_) == fresh([](Inspector& inspector) { inspector.shot().advance(); }));
 }
 
 TEST_F(OutOfMemoryTest, LeavesEverythingWhereLookingDoesNotFit) {
-  EXPECT_GE(failEverywhere([&] { inspector_->image(IntermediateId::alpha); }), 1);
-  EXPECT_GE(failEverywhere([&] { inspector_->probe(3, 4); }), 1);
-  EXPECT_GE(failEverywhere([&] { inspector_->picture(IntermediateId::resolved, {}, {}, 200, 100); }), 1);
+  EXPECT_GE(failEverywhere([&] { inspector_->views().image(IntermediateId::alpha); }), 1);
+  EXPECT_GE(failEverywhere([&] { inspector_->probes().probe(3, 4); }), 1);
+  EXPECT_GE(failEverywhere([&] { inspector_->views().picture(IntermediateId::resolved, {}, {}, 200, 100); }),
+            1);
 }
 
 TEST_F(OutOfMemoryTest, HoldsNoMoreWhilePlayingThanItSaid) {
   Settings settings = hungrySettings();
   const std::vector<IntermediateId> watched{IntermediateId::resolved, IntermediateId::alpha};
-  inspector_->setCheckpointBudget(0);
-  inspector_->setSettings(settings);
-  inspector_->setSize(640, 360);
-  inspector_->watch(watched);
-  inspector_->seek(0);
+  inspector_->shot().setCheckpointBudget(0);
+  inspector_->shot().setSettings(settings);
+  inspector_->shot().setSize(640, 360);
+  inspector_->views().watch(watched);
+  inspector_->shot().seek(0);
   const std::size_t need = memoryNeed({settings}, {640, 360}, watched).total();
   std::size_t others = 0; // of the scene, and what has no pixels of the picture
   for (const gl::MemoryUse& use : gl::memoryUse())
     if (use.kind == gl::StorageKind::Buffer || use.label == "texture") others += use.bytes;
   gl::resetMemoryPeak();
-  for (int frame = 1; frame < 12; ++frame) inspector_->advance();
-  inspector_->seek(4);
+  for (int frame = 1; frame < 12; ++frame) inspector_->shot().advance();
+  inspector_->shot().seek(4);
   EXPECT_LE(gl::memoryPeak() - others, need);
   EXPECT_GE(gl::memoryPeak() - others, need / 2) << "what is said is no idle number";
 }
 
 TEST_F(OutOfMemoryTest, HoldsNoMoreForAReferenceThanItSaid) {
   const std::vector<IntermediateId> rows{IntermediateId::reference, IntermediateId::referenceErrorAbs};
-  inspector_->setSize(640, 360);
+  inspector_->shot().setSize(640, 360);
   const auto look = [&] {
-    for (const IntermediateId id : rows) inspector_->picture(id, {}, {}, 8, 8);
+    for (const IntermediateId id : rows) inspector_->views().picture(id, {}, {}, 8, 8);
   };
-  inspector_->watch({IntermediateId::output}); // which it is compared with
-  inspector_->seek(1);
-  inspector_->picture(IntermediateId::output, {}, {}, 8, 8);
-  const std::size_t need = memoryNeed({inspector_->settings()}, {640, 360}, rows).reference;
+  inspector_->views().watch({IntermediateId::output}); // which it is compared with
+  inspector_->shot().seek(1);
+  inspector_->views().picture(IntermediateId::output, {}, {}, 8, 8);
+  const std::size_t need = memoryNeed({inspector_->shot().settings()}, {640, 360}, rows).reference;
   gl::resetMemoryPeak();
   const std::size_t before = gl::memoryPeak();
-  inspector_->refineReference(4);
+  inspector_->reference().refine(4);
   look();
   EXPECT_LE(gl::memoryPeak() - before, need);
   EXPECT_GE(gl::memoryPeak() - before, need / 2) << "what is said is no idle number";

@@ -12,7 +12,7 @@ using PinTest = taa::test::small::InspectorTest;
 namespace {
 
 ProbePin onSurface(Inspector& inspector, glm::ivec2 pixel) {
-  return inspector.anchored({pixel, Follow::Surface, inspector.frame(), {}});
+  return inspector.probes().anchored({pixel, Follow::Surface, inspector.shot().frame(), {}});
 }
 
 } // namespace
@@ -22,9 +22,9 @@ TEST_F(PinTest, StartInTheMiddleOfTheirPixel) {
   for (const int frame : {0, 7})
     for (const glm::ivec2 pixel :
          {glm::ivec2(5, 5), glm::ivec2(30, 11), glm::ivec2(24, 20), glm::ivec2(40, 2)}) {
-      inspector->seek(frame);
+      inspector->shot().seek(frame);
       const ProbePin pin = onSurface(*inspector, pixel);
-      const PinSpot spot = inspector->spot(pin);
+      const PinSpot spot = inspector->probes().spot(pin);
       EXPECT_EQ(spot.state, PinState::Seen);
       // At an edge the sample lies on a surface that does not cover the middle.
       EXPECT_LT(glm::distance(spot.position, glm::vec2(pixel) + 0.5f), 0.75f) << pixel.x << ' ' << pixel.y;
@@ -36,20 +36,20 @@ TEST_F(PinTest, MoveAsTheMotionOfTheirSurface) {
   int compared = 0;
   for (const char* source : {"builtin:fan", "builtin:foliage", "builtin:crowd"}) {
     Inspector inspector;
-    inspector.setSize(160, 90);
-    inspector.open(source);
-    inspector.seek(4);
+    inspector.shot().setSize(160, 90);
+    inspector.shot().open(source);
+    inspector.shot().seek(4);
     std::vector<ProbePin> pins;
     std::vector<glm::vec2> before;
     for (int index = 0; index < 12; ++index) {
       pins.push_back(onSurface(inspector, {20 + 40 * (index % 4), 20 + 25 * (index / 4)}));
-      before.push_back(inspector.spot(pins.back()).position);
+      before.push_back(inspector.probes().spot(pins.back()).position);
     }
     for (int frame = 5; frame < 8; ++frame) {
-      inspector.seek(frame);
+      inspector.shot().seek(frame);
       for (std::size_t index = 0; index < pins.size(); ++index) {
-        const PinSpot spot = inspector.spot(pins[index]);
-        const twin::PixelRecord record = inspector.probe(spot.pixel.x, spot.pixel.y);
+        const PinSpot spot = inspector.probes().spot(pins[index]);
+        const twin::PixelRecord record = inspector.probes().probe(spot.pixel.x, spot.pixel.y);
         const auto seen = static_cast<int>(twin::at(record, IntermediateId::objectId).x);
         const bool isOwn = spot.state == PinState::Seen && seen == pins[index].anchor->object;
         const glm::vec2 step = spot.position - before[index];
@@ -67,32 +67,32 @@ TEST_F(PinTest, MoveAsTheMotionOfTheirSurface) {
 
 TEST_F(PinTest, AreWhereTheyAreHoweverTheFrameWasReached) {
   auto inspector = opened();
-  inspector->seek(3);
+  inspector->shot().seek(3);
   const ProbePin pin = onSurface(*inspector, {30, 11});
   std::vector<glm::vec2> forward;
   for (int frame = 3; frame < 12; ++frame) {
-    inspector->seek(frame);
-    forward.push_back(inspector->spot(pin).position);
+    inspector->shot().seek(frame);
+    forward.push_back(inspector->probes().spot(pin).position);
   }
-  const ProbePin again = inspector->anchored({{30, 11}, Follow::Surface, 3, {}});
+  const ProbePin again = inspector->probes().anchored({{30, 11}, Follow::Surface, 3, {}});
   EXPECT_EQ(again, pin) << "looked up from another frame";
   for (int frame = 11; frame >= 3; --frame) {
-    inspector->seek(frame);
-    EXPECT_EQ(inspector->spot(again).position, forward[static_cast<std::size_t>(frame - 3)]);
+    inspector->shot().seek(frame);
+    EXPECT_EQ(inspector->probes().spot(again).position, forward[static_cast<std::size_t>(frame - 3)]);
   }
 }
 
 TEST_F(PinTest, SayWhenTheirSurfaceIsHiddenOrGone) {
   auto inspector = opened();
   int hidden = 0;
-  inspector->seek(0);
+  inspector->shot().seek(0);
   std::vector<ProbePin> pins;
   for (int x = 8; x < 40; x += 2) pins.push_back(onSurface(*inspector, {x, 11}));
   for (int frame = 1; frame < 30; ++frame) {
-    inspector->seek(frame);
+    inspector->shot().seek(frame);
     for (const ProbePin& pin : pins) {
-      const PinSpot spot = inspector->spot(pin);
-      const auto record = inspector->probe(spot.pixel.x, spot.pixel.y);
+      const PinSpot spot = inspector->probes().spot(pin);
+      const auto record = inspector->probes().probe(spot.pixel.x, spot.pixel.y);
       if (spot.state != PinState::Hidden) continue;
       ++hidden;
       EXPECT_LT(twin::at(record, IntermediateId::depthView).x, spot.viewDepth);
@@ -101,14 +101,14 @@ TEST_F(PinTest, SayWhenTheirSurfaceIsHiddenOrGone) {
   EXPECT_GT(hidden, 0) << "the blades of the fan sweep over the wall";
   ProbePin lost = pins.front();
   lost.anchor->object = 10000;
-  EXPECT_EQ(inspector->spot(lost).state, PinState::Gone);
+  EXPECT_EQ(inspector->probes().spot(lost).state, PinState::Gone);
 }
 
 TEST_F(PinTest, OfTheScreenStay) {
   auto inspector = opened();
-  inspector->seek(9);
-  const PinSpot spot = inspector->spot(inspector->anchored({.pixel = {3, 4}}));
+  inspector->shot().seek(9);
+  const PinSpot spot = inspector->probes().spot(inspector->probes().anchored({.pixel = {3, 4}}));
   EXPECT_EQ(spot.pixel, glm::ivec2(3, 4));
   EXPECT_EQ(spot.state, PinState::Seen);
-  EXPECT_EQ(inspector->spot({.pixel = {300, 4}}).state, PinState::OffScreen);
+  EXPECT_EQ(inspector->probes().spot({.pixel = {300, 4}}).state, PinState::OffScreen);
 }

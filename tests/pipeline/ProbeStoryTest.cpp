@@ -140,9 +140,9 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
 }
 
 int checkPixel(Inspector& inspector, const glm::ivec2& pixel, const std::string& where) {
-  const twin::PixelRecord record = inspector.probe(pixel.x, pixel.y);
-  const twin::Details details = inspector.details(pixel.x, pixel.y);
-  const ProbedPixel probed{record, details, inspector.settings(), inspector.info(), pixel};
+  const twin::PixelRecord record = inspector.probes().probe(pixel.x, pixel.y);
+  const twin::Details details = inspector.probes().details(pixel.x, pixel.y);
+  const ProbedPixel probed{record, details, inspector.shot().settings(), inspector.shot().info(), pixel};
   int formulas = 0;
   for (const Intermediate& row : kIntermediates) {
     const IntermediateId id = row.id;
@@ -171,9 +171,9 @@ TEST_F(ProbeStoryTest, EveryFormulaGivesTheValueOfItsRowWithEveryPreset) {
   };
   auto inspector = opened();
   for (const Preset& preset : wholePresets()) {
-    inspector->setSettings(preset.settings);
+    inspector->shot().setSettings(preset.settings);
     for (const int frame : {0, 3, 4}) {
-      inspector->seek(frame);
+      inspector->shot().seek(frame);
       for (int count = frame == 0 ? 2 : 5; count > 0; --count) {
         const std::string where = preset.id + " frame " + std::to_string(frame);
         EXPECT_GT(checkPixel(*inspector, anyPixel(), where), 15) << where;
@@ -184,7 +184,7 @@ TEST_F(ProbeStoryTest, EveryFormulaGivesTheValueOfItsRowWithEveryPreset) {
 
 TEST_F(ProbeStoryTest, EveryChoiceOfAStageIsToldWithItsOwnFormula) {
   auto inspector = opened();
-  inspector->seek(6);
+  inspector->shot().seek(6);
   for (const char* path :
        {"weight.source", "weight.motion", "weight.mask", "weight.sampleDistance", "blend.length",
         "blend.tone", "space.color", "space.tone", "rectify.method", "neighborhood.shape", "neighborhood.box",
@@ -196,7 +196,7 @@ TEST_F(ProbeStoryTest, EveryChoiceOfAStageIsToldWithItsOwnFormula) {
                              "neighborhood.motionGamma=on", "neighborhood.contrastGamma=on"})
         applyAssignment(settings, on);
       parameter(path).set(settings, static_cast<double>(choice));
-      inspector->setSettings(settings);
+      inspector->shot().setSettings(settings);
       const std::string where = std::string(path) + "=" + std::string(parameter(path).choices[choice].id);
       checkPixel(*inspector, {30, 11}, where);
       checkPixel(*inspector, {26, 7}, where);
@@ -205,13 +205,13 @@ TEST_F(ProbeStoryTest, EveryChoiceOfAStageIsToldWithItsOwnFormula) {
 
 TEST_F(ProbeStoryTest, WhatIsDrawnSmallerIsToldSampleBySample) {
   auto inspector = opened();
-  inspector->seek(5);
+  inspector->shot().seek(5);
   for (std::size_t choice = 0; choice < parameter("current.upsample").choices.size(); ++choice) {
     Settings settings;
     applyAssignment(settings, "inputs.renderScale=0.5");
     applyAssignment(settings, "current.sharpen=laplacian");
     parameter("current.upsample").set(settings, static_cast<double>(choice));
-    inspector->setSettings(settings);
+    inspector->shot().setSettings(settings);
     for (const glm::ivec2 pixel : {glm::ivec2(30, 11), glm::ivec2(27, 8), glm::ivec2(2, 20)})
       checkPixel(*inspector, pixel, "upsample " + std::to_string(choice));
   }
@@ -247,8 +247,8 @@ TEST_F(ProbeStoryTest, WhatIsOffAtFirstIsToldWhenItIsOn) {
     std::string where;
     for (const char* assignment : on)
       applyAssignment(settings, assignment), where += std::string(assignment) + " ";
-    inspector->setSettings(settings);
-    inspector->seek(9);
+    inspector->shot().setSettings(settings);
+    inspector->shot().seek(9);
     for (const glm::ivec2 pixel : {glm::ivec2(30, 11), glm::ivec2(24, 8), glm::ivec2(20, 14)})
       checkPixel(*inspector, pixel, where);
   }
@@ -256,14 +256,14 @@ TEST_F(ProbeStoryTest, WhatIsOffAtFirstIsToldWhenItIsOn) {
 
 TEST_F(ProbeStoryTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShown) {
   auto inspector = opened();
-  inspector->seek(3);
+  inspector->shot().seek(3);
   const auto told = [&](IntermediateId id) {
-    const twin::PixelRecord record = inspector->probe(24, 8);
-    const twin::Details details = inspector->details(24, 8);
-    return storyOf(id, {record, details, inspector->settings(), inspector->info(), {24, 8}}, 9);
+    const twin::PixelRecord record = inspector->probes().probe(24, 8);
+    const twin::Details details = inspector->probes().details(24, 8);
+    return storyOf(id, {record, details, inspector->shot().settings(), inspector->shot().info(), {24, 8}}, 9);
   };
   EXPECT_EQ(told(IntermediateId::referenceError).words, "there is no reference yet");
-  inspector->refineReference(4);
+  inspector->reference().refine(4);
   checkPixel(*inspector, {24, 8}, "with a reference");
   EXPECT_NE(told(IntermediateId::referenceError).formula, "");
   EXPECT_NE(told(IntermediateId::referenceErrorAbs).formula, "");

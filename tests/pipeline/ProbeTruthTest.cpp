@@ -186,19 +186,20 @@ class ProbeTruthTest : public test::GlTest {
       inspector_.reset(); // there is one context at a time
       inspector_ = std::make_unique<Inspector>();
       const bool isFast = std::string(row.scene) == "disocclusion" || std::string(row.scene) == "fan";
-      inspector_->setSize(isFast ? 320 : 160, isFast ? 180 : 90);
-      inspector_->open("builtin:" + std::string(row.scene));
+      inspector_->shot().setSize(isFast ? 320 : 160, isFast ? 180 : 90);
+      inspector_->shot().open("builtin:" + std::string(row.scene));
       scene_ = row.scene;
       preset_.clear();
     }
-    if (preset_ != row.preset) inspector_->setSettings(preset(preset_ = row.preset).settings);
-    inspector_->seek(row.frame);
+    if (preset_ != row.preset) inspector_->shot().setSettings(preset(preset_ = row.preset).settings);
+    inspector_->shot().seek(row.frame);
     return *inspector_;
   }
   const test::SurfaceOracle& oracleOf(const PixelRow& row) {
     const std::string key = std::string(row.scene) + row.preset + std::to_string(row.frame);
     if (key != oracleKey_)
-      oracle_ = std::make_unique<test::SurfaceOracle>(inspector_->scene(), inspector_->inputs());
+      oracle_ =
+          std::make_unique<test::SurfaceOracle>(inspector_->shot().scene(), inspector_->views().inputs());
     oracleKey_ = key;
     return *oracle_;
   }
@@ -214,23 +215,23 @@ class ProbeTruthTest : public test::GlTest {
 TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
   for (const PixelRow& row : kRows) {
     Inspector& inspector = at(row);
-    const glm::ivec2 size(inspector.width(), inspector.height());
-    const Told told{
-        row, test::factsOf(oracleOf(row), row.pixel, size), inspector.probe(row.pixel.x, row.pixel.y),
-        inspector.settings(),
-        probeHeadline(inspector.probe(row.pixel.x, row.pixel.y), inspector.settings(), inspector.info())
-            .front()};
+    const glm::ivec2 size(inspector.shot().width(), inspector.shot().height());
+    const Told told{row, test::factsOf(oracleOf(row), row.pixel, size),
+                    inspector.probes().probe(row.pixel.x, row.pixel.y), inspector.shot().settings(),
+                    probeHeadline(inspector.probes().probe(row.pixel.x, row.pixel.y),
+                                  inspector.shot().settings(), inspector.shot().info())
+                        .front()};
     const std::string where = std::string(row.scene) + " " + row.preset + " frame " +
                               std::to_string(row.frame) + " (" + std::to_string(row.pixel.x) + ", " +
                               std::to_string(row.pixel.y) + ")";
     SCOPED_TRACE(where);
     EXPECT_EQ(told.facts.own.object, static_cast<int>(twin::at(told.record, Id::objectId).x));
-    EXPECT_EQ(truthOf(told.facts, told.settings, inspector.info()), row.truth) << told.line;
+    EXPECT_EQ(truthOf(told.facts, told.settings, inspector.shot().info()), row.truth) << told.line;
     EXPECT_EQ(told.facts.followsOther, row.followsOther) << told.line;
     expectMotionIsTrue(told);
     expectHistoryIsTrue(told);
-    const twin::Details details = inspector.details(row.pixel.x, row.pixel.y);
-    const ProbedPixel probed{told.record, details, told.settings, inspector.info(), row.pixel};
+    const twin::Details details = inspector.probes().details(row.pixel.x, row.pixel.y);
+    const ProbedPixel probed{told.record, details, told.settings, inspector.shot().info(), row.pixel};
     for (const Intermediate& each : kIntermediates)
       test::expectTrue(storyOf(each.id, probed), probed, where + " " + std::string(each.name));
   }
@@ -240,9 +241,10 @@ TEST_F(ProbeTruthTest, WhatIsSaidOfAPixelIsSoInTheScene) {
 TEST_F(ProbeTruthTest, AGhostIsCalledOne) {
   const PixelRow ghost{"disocclusion", "unrectified", 3, {187, 96}, Truth::Other};
   Inspector& inspector = at(ghost);
-  const twin::PixelRecord record = inspector.probe(187, 96);
-  EXPECT_EQ(historyDoubt(record, inspector.settings()), HistoryDoubt::Ghost);
-  const std::vector<std::string> lines = probeHeadline(record, inspector.settings(), inspector.info());
+  const twin::PixelRecord record = inspector.probes().probe(187, 96);
+  EXPECT_EQ(historyDoubt(record, inspector.shot().settings()), HistoryDoubt::Ghost);
+  const std::vector<std::string> lines =
+      probeHeadline(record, inspector.shot().settings(), inspector.shot().info());
   EXPECT_TRUE(has(lines[0], "it is a ghost, 90 % of the result")) << lines[0];
   EXPECT_TRUE(has(lines[2], "counts samples of the other surface")) << lines[2];
 }

@@ -24,9 +24,9 @@ class ProfileTest : public taa::test::GlTest {
     GlTest::SetUp();
     if (IsSkipped()) return;
     inspector = std::make_unique<Inspector>();
-    inspector->setSize(kWidth, kHeight);
-    inspector->open("builtin:fan");
-    inspector->seek(3);
+    inspector->shot().setSize(kWidth, kHeight);
+    inspector->shot().open("builtin:fan");
+    inspector->shot().seek(3);
   }
   void TearDown() override {
     inspector.reset();
@@ -45,29 +45,29 @@ std::set<std::string> namesOf(const taa::FrameProfile& profile) {
 } // namespace
 
 TEST_F(ProfileTest, ThereIsNoneUnlessItIsAskedFor) {
-  inspector->advance();
-  EXPECT_FALSE(inspector->takeProfile());
-  inspector->setProfiling(true);
-  EXPECT_FALSE(inspector->takeProfile()) << "no frame was made since";
-  inspector->advance();
-  EXPECT_TRUE(inspector->takeProfile());
-  EXPECT_FALSE(inspector->takeProfile());
-  inspector->setProfiling(false);
-  inspector->advance();
-  EXPECT_FALSE(inspector->takeProfile());
+  inspector->shot().advance();
+  EXPECT_FALSE(inspector->profiler().takeProfile());
+  inspector->profiler().setProfiling(true);
+  EXPECT_FALSE(inspector->profiler().takeProfile()) << "no frame was made since";
+  inspector->shot().advance();
+  EXPECT_TRUE(inspector->profiler().takeProfile());
+  EXPECT_FALSE(inspector->profiler().takeProfile());
+  inspector->profiler().setProfiling(false);
+  inspector->shot().advance();
+  EXPECT_FALSE(inspector->profiler().takeProfile());
 }
 
 TEST_F(ProfileTest, HoldsThePassesOfTheFrameAndOfWhatWasLookedAt) {
   taa::Settings settings;
   settings.inputs.motion = taa::MotionSource::CameraFromDepth;
-  inspector->setSettings(settings);
-  inspector->refine(); // only exact histories are kept
-  inspector->setProfiling(true);
-  inspector->advance();
-  inspector->picture(IntermediateId::alpha, {}, {}, 40, 30);
-  inspector->probe(3, 4);
-  inspector->thumbnail(IntermediateId::resolved, {16, 9});
-  const auto profile = inspector->takeProfile();
+  inspector->shot().setSettings(settings);
+  inspector->shot().refine(); // only exact histories are kept
+  inspector->profiler().setProfiling(true);
+  inspector->shot().advance();
+  inspector->views().picture(IntermediateId::alpha, {}, {}, 40, 30);
+  inspector->probes().probe(3, 4);
+  inspector->views().thumbnail(IntermediateId::resolved, {16, 9});
+  const auto profile = inspector->profiler().takeProfile();
   ASSERT_TRUE(profile);
   EXPECT_EQ(profile->frame, 4);
   EXPECT_EQ(namesOf(*profile),
@@ -80,9 +80,9 @@ TEST_F(ProfileTest, HoldsThePassesOfTheFrameAndOfWhatWasLookedAt) {
 }
 
 TEST_F(ProfileTest, OfAReplayIsThatOfTheLastFrame) {
-  inspector->setProfiling(true);
-  inspector->seek(9);
-  const auto profile = inspector->takeProfile();
+  inspector->profiler().setProfiling(true);
+  inspector->shot().seek(9);
+  const auto profile = inspector->profiler().takeProfile();
   ASSERT_TRUE(profile);
   const auto resolve = std::ranges::find(profile->passes, "Resolve", &taa::PassCost::name);
   ASSERT_NE(resolve, profile->passes.end());
@@ -90,8 +90,8 @@ TEST_F(ProfileTest, OfAReplayIsThatOfTheLastFrame) {
 }
 
 TEST_F(ProfileTest, StagesAddUpToTheResolve) {
-  const taa::Image before = inspector->image(IntermediateId::resolved);
-  const taa::StageCosts costs = inspector->measureStages();
+  const taa::Image before = inspector->views().image(IntermediateId::resolved);
+  const taa::StageCosts costs = inspector->profiler().measureStages();
   EXPECT_EQ(costs.frame, 3);
   EXPECT_EQ(costs.width, kWidth);
   std::set<Stage> stages;
@@ -108,25 +108,25 @@ TEST_F(ProfileTest, StagesAddUpToTheResolve) {
   EXPECT_GT(costs.whole.median, costs.store.median) << "the whole resolve against nothing but its stores";
   EXPECT_NEAR(sum, costs.whole.median, 0.5 * costs.whole.median)
       << "medians of differences, not differences of medians";
-  EXPECT_EQ(taa::test::difference(inspector->image(IntermediateId::resolved), before), "");
+  EXPECT_EQ(taa::test::difference(inspector->views().image(IntermediateId::resolved), before), "");
 }
 
 TEST_F(ProfileTest, AMeasurementThatWasStoppedGoesOn) {
   int reported = 0, first = -1;
   const taa::Progress stopsAtFive = [&](std::string_view, int done, int) { return done < 5; };
-  EXPECT_THROW(inspector->measureStages(stopsAtFive), taa::Cancelled);
+  EXPECT_THROW(inspector->profiler().measureStages(stopsAtFive), taa::Cancelled);
   const taa::Progress counts = [&](std::string_view, int done, int) {
     if (first < 0) first = done;
     ++reported;
     return true;
   };
-  inspector->measureStages(counts);
+  inspector->profiler().measureStages(counts);
   EXPECT_EQ(first, 5);
   // Another frame starts anew.
-  EXPECT_THROW(inspector->measureStages(stopsAtFive), taa::Cancelled);
-  inspector->advance();
+  EXPECT_THROW(inspector->profiler().measureStages(stopsAtFive), taa::Cancelled);
+  inspector->shot().advance();
   first = -1;
-  inspector->measureStages(counts);
+  inspector->profiler().measureStages(counts);
   EXPECT_EQ(first, 0);
 }
 
@@ -134,10 +134,10 @@ TEST_F(ProfileTest, AThumbnailIsThePictureOfTheFullPicturesTexels) {
   constexpr glm::ivec2 kTexels{24, 15};
   for (const IntermediateId id : taa::mainRows()) {
     const taa::Intermediate& row = taa::intermediate(id);
-    const taa::Picture thumbnail = inspector->thumbnail(id, kTexels);
+    const taa::Picture thumbnail = inspector->views().thumbnail(id, kTexels);
     ASSERT_EQ(thumbnail.width, kTexels.x);
     // The full picture at 1:1, which shows each texel in a pixel of its own.
-    const taa::Picture full = inspector->picture(id, taa::defaultStyle(row), {}, kWidth, kHeight);
+    const taa::Picture full = inspector->views().picture(id, taa::defaultStyle(row), {}, kWidth, kHeight);
     for (int y = 0; y < kTexels.y; ++y)
       for (int x = 0; x < kTexels.x; ++x) {
         const int fullX = (2 * x + 1) * kWidth / (2 * kTexels.x),

@@ -41,19 +41,19 @@ float luma(const glm::vec4& color) {
 class ReferenceTest : public InspectorTest {
  protected:
   static Image referenceOf(Inspector& inspector, int samples) {
-    inspector.refineReference(samples);
-    return inspector.image(IntermediateId::reference);
+    inspector.reference().refine(samples);
+    return inspector.views().image(IntermediateId::reference);
   }
   static double rmse(const Image& a, const Image& b) { return taa::pictureError(a, b).rmseLinear; }
 };
 
 TEST_F(ReferenceTest, IsTheMeanOfJitteredPictures) {
   const auto inspector = opened();
-  inspector->seek(3);
+  inspector->shot().seek(3);
   const Image reference = referenceOf(*inspector, 16);
   taa::SceneRenderer renderer(std::make_shared<const taa::Scene>(taa::openScene("builtin:fan")));
   taa::FrameRequest request{
-      .camera = inspector->camera(), .width = kWidth, .height = kHeight, .jitter = {}, .inputs = {}};
+      .camera = inspector->shot().camera(), .width = kWidth, .height = kHeight, .jitter = {}, .inputs = {}};
   request.inputs.precision = taa::Precision::Full;
   std::vector<double> sums(reference.pixels.size());
   for (int sample = 15; sample >= 0; --sample) { // in another order
@@ -74,14 +74,14 @@ TEST_F(ReferenceTest, IsTheMeanOfJitteredPictures) {
 TEST_F(ReferenceTest, IsWhatFramesOfAStillSceneComeTo) {
   const Settings settings = changed({"jitter.sequence=r2", "jitter.period=64", "inputs.precision=full"});
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.setSettings(settings);
-  inspector.open("builtin:fence");
-  inspector.setCamera("still");
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().setSettings(settings);
+  inspector.shot().open("builtin:fence");
+  inspector.shot().setCamera("still");
   Image mean(kWidth, kHeight, 3), first;
   for (int frame = 0; frame < 64; ++frame) {
-    inspector.seek(frame);
-    const Image color = inspector.image(IntermediateId::color);
+    inspector.shot().seek(frame);
+    const Image color = inspector.views().image(IntermediateId::color);
     if (frame == 0) first = color;
     for (std::size_t index = 0; index < mean.pixels.size(); ++index)
       mean.pixels[index] += color.pixels[index] / 64.0f;
@@ -93,102 +93,102 @@ TEST_F(ReferenceTest, IsWhatFramesOfAStillSceneComeTo) {
 
 TEST_F(ReferenceTest, IsTheSameInStepsAndAtOnce) {
   const auto inspector = opened();
-  inspector->seek(4);
+  inspector->shot().seek(4);
   const Image whole = referenceOf(*inspector, 64);
   for (const int samples : {4, 7, 16, 64}) { // fewer: it starts anew
-    inspector->refineReference(samples);
-    EXPECT_EQ(inspector->referenceSamples(), samples);
+    inspector->reference().refine(samples);
+    EXPECT_EQ(inspector->reference().samples(), samples);
   }
-  EXPECT_TRUE(isSame(inspector->image(IntermediateId::reference), whole));
+  EXPECT_TRUE(isSame(inspector->views().image(IntermediateId::reference), whole));
 }
 
 TEST_F(ReferenceTest, GoesOnAfterItWasStopped) {
   const auto inspector = opened();
-  inspector->seek(4);
+  inspector->shot().seek(4);
   const Image whole = referenceOf(*inspector, 16);
-  inspector->refineReference(4);
+  inspector->reference().refine(4);
   std::vector<int> told;
   const auto stopAtSix = [&](std::string_view, int done, int total) {
     EXPECT_EQ(total, 16);
     told.push_back(done);
     return done < 6;
   };
-  EXPECT_THROW(inspector->refineReference(16, stopAtSix), taa::Cancelled);
+  EXPECT_THROW(inspector->reference().refine(16, stopAtSix), taa::Cancelled);
   EXPECT_EQ(told, (std::vector{5, 6}));
-  EXPECT_EQ(inspector->referenceSamples(), 6);
+  EXPECT_EQ(inspector->reference().samples(), 6);
   EXPECT_TRUE(isSame(referenceOf(*inspector, 16), whole));
 }
 
 TEST_F(ReferenceTest, ChangesNothingElse) {
   const auto inspector = opened();
-  inspector->seek(5);
-  const std::vector<Image> before = inspector->images(taa::allRows());
+  inspector->shot().seek(5);
+  const std::vector<Image> before = inspector->views().images(taa::allRows());
   referenceOf(*inspector, 4);
-  inspector->images(kRows);
-  expectSame(inspector->images(taa::allRows()), before);
-  inspector->advance();
-  EXPECT_EQ(inspector->referenceSamples(), 0) << "of another frame";
-  expectSame(inspector->images(taa::allRows()), fresh({}, 6));
+  inspector->views().images(kRows);
+  expectSame(inspector->views().images(taa::allRows()), before);
+  inspector->shot().advance();
+  EXPECT_EQ(inspector->reference().samples(), 0) << "of another frame";
+  expectSame(inspector->views().images(taa::allRows()), fresh({}, 6));
 }
 
 TEST_F(ReferenceTest, DependsOnWhatIsDrawnOnly) {
   const auto inspector = opened();
-  inspector->seek(5);
+  inspector->shot().seek(5);
   const Image first = referenceOf(*inspector, 8);
-  inspector->setSettings(changed(
+  inspector->shot().setSettings(changed(
       {"jitter.sequence=halton", "jitter.scale=0.5", "rectify.method=none", "inputs.mipBias=-1",
        "inputs.noise=blueNoise", "inputs.renderScale=0.5", "inputs.precision=full", "inputs.mask=material",
        "inputs.motion=cameraFromDepth", "inputs.range=ldr", "jitter.projection=rightAsPrinted"}));
-  EXPECT_EQ(inspector->referenceSamples(), 8) << "the same for all of them";
-  EXPECT_TRUE(isSame(inspector->image(IntermediateId::reference), first));
-  inspector->setSettings(changed({"inputs.blended=before"}));
-  EXPECT_EQ(inspector->referenceSamples(), 0) << "transparent materials are drawn otherwise";
-  inspector->setSettings({});
-  EXPECT_EQ(inspector->referenceSamples(), 8);
-  inspector->seek(6);
-  inspector->seek(5);
-  EXPECT_EQ(inspector->referenceSamples(), 8) << "kept for its frame";
-  inspector->setSize(kWidth, kHeight + 1);
-  EXPECT_EQ(inspector->referenceSamples(), 0);
-  inspector->setSize(kWidth, kHeight);
-  EXPECT_EQ(inspector->referenceSamples(), 8);
-  inspector->setCamera("orbit");
-  EXPECT_EQ(inspector->referenceSamples(), 0);
-  inspector->open("builtin:fan");
-  inspector->seek(5);
-  EXPECT_EQ(inspector->referenceSamples(), 0) << "a scene that is opened again may be another one";
+  EXPECT_EQ(inspector->reference().samples(), 8) << "the same for all of them";
+  EXPECT_TRUE(isSame(inspector->views().image(IntermediateId::reference), first));
+  inspector->shot().setSettings(changed({"inputs.blended=before"}));
+  EXPECT_EQ(inspector->reference().samples(), 0) << "transparent materials are drawn otherwise";
+  inspector->shot().setSettings({});
+  EXPECT_EQ(inspector->reference().samples(), 8);
+  inspector->shot().seek(6);
+  inspector->shot().seek(5);
+  EXPECT_EQ(inspector->reference().samples(), 8) << "kept for its frame";
+  inspector->shot().setSize(kWidth, kHeight + 1);
+  EXPECT_EQ(inspector->reference().samples(), 0);
+  inspector->shot().setSize(kWidth, kHeight);
+  EXPECT_EQ(inspector->reference().samples(), 8);
+  inspector->shot().setCamera("orbit");
+  EXPECT_EQ(inspector->reference().samples(), 0);
+  inspector->shot().open("builtin:fan");
+  inspector->shot().seek(5);
+  EXPECT_EQ(inspector->reference().samples(), 0) << "a scene that is opened again may be another one";
 }
 
 TEST_F(ReferenceTest, KeepsAsManyAsTheBudgetHolds) {
   const auto inspector = opened();
   const std::size_t bytes = std::size_t(24) * kWidth * kHeight;
-  inspector->setReferenceBudget(2 * bytes);
+  inspector->reference().setBudget(2 * bytes);
   for (const int frame : {1, 2}) {
-    inspector->seek(frame);
-    inspector->refineReference(4);
+    inspector->shot().seek(frame);
+    inspector->reference().refine(4);
   }
-  inspector->seek(1);
-  inspector->refineReference(6); // used later than frame 2
-  inspector->seek(3);
-  inspector->refineReference(4);
+  inspector->shot().seek(1);
+  inspector->reference().refine(6); // used later than frame 2
+  inspector->shot().seek(3);
+  inspector->reference().refine(4);
   const auto samplesOf = [&](int frame) {
-    inspector->seek(frame);
-    return inspector->referenceSamples();
+    inspector->shot().seek(frame);
+    return inspector->reference().samples();
   };
   EXPECT_EQ(samplesOf(1), 6);
   EXPECT_EQ(samplesOf(2), 0) << "used longest ago";
   EXPECT_EQ(samplesOf(3), 4);
-  inspector->setReferenceBudget(0);
+  inspector->reference().setBudget(0);
   EXPECT_EQ(samplesOf(1), 0);
   EXPECT_EQ(samplesOf(3), 4) << "the latest stays";
 }
 
 TEST_F(ReferenceTest, RowsAreTheirFormulas) {
   const auto inspector = opened();
-  inspector->seek(6);
-  inspector->refineReference(16);
-  const Image output = inspector->image(IntermediateId::output);
-  const std::vector<Image> rows = inspector->images(kRows);
+  inspector->shot().seek(6);
+  inspector->reference().refine(16);
+  const Image output = inspector->views().image(IntermediateId::output);
+  const std::vector<Image> rows = inspector->views().images(kRows);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       const glm::vec4 is = output.texel(x, y), should = rows[0].texel(x, y);
@@ -197,78 +197,80 @@ TEST_F(ReferenceTest, RowsAreTheirFormulas) {
       ASSERT_EQ(rows[2].texel(x, y).x, std::max({off.x, off.y, off.z})) << x << ", " << y;
     }
   EXPECT_GT(taa::pictureError(output, rows[0]).rmse, 0.0) << "else nothing was tested";
-  const taa::PixelRecord record = inspector->probe(20, 9);
+  const taa::PixelRecord record = inspector->probes().probe(20, 9);
   for (std::size_t row = 0; row < kRows.size(); ++row)
     EXPECT_EQ(taa::twin::at(record, kRows[row]), rows[row].texel(20, 9));
   const taa::gl::Rect part{11, 5, 7, 3};
-  EXPECT_EQ(inspector->image(kRows[1], 0, part).texel(6, 2), rows[1].texel(17, 7));
+  EXPECT_EQ(inspector->views().image(kRows[1], 0, part).texel(6, 2), rows[1].texel(17, 7));
 }
 
 TEST_F(ReferenceTest, ErrorsFollowTheSettings) {
   const auto inspector = opened();
-  inspector->seek(6);
-  inspector->refineReference(16);
-  const double balanced = inspector->referenceError().rmse;
-  inspector->setSettings(changed({"output.sharpen=unsharp", "output.amount=2"}));
-  const Image output = inspector->image(IntermediateId::output);
-  EXPECT_NE(inspector->referenceError().rmse, balanced);
-  EXPECT_EQ(inspector->referenceError().rmseLinear,
-            rmse(output, inspector->image(IntermediateId::reference)));
+  inspector->shot().seek(6);
+  inspector->reference().refine(16);
+  const double balanced = inspector->reference().error().rmse;
+  inspector->shot().setSettings(changed({"output.sharpen=unsharp", "output.amount=2"}));
+  const Image output = inspector->views().image(IntermediateId::output);
+  EXPECT_NE(inspector->reference().error().rmse, balanced);
+  EXPECT_EQ(inspector->reference().error().rmseLinear,
+            rmse(output, inspector->views().image(IntermediateId::reference)));
 }
 
 TEST_F(ReferenceTest, SaysWhereThereIsNone) {
   const auto inspector = opened();
-  EXPECT_THROW(inspector->image(IntermediateId::reference), taa::Error);
-  EXPECT_THROW(inspector->images(kRows), taa::Error);
-  EXPECT_THROW(inspector->referenceError(), taa::Error);
-  EXPECT_THROW(inspector->refineReference(3), taa::Error);
-  EXPECT_THROW(inspector->refineReference(1025), taa::Error);
-  const taa::PixelRecord record = inspector->probe(3, 4);
+  EXPECT_THROW(inspector->views().image(IntermediateId::reference), taa::Error);
+  EXPECT_THROW(inspector->views().images(kRows), taa::Error);
+  EXPECT_THROW(inspector->reference().error(), taa::Error);
+  EXPECT_THROW(inspector->reference().refine(3), taa::Error);
+  EXPECT_THROW(inspector->reference().refine(1025), taa::Error);
+  const taa::PixelRecord record = inspector->probes().probe(3, 4);
   for (const IntermediateId id : kRows) {
     EXPECT_FALSE(taa::twin::isKnown(record, id));
     const taa::Picture picture =
-        inspector->picture(id, taa::defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
+        inspector->views().picture(id, taa::defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
     EXPECT_EQ(std::ranges::count(picture.rgba, 0), 4 * kWidth * kHeight) << "nothing is covered";
   }
-  inspector->refineReference(4);
-  EXPECT_TRUE(taa::twin::isKnown(inspector->probe(3, 4), IntermediateId::referenceError));
-  const taa::Picture picture = inspector->picture(IntermediateId::reference, {}, {}, kWidth, kHeight);
+  inspector->reference().refine(4);
+  EXPECT_TRUE(taa::twin::isKnown(inspector->probes().probe(3, 4), IntermediateId::referenceError));
+  const taa::Picture picture = inspector->views().picture(IntermediateId::reference, {}, {}, kWidth, kHeight);
   EXPECT_EQ(picture.rgba[3], 255);
 }
 
 TEST_F(ReferenceTest, IsWatchedWithoutHarm) {
   const auto inspector = opened();
-  inspector->watch({IntermediateId::alpha, IntermediateId::reference});
-  inspector->advance();
-  EXPECT_TRUE(isSame(inspector->image(IntermediateId::alpha),
+  inspector->views().watch({IntermediateId::alpha, IntermediateId::reference});
+  inspector->shot().advance();
+  EXPECT_TRUE(isSame(inspector->views().image(IntermediateId::alpha),
                      fresh({}, 1)[static_cast<std::size_t>(IntermediateId::alpha)]));
 }
 
 TEST_F(ReferenceTest, FiguresAreThoseOfTheImages) {
   const auto inspector = opened();
-  inspector->seek(6);
+  inspector->shot().seek(6);
   std::vector<Figure> all;
   for (const taa::FigureInfo& info : taa::kFigures) all.push_back(info.figure);
-  taa::FrameFigures figures = inspector->figures(all);
+  taa::FrameFigures figures = inspector->metrics().figures(all);
   EXPECT_EQ(figures.frame, 6);
   EXPECT_TRUE(figures.exact);
   EXPECT_EQ(figures.referenceSamples, 0);
   EXPECT_FALSE(figures.at(Figure::Rmse) || figures.at(Figure::Psnr)) << "no reference, no value";
   double alpha = 0.0, rejected = 0.0, clipped = 0.0;
-  for (const float value : inspector->image(IntermediateId::alpha).pixels) alpha += value;
-  for (const float value : inspector->image(IntermediateId::rejectReason).pixels) rejected += value != 0.0f;
-  for (const float value : inspector->image(IntermediateId::clipAmount).pixels) clipped += value > 0.0f;
+  for (const float value : inspector->views().image(IntermediateId::alpha).pixels) alpha += value;
+  for (const float value : inspector->views().image(IntermediateId::rejectReason).pixels)
+    rejected += value != 0.0f;
+  for (const float value : inspector->views().image(IntermediateId::clipAmount).pixels)
+    clipped += value > 0.0f;
   constexpr double kPixels = kWidth * kHeight;
   EXPECT_DOUBLE_EQ(*figures.at(Figure::MeanAlpha), alpha / kPixels);
   EXPECT_DOUBLE_EQ(*figures.at(Figure::Rejected), 100.0 * rejected / kPixels);
   EXPECT_DOUBLE_EQ(*figures.at(Figure::Clipped), 100.0 * clipped / kPixels);
   EXPECT_GT(rejected + clipped, 0.0) << "else nothing was tested";
-  inspector->refineReference(8);
-  figures = inspector->figures({Figure::Psnr, Figure::HistoryLength});
+  inspector->reference().refine(8);
+  figures = inspector->metrics().figures({Figure::Psnr, Figure::HistoryLength});
   EXPECT_EQ(figures.referenceSamples, 8);
   EXPECT_FALSE(figures.at(Figure::MeanAlpha) || figures.at(Figure::Rmse)) << "not asked for";
-  const taa::PictureError error = taa::pictureError(inspector->image(IntermediateId::output),
-                                                    inspector->image(IntermediateId::reference));
+  const taa::PictureError error = taa::pictureError(inspector->views().image(IntermediateId::output),
+                                                    inspector->views().image(IntermediateId::reference));
   EXPECT_EQ(*figures.at(Figure::Psnr), error.psnr);
 }
 
@@ -278,8 +280,8 @@ class ReferenceOfLines : public taa::test::GlTest {
   static constexpr int kHigh = 540, kWide = 960;
   static std::unique_ptr<Inspector> lines() {
     auto inspector = std::make_unique<Inspector>();
-    inspector->setSize(kWide, kHigh);
-    inspector->open("builtin:thin");
+    inspector->shot().setSize(kWide, kHigh);
+    inspector->shot().open("builtin:thin");
     return inspector;
   }
   /// Of a pixel between the board, 0.02, and a line, 1.
@@ -288,8 +290,8 @@ class ReferenceOfLines : public taa::test::GlTest {
 
 TEST_F(ReferenceOfLines, HasTheCoverageOfEachPixel) {
   const auto inspector = lines();
-  inspector->refineReference(16);
-  const Image reference = inspector->image(IntermediateId::reference);
+  inspector->reference().refine(16);
+  const Image reference = inspector->views().image(IntermediateId::reference);
   // The level line is at 210 px above the middle and one pixel wide: half of rows 59 and 60; the upright one
   // 425 px left of the middle and 110 px above it.
   for (int along = -30; along <= 30; ++along) {
@@ -304,8 +306,8 @@ TEST_F(ReferenceOfLines, CoverWhatTheyAreLargeAndComeNearerWithMoreSamples) {
   constexpr double kCovered = 18 * 85.0 * 1.0 + 18 * 85.0 * 0.5 + 5 * 800.0 * 1.0; // px
   std::vector<Image> images;
   for (const int samples : {4, 16, 64}) {
-    inspector->refineReference(samples);
-    images.push_back(inspector->image(IntermediateId::reference));
+    inspector->reference().refine(samples);
+    images.push_back(inspector->views().image(IntermediateId::reference));
     double sum = 0.0;
     for (int y = 0; y < kHigh; ++y)
       for (int x = 0; x < kWide; ++x) sum += coverage(images.back(), x, y);

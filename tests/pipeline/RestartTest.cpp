@@ -22,9 +22,9 @@ namespace {
 
 class RestartTest : public taa::test::small::InspectorTest {
  protected:
-  static std::vector<Image> all(Inspector& inspector) { return inspector.images(allRows()); }
+  static std::vector<Image> all(Inspector& inspector) { return inspector.views().images(allRows()); }
   static std::vector<float> reasons(Inspector& inspector) {
-    return inspector.image(IntermediateId::rejectReason).pixels;
+    return inspector.views().image(IntermediateId::rejectReason).pixels;
   }
   static bool isEmpty(Inspector& inspector) {
     constexpr float kNoHistory = 1.0f;
@@ -36,28 +36,31 @@ class RestartTest : public taa::test::small::InspectorTest {
 
 TEST_F(RestartTest, HistoryIsEmptyThereAndWhatIsDrawnStays) {
   auto plain = opened();
-  plain->seek(7);
-  const Image motion = plain->image(IntermediateId::motion), color = plain->image(IntermediateId::color);
+  plain->shot().seek(7);
+  const Image motion = plain->views().image(IntermediateId::motion),
+              color = plain->views().image(IntermediateId::color);
   EXPECT_FALSE(isEmpty(*plain));
-  plain->setRestarts({7});
-  EXPECT_TRUE(plain->isExact()) << "nothing before it counts";
+  plain->shot().setRestarts({7});
+  EXPECT_TRUE(plain->shot().isExact()) << "nothing before it counts";
   EXPECT_TRUE(isEmpty(*plain));
-  EXPECT_TRUE(plain->info().startsHistory);
-  EXPECT_TRUE(isSame(plain->image(IntermediateId::motion), motion)) << "no cut: things have moved";
-  EXPECT_TRUE(isSame(plain->image(IntermediateId::color), color));
-  for (const float length : plain->image(IntermediateId::historyLength).pixels) ASSERT_EQ(length, 1.0f);
-  plain->seek(8);
+  EXPECT_TRUE(plain->shot().info().startsHistory);
+  EXPECT_TRUE(isSame(plain->views().image(IntermediateId::motion), motion)) << "no cut: things have moved";
+  EXPECT_TRUE(isSame(plain->views().image(IntermediateId::color), color));
+  for (const float length : plain->views().image(IntermediateId::historyLength).pixels)
+    ASSERT_EQ(length, 1.0f);
+  plain->shot().seek(8);
   EXPECT_FALSE(isEmpty(*plain));
-  for (const float length : plain->image(IntermediateId::historyLength).pixels) ASSERT_LE(length, 2.0f);
+  for (const float length : plain->views().image(IntermediateId::historyLength).pixels)
+    ASSERT_LE(length, 2.0f);
 }
 
 // A history that is begun by hand at frame 7, by the pass alone.
 TEST_F(RestartTest, FramesAfterItAreThoseOfAHistoryThatBeganThere) {
   const auto restarted = [] {
     auto inspector = opened();
-    inspector->setRestarts({7});
-    inspector->seek(10);
-    return inspector->image(IntermediateId::resolved);
+    inspector->shot().setRestarts({7});
+    inspector->shot().seek(10);
+    return inspector->views().image(IntermediateId::resolved);
   };
   const Image is = std::async(std::launch::async, restarted).get(); // it has a context of its own
   const Settings settings;
@@ -82,12 +85,12 @@ TEST_F(RestartTest, FramesAfterItAreThoseOfAHistoryThatBeganThere) {
 
 TEST_F(RestartTest, SeekingPlayingAndSteppingBackGiveTheSameBits) {
   auto inspector = opened({Settings{}, test::small::otherSettings()});
-  inspector->setCheckpointBudget(0);
-  inspector->setRestarts({9, 5, 9, 0});
-  EXPECT_EQ(inspector->restarts(), (std::vector<int>{5, 9}));
+  inspector->shot().setCheckpointBudget(0);
+  inspector->shot().setRestarts({9, 5, 9, 0});
+  EXPECT_EQ(inspector->shot().restarts(), (std::vector<int>{5, 9}));
   const auto both = [&] {
-    std::vector<Image> pictures = inspector->images(allRows(), 0);
-    for (Image& picture : inspector->images(allRows(), 1)) pictures.push_back(std::move(picture));
+    std::vector<Image> pictures = inspector->views().images(allRows(), 0);
+    for (Image& picture : inspector->views().images(allRows(), 1)) pictures.push_back(std::move(picture));
     return pictures;
   };
   const auto expectBoth = [&](const std::vector<Image>& want, const char* how) {
@@ -95,52 +98,52 @@ TEST_F(RestartTest, SeekingPlayingAndSteppingBackGiveTheSameBits) {
     for (std::size_t i = 0; i < is.size(); ++i)
       ASSERT_TRUE(isSame(is[i], want[i])) << how << ", picture " << i;
   };
-  inspector->seek(11);
+  inspector->shot().seek(11);
   const std::vector<Image> sought = both();
-  inspector->seek(0);
-  while (inspector->frame() < 11) inspector->advance();
+  inspector->shot().seek(0);
+  while (inspector->shot().frame() < 11) inspector->shot().advance();
   expectBoth(sought, "played");
-  inspector->seek(13);
-  inspector->seek(11);
+  inspector->shot().seek(13);
+  inspector->shot().seek(11);
   expectBoth(sought, "stepped back");
-  EXPECT_TRUE(inspector->areAllExact());
+  EXPECT_TRUE(inspector->shot().areAllExact());
 }
 
 TEST_F(RestartTest, TakenAwayEverythingIsAsBefore) {
   auto inspector = opened();
-  inspector->seek(9);
+  inspector->shot().seek(9);
   const std::vector<Image> before = all(*inspector);
-  inspector->setRestarts({9});
+  inspector->shot().setRestarts({9});
   EXPECT_TRUE(isEmpty(*inspector));
-  inspector->setRestarts({});
-  inspector->refine();
-  EXPECT_TRUE(inspector->isExact());
+  inspector->shot().setRestarts({});
+  inspector->shot().refine();
+  EXPECT_TRUE(inspector->shot().isExact());
   expectSame(all(*inspector), before);
   // One that lies before the frame on show: its history is not this frame's any more until it is made anew.
-  inspector->setRestarts({4});
-  EXPECT_FALSE(inspector->isExact());
-  inspector->refine();
+  inspector->shot().setRestarts({4});
+  EXPECT_FALSE(inspector->shot().isExact());
+  inspector->shot().refine();
   const std::vector<Image> restarted = all(*inspector);
   EXPECT_FALSE(isSame(restarted[static_cast<std::size_t>(IntermediateId::resolved)],
                       before[static_cast<std::size_t>(IntermediateId::resolved)]));
-  inspector->setRestarts({12}); // one goes, one comes after the frame
-  inspector->refine();
+  inspector->shot().setRestarts({12}); // one goes, one comes after the frame
+  inspector->shot().refine();
   expectSame(all(*inspector), before);
-  inspector->setRestarts({12, 14}); // nothing before changes
-  EXPECT_TRUE(inspector->isExact());
+  inspector->shot().setRestarts({12, 14}); // nothing before changes
+  EXPECT_TRUE(inspector->shot().isExact());
   expectSame(all(*inspector), before);
 }
 
 TEST_F(RestartTest, FramesThatAreNotThereAreNamedAndAnotherSceneHasNone) {
   auto inspector = opened();
   try {
-    inspector->setRestarts({3, 240});
+    inspector->shot().setRestarts({3, 240});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "cannot restart the history at frame 240: the shot has frames 0 to 239");
   }
-  EXPECT_TRUE(inspector->restarts().empty());
-  inspector->setRestarts({3});
-  inspector->open("builtin:fan");
-  EXPECT_TRUE(inspector->restarts().empty());
+  EXPECT_TRUE(inspector->shot().restarts().empty());
+  inspector->shot().setRestarts({3});
+  inspector->shot().open("builtin:fan");
+  EXPECT_TRUE(inspector->shot().restarts().empty());
 }

@@ -101,19 +101,19 @@ std::vector<std::uint8_t> pngBytes(const fs::path& path) {
 
 TEST_F(SequenceExportTest, WritesThePicturesOfTheFramesAndComesBack) {
   const auto inspector = opened();
-  inspector->seek(7);
-  const Image before = inspector->image(IntermediateId::resolved);
+  inspector->shot().seek(7);
+  const Image before = inspector->views().image(IntermediateId::resolved);
   SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
   wanted.picture.transform = {{10.0f, 5.0f}, 2.0f};
   exportSequence(*inspector, wanted, {});
-  EXPECT_EQ(inspector->frame(), 7);
-  EXPECT_TRUE(inspector->isExact());
-  EXPECT_TRUE(test::small::isSame(inspector->image(IntermediateId::resolved), before));
+  EXPECT_EQ(inspector->shot().frame(), 7);
+  EXPECT_TRUE(inspector->shot().isExact());
+  EXPECT_TRUE(test::small::isSame(inspector->views().image(IntermediateId::resolved), before));
   EXPECT_EQ(names(), (std::vector<std::string>{"shot.0002.png", "shot.0003.png", "shot.0004.png"}));
-  inspector->seek(3);
+  inspector->shot().seek(3);
   const Picture picture =
-      inspector->picture(wanted.picture.id, wanted.picture.style, wanted.picture.transform,
-                         wanted.picture.width, wanted.picture.height);
+      inspector->views().picture(wanted.picture.id, wanted.picture.style, wanted.picture.transform,
+                                 wanted.picture.width, wanted.picture.height);
   EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"), picture.rgba);
 }
 
@@ -123,16 +123,16 @@ TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
   wanted.picture.other.emplace().style = wanted.picture.style;
   wanted.picture.divider = 20;
   const auto drawn = [&](const Look& look) {
-    return inspector->picture(look, {}, wanted.picture.style, {}, kWidth, kHeight);
+    return inspector->views().picture(look, {}, wanted.picture.style, {}, kWidth, kHeight);
   };
   const auto expectFrames = [&](const Look& other) {
     wanted.picture.showing = Showing::Wipe;
     exportSequence(*inspector, wanted, {});
     for (int frame = wanted.first; frame <= wanted.last; ++frame) {
-      inspector->seek(frame);
-      const Look look = otherLook(*wanted.picture.other, frame, inspector->frameCount());
+      inspector->shot().seek(frame);
+      const Look look = otherLook(*wanted.picture.other, frame, inspector->shot().frameCount());
       EXPECT_EQ(look.lane, other.lane);
-      if (look.frame) inspector->keepAside({*look.frame});
+      if (look.frame) inspector->views().keepAside({*look.frame});
       const std::vector<std::uint8_t> bytes = pngBytes(sequenceFile(wanted, frame));
       const Picture first = drawn({wanted.picture.id}), second = drawn(look);
       EXPECT_NE(first.rgba, second.rgba) << frame;
@@ -153,12 +153,11 @@ TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
   wanted.picture.showing = Showing::Difference;
   wanted.picture.style = differenceStyle(intermediate(wanted.picture.id));
   exportSequence(*inspector, wanted, {});
-  inspector->seek(3);
-  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"),
-            inspector
-                ->picture({wanted.picture.id}, Look{wanted.picture.id, 1}, wanted.picture.style, {}, kWidth,
-                          kHeight)
-                .rgba);
+  inspector->shot().seek(3);
+  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"), inspector->views()
+                                                     .picture({wanted.picture.id}, Look{wanted.picture.id, 1},
+                                                              wanted.picture.style, {}, kWidth, kHeight)
+                                                     .rgba);
 }
 
 TEST_F(SequenceExportTest, SaysThatWhatItIsComparedWithIsGone) {
@@ -175,10 +174,10 @@ TEST_F(SequenceExportTest, WritesValuesAsParts) {
   exportSequence(*inspector, request(SequenceKind::Exr, "shot.exr"), {});
   EXPECT_EQ(names(), (std::vector<std::string>{"shot.0002.exr", "shot.0003.exr", "shot.0004.exr"}));
   EXPECT_EQ(partNames(folder_ / "shot.0004.exr"), (std::vector<std::string>{"resolved", "alpha"}));
-  inspector->seek(4);
+  inspector->shot().seek(4);
   const Image read =
       readPart(folder_ / "shot.0004.exr", "alpha", channelNames(intermediate(IntermediateId::alpha), {}));
-  EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::alpha)));
+  EXPECT_TRUE(test::small::isSame(read, inspector->views().image(IntermediateId::alpha)));
 }
 
 TEST_F(SequenceExportTest, PartsOfTheReferenceSayHowManySamplesItHas) {
@@ -192,11 +191,11 @@ TEST_F(SequenceExportTest, PartsOfTheReferenceSayHowManySamplesItHas) {
   EXPECT_EQ(readPartAttribute(path, "reference", "taa:referenceSamples"), "5");
   EXPECT_EQ(readPartAttribute(path, "referenceError", "taa:referenceSamples"), "5");
   EXPECT_EQ(readPartAttribute(path, "output", "taa:referenceSamples"), "");
-  inspector->seek(3);
-  inspector->refineReference(5);
+  inspector->shot().seek(3);
+  inspector->reference().refine(5);
   const Image read =
       readPart(path, "referenceError", channelNames(intermediate(IntermediateId::referenceError), {}));
-  EXPECT_TRUE(test::small::isSame(read, inspector->image(IntermediateId::referenceError)));
+  EXPECT_TRUE(test::small::isSame(read, inspector->views().image(IntermediateId::referenceError)));
 }
 
 TEST_F(SequenceExportTest, WritesAnAnimation) {
@@ -232,7 +231,7 @@ TEST(GifDelay, IsAWholeNumberOfHundredths) {
 TEST_F(SequenceExportTest, ACancelledOneLeavesWhatWasThere) {
   const auto inspector = opened();
   writeFile(folder_ / "shot.0002.png", "from before");
-  inspector->seek(6);
+  inspector->shot().seek(6);
   const auto stopsAtTheThird = [](std::string_view, int done, int) { return done < 2; };
   for (const SequenceKind kind : {SequenceKind::Png, SequenceKind::Exr, SequenceKind::Gif}) {
     const char* const files[] = {"shot.png", "shot.gif", "shot.exr"};
@@ -240,13 +239,13 @@ TEST_F(SequenceExportTest, ACancelledOneLeavesWhatWasThere) {
                  Cancelled);
     EXPECT_EQ(names(), std::vector<std::string>{"shot.0002.png"});
     EXPECT_EQ(readFile(folder_ / "shot.0002.png"), "from before");
-    EXPECT_EQ(inspector->frame(), 6);
+    EXPECT_EQ(inspector->shot().frame(), 6);
   }
 }
 
 TEST_F(SequenceExportTest, AFullDiskIsSaidAndNothingIsHalfThere) {
   const auto inspector = opened();
-  inspector->seek(6);
+  inspector->shot().seek(6);
   const std::pair<SequenceKind, const char*> kinds[] = {
       {SequenceKind::Png, "shot.png"}, {SequenceKind::Exr, "shot.exr"}, {SequenceKind::Gif, "shot.gif"}};
   for (const auto& [kind, name] : kinds) {
@@ -257,7 +256,7 @@ TEST_F(SequenceExportTest, AFullDiskIsSaidAndNothingIsHalfThere) {
     }
     EXPECT_NE(said.find("cannot write " + (folder_ / "shot.").string()), std::string::npos) << said;
     EXPECT_TRUE(names().empty()) << names().front();
-    EXPECT_EQ(inspector->frame(), 6);
+    EXPECT_EQ(inspector->shot().frame(), 6);
   }
 }
 

@@ -53,12 +53,13 @@ bool hasWord(const std::string& text) {
 
 TEST_F(StoryLanguageTest, EveryWordIsSaidInTheLanguageThatIsSet) {
   auto inspector = opened();
-  inspector->seek(6);
+  inspector->shot().seek(6);
   for (const Preset& preset : wholePresets()) {
-    inspector->setSettings(preset.settings);
-    const twin::PixelRecord record = inspector->probe(30, 11);
-    const twin::Details details = inspector->details(30, 11);
-    const ProbedPixel probed{record, details, inspector->settings(), inspector->info(), {30, 11}};
+    inspector->shot().setSettings(preset.settings);
+    const twin::PixelRecord record = inspector->probes().probe(30, 11);
+    const twin::Details details = inspector->probes().details(30, 11);
+    const ProbedPixel probed{
+        record, details, inspector->shot().settings(), inspector->shot().info(), {30, 11}};
     const Bracketed language; // of the stories only: nothing is drawn meanwhile
     for (const Intermediate& row : kIntermediates) {
       const RowStory story = storyOf(row.id, probed);

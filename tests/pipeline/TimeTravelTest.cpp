@@ -56,8 +56,8 @@ std::vector<Settings> presetLanes(int lot) {
 /// Every intermediate of every lane; resolved, history length and dilated depth are the next frame's history.
 std::vector<Image> everything(Inspector& inspector) {
   std::vector<Image> pictures;
-  for (int lane = 0; lane < inspector.laneCount(); ++lane) {
-    for (Image& picture : inspector.images(allRows(), lane)) pictures.push_back(std::move(picture));
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+    for (Image& picture : inspector.views().images(allRows(), lane)) pictures.push_back(std::move(picture));
   }
   return pictures;
 }
@@ -80,7 +80,7 @@ bool agree(const std::vector<Image>& a, const std::vector<Image>& b) {
 }
 
 void play(Inspector& inspector, int frame) {
-  while (inspector.frame() < frame) inspector.seek(inspector.frame() + 1);
+  while (inspector.shot().frame() < frame) inspector.shot().seek(inspector.shot().frame() + 1);
 }
 
 /// One Inspector at a time, for each brings its own context.
@@ -89,18 +89,18 @@ class TimeTravel : public test::GlTest {
   explicit TimeTravel(std::string scene) : scene_(std::move(scene)) {}
 
   void open(Inspector& inspector, const std::vector<Settings>& lanes) const {
-    inspector.setSize(kWidth, kHeight);
-    inspector.open("builtin:" + scene_);
-    inspector.setLanes(lanes);
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().open("builtin:" + scene_);
+    inspector.shot().setLanes(lanes);
   }
 
   /// All of a frame, from an inspector that keeps nothing and went straight there.
   std::vector<Image> soughtAtOnce(const std::vector<Settings>& lanes, int frame) const {
     Inspector inspector;
-    inspector.setCheckpointBudget(0);
+    inspector.shot().setCheckpointBudget(0);
     open(inspector, lanes);
-    inspector.seek(frame);
-    EXPECT_TRUE(inspector.isExact());
+    inspector.shot().seek(frame);
+    EXPECT_TRUE(inspector.shot().isExact());
     return everything(inspector);
   }
 
@@ -122,19 +122,19 @@ TEST_P(TimeTravelOfPresetsTest, PlayingSeekingAndSteppingBackGiveTheSameBitsInEv
   EXPECT_FALSE(agree(expected, next)); // frames differ at all
   Inspector inspector;
   open(inspector, lanes);
-  EXPECT_EQ(inspector.laneCount(), static_cast<int>(lanes.size()));
+  EXPECT_EQ(inspector.shot().laneCount(), static_cast<int>(lanes.size()));
   play(inspector, kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "played";
   play(inspector, kFrame + 5);
-  for (int frame = kFrame + 4; frame >= kFrame; --frame) inspector.seek(frame);
+  for (int frame = kFrame + 4; frame >= kFrame; --frame) inspector.shot().seek(frame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "stepped back";
-  inspector.seek(kFrame + 1);
+  inspector.shot().seek(kFrame + 1);
   EXPECT_EQ(difference(everything(inspector), next), "") << "and on again";
-  inspector.seek(40);
-  inspector.seek(kFrame);
+  inspector.shot().seek(40);
+  inspector.shot().seek(kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from behind";
-  inspector.seek(0);
-  inspector.seek(kFrame);
+  inspector.shot().seek(0);
+  inspector.shot().seek(kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from the start";
 }
 
@@ -154,19 +154,19 @@ TEST_P(TimeTravelOfPresetsTest, AfterNewSettingsRefiningAndSeekingMakeItExact) {
     const std::vector<Image> refined = soughtAtOnce({other}, kFrame);
     Inspector inspector;
     open(inspector, {preset("balanced").settings});
-    inspector.seek(kFrame);
-    inspector.setSettings(other);
-    EXPECT_FALSE(inspector.isExact());
+    inspector.shot().seek(kFrame);
+    inspector.shot().setSettings(other);
+    EXPECT_FALSE(inspector.shot().isExact());
     EXPECT_FALSE(agree(everything(inspector), refined)); // new settings on old history
-    inspector.refine();
-    EXPECT_TRUE(inspector.isExact());
+    inspector.shot().refine();
+    EXPECT_TRUE(inspector.shot().isExact());
     EXPECT_EQ(difference(everything(inspector), refined), "")
         << ::testing::PrintToString(differences(other, {})) << ", refined";
-    inspector.setSettings(preset("balanced").settings);
-    inspector.refine();
-    inspector.seek(kFrame - 3); // checkpoints of other settings must not be used
-    inspector.seek(kFrame);
-    EXPECT_TRUE(inspector.isExact());
+    inspector.shot().setSettings(preset("balanced").settings);
+    inspector.shot().refine();
+    inspector.shot().seek(kFrame - 3); // checkpoints of other settings must not be used
+    inspector.shot().seek(kFrame);
+    EXPECT_TRUE(inspector.shot().isExact());
     EXPECT_EQ(difference(everything(inspector), balanced), "")
         << ::testing::PrintToString(differences(other, {})) << " and back";
   }
@@ -180,13 +180,13 @@ TEST_P(TimeTravelOfPresetsTest, LookingChangesNothingOverThirtyTwoFramesOfEveryP
     std::vector<Image> seen;
     Inspector inspector;
     open(inspector, lanes);
-    inspector.watch(watched);
+    inspector.views().watch(watched);
     for (int frame = 0; frame < 32; ++frame) {
-      inspector.seek(frame);
-      for (int lane = 0; looks && lane < inspector.laneCount(); ++lane) {
-        inspector.probe(frame, frame, lane);
-        inspector.picture(IntermediateId::motion, {}, {}, 40, 40, lane);
-        for (Image& image : inspector.images(history, lane)) seen.push_back(std::move(image));
+      inspector.shot().seek(frame);
+      for (int lane = 0; looks && lane < inspector.shot().laneCount(); ++lane) {
+        inspector.probes().probe(frame, frame, lane);
+        inspector.views().picture(IntermediateId::motion, {}, {}, 40, 40, lane);
+        for (Image& image : inspector.views().images(history, lane)) seen.push_back(std::move(image));
       }
     }
     return std::pair(std::move(seen), everything(inspector));
@@ -211,10 +211,10 @@ class TimeTravelOfCombinationsTest : public TimeTravel, public testing::WithPara
 /// What is left to the next frame, of all lanes.
 std::vector<Image> left(Inspector& inspector) {
   std::vector<Image> pictures;
-  for (int lane = 0; lane < inspector.laneCount(); ++lane)
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
     for (const IntermediateId id :
          {IntermediateId::resolved, IntermediateId::historyLength, IntermediateId::dilatedDepth})
-      pictures.push_back(inspector.image(id, lane));
+      pictures.push_back(inspector.views().image(id, lane));
   return pictures;
 }
 
@@ -228,13 +228,13 @@ TEST_P(TimeTravelOfCombinationsTest, SeekingIsPlayingInEveryRandomCombination) {
       names += "\n" + all[i].name;
     }
     Inspector inspector;
-    inspector.setCheckpointBudget(0);
+    inspector.shot().setCheckpointBudget(0);
     open(inspector, lanes);
     play(inspector, 5);
     const std::vector<Image> played = left(inspector);
-    inspector.seek(7);
-    inspector.seek(0);
-    inspector.seek(5);
+    inspector.shot().seek(7);
+    inspector.shot().seek(0);
+    inspector.shot().seek(5);
     const std::vector<Image> sought = left(inspector);
     for (std::size_t i = 0; i < played.size(); ++i)
       EXPECT_EQ(test::difference(played[i], sought[i]), "") << "lane " << i / 3 << " of" << names;
@@ -244,10 +244,10 @@ TEST_P(TimeTravelOfCombinationsTest, SeekingIsPlayingInEveryRandomCombination) {
 /// What the frame after the inspector's will be resolved on, from what can be looked at: into `twin`.
 void keepHistory(Inspector& inspector, twin::Inputs& twin) {
   Image color(kWidth, kHeight, 4), surface(kWidth, kHeight, 2);
-  const Image resolved = inspector.image(IntermediateId::resolved);
-  const Image length = inspector.image(IntermediateId::historyLength);
-  const Image depth = inspector.image(IntermediateId::dilatedDepth);
-  const glm::vec4 depthTerms = inspector.inputs().block.depthTerms;
+  const Image resolved = inspector.views().image(IntermediateId::resolved);
+  const Image length = inspector.views().image(IntermediateId::historyLength);
+  const Image depth = inspector.views().image(IntermediateId::dilatedDepth);
+  const glm::vec4 depthTerms = inspector.views().inputs().block.depthTerms;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       test::setColor(color, x, y, glm::vec3(resolved.texel(x, y)));
@@ -257,7 +257,7 @@ void keepHistory(Inspector& inspector, twin::Inputs& twin) {
   }
   twin.historyColor = color;
   twin.historySurface = surface;
-  twin.historyMotion = inspector.image(IntermediateId::dilatedMotion);
+  twin.historyMotion = inspector.views().image(IntermediateId::dilatedMotion);
 }
 
 /// Parameters: a built-in scene, and how large it is drawn.
@@ -271,27 +271,27 @@ TEST_P(ProbeTest, ProbeIsPictureIsTwin) {
   settings.inputs.renderScale = std::get<1>(GetParam());
   Inspector inspector;
   open(inspector, {settings});
-  inspector.seek(kFrame - 1);
+  inspector.shot().seek(kFrame - 1);
   twin::Inputs history;
   keepHistory(inspector, history);
-  inspector.seek(kFrame);
+  inspector.shot().seek(kFrame);
   const std::vector<Image> pictures = everything(inspector);
-  twin::Inputs twin = test::twinInputs(inspector.inputs(), nullptr);
+  twin::Inputs twin = test::twinInputs(inspector.views().inputs(), nullptr);
   twin.historyColor = history.historyColor;
   twin.historySurface = history.historySurface;
   twin.historyMotion = history.historyMotion;
-  EXPECT_EQ(test::differenceFromTwin(twin, settings, pictures, inspector.driver().isSoftware), "");
+  EXPECT_EQ(test::differenceFromTwin(twin, settings, pictures, inspector.shot().driver().isSoftware), "");
   for (int i = 0; i < 40; ++i) { // scattered over the picture, a corner among them
     const int x = i * 37 % kWidth;
     const int y = i * 23 % kHeight;
-    const PixelRecord record = inspector.probe(x, y);
-    const PixelRecord middle = inspector.probeAround(x, y, 1)[4];
+    const PixelRecord record = inspector.probes().probe(x, y);
+    const PixelRecord middle = inspector.probes().probeAround(x, y, 1)[4];
     for (std::size_t row = 0; row < kResolveRowCount; ++row) {
       EXPECT_EQ(record[row], pictures[row].texel(x, y)) << kResolveRows[row].name;
       EXPECT_EQ(middle[row], record[row]) << kResolveRows[row].name;
     }
   }
-  EXPECT_THROW(inspector.probe(kWidth, 0), Error);
+  EXPECT_THROW(inspector.probes().probe(kWidth, 0), Error);
 }
 
 /// Particles, flip-books and blended layers are functions of the frame too.
@@ -315,8 +315,8 @@ TEST_F(TimeTravelOfGlassTest, PlayingAndSeekingGiveTheSameBits) {
   open(inspector, lanes);
   play(inspector, kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "played";
-  inspector.seek(kFrame + 9);
-  inspector.seek(kFrame);
+  inspector.shot().seek(kFrame + 9);
+  inspector.shot().seek(kFrame);
   EXPECT_EQ(difference(everything(inspector), expected), "") << "sought from behind";
 }
 

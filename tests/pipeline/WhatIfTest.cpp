@@ -17,7 +17,7 @@ using WhatIfTest = taa::test::small::InspectorTest;
 namespace {
 
 glm::vec3 resolvedAt(Inspector& inspector, const glm::ivec2& pixel) {
-  return glm::vec3(twin::at(inspector.probe(pixel.x, pixel.y), IntermediateId::resolved));
+  return glm::vec3(twin::at(inspector.probes().probe(pixel.x, pixel.y), IntermediateId::resolved));
 }
 
 const std::vector<glm::ivec2> kPixels{{0, 0}, {30, 11}, {24, 20}, {47, 26}};
@@ -33,11 +33,11 @@ TEST_F(WhatIfTest, TheRowOfThePresentChoicesIsTheProbe) {
     Settings settings = found->settings;
     settings.inputs.renderScale = 1.0f;
     auto inspector = opened({settings});
-    inspector->seek(9);
+    inspector->shot().seek(9);
     for (const glm::ivec2& pixel : kPixels) {
       const glm::vec3 probed = resolvedAt(*inspector, pixel);
       int current = 0;
-      for (const WhatIfRow& row : inspector->whatIf(pixel.x, pixel.y)) {
+      for (const WhatIfRow& row : inspector->probes().whatIf(pixel.x, pixel.y)) {
         if (!row.isCurrent) continue;
         ++current;
         EXPECT_EQ(row.resolved, probed) << id << ": " << row.label << " at " << pixel.x << ' ' << pixel.y;
@@ -51,18 +51,18 @@ TEST_F(WhatIfTest, TheRowOfThePresentChoicesIsTheProbe) {
 TEST_F(WhatIfTest, AnotherRowIsWhatTheResolveMakesOfTheSameHistory) {
   if (!isExact()) GTEST_SKIP() << "this driver rounds its own way";
   auto inspector = opened();
-  inspector->seek(9);
-  const Settings own = inspector->settings();
+  inspector->shot().seek(9);
+  const Settings own = inspector->shot().settings();
   for (const Variant& variant : variantsOf(own)) {
     if (variant.group == WhatIfGroup::Preset) continue;
-    const auto before = inspector->whatIf(30, 11);
+    const auto before = inspector->probes().whatIf(30, 11);
     const auto row = std::ranges::find_if(before, [&](const WhatIfRow& candidate) {
       return candidate.group == variant.group && candidate.id == variant.id;
     });
     ASSERT_NE(row, before.end());
-    inspector->setSettings(variant.settings); // answered on the history at hand
+    inspector->shot().setSettings(variant.settings); // answered on the history at hand
     EXPECT_EQ(row->resolved, resolvedAt(*inspector, {30, 11})) << variant.label;
-    inspector->setSettings(own);
+    inspector->shot().setSettings(own);
   }
 }
 

@@ -19,9 +19,9 @@ class InspectorTest : public GlTest {
  protected:
   static std::unique_ptr<Inspector> opened(const std::vector<Settings>& lanes = {Settings{}}) {
     auto inspector = std::make_unique<Inspector>();
-    inspector->setSize(kWidth, kHeight);
-    inspector->setLanes(lanes);
-    inspector->open("builtin:fan");
+    inspector->shot().setSize(kWidth, kHeight);
+    inspector->shot().setLanes(lanes);
+    inspector->shot().open("builtin:fan");
     return inspector;
   }
 };
@@ -42,11 +42,11 @@ inline void expectSame(const std::vector<Image>& actual, const std::vector<Image
 inline std::vector<Image> fresh(const Settings& settings, int frame) {
   const auto make = [&] {
     Inspector inspector;
-    inspector.setSize(kWidth, kHeight);
-    inspector.setSettings(settings);
-    inspector.open("builtin:fan");
-    inspector.seek(frame);
-    return inspector.images(allRows());
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().setSettings(settings);
+    inspector.shot().open("builtin:fan");
+    inspector.shot().seek(frame);
+    return inspector.views().images(allRows());
   };
   return std::async(std::launch::async, make).get();
 }

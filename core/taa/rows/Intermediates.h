@@ -226,7 +226,7 @@ constexpr const Intermediate& intermediate(IntermediateId id) {
 }
 
 /// Whether the row comes from the supersampled picture or from other frames, not from the frame's own
-/// resolve. There is a value only where those were made (Inspector::makeRows).
+/// resolve. There is a value only where those were made (ReferenceOfShot::makeRows).
 constexpr bool isOfReference(IntermediateId id) {
   return intermediate(id).stage == Stage::Reference;
 }

@@ -42,18 +42,18 @@ class FlickerOnScenes : public test::GlTest, public testing::WithParamInterface<
   /// Of each lane: mean over the pixels at rest of the standard deviation over a period of the jitter.
   static std::vector<double> flicker(const std::string& scene, const std::vector<Settings>& lanes) {
     Inspector inspector;
-    inspector.setCheckpointBudget(0);
-    inspector.setSize(kWidth, kHeight);
-    inspector.setLanes(lanes);
-    inspector.open("builtin:" + scene);
-    inspector.setCamera("still");
+    inspector.shot().setCheckpointBudget(0);
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().setLanes(lanes);
+    inspector.shot().open("builtin:" + scene);
+    inspector.shot().setCamera("still");
     std::vector<std::vector<Sums>> sums(lanes.size(), std::vector<Sums>(std::size_t{kWidth} * kHeight));
-    inspector.seek(5);
+    inspector.shot().seek(5);
     for (int frame = 0; frame < kPeriod; ++frame) {
-      inspector.advance();
-      const Image motion = inspector.image(IntermediateId::motion);
+      inspector.shot().advance();
+      const Image motion = inspector.views().image(IntermediateId::motion);
       for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-        const Image output = inspector.image(IntermediateId::output, static_cast<int>(lane));
+        const Image output = inspector.views().image(IntermediateId::output, static_cast<int>(lane));
         for (std::size_t i = 0; i < sums[lane].size(); ++i) {
           Sums& of = sums[lane][i];
           const double value = static_cast<double>(shown(&output.pixels[i * 3]));
@@ -95,10 +95,10 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FlickerOnScenes,
 class DepthOnScenes : public test::GlTest {
  protected:
   static void open(Inspector& inspector, const std::string& scene, const std::vector<Settings>& lanes) {
-    inspector.setCheckpointBudget(0);
-    inspector.setSize(320, 180);
-    inspector.setLanes(lanes);
-    inspector.open("builtin:" + scene);
+    inspector.shot().setCheckpointBudget(0);
+    inspector.shot().setSize(320, 180);
+    inspector.shot().setLanes(lanes);
+    inspector.shot().open("builtin:" + scene);
   }
 };
 
@@ -107,13 +107,13 @@ TEST_F(DepthOnScenes, AWireDoesNotTakeTheColorOfWhatIsFarBehindIt) {
   Inspector inspector;
   open(inspector, "fence",
        {balanced({"validate.flicker=off", "validate.depthFootprint=square3x3"}), balanced()});
-  inspector.seek(20);
-  EXPECT_NEAR(*inspector.image(IntermediateId::depthExpected).at(45, 87), 4.70f, 0.01f);
+  inspector.shot().seek(20);
+  EXPECT_NEAR(*inspector.views().image(IntermediateId::depthExpected).at(45, 87), 4.70f, 0.01f);
   for (const int lane : {0, 1}) {
-    EXPECT_LT(*inspector.image(IntermediateId::depthAllowed, lane).at(45, 87), 0.1f);
-    const Image mismatch = inspector.image(IntermediateId::depthMismatch, lane);
-    const Image reason = inspector.image(IntermediateId::rejectReason, lane);
-    const Image flicker = inspector.image(IntermediateId::geometricFlicker, lane);
+    EXPECT_LT(*inspector.views().image(IntermediateId::depthAllowed, lane).at(45, 87), 0.1f);
+    const Image mismatch = inspector.views().image(IntermediateId::depthMismatch, lane);
+    const Image reason = inspector.views().image(IntermediateId::rejectReason, lane);
+    const Image flicker = inspector.views().image(IntermediateId::geometricFlicker, lane);
     // Ground at the horizon may recede by its own depth in a texel; nothing is farther off and yet the same.
     for (std::size_t i = 0; i < mismatch.pixels.size(); ++i)
       EXPECT_FALSE(mismatch.pixels[i] > 1.0f && reason.pixels[i] == 0.0f && flicker.pixels[i] == 0.0f) << i;
@@ -127,13 +127,13 @@ TEST_F(DepthOnScenes, GhostsAreNoWorseForIt) {
   constexpr double kBefore = 34.30; // dB
   Inspector inspector;
   open(inspector, "disocclusion", {balanced(), balanced({"validate.depth=off"})});
-  inspector.seek(kFirst - 1);
+  inspector.shot().seek(kFirst - 1);
   double with = 0.0, without = 0.0;
   for (int frame = 0; frame < kFrames; ++frame) {
-    inspector.advance();
-    inspector.refineReference(kSamples);
-    with += inspector.referenceError(0).psnr / kFrames;
-    without += inspector.referenceError(1).psnr / kFrames;
+    inspector.shot().advance();
+    inspector.reference().refine(kSamples);
+    with += inspector.reference().error(0).psnr / kFrames;
+    without += inspector.reference().error(1).psnr / kFrames;
   }
   EXPECT_GE(with, kBefore);
   EXPECT_GT(with, without + 0.9) << "what the depth test is for";

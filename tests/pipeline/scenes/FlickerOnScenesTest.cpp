@@ -27,10 +27,10 @@ const std::vector<IntermediateId> kRows = {flicker, deviationOverTime, framesFol
 constexpr int kSamples = 4, kFrames = 5;
 
 std::vector<Image> rowsOf(Inspector& inspector, int samples = kSamples) {
-  inspector.refineFlicker(samples);
+  inspector.flicker().refine(samples);
   std::vector<Image> rows;
   for (const IntermediateId id : kRows)
-    if (samples > 0 || id != flicker) rows.push_back(inspector.image(id));
+    if (samples > 0 || id != flicker) rows.push_back(inspector.views().image(id));
   return rows;
 }
 
@@ -45,7 +45,7 @@ class FlickerOnScenesTest : public InspectorTest {
  protected:
   static std::unique_ptr<Inspector> small() {
     auto inspector = opened();
-    inspector->setFlickerFrames(kFrames);
+    inspector->flicker().setFrames(kFrames);
     return inspector;
   }
 };
@@ -53,45 +53,46 @@ class FlickerOnScenesTest : public InspectorTest {
 TEST_F(FlickerOnScenesTest, IsTheSameHoweverTheFrameWasReached) {
   const auto rowsAt9 = [](const taa::Settings& settings) {
     const auto inspector = small();
-    inspector->setSettings(settings);
-    inspector->seek(9);
+    inspector->shot().setSettings(settings);
+    inspector->shot().seek(9);
     return rowsOf(*inspector);
   };
   const std::vector<Image> sought = rowsAt9({}), others = rowsAt9(otherSettings());
   EXPECT_GT(*std::ranges::max_element(sought[0].pixels), 0.0f) << "else nothing was tested";
   EXPECT_FALSE(isSame(others[0], sought[0])) << "else nothing was tested";
   const auto played = small();
-  while (played->frame() < 9) {
-    if (played->frame() >= 7) rowsOf(*played); // the window goes along
-    played->advance();
+  while (played->shot().frame() < 9) {
+    if (played->shot().frame() >= 7) rowsOf(*played); // the window goes along
+    played->shot().advance();
   }
   expectSameRows(rowsOf(*played), sought);
-  played->seek(12);
+  played->shot().seek(12);
   rowsOf(*played);
-  played->seek(9);
+  played->shot().seek(9);
   expectSameRows(rowsOf(*played), sought);
-  played->setSettings(otherSettings()); // on history of the first ones
-  ASSERT_FALSE(played->isExact());
-  EXPECT_FALSE(played->flickerSamples());
+  played->shot().setSettings(otherSettings()); // on history of the first ones
+  ASSERT_FALSE(played->shot().isExact());
+  EXPECT_FALSE(played->flicker().samples());
   expectSameRows(rowsOf(*played), others);
 }
 
 TEST_F(FlickerOnScenesTest, IsThatOfWhatIsShown) {
   // Where all stands still the way stays on the pixel.
   const auto inspector = small();
-  inspector->setCamera("still");
-  inspector->seek(9);
+  inspector->shot().setCamera("still");
+  inspector->shot().seek(9);
   rowsOf(*inspector);
-  const Image deviation = inspector->image(deviationOverTime), frames = inspector->image(framesFollowed);
+  const Image deviation = inspector->views().image(deviationOverTime),
+              frames = inspector->views().image(framesFollowed);
   std::vector<Image> shown;
   for (int frame = 5; frame <= 9; ++frame) {
-    inspector->seek(frame);
-    shown.push_back(taa::shownColors(inspector->image(output)));
+    inspector->shot().seek(frame);
+    shown.push_back(taa::shownColors(inspector->views().image(output)));
   }
   std::vector<Image> motions;
   for (int frame = 5; frame <= 9; ++frame) {
-    inspector->seek(frame);
-    motions.push_back(inspector->image(motion));
+    inspector->shot().seek(frame);
+    motions.push_back(inspector->views().image(motion));
   }
   int checked = 0;
   for (int y = 1; y + 1 < kHeight; ++y)
@@ -119,62 +120,64 @@ TEST_F(FlickerOnScenesTest, IsThatOfWhatIsShown) {
 
 TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
   const auto inspector = small();
-  inspector->seek(6);
+  inspector->shot().seek(6);
   for (const IntermediateId id : kRows) {
-    EXPECT_FALSE(taa::twin::isKnown(inspector->probe(3, 4), id));
-    EXPECT_THROW(inspector->image(id), taa::Error);
-    EXPECT_FALSE(inspector->isAtHand({.id = id}));
+    EXPECT_FALSE(taa::twin::isKnown(inspector->probes().probe(3, 4), id));
+    EXPECT_THROW(inspector->views().image(id), taa::Error);
+    EXPECT_FALSE(inspector->views().isAtHand({.id = id}));
   }
-  inspector->refineFlicker(0);
-  EXPECT_EQ(inspector->flickerSamples(), 0);
-  EXPECT_TRUE(inspector->isAtHand({.id = deviationOverTime}));
-  EXPECT_FALSE(inspector->isAtHand({.id = flicker})) << "it needs a reference";
-  EXPECT_THROW(inspector->image(flicker), taa::Error);
-  EXPECT_FALSE(inspector->figures({Figure::Flicker}).at(Figure::Flicker));
-  inspector->makeRows({flicker}, kSamples);
+  inspector->flicker().refine(0);
+  EXPECT_EQ(inspector->flicker().samples(), 0);
+  EXPECT_TRUE(inspector->views().isAtHand({.id = deviationOverTime}));
+  EXPECT_FALSE(inspector->views().isAtHand({.id = flicker})) << "it needs a reference";
+  EXPECT_THROW(inspector->views().image(flicker), taa::Error);
+  EXPECT_FALSE(inspector->metrics().figures({Figure::Flicker}).at(Figure::Flicker));
+  inspector->reference().makeRows({flicker}, kSamples);
   for (const IntermediateId id : kRows)
-    EXPECT_EQ(taa::twin::at(inspector->probe(3, 4), id).x, *inspector->image(id).at(3, 4));
-  inspector->seek(7);
-  EXPECT_FALSE(inspector->flickerSamples());
+    EXPECT_EQ(taa::twin::at(inspector->probes().probe(3, 4), id).x, *inspector->views().image(id).at(3, 4));
+  inspector->shot().seek(7);
+  EXPECT_FALSE(inspector->flicker().samples());
 }
 
 TEST_F(FlickerOnScenesTest, StartsAnewWithHistory) {
   const auto inspector = small();
   rowsOf(*inspector); // frame 0
-  for (const float frames : inspector->image(framesFollowed).pixels) ASSERT_EQ(frames, 1.0f);
-  EXPECT_FALSE(inspector->figures({Figure::Flicker}).at(Figure::Flicker)) << "nothing was seen before";
-  inspector->seek(2);
+  for (const float frames : inspector->views().image(framesFollowed).pixels) ASSERT_EQ(frames, 1.0f);
+  EXPECT_FALSE(inspector->metrics().figures({Figure::Flicker}).at(Figure::Flicker))
+      << "nothing was seen before";
+  inspector->shot().seek(2);
   const Image frames = rowsOf(*inspector).back();
   EXPECT_EQ(*std::ranges::max_element(frames.pixels), 3.0f);
 }
 
 TEST_F(FlickerOnScenesTest, FollowsTheGeometryAndNotTheSettings) {
   const auto inspector = small();
-  inspector->seek(9);
+  inspector->shot().seek(9);
   const Image frames = rowsOf(*inspector, 0).back();
   EXPECT_LT(*std::ranges::min_element(frames.pixels), 5.0f) << "the blades hide what is behind them";
   taa::Settings minimal;
   taa::applyAssignment(minimal, "jitter.sequence=none");
   taa::applyAssignment(minimal, "inputs.renderScale=0.5");
-  inspector->setSettings(minimal);
+  inspector->shot().setSettings(minimal);
   EXPECT_TRUE(isSame(rowsOf(*inspector, 0).back(), frames));
 }
 
 TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   const auto inspector = small();
-  inspector->seek(9);
-  const Image before = inspector->image(output);
-  const int kept = static_cast<int>(inspector->keptFrames().size());
+  inspector->shot().seek(9);
+  const Image before = inspector->views().image(output);
+  const int kept = static_cast<int>(inspector->shot().keptFrames().size());
   int reports = 0;
-  EXPECT_THROW(inspector->refineFlicker(kSamples, [&](std::string_view, int, int) { return ++reports < 12; }),
-               taa::Cancelled);
-  EXPECT_FALSE(inspector->flickerSamples());
+  EXPECT_THROW(
+      inspector->flicker().refine(kSamples, [&](std::string_view, int, int) { return ++reports < 12; }),
+      taa::Cancelled);
+  EXPECT_FALSE(inspector->flicker().samples());
   const std::vector<Image> rows = rowsOf(*inspector);
-  EXPECT_TRUE(isSame(inspector->image(output), before));
-  EXPECT_EQ(inspector->frame(), 9);
-  EXPECT_EQ(static_cast<int>(inspector->keptFrames().size()), kept);
+  EXPECT_TRUE(isSame(inspector->views().image(output), before));
+  EXPECT_EQ(inspector->shot().frame(), 9);
+  EXPECT_EQ(static_cast<int>(inspector->shot().keptFrames().size()), kept);
   const auto straight = small();
-  straight->seek(9);
+  straight->shot().seek(9);
   expectSameRows(rows, rowsOf(*straight));
 }
 
@@ -184,12 +187,12 @@ TEST_F(FlickerOnScenesTest, FiguresBesideAreThoseOfTheFrame) {
   taa::FigureCursor cursor;
   std::vector<taa::FrameFigures> beside;
   for (int frame = 6; frame <= 8; ++frame)
-    beside.push_back(inspector->figuresBeside(frame, wanted, kSamples, cursor));
+    beside.push_back(inspector->metrics().figuresBeside(frame, wanted, kSamples, cursor));
   for (const taa::FrameFigures& figures : beside) {
-    inspector->seek(figures.frame);
-    inspector->refineReference(kSamples);
+    inspector->shot().seek(figures.frame);
+    inspector->reference().refine(kSamples);
     const std::vector<Image> rows = rowsOf(*inspector);
-    const taa::FrameFigures shown = inspector->figures(wanted);
+    const taa::FrameFigures shown = inspector->metrics().figures(wanted);
     EXPECT_EQ(figures.flickerSamples, kSamples);
     EXPECT_EQ(figures.values, shown.values);
     EXPECT_EQ(shown.at(Figure::Flicker), taa::meanOverTime(rows[0], rows[2]));

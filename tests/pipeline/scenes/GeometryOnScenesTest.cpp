@@ -123,19 +123,20 @@ TEST_F(GeometryOnScenes, WhatTurnsFacesAnotherWay) {
 // characters.
 TEST_F(GeometryOnScenes, ObjectsThatAreGivenAClassHaveItAndNothingElseChanges) {
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.open("builtin:fan");
-  inspector.seek(3);
-  const Image ids = inspector.image(IntermediateId::objectId);
-  const Image before = inspector.image(IntermediateId::objectClass);
-  const Image color = inspector.image(IntermediateId::color);
-  const SceneOutline outline = outlineOf(inspector.scene(), "builtin:fan");
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().open("builtin:fan");
+  inspector.shot().seek(3);
+  const Image ids = inspector.views().image(IntermediateId::objectId);
+  const Image before = inspector.views().image(IntermediateId::objectClass);
+  const Image color = inspector.views().image(IntermediateId::color);
+  const SceneOutline outline = outlineOf(inspector.shot().scene(), "builtin:fan");
   const int node = outline.nodeOf(static_cast<int>(*ids.at(kWidth / 2, kHeight / 2)));
   ASSERT_GE(node, 0);
   const std::string name = outline.nodes[static_cast<std::size_t>(node)].key;
-  inspector.setObjectClasses({{name, ObjectClass::Character}});
-  const Image after = inspector.image(IntermediateId::objectClass);
-  const std::vector<std::optional<ObjectClass>> given = givenClasses(outline, inspector.objectClasses());
+  inspector.shot().setObjectClasses({{name, ObjectClass::Character}});
+  const Image after = inspector.views().image(IntermediateId::objectClass);
+  const std::vector<std::optional<ObjectClass>> given =
+      givenClasses(outline, inspector.shot().objectClasses());
   int characters = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
@@ -145,10 +146,10 @@ TEST_F(GeometryOnScenes, ObjectsThatAreGivenAClassHaveItAndNothingElseChanges) {
       ASSERT_EQ(*after.at(x, y), isGiven ? 4.0f : *before.at(x, y)) << x << ", " << y;
     }
   EXPECT_GT(characters, 0);
-  EXPECT_EQ(test::difference(inspector.image(IntermediateId::color), color), "");
-  EXPECT_THROW(inspector.setObjectClasses({{"nobody", ObjectClass::Character}}), Error);
-  inspector.open("builtin:fan");
-  EXPECT_TRUE(inspector.objectClasses().empty());
+  EXPECT_EQ(test::difference(inspector.views().image(IntermediateId::color), color), "");
+  EXPECT_THROW(inspector.shot().setObjectClasses({{"nobody", ObjectClass::Character}}), Error);
+  inspector.shot().open("builtin:fan");
+  EXPECT_TRUE(inspector.shot().objectClasses().empty());
 }
 
 // Sources 000 and 003 mean the characters, which move or not as the background does.
@@ -172,9 +173,10 @@ TEST_F(GeometryOnScenes, BuiltInScenesHaveAllClasses) {
   std::set<float> classes;
   for (const char* scene : {"fan", "foliage"}) {
     Inspector inspector;
-    inspector.setSize(kWidth, kHeight);
-    inspector.open(std::string("builtin:") + scene);
-    for (const float value : inspector.image(IntermediateId::objectClass).pixels) classes.insert(value);
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().open(std::string("builtin:") + scene);
+    for (const float value : inspector.views().image(IntermediateId::objectClass).pixels)
+      classes.insert(value);
   }
   EXPECT_EQ(classes, (std::set<float>{0.0f, 1.0f, 2.0f, 3.0f}));
 }
@@ -185,22 +187,22 @@ TEST_F(GeometryOnScenes, NewTestsWaitForHistoryThatCanBeTested) {
   Settings settings = preset("balanced").settings;
   settings.validate.depth = Switch::Off;
   Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.open("builtin:disocclusion");
-  inspector.setLanes({settings});
-  inspector.seek(12);
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().open("builtin:disocclusion");
+  inspector.shot().setLanes({settings});
+  inspector.shot().seek(12);
   settings.validate.object = settings.validate.objectClass = settings.validate.normal = Switch::On;
   settings.validate.velocity = VelocityTest::Vector;
   settings.rectify.locks = settings.rectify.instability = Switch::On;
   const auto rejected = [&] {
-    const Image reasons = inspector.image(IntermediateId::rejectReason);
+    const Image reasons = inspector.views().image(IntermediateId::rejectReason);
     return std::ranges::count_if(reasons.pixels, [](float reason) { return reason >= 6.0f; });
   };
-  inspector.setSettings(settings);
-  EXPECT_FALSE(inspector.isExact());
+  inspector.shot().setSettings(settings);
+  EXPECT_FALSE(inspector.shot().isExact());
   EXPECT_EQ(rejected(), 0);
-  inspector.refine();
-  EXPECT_TRUE(inspector.isExact());
+  inspector.shot().refine();
+  EXPECT_TRUE(inspector.shot().isExact());
   EXPECT_GT(rejected(), 0);
 }
 

@@ -120,25 +120,25 @@ TEST_F(UpsampledFramesTest, StandBesideLanesOfOtherSizes) {
   lanes[1].inputs.renderScale = 0.5f;
   lanes[2].inputs.renderScale = 0.75f;
   Inspector inspector;
-  inspector.setSize(101, 57);
-  inspector.open("builtin:fan");
-  inspector.setLanes(lanes);
-  inspector.seek(3);
-  EXPECT_EQ(inspector.inputs(0).width(), 101);
-  EXPECT_EQ(inspector.inputs(1).width(), 51);
-  EXPECT_EQ(inspector.inputs(2).height(), 43);
+  inspector.shot().setSize(101, 57);
+  inspector.shot().open("builtin:fan");
+  inspector.shot().setLanes(lanes);
+  inspector.shot().seek(3);
+  EXPECT_EQ(inspector.views().inputs(0).width(), 101);
+  EXPECT_EQ(inspector.views().inputs(1).width(), 51);
+  EXPECT_EQ(inspector.views().inputs(2).height(), 43);
   for (int lane = 0; lane < 3; ++lane) {
-    const Image color = inspector.image(IntermediateId::resolved, lane);
+    const Image color = inspector.views().image(IntermediateId::resolved, lane);
     EXPECT_EQ(color.width, 101);
     EXPECT_EQ(color.height, 57);
-    EXPECT_EQ(inspector.probe(100, 56, lane)[static_cast<std::size_t>(IntermediateId::resolved)],
+    EXPECT_EQ(inspector.probes().probe(100, 56, lane)[static_cast<std::size_t>(IntermediateId::resolved)],
               color.texel(100, 56));
-    EXPECT_THROW(inspector.probe(101, 0, lane), Error);
+    EXPECT_THROW(inspector.probes().probe(101, 0, lane), Error);
   }
-  inspector.setSize(4, 4);
-  EXPECT_EQ(inspector.inputs(1).height(), 2);
-  EXPECT_EQ(inspector.image(IntermediateId::resolved, 1).width, 4);
-  EXPECT_THROW(inspector.setSize(3, 57), Error);
+  inspector.shot().setSize(4, 4);
+  EXPECT_EQ(inspector.views().inputs(1).height(), 2);
+  EXPECT_EQ(inspector.views().image(IntermediateId::resolved, 1).width, 4);
+  EXPECT_THROW(inspector.shot().setSize(3, 57), Error);
 }
 
 } // namespace

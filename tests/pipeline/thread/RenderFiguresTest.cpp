@@ -43,12 +43,12 @@ class RenderFiguresTest : public taa::test::onThread::RenderThreadTest {
 FrameFigures visited(const taa::Status& status, int frame) {
   const auto make = [&] {
     taa::Inspector inspector;
-    inspector.setSize(status.width, status.height);
-    inspector.setSettings(status.settings);
-    inspector.open(status.source);
-    inspector.seek(frame);
-    inspector.refineReference(kSamples);
-    return inspector.figures(kWanted);
+    inspector.shot().setSize(status.width, status.height);
+    inspector.shot().setSettings(status.settings);
+    inspector.shot().open(status.source);
+    inspector.shot().seek(frame);
+    inspector.reference().refine(kSamples);
+    return inspector.metrics().figures(kWanted);
   };
   return std::async(std::launch::async, make).get();
 }

@@ -21,11 +21,11 @@ namespace {
 Picture alone(const Settings& settings, IntermediateId id, int frame) {
   const auto make = [&] {
     taa::Inspector inspector;
-    inspector.setSize(kWidth, kHeight);
-    inspector.setSettings(settings);
-    inspector.open("builtin:fan");
-    inspector.seek(frame);
-    return inspector.picture(id, defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().setSettings(settings);
+    inspector.shot().open("builtin:fan");
+    inspector.shot().seek(frame);
+    return inspector.views().picture(id, defaultStyle(taa::intermediate(id)), {}, kWidth, kHeight);
   };
   return std::async(std::launch::async, make).get();
 }

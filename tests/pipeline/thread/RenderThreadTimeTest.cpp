@@ -39,13 +39,13 @@ TEST_F(RenderThreadTimeTest, AnswersNewSettingsAtOnceAndThenExactly) {
   const taa::Picture refined = recorder.pictures[1].picture;
   thread.reset();
   taa::Inspector inspector;
-  inspector.setSize(kWidth, kHeight);
-  inspector.setSettings(otherJitter());
-  inspector.open("builtin:fan");
-  inspector.seek(8);
+  inspector.shot().setSize(kWidth, kHeight);
+  inspector.shot().setSettings(otherJitter());
+  inspector.shot().open("builtin:fan");
+  inspector.shot().seek(8);
   const ViewRequest view = viewOf(IntermediateId::resolved);
   EXPECT_EQ(refined.rgba,
-            inspector.picture(view.id, view.style, view.transform, view.width, view.height).rgba);
+            inspector.views().picture(view.id, view.style, view.transform, view.width, view.height).rgba);
 }
 
 TEST_F(RenderThreadTimeTest, StopsLongWorkWhenToldTo) {

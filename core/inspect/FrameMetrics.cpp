@@ -1,8 +1,15 @@
-// Figures of the frame on show, and of others beside it.
-#include "core/inspect/InspectorParts.h"
+#include "core/inspect/FrameMetrics.h"
+
+#include "core/gl/PassTimer.h"
+#include "core/inspect/FlickerOfShot.h"
+#include "core/inspect/ReferenceOfShot.h"
+#include "core/inspect/Views.h"
 #include "core/measure/FigureCursor.h"
+#include "core/measure/Profiler.h"
+#include "core/replay/ShotPlayer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,55 +64,62 @@ void addFlicker(FrameFigures& figures, const std::vector<Figure>& wanted, const 
 
 } // namespace
 
-FrameFigures Inspector::figures(const std::vector<Figure>& wanted, int lane) {
-  FrameFigures figures{.frame = frame(), .lane = lane, .exact = isExact(lane), .values = {}};
+FrameMetrics::FrameMetrics(ShotPlayer& player, Views& views, ReferenceOfShot& reference,
+                           FlickerOfShot& flicker, const References& references)
+    : player_(player), views_(views), reference_(reference), flicker_(flicker), references_(references) {}
+
+FrameFigures FrameMetrics::figures(const std::vector<Figure>& wanted, int lane) {
+  FrameFigures figures{
+      .frame = player_.shown().frame, .lane = lane, .exact = player_.lane(lane).exact, .values = {}};
   const std::vector<IntermediateId> ids = rowsOf(wanted);
-  addRows(figures, wanted, ids, images(ids, lane));
-  if (const std::optional<int> samples = flickerSamples(lane))
-    addFlicker(figures, wanted, parts_->flickers.at(static_cast<std::size_t>(lane)).maps(), *samples);
-  ReferenceRows* const reference =
-      std::ranges::any_of(wanted, isAgainstReference) ? parts_->referenceRows(lane) : nullptr;
-  if (!reference) return figures;
-  figures.referenceSamples = reference->samples();
-  addError(figures, wanted, reference->error());
+  addRows(figures, wanted, ids, views_.images(ids, lane));
+  if (const std::optional<int> samples = flicker_.samples(lane))
+    addFlicker(figures, wanted, flicker_.maps(lane), *samples);
+  ReferenceRows* const rows =
+      std::ranges::any_of(wanted, isAgainstReference) ? reference_.rows(lane) : nullptr;
+  if (!rows) return figures;
+  figures.referenceSamples = rows->samples();
+  addError(figures, wanted, rows->error());
   return figures;
 }
 
-FrameFigures Inspector::figuresBeside(int frame, const std::vector<Figure>& wanted, int samples,
-                                      FigureCursor& cursor, const Progress& progress) {
-  Parts& parts = *parts_;
-  const Subject subject = parts.onlyLane(0);
+FrameFigures FrameMetrics::figuresBeside(int frame, const std::vector<Figure>& wanted, int samples,
+                                         FigureCursor& cursor, const Progress& progress) {
+  const Subject subject = player_.onlyLane(0);
+  FrameMaker& maker = player_.maker();
   FrameFigures figures{.frame = frame, .values = {}};
   const bool isCompared = std::ranges::any_of(wanted, isAgainstReference);
   const bool isOverTime =
       std::ranges::any_of(wanted, [](Figure figure) { return figureInfo(figure).isOverTime; });
   cursor.references.setBudget(0); // the one that is being drawn
-  const Parts::FlickerNeed need{0, frame, std::ranges::count(wanted, Figure::Flicker) > 0 ? samples : 0};
+  const FlickerNeed need{0, frame, std::ranges::count(wanted, Figure::Flicker) > 0 ? samples : 0};
   // First: it is what takes long, and what is there of it stays.
-  if (isOverTime) parts.fillFlicker(cursor.flicker, cursor.references, need, progress);
+  if (isOverTime) flicker_.fill(cursor.flicker, cursor.references, need, progress);
+  const ReferenceSubject compared{referenceRequest(subject.request(0)), frame};
   const ReferencePicture* reference =
-      isCompared ? &parts.referenceOf(subject, frame, samples, cursor.references, progress) : nullptr;
+      isCompared
+          ? &cursor.references.foundOrDrawn(*subject.renderer, compared, samples, references_, progress)
+          : nullptr;
   const gl::PassGroup group(pass_group::kExposure);
-  ShownFrame made = parts.makeBeside(frame, cursor.trace, progress);
+  ShownFrame made = player_.makeBeside(frame, cursor.trace, progress);
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   std::vector<Image> rows;
   if (!ids.empty()) {
-    const Exposure exposure = parts.maker.expose(subject, made, ids, 0);
+    const Exposure exposure = maker.expose(subject, made, ids, 0);
     for (const IntermediateId id : ids) rows.push_back(exposure.image(id));
   }
   addRows(figures, wanted, ids, rows);
   Image output;
   if (reference || isOverTime)
-    output = parts.maker.expose(subject, made, {IntermediateId::output}, 0).image(IntermediateId::output);
-  parts.maker.recycle(std::move(made));
+    output = maker.expose(subject, made, {IntermediateId::output}, 0).image(IntermediateId::output);
+  maker.recycle(std::move(made));
   if (reference) {
     figures.referenceSamples = samples;
     addError(figures, wanted, pictureError(output, reference->mean()));
   }
   if (isOverTime) {
     cursor.flicker.frames.at(frame).shown = shownColors(output);
-    addFlicker(figures, wanted, flickerMaps(cursor.flicker, parts.firstOfFlicker(frame), frame, progress),
-               need.samples);
+    addFlicker(figures, wanted, flicker_.mapsOf(cursor.flicker, frame, progress), need.samples);
   }
   return figures;
 }

@@ -1,0 +1,140 @@
+#include "core/inspect/Probes.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/gl/PassTimer.h"
+#include "core/inspect/ReferenceOfShot.h"
+#include "core/measure/Profiler.h"
+#include "core/probe/Probe.h"
+#include "core/probe/TwinInputs.h"
+#include "core/replay/ShotPlayer.h"
+#include "core/taa/twin/stages/SampleStages.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+/// The drawn texel that a pixel of the picture shows.
+SeenSurface surfaceAt(const FrameInputs& inputs, const glm::ivec2& pixel) {
+  const glm::ivec2 texel = pixel * glm::ivec2(inputs.width(), inputs.height()) /
+                           glm::ivec2(inputs.outputWidth(), inputs.outputHeight());
+  const gl::Rect one{texel.x, texel.y, 1, 1};
+  return {static_cast<int>(inputs.objectId.download(one).texel(0, 0).x),
+          inputs.depth.download(one).texel(0, 0).x};
+}
+
+// Whether something else is drawn in front of the surface that a pin follows.
+bool isCovered(const ProbePin& pin, const PinSpot& spot, const PixelRecord& record, const View& view) {
+  if (!pin.anchor) return false;
+  const SeenSurface drawn{static_cast<int>(twin::at(record, IntermediateId::objectId).x),
+                          twin::at(record, IntermediateId::depth).x};
+  return isHidden(spot, *pin.anchor, drawn, twin::viewDepth(drawn.depth, view.block.depthTerms));
+}
+
+} // namespace
+
+Probes::Probes(ShotPlayer& player, ReferenceOfShot& reference) : player_(player), reference_(reference) {}
+
+PixelRecord Probes::probe(int x, int y, int lane) {
+  return probeAround(x, y, 0, lane).front();
+}
+
+std::vector<PixelRecord> Probes::probeAround(int x, int y, int radius, int lane) {
+  const glm::ivec2 size = player_.picturePx();
+  if (x < 0 || y < 0 || x >= size.x || y >= size.y)
+    throw Error(say<"pixel (%1, %2) lies outside the picture of %3 × %4 pixels">(x, y, size.x, size.y));
+  const int left = std::max(0, x - radius), top = std::max(0, y - radius);
+  const int right = std::min(size.x - 1, x + radius), bottom = std::min(size.y - 1, y + radius);
+  const gl::Rect region{left, top, right - left + 1, bottom - top + 1};
+  const ShownLane& shown = player_.lane(lane);
+  const gl::PassGroup group(pass_group::kProbe);
+  std::vector<PixelRecord> inside =
+      probeRegion(player_.maker().pass, player_.inputs(lane), shown.previous.get(), *shown.current,
+                  player_.settings(lane), region);
+  reference_.addTo(inside, region, lane);
+  std::vector<PixelRecord> around;
+  for (int dy = -radius; dy <= radius; ++dy)
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int column = std::clamp(x + dx, left, right) - left, row = std::clamp(y + dy, top, bottom) - top;
+      around.push_back(inside[static_cast<std::size_t>(row) * region.width + column]);
+    }
+  return around;
+}
+
+twin::Details Probes::details(int x, int y, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  twin::Details details;
+  twin::Inputs twin = twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Parts);
+  if (const History* resolved = player_.lane(lane).current.get())
+    twin.resolved = twinTexels(resolved->color, TwinReading::Parts);
+  twin::resolvePixel(twin, player_.settings(lane), {x, y}, details);
+  return details;
+}
+
+std::vector<WhatIfRow> Probes::whatIf(int x, int y, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  return taa::whatIf(twinInputs(player_.inputs(lane), player_.lane(lane).previous.get(), TwinReading::Parts),
+                     player_.settings(lane), {x, y});
+}
+
+ProbePin Probes::anchored(const ProbePin& pin) {
+  if (pin.follow == Follow::Screen || pin.anchor) return pin;
+  const gl::PassGroup group(pass_group::kProbe);
+  const Subject& subject = player_.subject();
+  const Scene& scene = *subject.scene;
+  const FrameRequest request = subject.request(0);
+  const int setIn = std::clamp(pin.frame, 0, scene.shot.frames - 1);
+  FrameInputs other; // what a pin follows shows only in its own frame
+  const FrameInputs* drawn = &other;
+  if (setIn == player_.shown().frame)
+    drawn = &player_.inputs(0);
+  else
+    subject.renderer->draw(request, setIn, other);
+  ProbePin found = pin;
+  found.anchor = anchorAt(scene, viewAt(scene, request, setIn), player_.picturePx(), pin.pixel,
+                          surfaceAt(*drawn, pin.pixel));
+  return found;
+}
+
+PinSpot Probes::spot(const ProbePin& pin) {
+  const Scene& scene = *player_.subject().scene;
+  if (pin.follow == Follow::Screen) return spotOf(scene, {}, player_.picturePx(), pin);
+  const View view = viewAt(scene, player_.subject().request(0), player_.shown().frame);
+  PinSpot spot = spotOf(scene, view, player_.picturePx(), pin);
+  if (!pin.anchor || spot.state != PinState::Seen) return spot;
+  const gl::PassGroup group(pass_group::kProbe);
+  const SeenSurface drawn = surfaceAt(player_.inputs(0), spot.pixel);
+  const float depth = twin::viewDepth(drawn.depth, view.block.depthTerms);
+  if (isHidden(spot, *pin.anchor, drawn, depth)) spot.state = PinState::Hidden;
+  return spot;
+}
+
+std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std::vector<ProbePin>& pins,
+                                                           TraceCursor& cursor, const Progress& progress) {
+  const gl::PassGroup group(pass_group::kProbe);
+  const Subject subject = player_.onlyLane(0);
+  const Scene& scene = *subject.scene;
+  ShownFrame made = player_.makeBeside(frame, cursor, progress);
+  const View view = viewAt(scene, subject.request(0), frame);
+  const FrameInputs& inputs = player_.maker().inputs(subject, made, 0);
+  const ShownLane& lane = made.lanes[0];
+  std::vector<std::optional<TraceSample>> samples(pins.size());
+  for (std::size_t index = 0; index < pins.size(); ++index) {
+    const PinSpot spot = spotOf(scene, view, player_.picturePx(), pins[index]);
+    if (spot.state != PinState::Seen) continue;
+    const gl::Rect pixel{spot.pixel.x, spot.pixel.y, 1, 1};
+    const PixelRecord record = probeRegion(player_.maker().pass, inputs, lane.previous.get(), *lane.current,
+                                           subject.lanes[0], pixel)[0];
+    if (!isCovered(pins[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
+  }
+  player_.maker().recycle(std::move(made));
+  return samples;
+}
+
+} // namespace taa

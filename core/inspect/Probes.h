@@ -1,0 +1,51 @@
+// Everything at a pixel, on the frame on show and on others: what the resolve did there and what the CPU twin
+// says about it; pins, what they follow and where that is.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/probe/PixelTrace.h"
+#include "core/probe/ProbePin.h"
+#include "core/probe/WhatIf.h"
+#include "core/replay/TraceCursor.h"
+#include "core/taa/twin/Details.h"
+#include "core/taa/twin/Twin.h"
+
+#include <optional>
+#include <vector>
+
+namespace taa {
+
+class ReferenceOfShot;
+class ShotPlayer;
+using twin::PixelRecord;
+
+class Probes {
+ public:
+  /// Rows of the reference come from `reference`.
+  Probes(ShotPlayer& player, ReferenceOfShot& reference);
+
+  /// Everything at one pixel, (0,0) top left. Throws Error outside the picture.
+  PixelRecord probe(int x, int y, int lane = 0);
+  /// Everything at a square of pixels around (x, y), `radius` 1: 3×3, row-major; clamped at the border.
+  std::vector<PixelRecord> probeAround(int x, int y, int radius, int lane = 0);
+  // By the CPU twin, which reads what the GPU read
+  /// What formulas of a pixel are made of.
+  twin::Details details(int x, int y, int lane = 0);
+  /// The pixel under other choices. The row of the present ones has the bits of probe() where the driver
+  /// rounds as IEEE 754 says.
+  std::vector<WhatIfRow> whatIf(int x, int y, int lane = 0);
+  /// The pin with the surface it follows looked up, in the frame it was set in; others as they are.
+  ProbePin anchored(const ProbePin& pin);
+  /// Where a pin is in the frame on show. Expects an anchored one.
+  PinSpot spot(const ProbePin& pin);
+  /// What is at pins in any frame, exactly; nothing at those that are not seen there. What is on show stays.
+  /// Frame after frame costs one frame each. Of the first lane. Expects anchored pins.
+  std::vector<std::optional<TraceSample>> traceFrame(int frame, const std::vector<ProbePin>& pins,
+                                                     TraceCursor& cursor, const Progress& progress = {});
+
+ private:
+  ShotPlayer& player_;
+  ReferenceOfShot& reference_;
+};
+
+} // namespace taa

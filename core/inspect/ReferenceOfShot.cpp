@@ -1,0 +1,114 @@
+#include "core/inspect/ReferenceOfShot.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/gl/PassTimer.h"
+#include "core/inspect/FlickerOfShot.h"
+#include "core/inspect/MemoryNeed.h"
+#include "core/measure/Profiler.h"
+#include "core/measure/References.h"
+#include "core/replay/ShotPlayer.h"
+
+#include <algorithm>
+
+namespace taa {
+
+ReferenceOfShot::ReferenceOfShot(ShotPlayer& player, References& references, FlickerOfShot& flicker,
+                                 const gl::Driver& driver)
+    : player_(player), references_(references), flicker_(flicker), driver_(driver) {}
+
+void ReferenceOfShot::makeRows(const std::vector<IntermediateId>& ids, int samples, const Progress& progress,
+                               int lane) {
+  const bool isCompared =
+      std::ranges::any_of(ids, [](IntermediateId id) { return needsReference(id) && !isOverTime(id); });
+  if (isCompared) refine(samples, progress, lane);
+  const bool hasFlicker = std::ranges::count(ids, IntermediateId::flicker) > 0;
+  if (std::ranges::any_of(ids, isOverTime)) flicker_.refine(hasFlicker ? samples : 0, progress, lane);
+}
+
+void ReferenceOfShot::refine(int samples, const Progress& progress, int lane) {
+  const gl::PassGroup group(pass_group::kReference);
+  const glm::ivec2 size = player_.picturePx();
+  requireReference(driver_, referenceBytes(player_.settings(lane), size, player_.hasFog()), size);
+  references_.refine(*player_.subject().renderer, subjectOf(lane), samples, progress);
+}
+
+int ReferenceOfShot::samples(int lane) const {
+  const ReferencePicture* picture = references_.find(subjectOf(lane));
+  return picture ? picture->samples : 0;
+}
+
+void ReferenceOfShot::setBudget(std::size_t bytes) {
+  references_.setBudget(bytes);
+}
+
+PictureError ReferenceOfShot::error(int lane) {
+  return requiredRows(lane).error();
+}
+
+ReferenceSubject ReferenceOfShot::subjectOf(int lane) const {
+  return {referenceRequest(player_.subject().request(static_cast<std::size_t>(lane))), player_.shown().frame};
+}
+
+ReferenceRows* ReferenceOfShot::rows(int lane) {
+  const ReferenceSubject wanted = subjectOf(lane);
+  const ReferencePicture* picture = references_.find(wanted);
+  if (!picture) return nullptr;
+  ReferenceRows& rows = rows_.at(static_cast<std::size_t>(lane));
+  const ReferenceRows::Origin origin{player_.lane(lane).current, player_.settings(lane), wanted,
+                                     picture->samples};
+  if (!rows.isOf(origin))
+    rows.set(origin, picture->mean(),
+             player_.exposed(IntermediateId::output, lane).image(IntermediateId::output));
+  return &rows;
+}
+
+ReferenceRows& ReferenceOfShot::requiredRows(int lane) {
+  if (ReferenceRows* made = rows(lane)) return *made;
+  throw Error(say<"there is no reference of frame %1 yet: it has to be drawn first">(player_.shown().frame));
+}
+
+bool ReferenceOfShot::has(IntermediateId id, int lane) {
+  return isOverTime(id) ? flicker_.rows(id, lane) != nullptr : samples(lane) > 0;
+}
+
+Image ReferenceOfShot::image(IntermediateId id, const gl::Rect& region, int lane) {
+  if (!isOverTime(id)) return requiredRows(lane).image(id, region);
+  if (const FlickerRows* made = flicker_.rows(id, lane)) return made->image(id, region);
+  throw Error(say<"there is no flicker of frame %1 yet: it has to be measured first">(player_.shown().frame));
+}
+
+const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {
+  if (isOverTime(id)) {
+    FlickerRows* made = flicker_.rows(id, lane);
+    return made ? &made->texture(id) : nullptr;
+  }
+  ReferenceRows* made = rows(lane);
+  return made ? &made->texture(id) : nullptr;
+}
+
+void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::Rect& region, int lane) {
+  const ReferenceRows* made = rows(lane);
+  for (int y = 0; y < region.height; ++y)
+    for (int x = 0; x < region.width; ++x) {
+      twin::PixelRecord& record = records[static_cast<std::size_t>(y) * region.width + x];
+      const glm::ivec2 pixel(region.x + x, region.y + y);
+      for (const Intermediate& row : kIntermediates) {
+        if (!isOfReference(row.id)) continue;
+        glm::vec4& value = twin::at(record, row.id);
+        if (const FlickerRows* over = isOverTime(row.id) ? flicker_.rows(row.id, lane) : nullptr)
+          value = over->map(row.id).texel(pixel.x, pixel.y);
+        else if (made && !isOverTime(row.id))
+          value = referenceValue(row.id, twin::at(record, IntermediateId::output),
+                                 made->reference().texel(pixel.x, pixel.y));
+      }
+    }
+}
+
+void ReferenceOfShot::forget() {
+  references_.clear();
+  for (ReferenceRows& rows : rows_) rows.forget();
+  flicker_.forget();
+}
+
+} // namespace taa

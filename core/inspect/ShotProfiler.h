@@ -1,0 +1,37 @@
+// Where the time of a frame goes: nothing is measured before it is asked for.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/gl/PassTimer.h"
+#include "core/measure/Profiler.h"
+#include "core/measure/StageMeter.h"
+
+#include <optional>
+
+namespace taa {
+
+class ShotPlayer;
+
+class ShotProfiler {
+ public:
+  ShotProfiler(ShotPlayer& player, gl::TimingMethod method);
+
+  /// Times every pass from now on, or no longer.
+  void setProfiling(bool on);
+  bool isProfiling() const { return timer_.has_value(); }
+  /// The frame made last, with what was looked at of it since; nothing when none was made since the last
+  /// call.
+  std::optional<FrameProfile> takeProfile();
+  /// What each stage costs on the frame on show. Cancelled: keeps what it has and goes on from there when it
+  /// is asked again for the same frame.
+  StageCosts measureStages(const Progress& progress = {}, int lane = 0);
+
+ private:
+  ShotPlayer& player_;
+  gl::TimingMethod method_;
+  std::optional<gl::PassTimer> timer_; // while profiling
+  int profiled_ = 0;                   // frames that the timer had seen at the last profile
+  StageMeter stages_;
+};
+
+} // namespace taa

@@ -1,0 +1,164 @@
+#include "core/inspect/Views.h"
+
+#include "core/gl/PassTimer.h"
+#include "core/inspect/ReferenceOfShot.h"
+#include "core/measure/Profiler.h"
+#include "core/replay/ShotPlayer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+Layer layerOf(const Exposure& exposure, IntermediateId id) {
+  return {&exposure.texture(id), exposure.layer(id), exposure.firstChannel(id)};
+}
+
+} // namespace
+
+Views::Views(ShotPlayer& player, Visualizer& visualizer, ReferenceOfShot& reference)
+    : player_(player), visualizer_(visualizer), reference_(reference) {}
+
+void Views::watch(const std::vector<IntermediateId>& ids) {
+  player_.watch(ids);
+}
+
+Image Views::image(IntermediateId id, int lane, std::optional<gl::Rect> region) {
+  const glm::ivec2 size = player_.picturePx();
+  const gl::Rect part = region.value_or(gl::Rect{0, 0, size.x, size.y});
+  const gl::PassGroup group(pass_group::kExposure);
+  assert(part.x >= 0 && part.y >= 0 && part.x + part.width <= size.x && part.y + part.height <= size.y);
+  if (isOfReference(id)) return reference_.image(id, part, lane);
+  return player_.exposed(id, lane).image(id, part);
+}
+
+std::vector<Image> Views::images(const std::vector<IntermediateId>& ids, int lane) {
+  const ShownLane& shown = player_.lane(lane);
+  std::vector<IntermediateId> missing;
+  for (IntermediateId id : ids)
+    if (!isOfReference(id) && !(shown.isExposed && shown.watched.holds(id)) &&
+        std::ranges::find(missing, id) == missing.end())
+      missing.push_back(id);
+  Exposure exposure;
+  if (!missing.empty()) exposure = player_.maker().expose(player_.subject(), player_.shown(), missing, lane);
+  std::vector<Image> images;
+  images.reserve(ids.size());
+  for (IntermediateId id : ids)
+    images.push_back(isOfReference(id) ? image(id, lane)
+                                       : (exposure.holds(id) ? exposure : shown.watched).image(id));
+  return images;
+}
+
+Picture Views::picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
+                       int height, int lane) {
+  const gl::PassGroup exposing(pass_group::kExposure);
+  if (isOfReference(id)) return pictureOfReference(id, style, transform, {width, height}, lane);
+  const Exposure& exposure = player_.exposed(id, lane);
+  const gl::PassGroup drawing(pass_group::kViews);
+  return visualizer_.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id),
+                          intermediate(id), style, transform, width, height);
+}
+
+// One without a reference is empty: nothing is covered.
+Picture Views::pictureOfReference(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
+                                  const glm::ivec2& size, int lane) {
+  if (const gl::Texture* texture = reference_.texture(id, lane))
+    return visualizer_.draw(*texture, 0, 0, intermediate(id), style, transform, size.x, size.y);
+  return {size.x, size.y, std::vector<std::uint8_t>(std::size_t(4) * size.x * size.y)};
+}
+
+Picture Views::thumbnail(IntermediateId id, const glm::ivec2& texels, int lane) {
+  const gl::PassGroup group(pass_group::kThumbnails);
+  if (isOfReference(id)) {
+    const float width = static_cast<float>(player_.picturePx().x);
+    const ViewTransform whole{.zoom = static_cast<float>(texels.x) / width};
+    return pictureOfReference(id, defaultStyle(intermediate(id)), whole, texels, lane);
+  }
+  return thumbnails_.draw(player_.maker().pass, visualizer_, player_.resolved(lane), id, texels);
+}
+
+const FrameInputs& Views::inputs(int lane) const {
+  return player_.inputs(lane);
+}
+
+void Views::keepAside(const std::vector<int>& frames, const Progress& progress) {
+  player_.keepBeside(frames, progress);
+}
+
+bool Views::isAtHand(const Look& look) const {
+  if (!player_.isOpen() || static_cast<std::size_t>(look.lane) >= player_.subject().lanes.size())
+    return false;
+  const ShownFrame* frame = player_.find(look.frame);
+  if (!isOfReference(look.id) || !frame) return frame != nullptr;
+  return frame == &player_.shown() && reference_.has(look.id, look.lane);
+}
+
+bool Views::isExact(const Look& look) const {
+  return player_.find(look.frame)->lanes[static_cast<std::size_t>(look.lane)].exact;
+}
+
+// Rows of one lane's frame come out of one exposure.
+DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style) {
+  const gl::PassGroup group(pass_group::kExposure);
+  const Subject& subject = player_.subject();
+  FrameMaker& maker = player_.maker();
+  ShownFrame& frame = *player_.find(look.frame);
+  const bool isSameFrame = minus && minus->lane == look.lane && player_.find(minus->frame) == &frame;
+  std::vector<IntermediateId> ids{look.id};
+  if (isSameFrame) ids.push_back(minus->id);
+  if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
+  if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
+  // First: comparing with the reference exposes the output.
+  const auto referenceOf = [this](const Look& of) {
+    return isOfReference(of.id) ? Layer{reference_.texture(of.id, of.lane)} : Layer{};
+  };
+  DrawnLayers layers{.row = referenceOf(look), .minus = minus ? referenceOf(*minus) : Layer{}};
+  std::erase_if(ids, isOfReference);
+  if (!ids.empty()) {
+    const Exposure& exposure = maker.exposedAll(subject, frame, inTableOrder(ids), look.lane);
+    if (!layers.row.texture) layers.row = layerOf(exposure, look.id);
+    if (isSameFrame && !layers.minus.texture) layers.minus = layerOf(exposure, minus->id);
+    if (style.markRejected) layers.rejectReason = layerOf(exposure, IntermediateId::rejectReason);
+    if (style.outlineObjects) layers.objectId = layerOf(exposure, IntermediateId::objectId);
+  }
+  if (minus && !layers.minus.texture)
+    layers.minus =
+        layerOf(maker.exposed(subject, *player_.find(minus->frame), minus->id, minus->lane), minus->id);
+  return layers;
+}
+
+Picture Views::picture(const Look& look, const std::optional<Look>& minus, const ViewStyle& style,
+                       const ViewTransform& transform, int width, int height) {
+  if (isOfReference(look.id) && !isAtHand(look))
+    return pictureOfReference(look.id, style, transform, {width, height}, look.lane);
+  assert(isAtHand(look) && (!minus || isAtHand(*minus)));
+  const DrawnLayers layers = layersOf(look, minus, style);
+  const gl::PassGroup group(pass_group::kViews);
+  return visualizer_.draw(layers, intermediate(look.id), style, transform, width, height);
+}
+
+Image Views::image(const Look& look, const std::optional<Look>& minus, const gl::Rect& region) {
+  assert(isAtHand(look) && (!minus || isAtHand(*minus)));
+  const gl::PassGroup group(pass_group::kExposure);
+  const auto values = [&](const Look& of) {
+    if (isOfReference(of.id)) return reference_.image(of.id, region, of.lane);
+    return player_.maker()
+        .exposed(player_.subject(), *player_.find(of.frame), of.id, of.lane)
+        .image(of.id, region);
+  };
+  Image image = values(look);
+  if (!minus) return image;
+  const Image other = values(*minus);
+  assert(other.channels == image.channels);
+  for (std::size_t index = 0; index < image.pixels.size(); ++index)
+    image.pixels[index] -= other.pixels[index];
+  return image;
+}
+
+} // namespace taa

@@ -1,0 +1,67 @@
+// Looking at the frame on show and at others beside it: changes nothing that is looked at.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/base/Progress.h"
+#include "core/gl/Texture.h"
+#include "core/picture/Look.h"
+#include "core/picture/Thumbnails.h"
+#include "core/picture/Visualizer.h"
+#include "core/render/FrameInputs.h"
+#include "core/taa/rows/Intermediates.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace taa {
+
+class ReferenceOfShot;
+class ShotPlayer;
+
+class Views {
+ public:
+  /// Draws with the visualizer; rows of the reference come from `reference`.
+  Views(ShotPlayer& player, Visualizer& visualizer, ReferenceOfShot& reference);
+
+  /// Intermediates that each new frame exposes in its own resolve. Others are exposed on demand by running it
+  /// again.
+  void watch(const std::vector<IntermediateId>& ids);
+  /// Values of the current frame, with the row's channels; `region` empty: the whole picture.
+  Image image(IntermediateId id, int lane = 0, std::optional<gl::Rect> region = {});
+  /// Several at once, in one run of the resolve.
+  std::vector<Image> images(const std::vector<IntermediateId>& ids, int lane = 0);
+  /// The finished picture of a view.
+  Picture picture(IntermediateId id, const ViewStyle& style, const ViewTransform& transform, int width,
+                  int height, int lane = 0);
+  /// A small picture of it in the style it opens with; costs only the pixels that are in it.
+  Picture thumbnail(IntermediateId id, const glm::ivec2& texels, int lane = 0);
+  /// Drawn now when they are not.
+  const FrameInputs& inputs(int lane = 0) const;
+
+  // Beside the frame on show, others can be kept at hand
+  /// These frames of all lanes from now on, exactly, and no others, until anything but the frame changes.
+  /// Cancelled: those that are done are kept.
+  void keepAside(const std::vector<int>& frames, const Progress& progress = {});
+  /// Whether its frame is the one on show or kept aside, and its lane is there.
+  bool isAtHand(const Look& look) const;
+  bool isExact(const Look& look) const;
+  /// The picture of a view, or of what it is more than `minus` (of as many channels). Expects isAtHand().
+  Picture picture(const Look& look, const std::optional<Look>& minus, const ViewStyle& style,
+                  const ViewTransform& transform, int width, int height);
+  /// Values of a part of the picture, or of the difference.
+  Image image(const Look& look, const std::optional<Look>& minus, const gl::Rect& region);
+
+ private:
+  DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);
+  Picture pictureOfReference(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
+                             const glm::ivec2& size, int lane);
+
+  ShotPlayer& player_;
+  Visualizer& visualizer_;
+  ReferenceOfShot& reference_;
+  Thumbnails thumbnails_;
+};
+
+} // namespace taa

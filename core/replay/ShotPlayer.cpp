@@ -1,0 +1,309 @@
+#include "core/replay/ShotPlayer.h"
+
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+namespace {
+
+// What is shown of the resolved picture is no part of the history.
+bool changesOutputOnly(const Settings& settings, const Settings& old) {
+  Settings same = settings;
+  same.output = old.output;
+  return !(settings == old) && same == old;
+}
+
+} // namespace
+
+ShotPlayer::ShotPlayer(const glm::ivec2& picturePx) {
+  subject_.width = picturePx.x;
+  subject_.height = picturePx.y;
+}
+
+Subject ShotPlayer::onlyLane(int lane) const {
+  Subject only = subject_;
+  only.lanes = {settings(lane)};
+  return only;
+}
+
+void ShotPlayer::watch(const std::vector<IntermediateId>& ids) {
+  std::vector<IntermediateId> ofResolve, ofReference;
+  for (const IntermediateId id : ids) {
+    std::vector<IntermediateId>& once = isOfReference(id) ? ofReference : ofResolve;
+    if (std::ranges::find(once, id) == once.end()) once.push_back(id);
+  }
+  maker_.watched = std::move(ofResolve);
+  watchedOfReference_ = std::move(ofReference);
+}
+
+std::vector<IntermediateId> ShotPlayer::watched() const {
+  std::vector<IntermediateId> all = maker_.watched;
+  all.insert(all.end(), watchedOfReference_.begin(), watchedOfReference_.end());
+  return all;
+}
+
+bool ShotPlayer::isExact() const {
+  return std::ranges::all_of(shown_.lanes, &ShownLane::exact);
+}
+
+const FrameInputs& ShotPlayer::inputs(int lane) {
+  return maker_.inputs(subject_, shown_, static_cast<std::size_t>(lane));
+}
+
+ResolvedFrame ShotPlayer::resolved(int lane) {
+  const ShownLane& shown = this->lane(lane);
+  return {inputs(lane), shown.previous, shown.current, settings(lane)};
+}
+
+const Exposure& ShotPlayer::exposed(IntermediateId id, int lane) {
+  return maker_.exposed(subject_, shown_, id, lane);
+}
+
+void ShotPlayer::show(ShownFrame&& next) {
+  std::swap(shown_, next);
+  maker_.recycle(std::move(next));
+}
+
+// The histories of the frame on show are checkpoints, whatever else was given up meanwhile.
+void ShotPlayer::keepShown() {
+  for (std::size_t index = 0; index < shown_.lanes.size(); ++index) {
+    const ShownLane& lane = shown_.lanes[index];
+    if (!lane.exact) continue;
+    checkpoints_[index].keep(shown_.frame, lane.current);
+    if (lane.previous) checkpoints_[index].keep(shown_.frame - 1, lane.previous);
+  }
+}
+
+void ShotPlayer::trimCheckpoints() {
+  for (std::size_t lane = 0; lane < checkpoints_.size(); ++lane)
+    checkpoints_[lane].trim(checkpointShare(subject_, lane, budget_), shown_.frame, subject_.shot());
+}
+
+void ShotPlayer::goTo(int frame, const Progress& progress) {
+  try {
+    show(maker_.replay(subject_, checkpoints_, frame, budget_, progress));
+  } catch (...) {
+    keepShown();
+    throw;
+  }
+}
+
+void ShotPlayer::advance() {
+  const std::size_t lanes = subject_.lanes.size();
+  FrameStep step{
+      .frame = shown_.frame + 1, .previous = {}, .active = std::vector<bool>(lanes, true), .inputs = {}};
+  for (const ShownLane& lane : shown_.lanes) step.previous.push_back(lane.current);
+  ShownFrame next = maker_.take();
+  maker_.make(subject_, step, next);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    next.lanes[lane].exact = shown_.lanes[lane].exact || startsHistory(subject_, step.frame);
+  show(std::move(next));
+  keepShown();
+  trimCheckpoints();
+}
+
+void ShotPlayer::setBudget(std::size_t bytes) {
+  budget_ = bytes;
+  if (isOpen()) trimCheckpoints();
+}
+
+void ShotPlayer::keepBeside(const std::vector<int>& frames, const Progress& progress) {
+  std::erase_if(
+      beside_, [&](const ShownFrame& kept) { return std::ranges::find(frames, kept.frame) == frames.end(); });
+  for (const int frame : frames) {
+    assert(frame >= 0 && frame < subject_.scene->shot.frames);
+    if (find(frame)) continue;
+    try {
+      beside_.push_back(maker_.replay(subject_, checkpoints_, frame, budget_, progress));
+    } catch (...) {
+      keepShown();
+      throw;
+    }
+    keepShown();
+  }
+}
+
+ShownFrame* ShotPlayer::find(const std::optional<int>& frame) {
+  if (!frame || *frame == shown_.frame) return &shown_;
+  const auto found = std::ranges::find(beside_, *frame, &ShownFrame::frame);
+  return found == beside_.end() ? nullptr : &*found;
+}
+
+// Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
+// last, which the next frame goes on from.
+ShownFrame ShotPlayer::makeBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
+  std::vector<Checkpoints> kept(1);
+  kept[0] = checkpoints_[static_cast<std::size_t>(lane)];
+  if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
+  const auto watched = std::exchange(maker_.watched, {});
+  std::optional<ShownFrame> made;
+  try {
+    made = maker_.replay(onlyLane(lane), kept, frame, 0, progress);
+  } catch (...) {
+    maker_.watched = watched;
+    throw;
+  }
+  maker_.watched = watched;
+  cursor = {frame, made->lanes[0].current};
+  return std::move(*made);
+}
+
+void ShotPlayer::open(Subject next) {
+  startAnew(std::move(next), std::vector<Checkpoints>(subject_.lanes.size()), 0);
+}
+
+void ShotPlayer::setLanes(const std::vector<Settings>& lanes) {
+  Subject next = subject_;
+  next.lanes = lanes;
+  std::vector<Checkpoints> kept(lanes.size());
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    for (std::size_t old = 0; old < subject_.lanes.size(); ++old)
+      if (lanes[lane] == subject_.lanes[old]) kept[lane] = checkpoints_[old];
+  if (isOpen()) return startAnew(std::move(next), std::move(kept), shown_.frame);
+  subject_ = std::move(next);
+  checkpoints_ = std::move(kept);
+}
+
+void ShotPlayer::changeLanes(const std::vector<Settings>& lanes) {
+  const std::size_t old = subject_.lanes.size();
+  const auto resize = [&](std::size_t count) {
+    subject_.lanes.resize(count, lanes.back());
+    checkpoints_.resize(count);
+    shown_.lanes.resize(count);
+    beside_.clear();
+  };
+  std::vector<bool> changed(lanes.size(), false);
+  for (std::size_t lane = 0; lane < lanes.size(); ++lane)
+    changed[lane] = lane >= old || !(lanes[lane] == subject_.lanes[lane]);
+  resize(lanes.size());
+  if (std::ranges::none_of(changed, [](bool is) { return is; })) return;
+  try {
+    Subject next = subject_;
+    next.lanes = lanes;
+    redraw(std::move(next), changed, true);
+  } catch (...) {
+    resize(std::min(old, lanes.size()));
+    throw;
+  }
+}
+
+// Another source or other lanes: all is made first, then put in place of what there was.
+void ShotPlayer::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
+  ShownFrame made = maker_.replay(next, kept, frame, budget_, {});
+  subject_ = std::move(next);
+  checkpoints_ = std::move(kept);
+  beside_.clear();
+  show(std::move(made));
+  trimCheckpoints(); // shares change with the lanes
+}
+
+FrameStep ShotPlayer::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
+                                   bool keepsHistory) const {
+  const bool isSameView = next.camera == subject_.camera && next.width == subject_.width &&
+                          next.height == subject_.height && next.motionModes == subject_.motionModes &&
+                          next.filter == subject_.filter && next.objectClasses == subject_.objectClasses &&
+                          next.restarts == subject_.restarts && next.track() == subject_.track();
+  FrameStep step{.frame = shown_.frame, .previous = {}, .active = changed, .inputs = {}};
+  for (std::size_t index = 0; index < changed.size(); ++index) {
+    const ShownLane& lane = shown_.lanes[index];
+    const bool drawsSame = isSameView && sameInputs(next.lanes[index], subject_.lanes[index]);
+    step.previous.push_back(keepsHistory ? lane.previous : nullptr);
+    step.inputs.push_back(drawsSame ? lane.inputs : nullptr);
+    if (drawsSame && changesOutputOnly(next.lanes[index], subject_.lanes[index])) step.active[index] = false;
+  }
+  return step;
+}
+
+void ShotPlayer::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
+  if (!isOpen()) {
+    subject_ = std::move(next);
+    return;
+  }
+  ShownFrame made = maker_.take();
+  const FrameStep step = stepOfRedraw(next, changed, keepsHistory);
+  maker_.make(next, step, made);
+  for (std::size_t index = 0; index < changed.size(); ++index) {
+    ShownLane& lane = made.lanes[index];
+    if (step.active[index]) {
+      lane.exact = startsHistory(next, made.frame);
+      checkpoints_[index].clear();
+      continue;
+    }
+    std::swap(lane, shown_.lanes[index]);
+    if (!changed[index]) continue;
+    lane.isExposed = false;
+    lane.asked.reset();
+  }
+  subject_ = std::move(next);
+  beside_.clear();
+  show(std::move(made));
+  keepShown();
+  trimCheckpoints();
+}
+
+void ShotPlayer::redrawAll(Subject next, bool keepsHistory) {
+  const std::vector<bool> all(next.lanes.size(), true);
+  redraw(std::move(next), all, keepsHistory);
+}
+
+void ShotPlayer::follow(Subject next, int from, bool keepsOld) {
+  const auto drop = [&] {
+    for (Checkpoints& kept : checkpoints_) kept.dropFrom(from);
+    std::erase_if(beside_, [from](const ShownFrame& kept) { return kept.frame >= from; });
+  };
+  if (from > shown_.frame) { // nothing of it is on show
+    subject_ = std::move(next);
+    return drop();
+  }
+  const bool isPastSame = from == shown_.frame;
+  ShownFrame made = maker_.take();
+  const std::vector<bool> all(next.lanes.size(), true);
+  FrameStep step = stepOfRedraw(next, all, isPastSame || keepsOld);
+  for (std::size_t lane = 0; lane < all.size(); ++lane) // it may have started a history until now
+    if (isPastSame && !step.previous[lane]) step.previous[lane] = checkpoints_[lane].at(from - 1);
+  maker_.make(next, step, made);
+  for (std::size_t lane = 0; lane < all.size(); ++lane)
+    made.lanes[lane].exact = startsHistory(next, made.frame) ||
+                             (isPastSame && shown_.lanes[lane].exact && step.previous[lane] != nullptr);
+  drop();
+  subject_ = std::move(next);
+  show(std::move(made));
+  keepShown();
+}
+
+// Some drivers compile a program only when something is drawn with it, for just these targets.
+void ShotPlayer::prepare(const Settings& settings, int lane) {
+  const auto index = static_cast<std::size_t>(lane);
+  if (!sameInputs(settings, this->settings(lane))) return;
+  Subject next = subject_;
+  next.lanes[index] = settings;
+  std::vector<bool> changed(next.lanes.size(), false);
+  changed[index] = true;
+  FrameStep step = stepOfRedraw(next, changed, true);
+  for (const bool exposes : {true, false}) { // as it is shown at once, and as it is replayed
+    step.exposes = exposes;
+    const auto rows = exposes ? maker_.exposedRows(settings) : std::vector<IntermediateId>();
+    if (maker_.pass.isPrepared(settings, rows)) continue;
+    ShownFrame made = maker_.take();
+    maker_.make(next, step, made);
+    maker_.recycle(std::move(made));
+  }
+}
+
+// A new pass is made beside the old; the renderer, which keeps its own old shaders on error, comes last.
+void ShotPlayer::reloadShaders() {
+  TaaPass pass;
+  for (const Settings& settings : subject_.lanes) pass.prepare(settings, maker_.exposedRows(settings));
+  if (isOpen()) subject_.renderer->reloadShaders();
+  maker_.pass = std::move(pass);
+  for (ShownLane& lane : shown_.lanes) lane.inputs->areDrawn = false; // with the old ones
+  redrawAll(subject_, true);
+}
+
+} // namespace taa
