@@ -224,9 +224,13 @@ std::string lengthLine(const Values& v) {
   case LengthRule::Confidence:
   case LengthRule::VarianceAsPrinted:
     return say<"N = %1 from now on">(length);
-  default:
-    return say<"Frames of samples now: N = %1">(length);
+  case LengthRule::Variance:
+  case LengthRule::Count:
+  case LengthRule::Reciprocal:
+  case LengthRule::CountTo16:
+    break;
   }
+  return say<"Frames of samples now: N = %1">(length);
 }
 
 /// What is shown instead of the resolved color; empty where that is.

@@ -97,9 +97,10 @@ std::string objectWords(const Teller& t) {
     return say<"an object that deforms">();
   case ObjectClass::Character:
     return say<"an object that was given the class of characters">();
-  default:
-    return say<"the sky">();
+  case ObjectClass::Sky:
+    break;
   }
+  return say<"the sky">();
 }
 
 RowStory viewDepthStory(const Teller& t) {
@@ -143,10 +144,13 @@ std::string readWords(Id id, const Teller& t) {
     return t.value(Id::fogOpacity) > 0
                ? say<"the fog before it takes %1 of the surface's light">(t.percent(Id::fogOpacity))
                : say<"no fog lies before it">();
-  default:
+  case Id::overlay:
+  case Id::overlayAlpha:
     return t.value(Id::overlayAlpha) > 0
                ? say<"%1 of the output is hidden by it">(t.percent(Id::overlayAlpha))
                : say<"nothing is laid over the output here">();
+  default: // no row of this stage
+    return {};
   }
 }
 

@@ -172,8 +172,10 @@ RowStory blendStory(Id id, const Teller& t) {
     return factorStory(t);
   case Id::historyLength:
     return lengthStory(t);
-  default:
+  case Id::resolved:
     return resolvedStory(t);
+  default: // no row of this stage
+    return {};
   }
 }
 

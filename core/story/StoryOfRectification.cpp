@@ -21,9 +21,15 @@ std::string targetText(RectifyMethod method) {
     return say<"the middle of the box">();
   case RectifyMethod::ShrinkAxes:
     return say<"the mean">();
-  default:
-    return say<"the current color">();
+  case RectifyMethod::None:
+  case RectifyMethod::ClipToFiltered:
+  case RectifyMethod::RayToCurrent:
+  case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
+  case RectifyMethod::Select:
+    break;
   }
+  return say<"the current color">();
 }
 
 namespace {
@@ -325,8 +331,10 @@ RowStory rectifyStory(Id id, const Teller& t) {
   case Id::lockLife:
   case Id::instability:
     return lockStory(id, t);
-  default:
+  case Id::historyKeptLength:
     return keptLengthStory(t);
+  default: // no row of this stage
+    return {};
   }
 }
 

@@ -130,9 +130,11 @@ std::string momentWords(Id id, std::size_t count, bool isRounded) {
   case Id::neighborhoodMin:
     return isRounded ? say<"smallest of the %1 samples and of the cross">(count)
                      : say<"smallest of the %1 samples">(count);
-  default:
+  case Id::neighborhoodMax:
     return isRounded ? say<"largest of the %1 samples and of the cross">(count)
                      : say<"largest of the %1 samples">(count);
+  default: // no moment
+    return {};
   }
 }
 
@@ -154,8 +156,10 @@ std::string tapWords(Id id, const std::string& reach) {
     return say<"spread of four taps about their mean, off by %1 px each way">(reach);
   case Id::neighborhoodMin:
     return say<"smallest of four taps on the diagonals, off by %1 px each way">(reach);
-  default:
+  case Id::neighborhoodMax:
     return say<"largest of four taps on the diagonals, off by %1 px each way">(reach);
+  default: // no moment
+    return {};
   }
 }
 

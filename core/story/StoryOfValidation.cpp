@@ -74,9 +74,13 @@ std::string rejectedWords(const Teller& t, const std::string& reason) {
     return say<"rejected: %1, cosine %2">(reason, t.number(Id::normalAgreement));
   case twin::RejectReason::Velocity:
     return say<"rejected: %1, it changed by %2 px">(reason, t.number(Id::velocityChange));
-  default:
-    return say<"rejected: %1">(reason);
+  case twin::RejectReason::Kept:
+  case twin::RejectReason::NoHistory:
+  case twin::RejectReason::NoPrevious:
+  case twin::RejectReason::Class:
+    break;
   }
+  return say<"rejected: %1">(reason);
 }
 
 /// Those that run, by what they would reject for.
@@ -169,8 +173,10 @@ RowStory validateStory(Id id, const Teller& t) {
     return normalStory(t);
   case Id::velocityChange:
     return velocityStory(t);
-  default:
+  case Id::rejectReason:
     return reasonStory(t);
+  default: // no row of this stage
+    return {};
   }
 }
 

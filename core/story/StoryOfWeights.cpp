@@ -406,8 +406,10 @@ RowStory weightStory(Id id, const Teller& t) {
     return invalidStory(t);
   case Id::alpha:
     return alphaStory(t);
-  default:
+  case Id::alphaChannels:
     return channelsStory(t);
+  default: // no row of this stage
+    return {};
   }
 }
 

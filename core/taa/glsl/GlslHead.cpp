@@ -88,9 +88,17 @@ bool isKernelOfPlace(CurrentFilter filter) {
   case CurrentFilter::BlackmanHarris:
   case CurrentFilter::Lanczos:
     return false;
-  default:
-    return true;
+  case CurrentFilter::Center:
+  case CurrentFilter::Unjitter:
+  case CurrentFilter::Tent:
+  case CurrentFilter::Box:
+  case CurrentFilter::DistanceAsPrinted:
+  case CurrentFilter::MitchellAsPrinted:
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+  case CurrentFilter::UnjitterAsPrinted:
+    break;
   }
+  return true;
 }
 
 // With o a neighbor's offset and j the jitter (CurrentWeights.cpp).
@@ -108,9 +116,17 @@ std::string kernelText(const CurrentSettings& settings) {
            "from r = 1.5 on";
   case CurrentFilter::Lanczos:
     return "f(x) f(y) of o - j, f(x) = (x^2 - 1) (x^2 - 4)^3 / 64 with x^2 at most 4";
-  default:
-    return {};
+  case CurrentFilter::Center:
+  case CurrentFilter::Unjitter:
+  case CurrentFilter::Tent:
+  case CurrentFilter::Box:
+  case CurrentFilter::DistanceAsPrinted:
+  case CurrentFilter::MitchellAsPrinted:
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+  case CurrentFilter::UnjitterAsPrinted:
+    break;
   }
+  return {};
 }
 
 std::string weightTermsText(const Settings& settings) {

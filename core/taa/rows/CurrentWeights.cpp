@@ -47,18 +47,10 @@ double lanczos(double x) {
   return (x2 - 1.0) * std::pow(x2 - 4.0, 3.0) / 64.0;
 }
 
-/// Kernels that know only the neighbor's place, not the jitter.
-double weightOfPlace(CurrentFilter filter, double distance) {
-  if (filter == CurrentFilter::Tent) return distance == 0.0 ? 4.0 : (distance > 1.0 ? 1.0 : 2.0);
-  if (filter == CurrentFilter::DistanceAsPrinted) return distance;
-  if (filter == CurrentFilter::MitchellAsPrinted) return mitchell(2.0 * distance);
-  if (filter == CurrentFilter::BlackmanHarrisAsPrinted) return blackmanHarrisAsPrinted(distance);
-  return 1.0; // box
-}
-
 double weight(const CurrentSettings& settings, double column, double row, glm::dvec2 jitterPx) {
   const double dx = column - jitterPx.x, dy = row - jitterPx.y;
   const double distance = std::sqrt(dx * dx + dy * dy);
+  const double ofPlace = std::sqrt(column * column + row * row); // whatever the jitter
   switch (settings.filter) {
   case CurrentFilter::Gaussian:
     return std::exp(-(dx * dx + dy * dy) / (2.0 * static_cast<double>(settings.variance)));
@@ -70,9 +62,21 @@ double weight(const CurrentSettings& settings, double column, double row, glm::d
     return blackmanHarris(distance);
   case CurrentFilter::Lanczos:
     return lanczos(dx) * lanczos(dy);
-  default:
-    return weightOfPlace(settings.filter, std::sqrt(column * column + row * row));
+  case CurrentFilter::Tent:
+    return ofPlace == 0.0 ? 4.0 : (ofPlace > 1.0 ? 1.0 : 2.0);
+  case CurrentFilter::DistanceAsPrinted:
+    return ofPlace;
+  case CurrentFilter::MitchellAsPrinted:
+    return mitchell(2.0 * ofPlace);
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+    return blackmanHarrisAsPrinted(ofPlace);
+  case CurrentFilter::Box:
+  case CurrentFilter::Center: // these three have no kernel
+  case CurrentFilter::Unjitter:
+  case CurrentFilter::UnjitterAsPrinted:
+    break;
   }
+  return 1.0;
 }
 
 } // namespace

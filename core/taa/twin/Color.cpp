@@ -97,7 +97,19 @@ glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
 }
 
 bool mixesCompressed(ToneWeight tone) {
-  return tone != ToneWeight::None && tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted;
+  switch (tone) {
+  case ToneWeight::None:
+  case ToneWeight::Luma:
+  case ToneWeight::LumaAsPrinted:
+    return false;
+  case ToneWeight::ReinhardChannel:
+  case ToneWeight::MaxChannel:
+  case ToneWeight::Pq:
+  case ToneWeight::Logarithm:
+  case ToneWeight::WhitePoint:
+    break;
+  }
+  return true;
 }
 
 namespace {
@@ -113,9 +125,13 @@ ToneSpace sameCurve(ToneWeight tone) {
     return ToneSpace::Pq;
   case ToneWeight::Logarithm:
     return ToneSpace::Logarithm;
-  default:
-    return ToneSpace::Linear;
+  case ToneWeight::None:
+  case ToneWeight::Luma:
+  case ToneWeight::LumaAsPrinted:
+  case ToneWeight::WhitePoint: // has a curve that no box has
+    break;
   }
+  return ToneSpace::Linear;
 }
 
 } // namespace

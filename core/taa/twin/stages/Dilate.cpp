@@ -111,8 +111,13 @@ Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const
   case DilateMethod::ClosestXAsPrinted:
     findClosestXAsPrinted(inputs, texel, result);
     break;
-  default:
+  case DilateMethod::Closest3x3:
+  case DilateMethod::ClosestCross:
+  case DilateMethod::ClosestX:
+  case DilateMethod::ClosestX2:
+  case DilateMethod::Farthest3x3:
     findClosest(inputs, settings, texel, result);
+    break;
   }
   glm::ivec2 chosen = texel + result.offset;
   if (settings.upLeft == Switch::On) { // Godot's missing border

@@ -204,9 +204,16 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
     return {far(1.0f + f), near(f), near(1.0f - f), far(2.0f - f)};
   case HistoryFilter::Lanczos:
     return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
-  default:
-    return catmullRomWeights(f);
+  case HistoryFilter::Point:
+  case HistoryFilter::Bilinear:
+  case HistoryFilter::CatmullRom5:
+  case HistoryFilter::CatmullRom9:
+  case HistoryFilter::CatmullRom16:
+  case HistoryFilter::CatmullRom5AsPrinted:
+  case HistoryFilter::CatmullRom5Corners:
+    break;
   }
+  return catmullRomWeights(f);
 }
 
 Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx) {
@@ -226,9 +233,13 @@ Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const gl
     return fiveTaps(inputs, positionPx, settings);
   case HistoryFilter::CatmullRom9:
     return catmullRom9(inputs, positionPx, settings.border);
-  default:
-    return sixteen(inputs, positionPx, settings);
+  case HistoryFilter::CatmullRom16:
+  case HistoryFilter::Cubic:
+  case HistoryFilter::Mitchell:
+  case HistoryFilter::Lanczos:
+    break;
   }
+  return sixteen(inputs, positionPx, settings);
 }
 
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx, HistoryBorder border) {

@@ -71,7 +71,14 @@ Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& targ
     return clipToCenter(value, boxMin, boxMax);
   case RectifyMethod::ClipToFiltered:
     return clipToColor(value, target, boxMin, boxMax);
-  default:
+  case RectifyMethod::None:
+  case RectifyMethod::ShrinkAxes:
+  case RectifyMethod::ClampThenClip:
+  case RectifyMethod::RayToCurrent:
+  case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
+  case RectifyMethod::ClampForget:
+  case RectifyMethod::Select:
     break;
   }
   assert(false);
@@ -181,9 +188,14 @@ Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::
     return rayToCurrent(h, current, n, settings.mostSteps);
   case RectifyMethod::ClampForget:
     return clip(RectifyMethod::Clamp, h, current, n.boxMin, n.boxMax);
-  default:
-    return clip(settings.method, h, current, n.boxMin, n.boxMax);
+  case RectifyMethod::None:
+  case RectifyMethod::Clamp:
+  case RectifyMethod::ClipToCenter:
+  case RectifyMethod::ClipToFiltered:
+  case RectifyMethod::Select: // does not come here
+    break;
   }
+  return clip(settings.method, h, current, n.boxMin, n.boxMax);
 }
 
 /// Part of the correction that is applied (catalogue 11.6, 13.9).
