@@ -3,13 +3,16 @@
 #pragma once
 
 #include "core/base/Progress.h"
-#include "core/gl/Context.h"
 #include "core/measure/FlickerRows.h"
 #include "core/settings/Lanes.h"
 #include "core/taa/rows/Intermediates.h"
 
 #include <array>
 #include <optional>
+
+namespace taa::gl {
+struct Driver;
+}
 
 namespace taa {
 

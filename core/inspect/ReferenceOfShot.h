@@ -3,7 +3,6 @@
 
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
-#include "core/gl/Context.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/ReferenceRows.h"
 #include "core/settings/Lanes.h"
@@ -13,6 +12,10 @@
 #include <array>
 #include <cstddef>
 #include <vector>
+
+namespace taa::gl {
+struct Driver;
+}
 
 namespace taa {
 

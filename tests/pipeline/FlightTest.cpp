@@ -152,6 +152,18 @@ TEST_F(SceneChoices, AnotherPoseOfTheFrameOnShowKeepsWhatWasBefore) {
   EXPECT_EQ(inspector->shot().cameras().back(), "flown");
 }
 
+TEST_F(SceneChoices, OfFramesKeptToCompareWithThoseThatItChangesGo) {
+  const auto inspector = opened();
+  const CameraPose first = inspector->shot().cameraPose();
+  inspector->shot().setCameraTrack({"flown", 0, {first}});
+  inspector->shot().seek(3);
+  inspector->views().keepAside({2, 6, 8});
+  inspector->shot().setCameraTrack({"flown", 0, {first, first, first, first, first, shifted(first, 1)}});
+  EXPECT_TRUE(inspector->views().isAtHand({.frame = 2}));
+  EXPECT_FALSE(inspector->views().isAtHand({.frame = 6}));
+  EXPECT_FALSE(inspector->views().isAtHand({.frame = 8}));
+}
+
 TEST_F(FlightThread, RestsWhereItWasFlownTo) {
   thread->seek(3);
   thread->waitUntilIdle();
