@@ -4,7 +4,7 @@
 # To build the programs and run them on a screen or without one.
 buildPackages=(
   cmake ninja-build g++ pkg-config ccache
-  qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-qpa-plugins qt6-wayland
+  qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-wayland
   libgl-dev libegl-dev libepoxy-dev libgl1-mesa-dri libegl-mesa0
   libglm-dev libtinygltf-dev libopenimageio-dev nlohmann-json3-dev libcli11-dev
   fonts-dejavu-core

@@ -25,6 +25,15 @@ Span roundedSpan(const Span& values, int mostSteps) {
   return {std::floor(span.low / step + 1e-9) * step, std::ceil(span.high / step - 1e-9) * step};
 }
 
+std::vector<double> ticksOf(const Span& range, double step) {
+  std::vector<double> ticks;
+  if (!(step > 0.0)) return ticks;
+  const double last = std::floor(range.high / step + 1e-9);
+  for (double index = std::ceil(range.low / step - 1e-9); index <= last; ++index)
+    ticks.push_back(index * step + 0.0); // without the sign of a zero
+  return ticks;
+}
+
 Span zoomed(const Span& shown, const Span& all, double factor, double center, double least) {
   const double length = std::clamp(shown.length() / factor, std::min(least, all.length()), all.length());
   const double share = shown.length() > 0.0 ? (center - shown.low) / shown.length() : 0.5;

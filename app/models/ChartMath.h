@@ -18,6 +18,8 @@ struct Span {
 double roundStep(double length, int most);
 /// A range around values with round ends: from 0 on where they come near it; a point gets some height.
 Span roundedSpan(const Span& values, int mostSteps);
+/// The multiples of `step` within `range`; none where the step is no number above 0.
+std::vector<double> ticksOf(const Span& range, double step);
 /// `shown` made smaller by `factor` (> 1: zooms in) around `center`, inside `all`, no shorter than `least`.
 Span zoomed(const Span& shown, const Span& all, double factor, double center, double least);
 /// `shown` moved by `distance`, inside `all`.

@@ -141,7 +141,7 @@ TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
 TEST_F(Lower, AClickOnEffectiveSamplesGoesToThatFrame) {
   openAt(9, Qt::Key_F7, Qt::ShiftModifier);
   CurveChart* chart = window.weights()->samples();
-  QTest::mouseClick(chart->viewport(), Qt::LeftButton, {},
+  QTest::mouseClick(chart, Qt::LeftButton, {},
                     {static_cast<int>(std::lround(chart->viewXOf(4.0))), chart->height() / 2});
   settle();
   EXPECT_EQ(renderer->status.info.frame, 4);

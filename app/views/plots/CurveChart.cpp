@@ -3,13 +3,9 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
-#include <QChart>
-#include <QEvent>
-#include <QGraphicsLayout>
-#include <QLineSeries>
+#include <QFontMetricsF>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QValueAxis>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -22,28 +18,16 @@ namespace {
 constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
 constexpr double kLeastSpan = 4.0, kZoomStep = 1.25;
 constexpr double kTickSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
+constexpr double kDotRadius = 2.5;                      ///< px
 } // namespace
 
 CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* parent)
-    : QChartView(parent), title_(title), xTitle_(xTitle), frames_(new QValueAxis), values_(new QValueAxis) {
-  setFrameShape(QFrame::NoFrame);
+    : QWidget(parent), title_(title), xTitle_(xTitle) {
   setFocusPolicy(Qt::NoFocus);
   setMinimumSize(180, 72);
   setMouseTracking(true);
   setAccessibleName(title);
   setToolTip(tr("Click to go there; drag or turn the wheel to zoom, double-click to see all."));
-  QChart* chart = this->chart();
-  chart->legend()->hide(); // drawn by hand, with dashes and values
-  chart->layout()->setContentsMargins(0, 0, 0, 0);
-  chart->setBackgroundRoundness(0);
-  chart->addAxis(frames_, Qt::AlignBottom);
-  chart->addAxis(values_, Qt::AlignLeft);
-  for (QValueAxis* axis : {frames_, values_}) {
-    axis->setTickType(QValueAxis::TicksDynamic);
-    axis->setTickAnchor(0.0);
-    axis->setLabelFormat(QStringLiteral("%g"));
-  }
-  applyColors();
   layOutLegend();
   fitAxes();
 }
@@ -51,24 +35,23 @@ CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* par
 void CurveChart::setCurves(std::vector<Curve> curves) {
   curves_ = std::move(curves);
   layOutLegend();
-  fillSeries();
   fitAxes();
 }
 
 void CurveChart::setMarks(std::vector<ChartMark> marks) {
   marks_ = std::move(marks);
-  viewport()->update();
+  update();
 }
 
 void CurveChart::setPlayhead(std::optional<double> x) {
   playhead_ = x;
-  viewport()->update();
+  update();
 }
 
 void CurveChart::setHovered(std::optional<double> x) {
   if (x == hovered_) return;
   hovered_ = x;
-  viewport()->update();
+  update();
 }
 
 void CurveChart::setBounds(const Span& all) {
@@ -85,31 +68,6 @@ void CurveChart::setShown(const Span& shown) {
   Q_EMIT shownChanged(shown_);
 }
 
-Span CurveChart::values() const {
-  return {values_->min(), values_->max()};
-}
-
-// As many series as there are runs; those at hand are used again.
-void CurveChart::fillSeries() {
-  std::size_t used = 0;
-  for (const Curve& curve : curves_)
-    for (const std::vector<QPointF>& run : runsOf(curve.points)) {
-      if (used == series_.size()) {
-        series_.push_back(new QLineSeries);
-        chart()->addSeries(series_.back());
-        series_.back()->attachAxis(frames_);
-        series_.back()->attachAxis(values_);
-      }
-      QLineSeries* series = series_[used++];
-      QPen pen(curve.color, 1.5, curve.dash, Qt::FlatCap);
-      if (series->pen() != pen) series->setPen(pen);
-      series->setMarkerSize(5.0);
-      series->setPointsVisible(run.size() == 1);
-      series->replace(QList<QPointF>(run.begin(), run.end()));
-    }
-  for (; series_.size() > used; series_.pop_back()) delete series_.back();
-}
-
 void CurveChart::fitAxes() {
   std::optional<Span> span;
   for (const Curve& curve : curves_)
@@ -117,21 +75,21 @@ void CurveChart::fitAxes() {
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
   const int rows = std::max(2, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
-  values_->setTickInterval(roundStep(scale.length(), rows));
-  values_->setRange(scale.low, scale.high);
   const int columns = std::max(2, static_cast<int>(width() / kTickSpace));
-  frames_->setTickInterval(std::max(1.0, roundStep(shown_.length(), columns)));
-  frames_->setRange(shown_.low, std::max(shown_.high, shown_.low + 1e-9));
-  viewport()->update();
+  const Span frames{shown_.low, std::max(shown_.high, shown_.low + 1e-9)};
+  axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))},
+               {scale, roundStep(scale.length(), rows)},
+               QRectF(rect()).adjusted(kUnit, legend_.height(), -2.0 * kUnit, -1.0));
+  update();
 }
 
 double CurveChart::xAt(double viewX) const {
-  const QRectF plot = chart()->plotArea();
+  const QRectF& plot = axes_.plot();
   return shown_.low + (viewX - plot.left()) / std::max(plot.width(), 1.0) * shown_.length();
 }
 
 double CurveChart::viewXOf(double x) const {
-  const QRectF plot = chart()->plotArea();
+  const QRectF& plot = axes_.plot();
   return plot.left() + (x - shown_.low) / std::max(shown_.length(), 1e-9) * plot.width();
 }
 
@@ -158,8 +116,27 @@ QString CurveChart::readout() const {
 void CurveChart::layOutLegend() {
   const double place = QFontMetricsF(secondaryFont()).horizontalAdvance(xTitle_ + QStringLiteral(" 00000"));
   legend_.layOut(title_, curves_, width(), place);
-  const QMargins margins(0, static_cast<int>(legend_.height()), 2 * kUnit, 0);
-  if (chart()->margins() != margins) chart()->setMargins(margins);
+}
+
+// A run of one point between gaps is a dot.
+void CurveChart::drawCurves(QPainter& painter) const {
+  painter.save();
+  painter.setClipRect(axes_.plot().adjusted(-1.0, -1.0, 1.0, 1.0));
+  for (const Curve& curve : curves_)
+    for (const std::vector<QPointF>& run : runsOf(curve.points)) {
+      QPolygonF line;
+      for (const QPointF& point : run) line << axes_.pointOf(point);
+      painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
+      painter.setBrush(Qt::NoBrush);
+      if (run.size() > 1) {
+        painter.drawPolyline(line);
+        continue;
+      }
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(curve.color);
+      painter.drawEllipse(line.first(), kDotRadius, kDotRadius);
+    }
+  painter.restore();
 }
 
 void CurveChart::drawMarks(QPainter& painter, const QRectF& plot) const {
@@ -179,32 +156,33 @@ void CurveChart::drawMarks(QPainter& painter, const QRectF& plot) const {
   }
 }
 
-void CurveChart::drawForeground(QPainter* painter, const QRectF&) {
+void CurveChart::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
-  const QRectF plot = chart()->plotArea();
-  painter->save();
-  painter->resetTransform();
-  painter->setRenderHint(QPainter::Antialiasing);
-  drawMarks(*painter, plot);
+  const QRectF& plot = axes_.plot();
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.panel);
+  painter.setRenderHint(QPainter::Antialiasing);
+  axes_.paint(painter, colors);
+  drawCurves(painter);
+  drawMarks(painter, plot);
   const auto line = [&](std::optional<double> x, const QPen& pen) {
     if (!x || *x < shown_.low || *x > shown_.high) return;
-    painter->setPen(pen);
-    painter->drawLine(QPointF(viewXOf(*x), plot.top()), QPointF(viewXOf(*x), plot.bottom()));
+    painter.setPen(pen);
+    painter.drawLine(QPointF(viewXOf(*x), plot.top()), QPointF(viewXOf(*x), plot.bottom()));
   };
   line(playhead_, QPen(colors.accent, 2.0));
   line(hovered_, QPen(colors.text, 1.0));
   if (pressedX_ && std::abs(draggedX_ - *pressedX_) >= kDragStart) {
     QColor band = colors.accent;
     band.setAlpha(50);
-    painter->fillRect(QRectF(QPointF(*pressedX_, plot.top()), QPointF(draggedX_, plot.bottom())).normalized(),
-                      band);
+    painter.fillRect(QRectF(QPointF(*pressedX_, plot.top()), QPointF(draggedX_, plot.bottom())).normalized(),
+                     band);
   }
   const auto x = readX();
   QString place = x ? QStringLiteral("%1 %2").arg(xTitle_).arg(*x) : QString();
   if (const QString mark = x ? markText(*x) : QString(); !mark.isEmpty())
     place += QStringLiteral(" · ") + mark;
-  legend_.paint(*painter, colors, title_, curves_, x, place);
-  painter->restore();
+  legend_.paint(painter, colors, title_, curves_, x, place);
 }
 
 void CurveChart::mousePressEvent(QMouseEvent* event) {
@@ -219,18 +197,18 @@ void CurveChart::mouseMoveEvent(QMouseEvent* event) {
       at < all_.low || at > all_.high ? std::nullopt : std::optional<double>(at);
   setHovered(over);
   Q_EMIT hovered(over);
-  viewport()->update();
+  update();
 }
 
 void CurveChart::cancelDrag() {
   pressedX_.reset();
-  viewport()->update();
+  update();
 }
 
 void CurveChart::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !pressedX_) return;
   const double from = *std::exchange(pressedX_, {}), to = event->position().x();
-  viewport()->update();
+  update();
   if (std::abs(to - from) < kDragStart) {
     Q_EMIT xClicked(std::clamp(std::round(xAt(to)), all_.low, all_.high));
     return;
@@ -262,27 +240,10 @@ void CurveChart::leaveEvent(QEvent*) {
   Q_EMIT hovered({});
 }
 
-void CurveChart::applyColors() {
-  const ThemeColors& colors = themeColors(this);
-  setBackgroundBrush(colors.panel);
-  chart()->setBackgroundBrush(colors.panel);
-  for (QValueAxis* axis : {frames_, values_}) {
-    axis->setLabelsFont(secondaryFont());
-    axis->setLabelsBrush(colors.secondary);
-    axis->setLinePen(QPen(colors.line));
-    axis->setGridLinePen(QPen(colors.line));
-  }
-}
-
 void CurveChart::resizeEvent(QResizeEvent* event) {
-  QChartView::resizeEvent(event);
+  QWidget::resizeEvent(event);
   layOutLegend();
   fitAxes();
-}
-
-void CurveChart::changeEvent(QEvent* event) {
-  QChartView::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyColors();
 }
 
 } // namespace taa::app

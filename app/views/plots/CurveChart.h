@@ -2,21 +2,19 @@
 // color alone.
 #pragma once
 
+#include "app/views/plots/ChartAxes.h"
 #include "app/views/plots/CurveLegend.h"
 #include "app/widgets/Drags.h"
 
-#include <QChartView>
 #include <QString>
+#include <QWidget>
 
 #include <optional>
 #include <vector>
 
-class QLineSeries;
-class QValueAxis;
-
 namespace taa::app {
 
-class CurveChart : public QChartView, public Draggable {
+class CurveChart : public QWidget, public Draggable {
   Q_OBJECT
  public:
   /// `xTitle`: what x counts; also before its value in the readout: "frame 41".
@@ -31,7 +29,7 @@ class CurveChart : public QChartView, public Draggable {
   void setBounds(const Span& all);
   void setShown(const Span& shown);
   Span shown() const { return shown_; }
-  Span values() const; ///< of the vertical axis
+  Span values() const { return axes_.y().range; }
   void resetZoom() { setShown(all_); }
   /// Where the mouse is, in all charts that show the same x.
   void setHovered(std::optional<double> x);
@@ -49,8 +47,7 @@ class CurveChart : public QChartView, public Draggable {
   void hovered(std::optional<double> x);
 
  protected:
-  void changeEvent(QEvent*) override;
-  void drawForeground(QPainter*, const QRectF&) override;
+  void paintEvent(QPaintEvent*) override;
   void mousePressEvent(QMouseEvent*) override;
   void mouseMoveEvent(QMouseEvent*) override;
   void mouseReleaseEvent(QMouseEvent*) override;
@@ -60,17 +57,15 @@ class CurveChart : public QChartView, public Draggable {
   void resizeEvent(QResizeEvent*) override;
 
  private:
-  void fillSeries();
   void fitAxes();
-  void applyColors();
   void layOutLegend();
+  void drawCurves(QPainter& painter) const;
   void drawMarks(QPainter& painter, const QRectF& plot) const;
   std::optional<double> readX() const { return hovered_ ? hovered_ : playhead_; }
   QString markText(double x) const;
 
   QString title_, xTitle_;
-  QValueAxis *frames_ = nullptr, *values_ = nullptr;
-  std::vector<QLineSeries*> series_; ///< one for each run between gaps
+  ChartAxes axes_;
   std::vector<Curve> curves_;
   CurveLegend legend_;
   std::vector<ChartMark> marks_;

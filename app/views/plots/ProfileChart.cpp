@@ -4,16 +4,14 @@
 
 #include "core/picture/ColorMap.h"
 
-#include <QAreaSeries>
-#include <QChart>
-#include <QEvent>
-#include <QLineSeries>
-#include <QValueAxis>
+#include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace taa::app {
 
@@ -31,27 +29,10 @@ double roundedUp(double value) {
 
 } // namespace
 
-ProfileChart::ProfileChart(QWidget* parent)
-    : QChartView(parent), frames_(new QValueAxis), times_(new QValueAxis) {
-  setFrameShape(QFrame::NoFrame);
-  setFocusPolicy(Qt::NoFocus);
+ProfileChart::ProfileChart(QWidget* parent) : QWidget(parent) {
   setMinimumSize(180, 90);
   setAccessibleName(tr("Times of the passes over the last frames"));
-  QChart* chart = this->chart();
-  chart->legend()->hide(); // the table beside it has the colors
-  chart->setMargins({0, 0, 0, 0});
-  chart->setBackgroundRoundness(0);
-  chart->addAxis(frames_, Qt::AlignBottom);
-  chart->addAxis(times_, Qt::AlignLeft);
-  frames_->setRange(-static_cast<double>(kProfiledFrames), 0.0);
-  frames_->setTickCount(4);
-  frames_->setLabelFormat(QStringLiteral("%.0f"));
-  frames_->setTitleText(tr("frames before the last"));
-  frames_->setTruncateLabels(false);
-  times_->setTickCount(3);
-  times_->setLabelFormat(QStringLiteral("%g"));
-  times_->setTitleText(tr("ms"));
-  applyColors();
+  fitAxes();
 }
 
 QColor ProfileChart::colorOf(std::size_t place) {
@@ -60,30 +41,8 @@ QColor ProfileChart::colorOf(std::size_t place) {
   return QColor::fromRgbF(srgbEncoded(linear[0]), srgbEncoded(linear[1]), srgbEncoded(linear[2]));
 }
 
-void ProfileChart::fitSeries(std::size_t count) {
-  if (areas_.size() == count) return;
-  for (QAreaSeries* area : areas_) {
-    chart()->removeSeries(area);
-    delete area;
-  }
-  areas_.clear();
-  for (QLineSeries* edge : edges_) delete edge;
-  edges_.clear();
-  for (std::size_t edge = 0; edge <= count; ++edge) edges_.push_back(new QLineSeries(this));
-  for (std::size_t place = 0; place < count; ++place) {
-    auto* area = new QAreaSeries(edges_[place + 1], edges_[place]);
-    area->setColor(colorOf(place));
-    area->setBorderColor(colorOf(place));
-    chart()->addSeries(area);
-    area->attachAxis(frames_);
-    area->attachAxis(times_);
-    areas_.push_back(area);
-  }
-}
-
 void ProfileChart::show(const ProfileHistory& history) {
   const std::vector<std::string>& names = history.names();
-  fitSeries(names.size());
   std::vector<QList<QPointF>> points(names.size() + 1);
   std::vector<double> totals;
   double frame = -static_cast<double>(history.profiles().size());
@@ -101,36 +60,43 @@ void ProfileChart::show(const ProfileHistory& history) {
     totals.push_back(height);
     frame += 1.0;
   }
-  for (std::size_t edge = 0; edge < points.size(); ++edge) edges_[edge]->replace(points[edge]);
+  edges_ = std::move(points);
   // One frame that compiled a program takes a hundred times the others': it may leave the picture.
   std::ranges::sort(totals);
-  const double high = totals.empty() ? 1.0 : totals[(totals.size() - 1) * 95 / 100];
-  times_->setRange(0.0, roundedUp(1.1 * high));
+  high_ = roundedUp(1.1 * (totals.empty() ? 1.0 : totals[(totals.size() - 1) * 95 / 100]));
+  fitAxes();
 }
 
-void ProfileChart::applyColors() {
+void ProfileChart::fitAxes() {
+  const ChartAxis frames{{-static_cast<double>(kProfiledFrames), 0.0},
+                         static_cast<double>(kProfiledFrames) / 3.0,
+                         height() >= kHeightOfTitle ? tr("frames before the last") : QString()};
+  axes_.layOut(frames, {{0.0, high_}, 0.5 * high_, tr("ms")},
+               QRectF(rect()).adjusted(kUnit, kUnit, -2.0 * kUnit, -1.0));
+  update();
+}
+
+void ProfileChart::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
-  setBackgroundBrush(colors.panel);
-  chart()->setBackgroundBrush(colors.panel);
-  for (QValueAxis* axis : {frames_, times_}) {
-    axis->setLabelsFont(secondaryFont());
-    axis->setTitleFont(secondaryFont());
-    axis->setLabelsBrush(colors.secondary);
-    axis->setTitleBrush(colors.secondary);
-    axis->setLinePen(QPen(colors.line));
-    axis->setGridLinePen(QPen(colors.line));
+  QPainter painter(this);
+  painter.fillRect(rect(), colors.panel);
+  painter.setRenderHint(QPainter::Antialiasing);
+  axes_.paint(painter, colors);
+  painter.setClipRect(axes_.plot());
+  for (std::size_t place = 0; place + 1 < edges_.size(); ++place) {
+    QPolygonF area;
+    for (const QPointF& point : edges_[place]) area << axes_.pointOf(point);
+    for (auto point = edges_[place + 1].rbegin(); point != edges_[place + 1].rend(); ++point)
+      area << axes_.pointOf(*point);
+    painter.setPen(QPen(colorOf(place), 1.0)); // closes the seams that smooth edges leave
+    painter.setBrush(colorOf(place));
+    painter.drawPolygon(area);
   }
 }
 
-// Qt Charts shortens the labels of an axis to dots where its title leaves them too little height.
 void ProfileChart::resizeEvent(QResizeEvent* event) {
-  frames_->setTitleVisible(height() >= kHeightOfTitle);
-  QChartView::resizeEvent(event);
-}
-
-void ProfileChart::changeEvent(QEvent* event) {
-  QChartView::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) applyColors();
+  QWidget::resizeEvent(event);
+  fitAxes();
 }
 
 } // namespace taa::app

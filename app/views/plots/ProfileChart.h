@@ -2,37 +2,38 @@
 #pragma once
 
 #include "app/models/ProfileHistory.h"
+#include "app/views/plots/ChartAxes.h"
 
-#include <QChartView>
+#include <QList>
+#include <QPointF>
+#include <QWidget>
 
 #include <vector>
 
-class QAreaSeries;
-class QLineSeries;
-class QValueAxis;
-
 namespace taa::app {
 
-class ProfileChart : public QChartView {
+class ProfileChart : public QWidget {
   Q_OBJECT
  public:
   explicit ProfileChart(QWidget* parent = nullptr);
   void show(const ProfileHistory& history);
   /// The color of the pass in this place of ProfileHistory::names().
   static QColor colorOf(std::size_t place);
+  /// The bottom, then the upper edge of each area; x in frames before the last, y in ms.
+  const std::vector<QList<QPointF>>& edges() const { return edges_; }
+  const ChartAxes& axes() const { return axes_; }
   QSize sizeHint() const override { return {300, 160}; }
 
  protected:
   void resizeEvent(QResizeEvent*) override;
-  void changeEvent(QEvent*) override;
+  void paintEvent(QPaintEvent*) override;
 
  private:
-  void fitSeries(std::size_t count);
-  void applyColors();
+  void fitAxes();
 
-  QValueAxis *frames_ = nullptr, *times_ = nullptr;
-  std::vector<QLineSeries*> edges_; ///< the bottom, then the upper edge of each area
-  std::vector<QAreaSeries*> areas_;
+  std::vector<QList<QPointF>> edges_;
+  double high_ = 1.0; ///< of the vertical axis, ms
+  ChartAxes axes_;
 };
 
 } // namespace taa::app

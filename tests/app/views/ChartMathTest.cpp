@@ -21,6 +21,15 @@ TEST(ChartMath, StepsAreOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_NEAR(roundStep(0.003, 4), 0.001, 1e-18);
 }
 
+TEST(ChartMath, TicksAreTheMultiplesOfAStepInARange) {
+  EXPECT_EQ(ticksOf({0.0, 10.0}, 5.0), (std::vector<double>{0.0, 5.0, 10.0}));
+  EXPECT_EQ(ticksOf({-120.0, 0.0}, 40.0), (std::vector<double>{-120.0, -80.0, -40.0, 0.0}));
+  EXPECT_EQ(ticksOf({3.0, 11.0}, 4.0), (std::vector<double>{4.0, 8.0}));
+  EXPECT_EQ(ticksOf({0.0, 0.3}, 0.1).size(), 4u) << "the last one in spite of rounding";
+  EXPECT_TRUE(ticksOf({0.0, 1.0}, 0.0).empty());
+  EXPECT_TRUE(ticksOf({0.0, 1.0}, kGap).empty());
+}
+
 TEST(ChartMath, ScalesEndAtRoundValuesAndStartAtZeroWhereItIsNear) {
   EXPECT_EQ(roundedSpan({0.1, 0.9}, 5), (Span{0.0, 1.0}));
   EXPECT_EQ(roundedSpan({8.2, 9.7}, 4), (Span{8.0, 10.0}));

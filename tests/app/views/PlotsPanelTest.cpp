@@ -47,9 +47,9 @@ class Plots : public test::FakeWindow {
     return {static_cast<int>(std::lround(chart()->viewXOf(frame))), chart()->height() / 2};
   }
   void wheel(const QPoint& at, int notches) {
-    QWheelEvent event(at, chart()->viewport()->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton,
-                      Qt::NoModifier, Qt::NoScrollPhase, false);
-    QApplication::sendEvent(chart()->viewport(), &event);
+    QWheelEvent event(at, chart()->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(chart(), &event);
     settle();
   }
 };
@@ -79,7 +79,7 @@ TEST_F(Plots, CostNothingWhileTheyAreHidden) {
 }
 
 TEST_F(Plots, AClickGoesToItsFrame) {
-  QTest::mouseClick(chart()->viewport(), Qt::LeftButton, {}, placeOf(120));
+  QTest::mouseClick(chart(), Qt::LeftButton, {}, placeOf(120));
   settle();
   EXPECT_EQ(renderer->status.info.frame, static_cast<int>(std::round(chart()->xAt(placeOf(120).x()))));
   EXPECT_NEAR(renderer->status.info.frame, 120, 1);
@@ -94,15 +94,15 @@ TEST_F(Plots, WheelAndDragZoomAllChartsAndAKeyShowsEverything) {
   EXPECT_EQ(chart(1)->shown(), chart()->shown());
   key(Qt::Key_0, Qt::ControlModifier);
   EXPECT_EQ(chart()->shown(), (Span{0.0, 239.0}));
-  QTest::mousePress(chart()->viewport(), Qt::LeftButton, {}, placeOf(50));
-  QTest::mouseMove(chart()->viewport(), placeOf(100));
+  QTest::mousePress(chart(), Qt::LeftButton, {}, placeOf(50));
+  QTest::mouseMove(chart(), placeOf(100));
   const QPoint end = placeOf(100);
-  QTest::mouseRelease(chart()->viewport(), Qt::LeftButton, {}, end);
+  QTest::mouseRelease(chart(), Qt::LeftButton, {}, end);
   settle();
   EXPECT_NEAR(chart()->shown().low, 50.0, 1.0);
   EXPECT_NEAR(chart()->shown().high, 100.0, 1.0);
   EXPECT_EQ(renderer->status.info.frame, 0) << "a drag is no click";
-  QTest::mouseDClick(chart()->viewport(), Qt::LeftButton, {}, placeOf(70));
+  QTest::mouseDClick(chart(), Qt::LeftButton, {}, placeOf(70));
   EXPECT_EQ(chart(1)->shown(), (Span{0.0, 239.0}));
 }
 
@@ -135,7 +135,7 @@ TEST_F(Plots, MarkRejectionsAndCuts) {
 TEST_F(Plots, SayTheValuesUnderTheMouse) {
   key(Qt::Key_F6, Qt::ControlModifier);
   refresh();
-  QTest::mouseMove(chart()->viewport(), placeOf(80));
+  QTest::mouseMove(chart(), placeOf(80));
   settle();
   const int frame = static_cast<int>(std::round(chart()->xAt(placeOf(80).x())));
   const QString value = QString::number(test::FakeRenderer::valueAt(3, 2, frame));
