@@ -20,18 +20,18 @@ vec3 saneOr(vec3 other, vec3 c) {
 vec3 sanitized(vec3 c) { return saneOr(vec3(0.0), c); }
 
 /// What a computed color becomes: negative values and NaN 0, too bright ones the brightest that can be stored.
-vec3 storable(vec3 c) { return bounded(c, vec3(0.0), vec3(kBrightest)); }
+vec3 storable(vec3 c) { return clamped(c, vec3(0.0), vec3(kBrightest)); }
 
 const bool kIsRgb = kSpaceColor == kSpaceColor_rgb;
 const bool kIsYCoCgAsPrinted = kSpaceColor == kSpaceColor_yCoCgAsPrinted;
 const bool kIsYCoCg = kSpaceColor == kSpaceColor_yCoCg || kIsYCoCgAsPrinted;
 
-float largestChannel(vec3 c) { return greater(greater(c.r, c.g), c.b); }
+float largestChannel(vec3 c) { return maximum(maximum(c.r, c.g), c.b); }
 
 /// Divisor of the inverse of c/(1 + x): brightness 1 is infinitely bright.
 float inverseDivisor(float brightness) {
   precise float difference = 1.0 - brightness;
-  return greater(difference, 1e-5);
+  return maximum(difference, 1e-5);
 }
 
 /// Each channel by itself (15.3).

@@ -23,7 +23,7 @@ float tileNoise(ivec2 p, float step, float number) {
   return fraction(result);
 }
 
-/// 13 bits of a hash each, as ditherBits() has them for what is stored.
+/// 13 bits of a hash each, as randomBits() has them for what is stored.
 vec2 whiteNoise(ivec2 pixel, float number) {
   uint seed = hashed(hashed(hashed(uint(pixel.x)) + uint(pixel.y)) + uint(number));
   vec2 bits = vec2(uvec2(hashed(seed + 5u), hashed(seed + 6u)) >> 19u);

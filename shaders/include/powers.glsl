@@ -36,7 +36,7 @@ struct PowerOfTwo {
 
 /// x from −126 to 127; beyond, as there. Of x = whole number + f: Σ (f ln 2)ᵏ/k!, k from 1 to 7.
 PowerOfTwo powerOfTwo(float x) {
-  float within = lesser(greater(x, -126.0), 127.0);
+  float within = minimum(maximum(x, -126.0), 127.0);
   precise float shifted = within + 0.5;
   float nearest = floor(shifted);
   precise float f = within - nearest;

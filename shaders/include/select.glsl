@@ -2,22 +2,22 @@
 // is defined (a comparison with NaN is false). Precise, or a compiler may take them for min and max. mix() with a
 // condition chooses, as ?: does; but ?: is a branch to Mesa until late, and a quarter of its time goes there.
 
-float lesser(float a, float b) {
+float minimum(float a, float b) {
   precise float result = mix(b, a, a < b);
   return result;
 }
 
-float greater(float a, float b) {
+float maximum(float a, float b) {
   precise float result = mix(b, a, a > b);
   return result;
 }
 
-vec3 lesser(vec3 a, vec3 b) {
+vec3 minimum(vec3 a, vec3 b) {
   precise vec3 result = mix(b, a, lessThan(a, b));
   return result;
 }
 
-vec3 greater(vec3 a, vec3 b) {
+vec3 maximum(vec3 a, vec3 b) {
   precise vec3 result = mix(b, a, greaterThan(a, b));
   return result;
 }
@@ -29,7 +29,7 @@ float saturated(float x) {
 }
 
 /// x within [lo, hi].
-vec3 bounded(vec3 x, vec3 lo, vec3 hi) { return lesser(greater(x, lo), hi); }
+vec3 clamped(vec3 x, vec3 lo, vec3 hi) { return minimum(maximum(x, lo), hi); }
 
 /// Whether x lies in the box [lo, hi], walls included; never when a channel is NaN.
 bool isInside(vec3 x, vec3 lo, vec3 hi) {

@@ -16,11 +16,11 @@ float pq(float c) {
 }
 
 float inversePq(float y) {
-  precise float exponent = 0.0126833133 * log2Of(greater(y, 1e-37)); // 1/m₂
+  precise float exponent = 0.0126833133 * log2Of(maximum(y, 1e-37)); // 1/m₂
   float less = exp2LessOne(exponent);                                // the fraction less 1
   precise float above = 0.1640625 + less;
   precise float below = 0.1640625 - 18.6875 * less; // 0 at infinite brightness
-  precise float root = greater(above, 0.0) / greater(below, 1e-5);
+  precise float root = maximum(above, 0.0) / maximum(below, 1e-5);
   precise float result = 10000.0 * power(root, 6.27739477); // 1/m₁
   return result;
 }

@@ -3,7 +3,7 @@
 
 struct Blended {
   vec3 color;
-  float frames; // N
+  float historyLength; // N
 };
 
 const bool kWeighsByLuma = kBlendTone == kBlendTone_luma || kBlendTone == kBlendTone_lumaAsPrinted;
@@ -25,7 +25,7 @@ float blendFactor(float alpha, float currentWeight, float historyWeight) {
   return mix(factor, 1.0, alpha >= 1.0);
 }
 
-vec3 compressed(vec3 color) {
+vec3 compress(vec3 color) {
   if (kBlendTone == kBlendTone_reinhardChannel) return reinhardChannel(color);
   if (kBlendTone == kBlendTone_pq) return pqChannel(color);
   if (kBlendTone == kBlendTone_logarithm) return logarithmChannel(color);
@@ -33,7 +33,7 @@ vec3 compressed(vec3 color) {
   return compressMax(color);
 }
 
-vec3 decompressed(vec3 color) {
+vec3 decompress(vec3 color) {
   if (kBlendTone == kBlendTone_reinhardChannel) return inverseReinhardChannel(color);
   if (kBlendTone == kBlendTone_pq) return inversePqChannel(color);
   if (kBlendTone == kBlendTone_logarithm) return inverseLogarithmChannel(color);
@@ -45,10 +45,10 @@ vec3 decompressed(vec3 color) {
 vec3 mixed(vec3 current, vec3 history, vec3 factor) {
   precise vec3 result = history + factor * (current - history);
   if (kMixesCompressed) {
-    precise vec3 from = compressed(history);
-    precise vec3 to = compressed(current);
+    precise vec3 from = compress(history);
+    precise vec3 to = compress(current);
     precise vec3 between = from + factor * (to - from);
-    result = current == history ? history : decompressed(between);
+    result = current == history ? history : decompress(between);
   }
   // A share of 0 does not go through compression and back (invariant 65).
   const bool kMayKeepAll = kUpsampled || kValidateOffScreen == kValidateOffScreen_oneSided;
@@ -66,19 +66,19 @@ vec3 blurredRestart(Samples samples) {
 
 /// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise. A frame of
 /// confidence κ counts as κ frames.
-float framesAfter(float alpha, float framesBefore, float confidence, vec2 motion) {
-  precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / framesBefore;
-  precise float frames = 1.0 / variance;
-  if (kBlendLength == kBlendLength_count) frames = framesBefore + (kUpsampled ? confidence : 1.0);
-  if (kBlendLength == kBlendLength_varianceAsPrinted) frames = variance;
-  if (kBlendLength == kBlendLength_reciprocal) frames = alpha > 1e-6 ? greater(confidence / alpha, 1.0) : framesBefore;
-  if (kBlendLength == kBlendLength_confidence) frames = confidenceAfter(framesBefore, motion);
+float lengthAfter(float alpha, float lengthBefore, float confidence, vec2 motion) {
+  precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / lengthBefore;
+  precise float historyLength = 1.0 / variance;
+  if (kBlendLength == kBlendLength_count) historyLength = lengthBefore + (kUpsampled ? confidence : 1.0);
+  if (kBlendLength == kBlendLength_varianceAsPrinted) historyLength = variance;
+  if (kBlendLength == kBlendLength_reciprocal) historyLength = alpha > 1e-6 ? maximum(confidence / alpha, 1.0) : lengthBefore;
+  if (kBlendLength == kBlendLength_confidence) historyLength = confidenceAfter(lengthBefore, motion);
   if (kBlendLength == kBlendLength_countTo16) {
-    precise float counted = framesBefore + (kUpsampled ? confidence : 1.0);
-    frames = lesser(counted, 16.0);
-    if (kDecays || !hasHistory()) return hasHistory() ? frames : 0.0; // what decayed to nothing counts from there
+    precise float counted = lengthBefore + (kUpsampled ? confidence : 1.0);
+    historyLength = minimum(counted, 16.0);
+    if (kDecays || !hasHistory()) return hasHistory() ? historyLength : 0.0; // what decayed to nothing counts from there
   }
-  return mix(frames, 1.0, alpha >= 1.0);
+  return mix(historyLength, 1.0, alpha >= 1.0);
 }
 
 /// The nearest half float, ties to even, of a value from 0 to 65504: unpackHalf2x16(packHalf2x16(x)), which costs
@@ -113,14 +113,14 @@ const bool kIsUnorm = kHistoryPrecision == kHistoryPrecision_unorm8 || kHistoryP
 vec3 asStored(vec3 color, ivec2 pixel) {
   if (!kIsHalf && !kIsUnorm) return color;
   if (kIsHalf && !kHistoryDither) return nearestHalf(color);
-  uvec3 random = kHistoryDither ? ditherBits(pixel) : uvec3(0u);
+  uvec3 random = kHistoryDither ? randomBits(pixel) : uvec3(0u);
   vec3 u = kHistoryDither ? (vec3(random) + 0.5) / 8192.0 : vec3(0.5);
   float steps = kHistoryPrecision == kHistoryPrecision_unorm8 ? 255.0 : 1023.0;
   if (kIsUnorm) return vec3(unorm(color.r, steps, u.r), unorm(color.g, steps, u.g), unorm(color.b, steps, u.b));
   return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
 }
 
-Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float invalid) {
+Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weights weight, float invalid) {
   bool isRestarted = kTaaEnabled && kBlendRestart == kBlendRestart_blurred && invalid >= 1.0;
   precise vec3 current = isRestarted ? blurredRestart(samples) : x.current;
   vec3 history = x.history;
@@ -134,11 +134,11 @@ Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weight weight, float
                    blendFactor(weight.channels.b, currentWeight, historyWeight));
   precise vec3 color = mixed(current, history, factors);
   precise vec3 sane = saneOr(current, color);
-  Blended result = Blended(asStored(sane, pixel), framesAfter(weight.alpha, x.frames, x.confidence, x.dilated.motion));
+  Blended result = Blended(asStored(sane, pixel), lengthAfter(weight.alpha, x.historyLength, x.confidence, x.dilated.motion));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);
   expose_blendFactor(factor);
-  expose_historyLength(result.frames);
+  expose_historyLength(result.historyLength);
   expose_resolved(result.color);
   return result;
 }

@@ -1,5 +1,5 @@
-// Decides α, the weight of the current frame, from its terms (catalogue §13): a base, calming factors, a floor, motion
-// joined to it, the time a frame takes, and more where history is invalid. In: what the stages before found. Out: α, 0
+// Decides α, the weight of the current frame, from its terms (catalogue §13): a base, damping factors, a floor, motion
+// added to it, the time a frame takes, and more where history is invalid. In: what the stages before found. Out: α, 0
 // to 1, and that of each channel.
 
 /// What the terms look at.
@@ -10,7 +10,7 @@ struct WeightInputs {
   Box box;
   DilatedMotion dilated;
   float speed;          // px
-  float frames;         // N of the rectified history
+  float historyLength;         // N of the rectified history
   float velocityChange; // px
   float divergence;     // 0 to 1
   vec2 mask;            // reactive, responsive
@@ -19,7 +19,7 @@ struct WeightInputs {
   bool isFlicker;       // its depth differs, and it is the same
 };
 
-struct Weight {
+struct Weights {
   float alpha;
   vec3 channels; // α of red, green and blue
 };
@@ -32,7 +32,7 @@ float lumaLikeness(WeightInputs x) {
   const bool kIsCompressed = kWeightSource != kWeightSource_lumaDifference;
   precise float current = luma(kIsCompressed ? compressMax(x.current) : x.current);
   precise float history = luma(kIsCompressed ? compressMax(x.history) : x.history);
-  float largest = greater(greater(current, history), 0.2);
+  float largest = maximum(maximum(current, history), 0.2);
   precise float likeness = 1.0 - abs(current - history) / largest;
   precise float squared = likeness * likeness;
   return squared;
@@ -40,7 +40,7 @@ float lumaLikeness(WeightInputs x) {
 
 /// Weight of the current frame by the size of the box against the pixel's luma (13.14).
 float contrastWeight(WeightInputs x) {
-  float divisor = greater(boxLuma(toBox(x.current)), 1e-5);
+  float divisor = maximum(boxLuma(toBox(x.current)), 1e-5);
   precise float contrast = abs(boxLuma(x.box.hi) - boxLuma(x.box.lo)) / divisor;
   precise float weight = 1.0 - (0.25 + 0.6 * saturated(contrast));
   return weight;
@@ -51,32 +51,32 @@ vec3 channelWeights(Samples samples, vec3 current) {
   vec3 lowest = samples.color[0];
   vec3 highest = samples.color[0];
   for (int k = 1; k < 9; ++k) {
-    lowest = lesser(lowest, samples.color[k]);
-    highest = greater(highest, samples.color[k]);
+    lowest = minimum(lowest, samples.color[k]);
+    highest = maximum(highest, samples.color[k]);
   }
-  precise vec3 contrast = (highest - lowest) / greater(current, vec3(1e-5));
+  precise vec3 contrast = (highest - lowest) / maximum(current, vec3(1e-5));
   precise vec3 weight = 1.0 - (0.25 + 0.6 * vec3(saturated(contrast.r), saturated(contrast.g), saturated(contrast.b)));
   return weight;
 }
 
 /// Bevy's confidence (§16): 10 more in each frame without motion, else 1.
 float confidenceAfter(float before, vec2 motion) {
-  precise vec2 way = abs(motion);
-  bool isKnown = way.x <= kNoPreviousPosition && way.y <= kNoPreviousPosition; // NaN moves
-  precise float farther = isKnown ? greater(way.x, way.y) : kNoPreviousPosition;
+  precise vec2 distances = abs(motion);
+  bool isKnown = distances.x <= kNoPreviousPosition && distances.y <= kNoPreviousPosition; // NaN moves
+  precise float farther = isKnown ? maximum(distances.x, distances.y) : kNoPreviousPosition;
   bool isStill = farther < 0.01;
   precise float grown = before + 10.0;
   return isStill ? grown : 1.0;
 }
 
 float confidenceWeight(WeightInputs x) {
-  precise float weight = 1.0 / confidenceAfter(x.frames, x.dilated.motion);
-  return lesser(greater(weight, settings.weightLeast), settings.weightMost);
+  precise float weight = 1.0 / confidenceAfter(x.historyLength, x.dilated.motion);
+  return minimum(maximum(weight, settings.weightLeast), settings.weightMost);
 }
 
 float baseWeight(WeightInputs x) {
   precise float base = settings.weightAlpha;
-  if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.frames + 1.0);
+  if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.historyLength + 1.0);
   if (kWeightSource == kWeightSource_lumaDifference || kWeightSource == kWeightSource_lumaDifferenceCompressed)
     base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
   if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // §26, D1
@@ -92,14 +92,14 @@ float baseWeight(WeightInputs x) {
 /// Least that is left of α: no more than a source gives by itself, but 1/(N+1) is raised to it.
 float leastWeight(float base) {
   if (kWeightSource == kWeightSource_historyLength) return settings.weightMinimum;
-  return lesser(base, settings.weightMinimum);
+  return minimum(base, settings.weightMinimum);
 }
 
 /// Luma of a compressed color with Godot's weights, those of Rec. 601, and its floor.
 float godotLuma(vec3 color) {
   precise vec3 c = reinhardChannel(color);
   precise float result = (0.299 * c.r + 0.587 * c.g) + 0.114 * c.b;
-  return greater(result, 0.0001);
+  return maximum(result, 0.0001);
 }
 
 /// Less where luma differs (13.11), of compressed colors with Godot's divisor.
@@ -108,9 +108,9 @@ float lumaFlickerFactor(WeightInputs x) {
   const bool kIsCompressed = kWeightFlickerScale == kWeightFlickerScale_compressed;
   precise float current = kIsCompressed ? godotLuma(x.current) : luma(x.current);
   precise float history = kIsCompressed ? godotLuma(x.history) : luma(x.history);
-  float largest = greater(current, history);
+  float largest = maximum(current, history);
   precise float divisor = 0.001 + largest;
-  if (kIsCompressed) divisor = greater(largest, 1.001);
+  if (kIsCompressed) divisor = maximum(largest, 1.001);
   precise float rest = 1.0 - abs(current - history) / divisor;
   precise float factor = rest * rest;
   return hasHistory() ? factor : 1.0;
@@ -127,7 +127,7 @@ float nearClampFactor(WeightInputs x) {
   float history = boxLuma(toBox(x.rawHistory));
   precise float toLow = abs(history - boxLuma(x.box.lo));
   precise float toHigh = abs(history - boxLuma(x.box.hi));
-  float toWall = lesser(toLow, toHigh);
+  float toWall = minimum(toLow, toHigh);
   precise float sum = toWall + boxWidth(x.box);
   precise float factor = sum > 0.0 ? toWall / sum : 1.0;
   return hasHistory() ? factor : 1.0;
@@ -144,14 +144,14 @@ float historyContrastFactor(WeightInputs x) {
 /// Less where the mask says that the box was widened (13.18, Donut).
 float relaxFactor(WeightInputs x) {
   if (!kNeighborhoodMaskRelax) return 1.0;
-  precise float factor = 1.0 / (1.0 + 0.5 * greater(x.mask.x, x.mask.y));
+  precise float factor = 1.0 / (1.0 + 0.5 * maximum(x.mask.x, x.mask.y));
   return factor;
 }
 
 /// The least that the mask asks for (13.18, 21.4).
 float maskWeight(WeightInputs x) {
   if (kWeightMask == kWeightMask_off) return 0.0;
-  precise float responsive = settings.weightMaskAlpha * greater(x.mask.x, x.mask.y);
+  precise float responsive = settings.weightMaskAlpha * maximum(x.mask.x, x.mask.y);
   if (kWeightMask == kWeightMask_responsive) return responsive;
   if (kWeightMask == kWeightMask_reactive) return x.mask.x;
   return kWeightMask == kWeightMask_exclude && x.mask.y > 0.0 ? 1.0 : 0.0;
@@ -161,10 +161,10 @@ float maskWeight(WeightInputs x) {
 /// at rest.
 float sampleDistanceFactor(WeightInputs x) {
   if (kWeightSampleDistance == kWeightSampleDistance_none) return 1.0;
-  float factor = resolveBlock.weightTerms.x;
+  float factor = distanceFactor();
   float t = saturated(x.speed);
   precise float moving = (t * t) * (3.0 - 2.0 * t);
-  if (kWeightSampleDistance == kWeightSampleDistance_parabola) factor = greater(moving, factor);
+  if (kWeightSampleDistance == kWeightSampleDistance_parabola) factor = maximum(moving, factor);
   precise float inMotion = 1.0 + moving * (factor - 1.0);
   return kWeightSampleDistance == kWeightSampleDistance_gaussianMoving ? inMotion : factor;
 }
@@ -185,7 +185,7 @@ float motionWeight(WeightInputs x, float alpha) {
   if (kWeightMotion == kWeightMotion_linear || kWeightMotion == kWeightMotion_added) return share;
   if (kWeightMotion == kWeightMotion_squared) return squared;
   precise float twice = 2.0 * alpha;
-  precise float added = share * (lesser(twice, 1.0) - alpha);
+  precise float added = share * (minimum(twice, 1.0) - alpha);
   if (kWeightMotion == kWeightMotion_doubled) return added;
   return kWeightMotion == kWeightMotion_squaredAsPrinted ? saturated(asPrinted) : 0.0;
 }
@@ -198,9 +198,9 @@ float leastAgreement(ivec2 texel, vec2 own, out float fastest) {
   for (int k = 0; k < 9; ++k) {
     vec2 other = pictureMotion(texelAt(u_motion, texel + ivec2(k % 3 - 1, k / 3 - 1)).rg);
     if (other.x == kNoPreviousPosition) continue;
-    precise float along = (other.x * own.x + other.y * own.y) / greater(squaredLength(other), squaredLength(own));
+    precise float along = (other.x * own.x + other.y * own.y) / maximum(squaredLength(other), squaredLength(own));
     if (along < least) least = along;
-    fastest = greater(fastest, squaredLength(other));
+    fastest = maximum(fastest, squaredLength(other));
   }
   return least;
 }
@@ -215,8 +215,8 @@ float motionDivergence(ivec2 texel) {
   return squaredLength(own) > 1e-4 ? divergence : 0.0;
 }
 
-/// a ⊔ b = 1 − (1 − a)(1 − b).
-float joined(float a, float b) {
+/// 1 − (1 − a)(1 − b), as the blend mode "screen" mixes.
+float screen(float a, float b) {
   precise float result = 1.0 - (1.0 - a) * (1.0 - b);
   return result;
 }
@@ -225,7 +225,7 @@ float joined(float a, float b) {
 /// are exact, pow is not.
 float byFrameRate(float alpha) {
   if (!kWeightFrameRate) return alpha;
-  int eighths = int(resolveBlock.weightTerms.y);
+  int eighths = eighthsOfFrame();
   precise float kept = 1.0 - alpha;
   precise float power = 1.0;
   for (int whole = 0; whole < eighths / 8; ++whole) power = power * kept;
@@ -238,7 +238,7 @@ float byFrameRate(float alpha) {
   return eighths == 8 ? alpha : result;
 }
 
-struct Calming { // factors
+struct Damping { // factors
   float lumaFlicker, nearClamp, historyContrast, relax, sampleDistance, flicker;
 };
 
@@ -249,27 +249,27 @@ struct Composed {
   float alpha;  // for the time of the frame
 };
 
-Composed composed(WeightInputs x, float base, Calming calming) {
+Composed compose(WeightInputs x, float base, Damping damping) {
   Composed result;
   result.least = leastWeight(base);
-  precise float calmed = base * calming.lumaFlicker;
-  calmed = calmed * calming.nearClamp;
-  calmed = calmed * calming.historyContrast;
-  calmed = calmed * calming.relax;
-  calmed = calmed * calming.sampleDistance;
-  calmed = greater(calmed, result.least);
-  calmed = lesser(calmed, 1.0);
-  if (kFindsFlicker) calmed = calmed * calming.flicker;
-  result.motion = motionWeight(x, calmed);
+  precise float damped = base * damping.lumaFlicker;
+  damped = damped * damping.nearClamp;
+  damped = damped * damping.historyContrast;
+  damped = damped * damping.relax;
+  damped = damped * damping.sampleDistance;
+  damped = maximum(damped, result.least);
+  damped = minimum(damped, 1.0);
+  if (kFindsFlicker) damped = damped * damping.flicker;
+  result.motion = motionWeight(x, damped);
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
-  precise float moved = kWeightMotion == kWeightMotion_none ? calmed : joined(calmed, result.motion);
-  precise float added = calmed + result.motion;
-  precise float below = greater(calmed - 0.025, 0.0); // lerp(α − 0.025, 1, ‖v‖²)
-  if (kWeightMotion == kWeightMotion_squaredAsPrinted) moved = joined(below, result.motion);
+  precise float moved = kWeightMotion == kWeightMotion_none ? damped : screen(damped, result.motion);
+  precise float added = damped + result.motion;
+  precise float below = maximum(damped - 0.025, 0.0); // lerp(α − 0.025, 1, ‖v‖²)
+  if (kWeightMotion == kWeightMotion_squaredAsPrinted) moved = screen(below, result.motion);
   if (kWeightMotion == kWeightMotion_doubled) moved = added;
-  if (kWeightMotion == kWeightMotion_added) moved = lesser(added, 1.0);
-  if (kWeightVelocityChange) moved = joined(moved, result.velocityChange);
-  if (kWeightDivergence) moved = joined(moved, x.divergence);
+  if (kWeightMotion == kWeightMotion_added) moved = minimum(added, 1.0);
+  if (kWeightVelocityChange) moved = screen(moved, result.velocityChange);
+  if (kWeightDivergence) moved = screen(moved, x.divergence);
   result.alpha = byFrameRate(moved);
   return result;
 }
@@ -280,32 +280,32 @@ Composed composed(WeightInputs x, float base, Calming calming) {
 float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
   if (!kTaaEnabled) return 1.0;
   precise float alpha = kUpsampled ? terms.alpha * x.confidence : terms.alpha;
-  precise float raised = greater(alpha, mask) + invalid;
+  precise float raised = maximum(alpha, mask) + invalid;
   if (x.isFrozen) return 0.0;
-  return kDecays ? lesser(raised, 1.0) : greater(greater(alpha, mask), invalid);
+  return kDecays ? minimum(raised, 1.0) : maximum(maximum(alpha, mask), invalid);
 }
 
-Weight blendWeight(WeightInputs x, Samples samples, float invalid) {
+Weights blendWeight(WeightInputs x, Samples samples, float invalid) {
   float base = baseWeight(x);
-  Calming calming = Calming(lumaFlickerFactor(x), nearClampFactor(x), historyContrastFactor(x),
+  Damping damping = Damping(lumaFlickerFactor(x), nearClampFactor(x), historyContrastFactor(x),
                             relaxFactor(x), sampleDistanceFactor(x), flickerFactor(x));
-  Composed terms = composed(x, base, calming);
+  Composed terms = compose(x, base, damping);
   float mask = maskWeight(x);
   float alpha = wholeWeight(x, terms, mask, invalid);
-  Weight result = Weight(alpha, vec3(alpha));
+  Weights result = Weights(alpha, vec3(alpha));
   if (kHasChannelWeights) {
     vec3 bases = channelWeights(samples, x.current);
     for (int channel = 0; channel < 3; ++channel)
-      result.channels[channel] = wholeWeight(x, composed(x, bases[channel], calming), mask, invalid);
+      result.channels[channel] = wholeWeight(x, compose(x, bases[channel], damping), mask, invalid);
   }
   expose_alphaBase(base);
   expose_alphaFloor(terms.least);
-  expose_alphaLumaFlicker(calming.lumaFlicker);
-  expose_alphaNearClamp(calming.nearClamp);
-  expose_alphaHistoryContrast(calming.historyContrast);
-  expose_alphaRelax(calming.relax);
-  expose_alphaSampleDistance(calming.sampleDistance);
-  expose_alphaFlicker(calming.flicker);
+  expose_alphaLumaFlicker(damping.lumaFlicker);
+  expose_alphaNearClamp(damping.nearClamp);
+  expose_alphaHistoryContrast(damping.historyContrast);
+  expose_alphaRelax(damping.relax);
+  expose_alphaSampleDistance(damping.sampleDistance);
+  expose_alphaFlicker(damping.flicker);
   expose_alphaMotion(terms.motion);
   expose_alphaVelocityChange(terms.velocityChange);
   expose_alphaDivergence(x.divergence);

@@ -29,8 +29,8 @@ float storedDepth(ivec2 texel) { return historyAt(u_historySurface, texel).g; }
 
 /// Whether a bilinear tap gives a weight to a texel.
 bool isRead(ivec2 texel, vec2 position) {
-  precise vec2 way = abs((vec2(texel) + 0.5) - position);
-  return way.x < 1.0 && way.y < 1.0;
+  precise vec2 offset = abs((vec2(texel) + 0.5) - position);
+  return offset.x < 1.0 && offset.y < 1.0;
 }
 
 /// Depths stored in 3×3 around a texel of history.
@@ -66,7 +66,7 @@ float slopeBetween(float center, float a, float b) {
   precise float toA = center - (a == 0.0 ? kFarthest : a);
   precise float toB = (b == 0.0 ? kFarthest : b) - center;
   bool goesOn = (toA > 0.0) == (toB > 0.0);
-  return goesOn ? lesser(abs(toA), abs(toB)) : 0.0;
+  return goesOn ? minimum(abs(toA), abs(toB)) : 0.0;
 }
 
 float viewDepthAt(ivec2 texel) { return viewDepth(texelAt(u_depth, texel).r); }

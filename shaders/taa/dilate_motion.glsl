@@ -44,7 +44,7 @@ float firstDepth(ivec2 pixel) {
 
 /// The closest or the farthest. Ties, and sky all around, keep the pixel itself unless chosen otherwise. As printed the
 /// search starts from pixel (0, 0), and stays there when all is sky (§26, D4).
-ivec2 closestOf(ivec2 pixel, out float closest) {
+ivec2 findClosest(ivec2 pixel, out float closest) {
   ivec2 chosen = kIsAsPrinted ? ivec2(0) : pixel;
   closest = firstDepth(pixel);
   for (int k = 0; k < 9; ++k) {
@@ -55,7 +55,7 @@ ivec2 closestOf(ivec2 pixel, out float closest) {
     closest = mix(closest, depth, isChosen);
     chosen = mix(chosen, neighbor, bvec2(isChosen));
   }
-  return clamped(chosen);
+  return clampedToDrawn(chosen);
 }
 
 float squaredLength(vec2 motion) {
@@ -64,12 +64,12 @@ float squaredLength(vec2 motion) {
 }
 
 /// The fastest (4.5); ties keep the pixel itself.
-ivec2 longestOf(ivec2 pixel) {
+ivec2 findLongest(ivec2 pixel) {
   ivec2 chosen = pixel;
   float longest = squaredLength(texelAt(u_motion, pixel).rg);
   for (int k = 0; k < 9; ++k) {
     if (!isCandidate(k)) continue;
-    ivec2 neighbor = clamped(neighborOf(pixel, k));
+    ivec2 neighbor = clampedToDrawn(neighborOf(pixel, k));
     float squared = squaredLength(texelAt(u_motion, neighbor).rg);
     if (squared > longest) {
       longest = squared;
@@ -81,16 +81,16 @@ ivec2 longestOf(ivec2 pixel) {
 
 /// As HDRP prints it: with each diagonal goes the depth of the next one in this order (§26, D13). Its step() holds for
 /// equal depths, so that from the first that is no farther on each next one is compared with itself, and the last wins.
-ivec2 closestXAsPrinted(ivec2 pixel, out float depth) {
+ivec2 findClosestXAsPrinted(ivec2 pixel, out float depth) {
   const ivec2 kSteps[4] = ivec2[](ivec2(1, 1), ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1));
   float depths[4];
-  for (int k = 0; k < 4; ++k) depths[k] = texelAt(u_depth, clamped(pixel + kSteps[k])).r;
+  for (int k = 0; k < 4; ++k) depths[k] = texelAt(u_depth, clampedToDrawn(pixel + kSteps[k])).r;
   ivec2 chosen = pixel;
   float closest = texelAt(u_depth, pixel).r;
   for (int k = 0; k < 4; ++k) {
     if (depths[k] >= closest) {
       closest = depths[(k + 1) % 4];
-      chosen = clamped(pixel + kSteps[k]);
+      chosen = clampedToDrawn(pixel + kSteps[k]);
     }
   }
   depth = texelAt(u_depth, chosen).r;
@@ -100,16 +100,16 @@ ivec2 closestXAsPrinted(ivec2 pixel, out float depth) {
 DilatedMotion dilateMotion(ivec2 pixel) {
   DilatedMotion result;
   ivec2 chosen = pixel;
-  if (kIsLongest) chosen = longestOf(pixel);
+  if (kIsLongest) chosen = findLongest(pixel);
   if (kIsLongest || kDilateMethod == kDilateMethod_none) {
     result.depth = texelAt(u_depth, chosen).r;
   } else if (kDilateMethod == kDilateMethod_closestXAsPrinted) {
-    chosen = closestXAsPrinted(pixel, result.depth);
+    chosen = findClosestXAsPrinted(pixel, result.depth);
   } else {
-    chosen = closestOf(pixel, result.depth);
+    chosen = findClosest(pixel, result.depth);
   }
   if (kDilateUpLeft) { // Godot's tile has a border that it leaves out here
-    chosen = clamped(chosen - 1);
+    chosen = clampedToDrawn(chosen - 1);
     result.depth = texelAt(u_depth, chosen).r;
   }
   result.offset = vec2(chosen - pixel);

@@ -36,12 +36,12 @@ vec3 weightedSamples(Samples samples) {
 /// One bilinear tap at the place where the pixel's unjittered center landed (7.1); as printed on the other side (D10).
 vec3 unjitteredTap(Samples samples) {
   vec2 landed = kIsUnjitterAsPrinted ? -resolveBlock.jitterPx : resolveBlock.jitterPx;
-  ivec2 way = ivec2(landed.x < 0.0 ? -1 : 1, landed.y < 0.0 ? -1 : 1);
+  ivec2 direction = ivec2(landed.x < 0.0 ? -1 : 1, landed.y < 0.0 ? -1 : 1);
   vec2 f = abs(landed);
   precise vec3 center = samples.color[4];
-  precise vec3 beside = samples.color[4 + way.x];
-  precise vec3 over = samples.color[4 + 3 * way.y];
-  precise vec3 across = samples.color[4 + way.x + 3 * way.y];
+  precise vec3 beside = samples.color[4 + direction.x];
+  precise vec3 over = samples.color[4 + 3 * direction.y];
+  precise vec3 across = samples.color[4 + direction.x + 3 * direction.y];
   precise vec3 top = center + f.x * (beside - center);
   precise vec3 bottom = over + f.x * (across - over);
   precise vec3 result = top + f.y * (bottom - top);
@@ -69,7 +69,7 @@ CurrentColor filterCurrent(Samples samples, Place place, float speed) {
     result = storable(result); // negative weights overshoot both ways
   }
   if (kTaaEnabled) current.color = result;
-  if (kTaaEnabled && kUpsampled) current = upsampled(samples, place, speed);
+  if (kTaaEnabled && kUpsampled) current = upsample(samples, place, speed);
   if (kTaaEnabled && kCurrentSharpen != kCurrentSharpen_none)
     current.color = sharpenedCurrent(current.color, samples);
   expose_currentFiltered(current.color);

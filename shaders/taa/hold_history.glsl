@@ -35,11 +35,11 @@ bool isThin(Lumas lumas) {
   for (int k = 0; k < 9; ++k) {
     if (k == 4) continue;
     float other = lumas.each[k];
-    precise float limit = kSimilarRatio * lesser(own, other);
-    isSimilar[k] = greater(own, other) < limit;
+    precise float limit = kSimilarRatio * minimum(own, other);
+    isSimilar[k] = maximum(own, other) < limit;
     if (isSimilar[k]) continue;
-    lowest = lesser(other, lowest);
-    highest = greater(other, highest);
+    lowest = minimum(other, lowest);
+    highest = maximum(other, highest);
   }
   bool isPartOfBlock = (isSimilar[0] && isSimilar[1] && isSimilar[3]) ||
                        (isSimilar[1] && isSimilar[2] && isSimilar[5]) ||
@@ -49,11 +49,11 @@ bool isThin(Lumas lumas) {
 
 /// Makes, ages and kills the pixel's lock, and keeps it. `stored`: life and luma where history is valid. Out: how much
 /// of the correction it takes back.
-float lockOf(Lumas lumas, vec2 stored, vec2 next) {
+float updateLock(Lumas lumas, vec2 stored, vec2 next) {
   precise float life = stored.x;
   precise float locked = stored.y == 0.0 ? lumas.mean : stored.y;
-  precise float least = kSameShading * greater(locked, lumas.mean);
-  bool isChanged = lesser(locked, lumas.mean) < least;
+  precise float least = kSameShading * maximum(locked, lumas.mean);
+  bool isChanged = minimum(locked, lumas.mean) < least;
   if (isThin(lumas)) {
     locked = lumas.mean;
     life = life != 0.0 ? 2.0 : 1.0;
@@ -66,7 +66,7 @@ float lockOf(Lumas lumas, vec2 stored, vec2 next) {
   bool isLeaving = !(next.x >= 0.0 && next.x <= resolveBlock.sizePx.x && next.y >= 0.0 &&
                      next.y <= resolveBlock.sizePx.y);
   precise float aged = life - 1.0 / settings.rectifyLockFrames;
-  keep_lock(vec2(isLeaving ? 0.0 : greater(aged, 0.0), locked));
+  keep_lock(vec2(isLeaving ? 0.0 : maximum(aged, 0.0), locked));
   return saturated(alive);
 }
 
@@ -77,14 +77,14 @@ float lumaStep(float luma) {
 }
 
 /// `stored`: the last four steps of valid history, latest first. 1: luma was nearer before it was last.
-float instabilityOf(Lumas lumas, vec4 stored, float deviation) {
+float updateInstability(Lumas lumas, vec4 stored, float deviation) {
   float now = lumaStep(lumas.mean);
   precise vec4 differences = now - stored;
   precise vec4 distances = abs(differences);
   float nearest = distances.x;
   for (int k = 1; k < 4; ++k) {
     bool isAcross = differences[k] * differences.x < 0.0;
-    if (!isAcross) nearest = lesser(distances[k], nearest);
+    if (!isAcross) nearest = minimum(distances[k], nearest);
   }
   precise float size = saturated(deviation / 0.1);
   precise float squared = size * size;
@@ -107,13 +107,13 @@ float holdHistory(ivec2 pixel, Samples samples, Reprojection reprojection, Histo
       vec2 stored = keeps(kLayer_lock) && isValid ? historyAt(u_historyLock, texel).rg : vec2(0.0);
       precise vec2 center = vec2(pixel) + 0.5;
       precise vec2 next = center + (center - reprojection.position); // if it goes on as it came
-      lock = lockOf(lumas, stored, next);
+      lock = updateLock(lumas, stored, next);
     }
     if (kRectifyInstability) {
       precise vec4 stored = historyAt(u_historyLumas, texel) * 255.0;
       stored = floor(stored + 0.5);
       if (!keeps(kLayer_lumas) || !isValid) stored = vec4(0.0);
-      instability = instabilityOf(lumas, stored, boxLuma(moments.deviation));
+      instability = updateInstability(lumas, stored, boxLuma(moments.deviation));
     }
   }
   if (!kRectifyLocks) {
@@ -121,6 +121,6 @@ float holdHistory(ivec2 pixel, Samples samples, Reprojection reprojection, Histo
   }
   expose_lock(lock);
   expose_instability(instability);
-  precise float held = greater(lock, instability) * (1.0 - sqrt(samples.mask.x)); // 11.7: not what is reactive
-  return held;
+  precise float protection = maximum(lock, instability) * (1.0 - sqrt(samples.mask.x)); // 11.7: not what is reactive
+  return protection;
 }

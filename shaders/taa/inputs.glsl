@@ -26,7 +26,7 @@ layout(binding = 15) uniform sampler2D u_overlay;       // premultiplied, not ji
 const float kNoPreviousPosition = 65504.0;
 
 /// The nearest texel of the inputs.
-ivec2 clamped(ivec2 texel) { return clamp(texel, ivec2(0), ivec2(resolveBlock.renderSizePx) - 1); }
+ivec2 clampedToDrawn(ivec2 texel) { return clamp(texel, ivec2(0), ivec2(resolveBlock.renderSizePx) - 1); }
 
 /// The same texel of an input as texelFetch at clamped(texel): the samplers are nearest and clamp to the edge, and a
 /// texel's center is far from its borders. llvmpipe reads so in half the time.
@@ -39,18 +39,27 @@ vec4 historyAt(sampler2D picture, ivec2 texel) {
   return textureLod(picture, (vec2(texel) + 0.5) * (1.0 / resolveBlock.sizePx), 0.0);
 }
 
+// What resolveBlock packs.
+int historyFlags() { return resolveBlock.state.x; }
+int frameNumber() { return resolveBlock.state.w; }
+ivec2 firstPixel() { return resolveBlock.state.yz; }   // at the target's top left
+ivec2 regionSize() { return resolveBlock.spread.xy; }  // pixels that are drawn
+ivec2 targetSize() { return resolveBlock.spread.zw; }  // texels that stand for them
+float distanceFactor() { return resolveBlock.weightTerms.x; }    // on α, by the sample's distance from the center
+int eighthsOfFrame() { return int(resolveBlock.weightTerms.y); } // of the reference frame that this one took
+
 /// The pixel that this fragment stands for. A target with fewer texels than its region has pixels holds for each texel
 /// exactly what the pixel in its middle is.
 ivec2 pixelHere() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
-  if (kIsSparse) texel = (2 * texel + 1) * resolveBlock.spread.xy / (2 * resolveBlock.spread.zw);
-  return texel + resolveBlock.state.yz;
+  if (kIsSparse) texel = (2 * texel + 1) * regionSize() / (2 * targetSize());
+  return texel + firstPixel();
 }
 
-bool hasHistory() { return (resolveBlock.state.x & 1) != 0; }
+bool hasHistory() { return (historyFlags() & 1) != 0; }
 
 /// Whether the history holds a layer that not all settings keep.
-bool keeps(int layer) { return (resolveBlock.state.x & layer) != 0; }
+bool keeps(int layer) { return (historyFlags() & layer) != 0; }
 
 /// View depth in m of a device depth; 0 stands for the sky.
 float viewDepth(float depth) {
@@ -72,9 +81,9 @@ Place placeOf(ivec2 pixel) {
   if (!kUpsampled) return Place(pixel, vec2(0.0), pixel);
   precise vec2 center = (vec2(pixel) + 0.5) * resolveBlock.renderRatio;
   precise vec2 nearest = floor(center + resolveBlock.jitterPx);
-  ivec2 texel = clamped(ivec2(nearest));
+  ivec2 texel = clampedToDrawn(ivec2(nearest));
   precise vec2 offset = ((vec2(texel) + 0.5) - center) - resolveBlock.jitterPx;
-  return Place(texel, offset, clamped(ivec2(floor(center))));
+  return Place(texel, offset, clampedToDrawn(ivec2(floor(center))));
 }
 
 /// A motion of the inputs in px of the picture; the mark of no previous position stays.
@@ -119,8 +128,8 @@ vec3 boundedBySamples(vec3 color, Samples samples) {
   vec3 lowest = samples.color[0];
   vec3 highest = samples.color[0];
   for (int k = 1; k < 9; ++k) {
-    lowest = lesser(lowest, samples.color[k]);
-    highest = greater(highest, samples.color[k]);
+    lowest = minimum(lowest, samples.color[k]);
+    highest = maximum(highest, samples.color[k]);
   }
-  return bounded(color, lowest, highest);
+  return clamped(color, lowest, highest);
 }

@@ -25,7 +25,7 @@ bool isInCross(int k) { return k == 4 || k % 2 == 1; }
 bool isInX(int k) { return k % 2 == 0; }
 
 /// What the box may depend on besides the colors of this frame.
-struct Moved {
+struct NeighborhoodInputs {
   vec3 history; // scene-linear, as it was read
   vec2 motion;  // px
   float speed;  // px a frame
@@ -44,14 +44,14 @@ float momentWeight(int k, vec3 color, vec3 boxed) {
 
 /// The bilinear tap at `offset` px from a render texel's center.
 vec3 tapAt(ivec2 texel, vec2 offset) {
-  ivec2 way = ivec2(offset.x < 0.0 ? -1 : 1, offset.y < 0.0 ? -1 : 1);
+  ivec2 direction = ivec2(offset.x < 0.0 ? -1 : 1, offset.y < 0.0 ? -1 : 1);
   precise vec2 whole = floor(abs(offset));
   precise vec2 f = abs(offset) - whole;
-  ivec2 place = texel + way * ivec2(whole);
+  ivec2 place = texel + direction * ivec2(whole);
   precise vec3 here = sanitized(texelAt(u_color, place).rgb);
-  precise vec3 beside = sanitized(texelAt(u_color, place + ivec2(way.x, 0)).rgb);
-  precise vec3 over = sanitized(texelAt(u_color, place + ivec2(0, way.y)).rgb);
-  precise vec3 across = sanitized(texelAt(u_color, place + way).rgb);
+  precise vec3 beside = sanitized(texelAt(u_color, place + ivec2(direction.x, 0)).rgb);
+  precise vec3 over = sanitized(texelAt(u_color, place + ivec2(0, direction.y)).rgb);
+  precise vec3 across = sanitized(texelAt(u_color, place + direction).rgb);
   precise vec3 near = here + f.x * (beside - here);
   precise vec3 far = over + f.x * (across - over);
   precise vec3 color = near + f.y * (far - near);
@@ -67,19 +67,19 @@ Samples unjittered(ivec2 texel, Samples samples) {
 }
 
 /// How far the taps that vary lie from the center along both axes: κ of 8.5, px.
-float tapReach(Moved moved) {
-  precise float product = moved.speed * moved.depth;
+float tapReach(NeighborhoodInputs given) {
+  precise float product = given.speed * given.depth;
   // Nothing is divided by 0, and the sky is infinitely far even where it rests.
   precise float nearness = saturated(0.5 / mix(product, 1.0, product == 0.0));
-  if (product == 0.0) nearness = moved.depth == 0.0 ? 0.0 : 1.0;
+  if (product == 0.0) nearness = given.depth == 0.0 ? 0.0 : 1.0;
   precise float reach = 0.5 + 0.1667 * nearness;
   return reach;
 }
 
 /// The diagonals drawn in to taps at ±κ, about where the center landed if that is asked for. The pixel's own color
 /// stays, though it is not one of them.
-Samples varyingTaps(ivec2 texel, Samples samples, Moved moved) {
-  float reach = tapReach(moved);
+Samples varyingTaps(ivec2 texel, Samples samples, NeighborhoodInputs given) {
+  float reach = tapReach(given);
   Samples result = samples;
   for (int k = 0; k < 9; k += 2) {
     if (k == 4) continue;
@@ -128,14 +128,14 @@ Moments measure(Samples samples, vec3 boxed[9], bool isMember[9]) {
     total = total + weight;
     sum = sum + weight * difference;
     sumOfSquares = sumOfSquares + weight * (difference * difference);
-    result.lowest = lesser(boxed[k], result.lowest);
-    result.highest = greater(boxed[k], result.highest);
+    result.lowest = minimum(boxed[k], result.lowest);
+    result.highest = maximum(boxed[k], result.highest);
   }
   precise vec3 first = sum / total;
   precise vec3 mean = boxed[4] + first;
   precise vec3 variance = sumOfSquares / total - first * first;
-  result.mean = bounded(mean, result.lowest, result.highest);
-  result.deviation = sqrt(greater(variance, vec3(0.0)));
+  result.mean = clamped(mean, result.lowest, result.highest);
+  result.deviation = sqrt(maximum(variance, vec3(0.0)));
   return result;
 }
 
@@ -149,7 +149,7 @@ Moments rounded(Moments nine, Moments five) {
 
 /// Whether the shape has sample k around a render texel.
 bool isInShape(int k, ivec2 texel) {
-  bool isEven = resolveBlock.state.w % 2 == 0;
+  bool isEven = frameNumber() % 2 == 0;
   if (kIsVarying) return isInX(k) && k != 4;
   if (kIsPairs) return isInPair(k, texel);
   if (kIsAlternate) return isEven ? isInCross(k) : isInX(k);
@@ -162,7 +162,7 @@ vec3[9] allToBox(Samples samples) {
   return boxed;
 }
 
-Moments measureNeighborhood(Samples samples, vec3 boxed[9], ivec2 texel) {
+Moments measureSamples(Samples samples, vec3 boxed[9], ivec2 texel) {
   bool isMember[9];
   bool isCross[9];
   for (int k = 0; k < 9; ++k) {
@@ -181,28 +181,28 @@ float contrastGrowth(Moments moments, vec3 center, vec3 historyColor) {
   precise float low = mean - reach;
   precise float high = mean + reach;
   float current = boxLuma(center);
-  float history = lesser(greater(boxLuma(toBox(historyColor)), low), high);
-  float largest = greater(greater(current, history), 0.15);
+  float history = minimum(maximum(boxLuma(toBox(historyColor)), low), high);
+  float largest = maximum(maximum(current, history), 0.15);
   precise float x = saturated((abs(current - history) / largest - 0.05) / 0.5);
   precise float growth = settings.neighborhoodContrastGrowth * ((x * x) * (3.0 - 2.0 * x));
   return hasHistory() ? growth : 0.0;
 }
 
-float gammaUsed(Moments moments, vec3 center, Moved moved, vec2 mask) {
+float gammaUsed(Moments moments, vec3 center, NeighborhoodInputs given, vec2 mask) {
   precise float gamma = settings.neighborhoodGamma;
   if (kNeighborhoodMotionGamma) { // 10.8
-    float speed = moved.speed;
-    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_lines1080) speed = speedOfLines(moved.speed);
-    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_picture1080) speed = speedOfPicture(moved.motion);
+    float speed = given.speed;
+    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_lines1080) speed = speedOfLines(given.speed);
+    if (kNeighborhoodGammaSpeedIn == kNeighborhoodGammaSpeedIn_picture1080) speed = speedOfPicture(given.motion);
     precise float rest = saturated(1.0 - speed / settings.neighborhoodGammaSpeed);
     gamma = settings.neighborhoodGammaMoving + (gamma - settings.neighborhoodGammaMoving) * (rest * rest);
   }
   if (kNeighborhoodResolutionGamma) { // 10.9: of both γ that are chosen, not of what follows from colors
     precise float share = 1188.0 / resolveBlock.sizePx.y;
-    gamma = gamma * lesser(greater(share, 0.75), 1.0);
+    gamma = gamma * minimum(maximum(share, 0.75), 1.0);
   }
-  if (kNeighborhoodContrastGamma) gamma = gamma + contrastGrowth(moments, center, moved.history);
-  if (kNeighborhoodMaskRelax) gamma = gamma * (1.0 + 1.5 * greater(mask.x, mask.y)); // 10.10
+  if (kNeighborhoodContrastGamma) gamma = gamma + contrastGrowth(moments, center, given.history);
+  if (kNeighborhoodMaskRelax) gamma = gamma * (1.0 + 1.5 * maximum(mask.x, mask.y)); // 10.10
   return gamma;
 }
 
@@ -251,36 +251,36 @@ void measureSlabs(vec3 boxed[9], inout Neighborhood around) {
     float low = across(slabDirection(slab), boxed[0]);
     float high = low;
     for (int k = 1; k < 9; ++k) {
-      low = lesser(low, across(slabDirection(slab), boxed[k]));
-      high = greater(high, across(slabDirection(slab), boxed[k]));
+      low = minimum(low, across(slabDirection(slab), boxed[k]));
+      high = maximum(high, across(slabDirection(slab), boxed[k]));
     }
     around.slabLow[slab] = low;
     around.slabHigh[slab] = high;
   }
 }
 
-Box boxOf(Moments moments, float gamma) {
+Box boundByMoments(Moments moments, float gamma) {
   precise vec3 reach = gamma * moments.deviation;
   precise vec3 below = moments.mean - reach;
   precise vec3 above = moments.mean + reach;
   Box box = Box(moments.lowest, moments.highest);
   if (kNeighborhoodBox == kNeighborhoodBox_variance) box = Box(below, above);
   if (kNeighborhoodBox == kNeighborhoodBox_intersection)
-    box = Box(greater(moments.lowest, below), lesser(moments.highest, above));
+    box = Box(maximum(moments.lowest, below), minimum(moments.highest, above));
   return box;
 }
 
-Neighborhood boundNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltered, Moved moved) {
+Neighborhood measureNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltered, NeighborhoodInputs given) {
   vec3 boxed[9] = allToBox(samples);
   Moments moments;
   if (kIsVarying || kIsPairs) {
-    Samples members = kIsVarying ? varyingTaps(texel, samples, moved) : pairSamples(texel, samples);
-    moments = measureNeighborhood(members, allToBox(members), texel);
+    Samples members = kIsVarying ? varyingTaps(texel, samples, given) : pairSamples(texel, samples);
+    moments = measureSamples(members, allToBox(members), texel);
   } else {
-    moments = measureNeighborhood(samples, boxed, texel);
+    moments = measureSamples(samples, boxed, texel);
   }
-  float gamma = gammaUsed(moments, boxed[4], moved, samples.mask);
-  Box box = boxOf(moments, gamma);
+  float gamma = gammaUsed(moments, boxed[4], given, samples.mask);
+  Box box = boundByMoments(moments, gamma);
   if (kNeighborhoodChromaShrink && !kIsRgb) { // 10.6
     precise float extent = 0.125 * (moments.highest.x - moments.lowest.x);
     precise vec2 low = boxed[4].yz - extent;
@@ -289,7 +289,7 @@ Neighborhood boundNeighborhood(Samples samples, ivec2 texel, vec3 currentFiltere
   }
   if (kNeighborhoodIncludeFiltered) {
     precise vec3 filteredColor = toBox(currentFiltered);
-    box = Box(lesser(box.lo, filteredColor), greater(box.hi, filteredColor));
+    box = Box(minimum(box.lo, filteredColor), maximum(box.hi, filteredColor));
   }
   expose_neighborhoodMean(moments.mean);
   expose_neighborhoodDeviation(moments.deviation);

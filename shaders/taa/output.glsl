@@ -18,7 +18,7 @@ Samples readResolved(ivec2 pixel) {
 
 /// Interleaved gradient noise (Jimenez 2014) that moves on each frame; 0 to 1.
 float gradientNoise(ivec2 pixel) {
-  float shift = float(resolveBlock.state.w % 64);
+  float shift = float(frameNumber() % 64);
   precise vec2 place = vec2(pixel) + 5.588238 * shift;
   precise float slope = 0.06711056 * place.x + 0.00583715 * place.y;
   precise float steep = 52.9829189 * (slope - floor(slope));
@@ -43,13 +43,13 @@ vec3 currentAt(vec2 position) {
 
 /// The mean of seven taps along half the motion, px of the picture, started by the noise (14.4, Playdead).
 vec3 blurredAlong(vec2 position, vec2 motion, float noise) {
-  precise vec2 way = (motion * resolveBlock.renderRatio) / 6.0; // from tap to tap: three on either side of the pixel
+  precise vec2 stepPx = (motion * resolveBlock.renderRatio) / 6.0; // from tap to tap: three on either side of the pixel
   precise float start = noise - 0.5;
-  precise vec2 end = position + (start - 3.0) * way;
+  precise vec2 end = position + (start - 3.0) * stepPx;
   precise vec3 first = currentAt(end);
   precise vec3 sum = vec3(0.0);
   for (int tap = -2; tap <= 3; ++tap) {
-    precise vec2 place = position + (start + float(tap)) * way;
+    precise vec2 place = position + (start + float(tap)) * stepPx;
     sum = sum + (currentAt(place) - first);
   }
   precise vec3 result = first + sum / 7.0;
@@ -86,7 +86,7 @@ float detailOf(vec3 sharp, vec3 resolved) {
 /// With noise of a step of 8 bits, in square roots, which is near to what screens are sent (20.8).
 vec3 dithered(vec3 color, ivec2 pixel) {
   precise vec3 root = sqrt(color) + triangularNoise(pixel) / 255.0;
-  root = greater(root, vec3(0.0));
+  root = maximum(root, vec3(0.0));
   precise vec3 result = root * root;
   return storable(result);
 }

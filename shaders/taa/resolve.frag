@@ -33,31 +33,31 @@ void main() {
   Reprojection reprojection = reproject(pixel, dilated.motion);
   stage_ends(kStage_reproject, vec4(reprojection.position, reprojection.speed, float(reprojection.isOutside)));
   HistorySample history = sampleHistory(pixel, place.texel, reprojection.position);
-  stage_ends(kStage_sample_history, vec4(history.color, history.frames));
+  stage_ends(kStage_sample_history, vec4(history.color, history.historyLength));
   CurrentColor filtered = filterCurrent(samples, place, reprojection.speed);
   stage_ends(kStage_filter_current, vec4(filtered.color, filtered.confidence));
   vec3 current = filtered.color;
   Samples measured = samples;
   if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
-  Moved moved = Moved(history.color, dilated.motion, reprojection.speed, viewDepth(dilated.depth));
-  Neighborhood around = boundNeighborhood(measured, place.texel, current, moved);
+  NeighborhoodInputs given = NeighborhoodInputs(history.color, dilated.motion, reprojection.speed, viewDepth(dilated.depth));
+  Neighborhood around = measureNeighborhood(measured, place.texel, current, given);
   stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
   Validity validity = validateHistory(place.texel, dilated, reprojection, history);
   stage_ends(kStage_validate_history, vec4(validity.invalid, validity.velocityChange, float(validity.isFlicker), 0.0));
-  float held = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
-  history.frames = framesLeft(history.frames, validity);
+  float protection = holdHistory(pixel, samples, reprojection, history, around.moments, validity);
+  history.historyLength = lengthLeft(history.historyLength, validity);
   float strength = rectifyStrength(reprojection.speed, validity.isFlicker);
-  RectifiedHistory rectified = rectifyHistory(history, around, current, strength, held);
-  stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.frames));
+  RectifiedHistory rectified = rectifyHistory(history, around, current, strength, protection);
+  stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.historyLength));
   WeightInputs weighed =
-      WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.frames,
+      WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.historyLength,
                    validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence,
                    validity.isFrozen, validity.isFlicker);
-  Weight weight = blendWeight(weighed, samples, validity.invalid);
+  Weights weight = blendWeight(weighed, samples, validity.invalid);
   stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
   o_color = vec4(blended.color, 1.0);                         // History::color
-  o_surface = vec2(blended.frames, viewDepth(dilated.depth)); // History::surface: N, view depth
+  o_surface = vec2(blended.historyLength, viewDepth(dilated.depth)); // History::surface: N, view depth
   store_exposed();
 }

@@ -4,7 +4,7 @@
 
 struct HistorySample {
   vec3 color;
-  float frames;  // N
+  float historyLength;  // N
   vec2 position; // px, where it was read: the history position when that is sane
 };
 
@@ -17,7 +17,7 @@ vec3 storedColor(ivec2 texel) {
 }
 
 /// The four texels around x (px), mixed by their distance.
-vec3 historyBilinear(vec2 x) {
+vec3 bilinearHistory(vec2 x) {
   precise vec2 base = floor(x - 0.5);
   precise vec2 f = x - (base + 0.5);
   ivec2 first = ivec2(base);
@@ -75,7 +75,7 @@ vec2 mitchellFar(vec2 x) {
 /// (x² − 1)(x² − 4)³/64, the polynomial near Lanczos 2 of FSR2 and Filament (6.7).
 vec2 lanczos(vec2 x) {
   precise vec2 squared = x * x;
-  squared = vec2(lesser(squared.x, 4.0), lesser(squared.y, 4.0));
+  squared = vec2(minimum(squared.x, 4.0), minimum(squared.y, 4.0));
   precise vec2 a = squared - 1.0;
   precise vec2 b = squared - 4.0;
   precise vec2 result = ((a * b) * (b * b)) / 64.0;
@@ -86,7 +86,7 @@ const bool kIsCubic5AsPrinted = kHistoryFilter == kHistoryFilter_cubic5AsPrinted
 const bool kIsCubic5 = kHistoryFilter == kHistoryFilter_cubic5 || kIsCubic5AsPrinted;
 const bool kHasSharpness = kHistoryFilter == kHistoryFilter_cubic || kIsCubic5;
 
-CubicWeights historyWeights(vec2 f) {
+CubicWeights cubicWeights(vec2 f) {
   precise vec2 x0 = 1.0 + f;
   precise vec2 x2 = 1.0 - f;
   precise vec2 x3 = 2.0 - f;
@@ -123,10 +123,10 @@ vec3 historyTexel(ivec2 texel) { return sanitized(storedColor(texel)); }
 
 /// Corners left out, divided by the sum of weights (6.4, Jimenez 2016); as printed it is not (6.4b). Or each corner
 /// taken for the mean of the two taps beside it (6.4c): half of its weight goes to either.
-vec3 historyFiveTaps(vec2 x) {
+vec3 fiveTaps(vec2 x) {
   precise vec2 corner = floor(x - 0.5);
   precise vec2 f = x - (corner + 0.5);
-  CubicWeights w = historyWeights(f);
+  CubicWeights w = cubicWeights(f);
   precise vec2 w12 = w.w1 + w.w2;
   precise vec2 share = w.w2 / w12;
   Taps taps = historyTaps(ivec2(corner), share);
@@ -152,15 +152,15 @@ vec3 historyFiveTaps(vec2 x) {
     result = asPrinted;
   }
   if (kHistoryDering) { // 6.9
-    vec3 lowest = lesser(lesser(lesser(lesser(taps.above, taps.left), taps.middle), taps.right), taps.below);
-    vec3 highest = greater(greater(greater(greater(taps.above, taps.left), taps.middle), taps.right), taps.below);
-    result = bounded(result, lowest, highest);
+    vec3 lowest = minimum(minimum(minimum(minimum(taps.above, taps.left), taps.middle), taps.right), taps.below);
+    vec3 highest = maximum(maximum(maximum(maximum(taps.above, taps.left), taps.middle), taps.right), taps.below);
+    result = clamped(result, lowest, highest);
   }
   return storable(result); // negative lobes would never recover (6.10)
 }
 
 /// The corners too: equal to sixteen texels (6.3).
-vec3 historyCatmullRom9(vec2 x) {
+vec3 catmullRom9(vec2 x) {
   precise vec2 corner = floor(x - 0.5);
   precise vec2 f = x - (corner + 0.5);
   CubicWeights w = catmullRomWeights(f);
@@ -180,19 +180,19 @@ vec3 historyCatmullRom9(vec2 x) {
     precise float weight = wx[k % 3] * wy[k / 3];
     sum = sum + weight;
     weighted = weighted + (colors[k] - taps.middle) * weight;
-    lowest = lesser(lowest, colors[k]);
-    highest = greater(highest, colors[k]);
+    lowest = minimum(lowest, colors[k]);
+    highest = maximum(highest, colors[k]);
   }
   precise vec3 result = taps.middle + weighted / sum;
-  if (kHistoryDering) result = bounded(result, lowest, highest);
+  if (kHistoryDering) result = clamped(result, lowest, highest);
   return storable(result);
 }
 
 /// Sixteen texels with the weights of the chosen kernel (6.2, 6.5 to 6.7).
-vec3 historySixteen(vec2 x) {
+vec3 sixteenTexels(vec2 x) {
   precise vec2 corner = floor(x - 0.5);
   precise vec2 f = x - (corner + 0.5);
-  CubicWeights w = historyWeights(f);
+  CubicWeights w = cubicWeights(f);
   float wx[4] = float[4](w.w0.x, w.w1.x, w.w2.x, w.w3.x);
   float wy[4] = float[4](w.w0.y, w.w1.y, w.w2.y, w.w3.y);
   ivec2 t = ivec2(corner);
@@ -210,23 +210,23 @@ vec3 historySixteen(vec2 x) {
     // Lanczos keeps within the nearest four, as FSR2 does.
     bool isNearest = (cell.x == 1 || cell.x == 2) && (cell.y == 1 || cell.y == 2);
     if (kHistoryFilter == kHistoryFilter_lanczos && !isNearest) continue;
-    lowest = lesser(lowest, color);
-    highest = greater(highest, color);
+    lowest = minimum(lowest, color);
+    highest = maximum(highest, color);
   }
   precise vec3 result = middle + weighted / sum;
-  if (kHistoryDering) result = bounded(result, lowest, highest);
+  if (kHistoryDering) result = clamped(result, lowest, highest);
   return storable(result);
 }
 
 /// Whether depth has an edge among the nine pixels around (6.8); the sky is far beyond everything.
-bool isDepthEdge(ivec2 texel) {
+bool hasDepthEdge(ivec2 texel) {
   float nearest = 1e30;
   float farthest = 0.0;
   for (int k = 0; k < 9; ++k) {
     float depth = viewDepth(texelAt(u_depth, texel + ivec2(k % 3 - 1, k / 3 - 1)).r);
     if (depth == 0.0) depth = 1e30;
-    nearest = lesser(nearest, depth);
-    farthest = greater(farthest, depth);
+    nearest = minimum(nearest, depth);
+    farthest = maximum(farthest, depth);
   }
   precise float range = farthest - nearest;
   precise float limit = settings.historyEdgeDepth * farthest;
@@ -236,12 +236,12 @@ bool isDepthEdge(ivec2 texel) {
 const bool kTakesEdges = kHistoryBilinearAtEdges && kHistoryFilter != kHistoryFilter_point &&
                          kHistoryFilter != kHistoryFilter_bilinear;
 
-vec3 historyColor(vec2 x) {
+vec3 filteredHistory(vec2 x) {
   if (kHistoryFilter == kHistoryFilter_point) return historyTexel(ivec2(floor(x)));
-  if (kHistoryFilter == kHistoryFilter_bilinear) return historyBilinear(x);
-  if (kIsFiveTaps) return historyFiveTaps(x);
-  if (kIsCatmullRom9) return historyCatmullRom9(x);
-  return historySixteen(x);
+  if (kHistoryFilter == kHistoryFilter_bilinear) return bilinearHistory(x);
+  if (kIsFiveTaps) return fiveTaps(x);
+  if (kIsCatmullRom9) return catmullRom9(x);
+  return sixteenTexels(x);
 }
 
 /// N of the four texels around, mixed by their distance (Godot).
@@ -261,12 +261,12 @@ float bilinearLength(vec2 position) {
 
 HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   HistorySample result;
-  result.color = historyColor(position);
-  if (kTakesEdges && isEdge) result.color = historyBilinear(position);
-  result.frames = historyAt(u_historySurface, ivec2(floor(position))).r;
+  result.color = filteredHistory(position);
+  if (kTakesEdges && isEdge) result.color = bilinearHistory(position);
+  result.historyLength = historyAt(u_historySurface, ivec2(floor(position))).r;
   if (kHistoryLength == kHistoryLength_pixelAsPrinted) // §26, D15
-    result.frames = historyAt(u_historySurface, pixel).r;
-  if (kHistoryLength == kHistoryLength_bilinear) result.frames = bilinearLength(position);
+    result.historyLength = historyAt(u_historySurface, pixel).r;
+  if (kHistoryLength == kHistoryLength_bilinear) result.historyLength = bilinearLength(position);
   return result;
 }
 
@@ -277,11 +277,11 @@ HistorySample sampleHistory(ivec2 pixel, ivec2 texel, vec2 historyPosition) {
   precise vec2 position = isNear ? historyPosition : vec2(pixel) + 0.5;
   HistorySample result = HistorySample(vec3(0.0), 0.0, position);
   bool isEdge = false;
-  if (kTakesEdges) isEdge = isDepthEdge(texel);
+  if (kTakesEdges) isEdge = hasDepthEdge(texel);
   if (hasHistory()) result = readHistory(pixel, position, isEdge);
   result.position = position;
   expose_depthEdge(isEdge ? 1.0 : 0.0);
   expose_historyRaw(result.color);
-  expose_historyRawLength(result.frames);
+  expose_historyRawLength(result.historyLength);
   return result;
 }

@@ -40,13 +40,13 @@ vec3 unsharpMasked(Samples c) {
 /// Robust contrast-adaptive sharpening of colors from 0 to 1 (18.5): the lobe is the largest for which no channel
 /// leaves them, at most 3/16.
 vec3 rcas(vec3 e, vec3 b, vec3 d, vec3 f, vec3 h) {
-  vec3 lowest = lesser(lesser(b, d), lesser(f, h));
-  vec3 highest = greater(greater(b, d), greater(f, h));
-  precise vec3 room = lesser(lowest, e) / (4.0 * highest);
+  vec3 lowest = minimum(minimum(b, d), minimum(f, h));
+  vec3 highest = maximum(maximum(b, d), maximum(f, h));
+  precise vec3 room = minimum(lowest, e) / (4.0 * highest);
   room = vec3(highest.r > 0.0 ? room.r : 0.0, highest.g > 0.0 ? room.g : 0.0, highest.b > 0.0 ? room.b : 0.0);
-  precise vec3 headroom = (1.0 - greater(highest, e)) / (4.0 - 4.0 * lowest);
-  vec3 limit = lesser(room, headroom);
-  precise float lobe = lesser(0.1875, lesser(lesser(limit.r, limit.g), limit.b));
+  precise vec3 headroom = (1.0 - maximum(highest, e)) / (4.0 - 4.0 * lowest);
+  vec3 limit = minimum(room, headroom);
+  precise float lobe = minimum(0.1875, minimum(minimum(limit.r, limit.g), limit.b));
   lobe = lobe * saturated(settings.outputAmount);
   precise vec3 sum = (((b - e) + (d - e)) + (f - e)) + (h - e);
   precise vec3 result = e - (lobe * sum) / (1.0 - 4.0 * lobe);
@@ -73,7 +73,7 @@ vec3 brightenedInResolve(Samples c, Samples samples) {
   precise vec3 mean = center + sum / 9.0;
   precise vec3 linear = mean / inverseDivisor(luma(mean));
   if (mean == center) linear = samples.color[4];
-  precise vec3 result = c.color[4] + (3.0 * settings.outputAmount) * greater(c.color[4] - linear, vec3(0.0));
+  precise vec3 result = c.color[4] + (3.0 * settings.outputAmount) * maximum(c.color[4] - linear, vec3(0.0));
   return result;
 }
 

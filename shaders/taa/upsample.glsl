@@ -12,7 +12,7 @@ const bool kIsHdrp = kCurrentUpsample == kCurrentUpsample_hdrp || kIsHdrpGaussia
 const bool kIsFsr2 = kCurrentUpsample == kCurrentUpsample_fsr2;
 
 float lanczosOfSquare(float squared) {
-  float within = lesser(squared, 4.0);
+  float within = minimum(squared, 4.0);
   precise float a = within - 1.0;
   precise float b = within - 4.0;
   precise float result = ((a * b) * (b * b)) / 64.0;
@@ -30,7 +30,7 @@ float upsampleWeight(vec2 offset) {
   }
   if (kIsFsr2) { // 22.4
     precise vec2 scale = 1.0 / resolveBlock.renderRatio;
-    precise vec2 scaled = offset * vec2(lesser(scale.x, 1.99), lesser(scale.y, 1.99));
+    precise vec2 scaled = offset * vec2(minimum(scale.x, 1.99), minimum(scale.y, 1.99));
     precise float squared = scaled.x * scaled.x + scaled.y * scaled.y;
     return lanczosOfSquare(squared);
   }
@@ -77,7 +77,7 @@ float nearestConfidence(vec2 offset, float speed) {
   precise float near = 1.0 - (squared.x + squared.y);
   precise float x = saturated(speed);
   precise float moving = (x * x) * (3.0 - 2.0 * x);
-  return greater(saturated(near), moving);
+  return maximum(saturated(near), moving);
 }
 
 /// 1 where the nearest sample lies within ½/r, which beyond the border alone it does not (22.3).
@@ -91,13 +91,13 @@ float gaussianConfidence(vec2 offset) {
   precise vec2 x = offset / resolveBlock.renderRatio;
   precise float exponent = -3.125 * (x.x * x.x + x.y * x.y);
   precise float confidence = exp2Of(exponent) / (resolveBlock.renderRatio.x * resolveBlock.renderRatio.y);
-  return lesser(confidence, 1.0);
+  return minimum(confidence, 1.0);
 }
 
 /// κ, where the weights do not give it.
 float placeConfidence(vec2 offset) { return kIsHdrpGaussian ? gaussianConfidence(offset) : boxConfidence(offset); }
 
-CurrentColor upsampled(Samples samples, Place place, float speed) {
+CurrentColor upsample(Samples samples, Place place, float speed) {
   precise vec3 middle = samples.color[4];
   if (kIsSampleWeight) return CurrentColor(middle, nearestConfidence(place.offset, speed));
   WeightedSum sum = WeightedSum(vec3(0.0), 0.0);

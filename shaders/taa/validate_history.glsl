@@ -72,7 +72,7 @@ Validity validateHistory(ivec2 texel, DilatedMotion dilated, Reprojection reproj
 const bool kDecays = kValidateAction == kValidateAction_decay;
 
 /// N once it has decayed by what is rejected (Godot).
-float framesLeft(float frames, Validity validity) {
-  precise float left = frames * (1.0 - validity.invalid);
-  return kDecays ? left : frames;
+float lengthLeft(float historyLength, Validity validity) {
+  precise float left = historyLength * (1.0 - validity.invalid);
+  return kDecays ? left : historyLength;
 }
