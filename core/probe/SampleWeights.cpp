@@ -13,17 +13,18 @@ namespace taa {
 namespace {
 
 /// A gray pixel that stays as it is, near the camera.
-twin::Seen calmPixel(const Settings& settings, int frame) {
+twin::WeightInputs calmPixel(const Settings& settings, int frame) {
   constexpr float kGray = 0.5f;
-  twin::Seen seen;
-  seen.hasHistory = frame > 0;
-  seen.lumaCurrent = seen.lumaHistory = kGray;
-  seen.boxCurrent = seen.boxHistoryRaw = seen.boxHistory = seen.boxLow = seen.boxHigh = kGray;
-  seen.compressedCurrent = seen.compressedHistory = kGray / (1.0f + kGray);
-  seen.maxCurrent = seen.maxHistory = kGray / (1.0f + kGray);
-  seen.depth = 1.0f;
-  seen.jitterPx = jitterPx(settings.jitter, frame); // its length alone matters, whatever way the camera moves
-  return seen;
+  twin::WeightInputs weighed;
+  weighed.hasHistory = frame > 0;
+  weighed.lumaCurrent = weighed.lumaHistory = kGray;
+  weighed.boxCurrent = weighed.boxHistoryRaw = weighed.boxHistory = weighed.boxLow = weighed.boxHigh = kGray;
+  weighed.compressedCurrent = weighed.compressedHistory = kGray / (1.0f + kGray);
+  weighed.maxCurrent = weighed.maxHistory = kGray / (1.0f + kGray);
+  weighed.depth = 1.0f;
+  weighed.jitterPx =
+      jitterPx(settings.jitter, frame); // its length alone matters, whatever way the camera moves
+  return weighed;
 }
 
 } // namespace
@@ -63,10 +64,10 @@ std::vector<double> calmAlphas(const Settings& settings, int frames) {
   std::vector<double> alphas;
   float length = 0.0f;
   for (int frame = 0; frame < frames; ++frame) {
-    const twin::Seen seen = calmPixel(settings, frame);
-    const twin::Weights weights = twin::weigh(settings, length, frame == 0 ? 1.0f : 0.0f, seen);
-    twin::Mix mix;
-    mix.current = mix.history = glm::vec3(seen.lumaCurrent);
+    const twin::WeightInputs weighed = calmPixel(settings, frame);
+    const twin::Weights weights = twin::blendWeight(settings, length, frame == 0 ? 1.0f : 0.0f, weighed);
+    twin::BlendInputs mix;
+    mix.current = mix.history = glm::vec3(weighed.lumaCurrent);
     mix.alpha = weights.alpha;
     mix.channels = weights.channels;
     mix.historyLength = length;

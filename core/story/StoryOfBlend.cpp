@@ -52,7 +52,7 @@ RowStory lengthStory(const Teller& t) {
   const bool isTo16 = t.settings().blend.length == LengthRule::CountTo16;
   if (isTo16 && t.details().isFirst)
     return {say<"the first frame is not counted">(), t.equals("0", Id::historyLength), ""};
-  if (isTo16 && (alpha < 1.0f || t.details().seen.decays))
+  if (isTo16 && (alpha < 1.0f || t.details().weighed.decays))
     return {say<"one more, and no more than 16">(),
             t.equals(call("min", {n + " + " + t.number(Id::sampleConfidence), "16"}), Id::historyLength), ""};
   if (alpha >= 1.0f) return {say<"history starts anew">(), t.equals("1", Id::historyLength), ""};

@@ -11,13 +11,13 @@ namespace taa::story {
 namespace {
 
 std::string lifeWords(const Teller& t) {
-  const twin::Held& held = t.details().held;
-  const std::string luma = t.number(held.luma), life = t.number(held.storedLock.x);
-  const bool hadLock = held.storedLock.x > 0.0f;
-  if (held.isChanged)
-    return say<"mean luma %1 is another than the %2 it was locked at: no lock">(luma,
-                                                                                t.number(held.storedLock.y));
-  if (held.isThin)
+  const twin::LockState& lockState = t.details().lockState;
+  const std::string luma = t.number(lockState.luma), life = t.number(lockState.storedLock.x);
+  const bool hadLock = lockState.storedLock.x > 0.0f;
+  if (lockState.isChanged)
+    return say<"mean luma %1 is another than the %2 it was locked at: no lock">(
+        luma, t.number(lockState.storedLock.y));
+  if (lockState.isThin)
     return hadLock ? say<"a thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
                    : say<"a thin feature, mean luma %1, no lock before">(luma);
   return hadLock ? say<"no thin feature, mean luma %1, the lock before had a life of %2">(luma, life)
@@ -26,17 +26,17 @@ std::string lifeWords(const Teller& t) {
 
 /// The life that the rule gives, from the one before.
 std::string lifeText(const Teller& t) {
-  const twin::Held& held = t.details().held;
-  if (held.isChanged) return "0";
-  if (held.isThin) return held.storedLock.x == 0.0f ? "1" : "2";
-  return t.number(held.storedLock.x);
+  const twin::LockState& lockState = t.details().lockState;
+  if (lockState.isChanged) return "0";
+  if (lockState.isThin) return lockState.storedLock.x == 0.0f ? "1" : "2";
+  return t.number(lockState.storedLock.x);
 }
 
 RowStory instabilityStory(const Teller& t) {
-  const twin::Held& held = t.details().held;
-  const std::string now = t.number(std::round(held.keptLumas.x * 255.0f));
+  const twin::LockState& lockState = t.details().lockState;
+  const std::string now = t.number(std::round(lockState.keptLumas.x * 255.0f));
   std::string before;
-  for (int k = 0; k < 4; ++k) before += (k == 0 ? "" : ", ") + t.number(held.storedLumas[k]);
+  for (int k = 0; k < 4; ++k) before += (k == 0 ? "" : ", ") + t.number(lockState.storedLumas[k]);
   return {t.value(Id::instability) > 0
               ? say<"luma comes and goes, history is kept: %1 of 255, before %2">(now, before)
               : say<"luma does not come and go: %1 of 255, before %2">(now, before),

@@ -67,7 +67,7 @@ std::string sharpenText(const Teller& t) {
   case Sharpen::Unsharp:
     return c + " − " + k + " × (" + a.all() + " / 9 − " + c + ")";
   case Sharpen::Rcas: {
-    const auto bounded = twin::bounded(t.details().resolvedAround);
+    const auto bounded = twin::compressMax(t.details().resolvedAround);
     const float lobe = twin::rcasLobe(bounded, output.amount);
     const glm::vec3 sum = bounded[1] + bounded[3] + bounded[5] + bounded[7];
     const glm::vec3 sharp = (bounded[4] - lobe * sum) / (1.0f - 4.0f * lobe);

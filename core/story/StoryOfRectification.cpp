@@ -37,9 +37,9 @@ namespace {
 /// What rectification moves, in box space.
 struct Clip {
   glm::vec3 h{0.0f}, current{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
-  glm::vec3 mean{0.0f};  ///< of the samples, within the box
-  glm::vec3 moved{0.0f}; ///< where h went, before the way back is clamped as printed
-  twin::Clipped result;  ///< before strength and locks
+  glm::vec3 mean{0.0f};   ///< of the samples, within the box
+  glm::vec3 moved{0.0f};  ///< where h went, before the way back is clamped as printed
+  twin::Rectified result; ///< before strength and locks
 };
 
 Clip clipOf(const Teller& t) {
@@ -145,8 +145,8 @@ bool isPartial(const Teller& t) {
 std::string pulledWords(const Teller& t) {
   const std::string target = targetText(t.settings().rectify.method);
   const std::string amount = t.percent(Id::clipAmount), applied = t.percent(Id::rectifyStrength);
-  const std::string held = t.percent(static_cast<double>(t.details().held.share));
-  const bool isRelaxed = t.value(Id::rectifyStrength)<1.0f, isHeld = t.details().held.share> 0.0f;
+  const std::string held = t.percent(static_cast<double>(t.details().lockState.protection));
+  const bool isRelaxed = t.value(Id::rectifyStrength)<1.0f, isHeld = t.details().lockState.protection> 0.0f;
   if (!(t.value(Id::clipAmount) > 0.0f))
     return say<"outside of the box, but nothing of the correction is applied">();
   const std::string words = say<"pulled %1 of the way to %2">(amount, target);
@@ -200,10 +200,10 @@ RowStory rectifiedStory(const Teller& t) {
   if (!clip.result.moved) return {keptWords(t), "", ""};
   const bool isSelected = rectify.method == RectifyMethod::Select;
   const std::string words = isSelected ? selectedWords(t, clip) : pulledWords(t);
-  if (isPartial(t) || t.details().held.share > 0.0f) {
+  if (isPartial(t) || t.details().lockState.protection > 0.0f) {
     const std::string raw = t.tuple(Id::historyRaw);
     const std::string share = t.number(static_cast<double>(t.value(Id::rectifyStrength))) + " × (1 − " +
-                              t.number(static_cast<double>(t.details().held.share)) + ")";
+                              t.number(static_cast<double>(t.details().lockState.protection)) + ")";
     return {words,
             t.equals(raw + " + " + share + " × (" + t.tuple(clip.result.value) + " − " + raw + ")",
                      Id::historyRectified),
@@ -275,8 +275,8 @@ RowStory clipStory(const Teller& t) {
           : say<"history is outside, but not pulled: %1">(method);
   if (text.empty()) return {words, "", ""};
   if (isPartial(t)) text = "(" + text + ") × " + t.number(Id::rectifyStrength);
-  if (t.details().held.share > 0.0f)
-    text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().held.share)) + ")";
+  if (t.details().lockState.protection > 0.0f)
+    text = "(" + text + ") × (1 − " + t.number(static_cast<double>(t.details().lockState.protection)) + ")";
   return {words, t.equals(text, Id::clipAmount), ""};
 }
 
@@ -301,7 +301,7 @@ RowStory strengthStory(const Teller& t) {
 
 RowStory keptLengthStory(const Teller& t) {
   const float before = t.value(Id::historyRawLength), kept = t.value(Id::historyKeptLength);
-  const bool isDecayed = t.details().seen.decays && t.value(Id::alphaInvalid) > 0.0f;
+  const bool isDecayed = t.details().weighed.decays && t.value(Id::alphaInvalid) > 0.0f;
   const std::string left =
       isDecayed ? t.number(Id::historyRawLength) + " × (1 − " + t.number(Id::alphaInvalid) + ")"
                 : t.number(Id::historyRawLength);
@@ -311,7 +311,7 @@ RowStory keptLengthStory(const Teller& t) {
                        kept != before * (1.0f - (isDecayed ? t.value(Id::alphaInvalid) : 0.0f));
   if (!forgets) return {say<"it decays by what is rejected">(), t.equals(left, Id::historyKeptLength), ""};
   const std::string forgotten = call("min", {left, t.number(1.6216216)});
-  const std::string held = t.number(static_cast<double>(t.details().held.share));
+  const std::string held = t.number(static_cast<double>(t.details().lockState.protection));
   return {say<"clamped history forgets">(),
           t.equals(forgotten + " + " + held + " × (" + left + " − " + forgotten + ")", Id::historyKeptLength),
           ""};

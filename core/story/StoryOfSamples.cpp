@@ -67,11 +67,11 @@ struct Set {
   bool isEqual = true;
 };
 
-Set setOf(const Teller& t, const std::vector<twin::Member>& members) {
+Set setOf(const Teller& t, const std::vector<twin::NeighborhoodSample>& members) {
   const MomentWeights kind = t.settings().neighborhood.weights;
   Set set;
   set.isEqual = kind == MomentWeights::Equal;
-  for (const twin::Member& member : members) {
+  for (const twin::NeighborhoodSample& member : members) {
     set.values.push_back(t.box(member.color).x);
     set.weights.push_back(twin::momentWeight(t.settings(), member));
   }
@@ -80,7 +80,7 @@ Set setOf(const Teller& t, const std::vector<twin::Member>& members) {
 
 /// The cross, which rounding looks at besides.
 Set crossOf(const Teller& t) {
-  std::vector<twin::Member> cross;
+  std::vector<twin::NeighborhoodSample> cross;
   for (const std::size_t k : {1u, 3u, 4u, 5u, 7u})
     cross.push_back({t.details().neighborhood.colors[k], k == 4 ? 0u : 1u});
   return setOf(t, cross);

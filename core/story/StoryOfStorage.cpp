@@ -59,7 +59,7 @@ std::string ditheredHalf(const Teller& t, const std::string& expression, int cha
 glm::vec3 mixedColor(const Teller& t) {
   Settings settings = t.settings();
   settings.history.precision = Precision::Full;
-  twin::Mix mix;
+  twin::BlendInputs mix;
   mix.current = t.color(Id::currentFiltered);
   mix.history = t.color(Id::historyRectified);
   mix.alpha = t.value(Id::alpha);

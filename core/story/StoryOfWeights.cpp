@@ -23,15 +23,15 @@ namespace {
 
 /// Of lumas, or of those of colors over 1 + their largest channel.
 std::string likeness(const Teller& t, bool isCompressed) {
-  const twin::Seen& seen = t.details().seen;
-  const std::string now = t.number(isCompressed ? seen.maxCurrent : seen.lumaCurrent);
-  const std::string then = t.number(isCompressed ? seen.maxHistory : seen.lumaHistory);
+  const twin::WeightInputs& weighed = t.details().weighed;
+  const std::string now = t.number(isCompressed ? weighed.maxCurrent : weighed.lumaCurrent);
+  const std::string then = t.number(isCompressed ? weighed.maxHistory : weighed.lumaHistory);
   return "(1 − |" + now + " − " + then + "| / " + call("max", {now, then, "0.2"}) + ")^2";
 }
 
 std::string baseText(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
-  const twin::Seen& seen = t.details().seen;
+  const twin::WeightInputs& weighed = t.details().weighed;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
   switch (weight.source) { // catalogue §13
   case AlphaSource::Constant:
@@ -46,14 +46,15 @@ std::string baseText(const Teller& t) {
     return likeness(t, true);
   case AlphaSource::Contrast:
   case AlphaSource::ContrastPerChannel:
-    return "1 − (0.25 + 0.6 × clamp(|" + n(seen.boxHigh) + " − " + n(seen.boxLow) + "| / " +
-           call("max", {n(seen.boxCurrent), "0.00001"}) + ", 0, 1))";
+    return "1 − (0.25 + 0.6 × clamp(|" + n(weighed.boxHigh) + " − " + n(weighed.boxLow) + "| / " +
+           call("max", {n(weighed.boxCurrent), "0.00001"}) + ", 0, 1))";
   case AlphaSource::Confidence: {
-    const float after = twin::confidenceAfter(t.value(Id::historyKeptLength), seen.motion);
+    const float after = twin::confidenceAfter(t.value(Id::historyKeptLength), weighed.motion);
     return call("min", {call("max", {"1 / " + n(after), n(weight.least)}), n(weight.most)});
   }
   case AlphaSource::Depth:
-    return seen.depth == 0.0f ? "1" : "0.025 + (" + n(weight.alpha) + " − 0.025) × √(" + n(seen.depth) + ")";
+    return weighed.depth == 0.0f ? "1"
+                                 : "0.025 + (" + n(weight.alpha) + " − 0.025) × √(" + n(weighed.depth) + ")";
   }
   return {};
 }
@@ -69,14 +70,14 @@ RowStory floorStory(const Teller& t) {
 
 RowStory flickerStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
-  const twin::Seen& seen = t.details().seen;
+  const twin::WeightInputs& weighed = t.details().weighed;
   if (!isOn(weight.lumaFlicker)) return {say<"not asked for">(), "", ""};
-  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
+  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
   const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
   const std::string now =
-      t.number(static_cast<double>(isCompressed ? seen.compressedCurrent : seen.lumaCurrent));
+      t.number(static_cast<double>(isCompressed ? weighed.compressedCurrent : weighed.lumaCurrent));
   const std::string then =
-      t.number(static_cast<double>(isCompressed ? seen.compressedHistory : seen.lumaHistory));
+      t.number(static_cast<double>(isCompressed ? weighed.compressedHistory : weighed.lumaHistory));
   const std::string most =
       isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
   return {t.value(Id::alphaLumaFlicker) < 1.0f ? say<"less where luma differs from history">()
@@ -85,12 +86,12 @@ RowStory flickerStory(const Teller& t) {
 }
 
 RowStory clampStory(const Teller& t) {
-  const twin::Seen& seen = t.details().seen;
+  const twin::WeightInputs& weighed = t.details().weighed;
   if (!isOn(t.settings().weight.nearClamp)) return {say<"not asked for">(), "", ""};
-  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
-  const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
-  const float past = seen.boxHistoryRaw;
-  const float wall = std::fmin(std::fabs(past - seen.boxLow), std::fabs(past - seen.boxHigh));
+  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
+  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
+  const float past = weighed.boxHistoryRaw;
+  const float wall = std::fmin(std::fabs(past - weighed.boxLow), std::fabs(past - weighed.boxHigh));
   if (!(wall + width > 0.0f)) return {say<"the box has no width">(), "", ""};
   const std::string far = t.number(static_cast<double>(wall));
   return {
@@ -101,21 +102,21 @@ RowStory clampStory(const Teller& t) {
 }
 
 RowStory contrastStory(const Teller& t) {
-  const twin::Seen& seen = t.details().seen;
+  const twin::WeightInputs& weighed = t.details().weighed;
   if (!isOn(t.settings().weight.historyContrast)) return {say<"not asked for">(), "", ""};
-  if (!seen.hasHistory) return {say<"there is no history yet">(), "", ""};
-  if (!(seen.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
-  const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
+  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
+  if (!(weighed.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
+  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
   return {t.value(Id::alphaHistoryContrast) < 1.0f ? say<"less where the box is large against history">()
                                                    : say<"the box has no width">(),
           t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
-                       t.number(static_cast<double>(seen.boxHistory)) + ")",
+                       t.number(static_cast<double>(weighed.boxHistory)) + ")",
                    Id::alphaHistoryContrast),
           ""};
 }
 
 RowStory sampleDistanceStory(const Teller& t) {
-  const glm::vec2 jitter = t.details().seen.jitterPx;
+  const glm::vec2 jitter = t.details().weighed.jitterPx;
   const std::string squared = "(" + t.number(static_cast<double>(jitter.x)) + ")^2 + (" +
                               t.number(static_cast<double>(jitter.y)) + ")^2";
   switch (t.settings().weight.sampleDistance) {
@@ -187,7 +188,7 @@ RowStory motionStory(const Teller& t) {
   case MotionAlpha::Squared:
     return {words, t.equals(x + "^2", Id::alphaMotion), ""};
   case MotionAlpha::SquaredAsPrinted: {
-    const glm::vec2 uv = t.details().seen.motionUv;
+    const glm::vec2 uv = t.details().weighed.motionUv;
     return {say<"motion of %1 px, as fractions of the picture">(t.number(Id::speed)),
             t.equals("clamp((" + t.number(static_cast<double>(uv.x)) + ")^2 + (" +
                          t.number(static_cast<double>(uv.y)) + ")^2, 0, 1)",
@@ -224,7 +225,7 @@ std::string joinedText(const Teller& t, bool withBase) {
 }
 
 double frames(const Teller& t) {
-  return framesTaken(t.details().seen.stepSeconds, t.settings().weight);
+  return framesTaken(t.details().weighed.stepSeconds, t.settings().weight);
 }
 
 RowStory frameRateStory(const Teller& t) {
@@ -271,10 +272,10 @@ RowStory divergenceStory(const Teller& t) {
 
 RowStory invalidStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
-  if (t.details().seen.isFrozen) return {say<"history outside is kept whole, as printed">(), "", ""};
+  if (t.details().weighed.isFrozen) return {say<"history outside is kept whole, as printed">(), "", ""};
   if (invalid == 0.0f) return {say<"history was kept">(), "", ""};
   const std::string words = invalid >= 1.0f ? say<"history was dropped">()
-                            : t.details().seen.decays || invalid > alphaBeforeRejection(t.probed.record)
+                            : t.details().weighed.decays || invalid > alphaBeforeRejection(t.probed.record)
                                 ? say<"history counts less">()
                                 : say<"it counted no more before">();
   const ValidateSettings& validate = t.settings().validate;
@@ -294,7 +295,7 @@ std::string alphaText(const Teller& t, bool withBase) {
   std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, withBase);
   if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
   const bool isMasked = t.value(Id::alphaMask) > 0, isInvalid = t.value(Id::alphaInvalid) > 0;
-  if (t.details().seen.decays && isInvalid) {
+  if (t.details().weighed.decays && isInvalid) {
     if (isMasked) text = call("max", {text, t.number(Id::alphaMask)});
     return call("min", {text + " + " + t.number(Id::alphaInvalid), "1"});
   }
@@ -309,8 +310,8 @@ RowStory channelsStory(const Teller& t) {
     return {say<"α in each, %1">(t.number(Id::alpha)), "", ""};
   if (t.value(Id::alphaInvalid) >= 1.0f)
     return {say<"history was rejected: the current frame alone">(), "", ""};
-  if (t.details().seen.isFrozen) return {say<"history alone: nothing of the current frame">(), "", ""};
-  const float contrast = t.details().seen.contrast.x;
+  if (t.details().weighed.isFrozen) return {say<"history alone: nothing of the current frame">(), "", ""};
+  const float contrast = t.details().weighed.contrast.x;
   twin::PixelRecord record = t.probed.record;
   const auto set = [&](Id id, float value) { twin::at(record, id).x = value; };
   set(Id::alphaBase, 1.0f - (0.25f + 0.6f * twin::saturated(contrast)));
@@ -319,7 +320,7 @@ RowStory channelsStory(const Teller& t) {
   const Teller teller{red, t.digits};
   if (weight.motion == MotionAlpha::Doubled) {
     const float alpha = calmed(teller);
-    const float speed = twin::speedIn(weight.motionSpeedIn, t.value(Id::speed), t.details().seen.motion,
+    const float speed = twin::speedIn(weight.motionSpeedIn, t.value(Id::speed), t.details().weighed.motion,
                                       t.details().picturePx);
     set(Id::alphaMotion,
         twin::saturated(speed / weight.motionSpeed) * (std::fmin(2.0f * alpha, 1.0f) - alpha));
@@ -334,7 +335,7 @@ RowStory alphaStory(const Teller& t) {
   const float invalid = t.value(Id::alphaInvalid);
   if (invalid >= 1.0f)
     return {say<"history was rejected: the current frame alone">(), t.equals("1", Id::alpha), ""};
-  if (t.details().seen.isFrozen)
+  if (t.details().weighed.isFrozen)
     return {say<"history alone: nothing of the current frame">(), t.equals("0", Id::alpha), ""};
   std::string words =
       say<"%1 current, by %2">(t.percent(Id::alpha), choiceLabel("weight.source", t.settings()));
@@ -349,7 +350,7 @@ RowStory alphaStory(const Teller& t) {
     words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
   if (mask > 0 && mask == alpha && mask > t.value(Id::alphaFrameRate) * t.value(Id::sampleConfidence))
     words = say<"%1; raised where the mask asks for it">(words);
-  if (invalid > 0 && (t.details().seen.decays || invalid > alphaBeforeRejection(t.probed.record)))
+  if (invalid > 0 && (t.details().weighed.decays || invalid > alphaBeforeRejection(t.probed.record)))
     words = say<"%1; raised where history was rejected">(words);
   return {words, t.equals(alphaText(t, true), Id::alpha), ""};
 }
@@ -357,7 +358,7 @@ RowStory alphaStory(const Teller& t) {
 RowStory relaxStory(const Teller& t) {
   if (!isOn(t.settings().neighborhood.maskRelax)) return {say<"not asked for">(), "", ""};
   return {t.value(Id::alphaRelax) < 1.0f ? say<"less where the mask relaxes the box">() : say<"not masked">(),
-          t.equals("1 / (1 + 0.5 × " + t.number(t.details().seen.relax) + ")", Id::alphaRelax), ""};
+          t.equals("1 / (1 + 0.5 × " + t.number(t.details().weighed.relax) + ")", Id::alphaRelax), ""};
 }
 
 RowStory changeStory(const Teller& t) {

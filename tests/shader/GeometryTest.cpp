@@ -310,11 +310,11 @@ TEST_F(GeometryTest, WhatHistoryDoesNotKeepAgrees) {
 namespace {
 
 Image ofPixels(const taa::twin::Inputs& frame, const Settings& settings, int channels,
-               const std::function<glm::vec4(const taa::twin::Kept&)>& value) {
+               const std::function<glm::vec4(const taa::twin::KeptLayers&)>& value) {
   Image image(frame.width(), frame.height(), channels);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      taa::twin::Kept kept;
+      taa::twin::KeptLayers kept;
       taa::twin::resolvePixel(frame, settings, x, y, &kept);
       const glm::vec4 texel = value(kept);
       for (int channel = 0; channel < channels; ++channel) image.at(x, y)[channel] = texel[channel];
@@ -339,31 +339,31 @@ TEST_F(GeometryTest, HistoryKeepsWhatTheTwinSays) {
     settings.history.precision = random.history;
     taa::twin::Inputs next = frame;
     taa::test::downloadHistory(resolve(frame, random, settings), next);
-    using taa::twin::Kept;
+    using taa::twin::KeptLayers;
     EXPECT_EQ(difference(next.historyObject,
                          ofPixels(frame, settings, 2,
-                                  [](const Kept& kept) { return glm::vec4(kept.object, 0.0f, 0.0f); })),
+                                  [](const KeptLayers& kept) { return glm::vec4(kept.object, 0.0f, 0.0f); })),
               "");
     EXPECT_EQ(difference(next.historyNormal,
-                         ofPixels(frame, settings, 4, [](const Kept& kept) { return kept.normal; })),
+                         ofPixels(frame, settings, 4, [](const KeptLayers& kept) { return kept.normal; })),
               "");
     EXPECT_EQ(difference(next.historyMotion,
                          ofPixels(frame, settings, 2,
-                                  [](const Kept& kept) { return glm::vec4(kept.motion, 0.0f, 0.0f); })),
+                                  [](const KeptLayers& kept) { return glm::vec4(kept.motion, 0.0f, 0.0f); })),
               "");
     taa::test::Limits limits = taa::test::limitsOf(isExact(), 1e-3f); // as the twin's test
     limits.mayLoseFinite = !isExact() && isWild;
     limits.outliers /= 4.0; // one pixel in a hundred by one of its channels
     EXPECT_EQ(difference(next.historyLock,
                          ofPixels(frame, settings, 2,
-                                  [](const Kept& kept) { return glm::vec4(kept.lock, 0.0f, 0.0f); }),
+                                  [](const KeptLayers& kept) { return glm::vec4(kept.lock, 0.0f, 0.0f); }),
                          limits),
               "");
-    EXPECT_EQ(
-        difference(wholeSteps(next.historyLumas),
-                   wholeSteps(ofPixels(frame, settings, 4, [](const Kept& kept) { return kept.lumas; })),
-                   limits),
-        "");
+    EXPECT_EQ(difference(
+                  wholeSteps(next.historyLumas),
+                  wholeSteps(ofPixels(frame, settings, 4, [](const KeptLayers& kept) { return kept.lumas; })),
+                  limits),
+              "");
   }
 }
 

@@ -113,7 +113,8 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
   for (std::size_t k = 0; k < 9; ++k) scene.samples[k] = plot(hood.samples[k]);
   const NeighborhoodShape shape = settings.neighborhood.shape;
   if (shape == NeighborhoodShape::Varying || shape == NeighborhoodShape::Pairs) // not only of the nine
-    for (const twin::Member& member : hood.members) scene.taps.push_back(plot(boxed(member.color)));
+    for (const twin::NeighborhoodSample& member : hood.members)
+      scene.taps.push_back(plot(boxed(member.color)));
   scene.minMax = plot.box(hood.min, hood.max);
   scene.variance = plot.box(hood.mean - reach, hood.mean + reach);
   scene.box = plot.box(hood.boxMin, hood.boxMax);

@@ -13,7 +13,7 @@ constexpr float kLargestHalf = 65504.0f;
 /// Least denominator of the inverse tone curve: caps the result at 10⁵ times the box color.
 constexpr float kLeastToneDenominator = 1e-5f;
 
-float largest(const glm::vec3& c) {
+float largestChannel(const glm::vec3& c) {
   const float redGreen = c.x > c.y ? c.x : c.y;
   return redGreen > c.z ? redGreen : c.z;
 }
@@ -21,6 +21,12 @@ float largest(const glm::vec3& c) {
 template <typename Curve>
 glm::vec3 eachChannel(const glm::vec3& c, Curve curve) {
   return {curve(c.x), curve(c.y), curve(c.z)};
+}
+
+/// Of the inverse of c/(1 + x).
+float inverseDivisor(float brightness) {
+  const float rest = 1.0f - brightness;
+  return rest > kLeastToneDenominator ? rest : kLeastToneDenominator;
 }
 
 int within(int value, int count) {
@@ -33,10 +39,14 @@ bool isBad(float value) {
   return !(value >= 0.0f && value <= kLargestHalf);
 }
 
-glm::vec3 sanitized(const glm::vec3& color) {
+glm::vec3 saneOr(const glm::vec3& other, const glm::vec3& color) {
   glm::vec3 result;
-  for (int i = 0; i < 3; ++i) result[i] = isBad(color[i]) ? 0.0f : color[i];
+  for (int i = 0; i < 3; ++i) result[i] = isBad(color[i]) ? other[i] : color[i];
   return result;
+}
+
+glm::vec3 sanitized(const glm::vec3& color) {
+  return saneOr(glm::vec3(0.0f), color);
 }
 
 glm::vec3 storable(const glm::vec3& color) {
@@ -65,7 +75,7 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
   case ToneSpace::ReinhardChannel:
     return c / (1.0f + c);
   case ToneSpace::MaxChannel:
-    return c / (1.0f + largest(c));
+    return c / (1.0f + largestChannel(c));
   case ToneSpace::Pq:
     return eachChannel(c, pq);
   case ToneSpace::Logarithm:
@@ -75,19 +85,15 @@ glm::vec3 compress(const glm::vec3& c, ToneSpace tone) {
 }
 
 glm::vec3 decompress(const glm::vec3& y, ToneSpace tone) {
-  const auto divisor = [](float brightness) {
-    const float rest = 1.0f - brightness;
-    return rest > kLeastToneDenominator ? rest : kLeastToneDenominator;
-  };
   switch (tone) {
   case ToneSpace::Linear:
     return y;
   case ToneSpace::ReinhardLuma:
-    return y / divisor(luma(y));
+    return y / inverseDivisor(luma(y));
   case ToneSpace::ReinhardChannel:
-    return {y.x / divisor(y.x), y.y / divisor(y.y), y.z / divisor(y.z)};
+    return {y.x / inverseDivisor(y.x), y.y / inverseDivisor(y.y), y.z / inverseDivisor(y.z)};
   case ToneSpace::MaxChannel:
-    return y / divisor(largest(y));
+    return y / inverseDivisor(largestChannel(y));
   case ToneSpace::Pq:
     return eachChannel(y, inversePq);
   case ToneSpace::Logarithm:
@@ -210,13 +216,13 @@ float boxLuma(const glm::vec3& box, const SpaceSettings& space) {
   return space.color == ColorSpace::Rgb ? luma(box) : box.x;
 }
 
-glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b) {
+glm::vec3 minimum(const glm::vec3& a, const glm::vec3& b) {
   glm::vec3 result;
   for (int i = 0; i < 3; ++i) result[i] = a[i] < b[i] ? a[i] : b[i];
   return result;
 }
 
-glm::vec3 larger(const glm::vec3& a, const glm::vec3& b) {
+glm::vec3 maximum(const glm::vec3& a, const glm::vec3& b) {
   glm::vec3 result;
   for (int i = 0; i < 3; ++i) result[i] = a[i] > b[i] ? a[i] : b[i];
   return result;

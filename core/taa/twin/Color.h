@@ -11,7 +11,8 @@ namespace taa::twin {
 
 /// NaN, negative, infinite or above the largest half float.
 bool isBad(float value);
-/// The color with bad channels 0.
+/// The color with bad channels those of another, or 0.
+glm::vec3 saneOr(const glm::vec3& other, const glm::vec3& color);
 glm::vec3 sanitized(const glm::vec3& color);
 
 /// What a computed color becomes: negative values and NaN 0, too bright ones the brightest half.
@@ -41,8 +42,8 @@ SpaceSettings withoutClamp(const SpaceSettings& space);
 float boxLuma(const glm::vec3& box, const SpaceSettings& space);
 
 // Channel by channel, by comparisons, so that what NaN does is defined.
-glm::vec3 smaller(const glm::vec3& a, const glm::vec3& b);
-glm::vec3 larger(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 minimum(const glm::vec3& a, const glm::vec3& b);
+glm::vec3 maximum(const glm::vec3& a, const glm::vec3& b);
 glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high);
 
 /// The pixel of the picture, so of its history, nearest to `pixel`.

@@ -13,7 +13,7 @@ namespace taa::twin {
 struct Details {
   glm::ivec2 texel{0};                      ///< the drawn one that the pixel looks at
   Neighborhood neighborhood;                ///< with the nine samples
-  Seen seen;                                ///< what the terms of α looked at
+  WeightInputs weighed;                     ///< what the terms of α looked at
   std::array<float, 9> filterWeights{};     ///< of the current filter, not normalized; 0: not of 3×3
   std::array<glm::vec3, 9> filterSamples{}; ///< what they weigh, scene-linear
   glm::vec3 unsharpened{0.0f};              ///< this frame's color, filtered only
@@ -21,7 +21,7 @@ struct Details {
   Taps upsampleTaps;                        ///< none: drawn at full size, or of the nearest sample alone
   glm::vec2 sampleOffset{0.0f}, renderRatio{1.0f}; ///< render px, from the pixel's center; render px per px
   glm::vec2 drawnMotion{0.0f};                     ///< the dilated one, render px
-  Held held;                                       ///< what is taken back of the correction, and why
+  LockState lockState;                             ///< what is taken back of the correction, and why
   Geometry geometry;
   GeometryMatch match;
   Divergence divergence;

@@ -37,10 +37,10 @@ float series(const std::array<float, kCount>& terms, float x) {
 }
 
 /// 2^x = whole·(1 + rest).
-struct Parts {
+struct PowerOfTwo {
   float whole, rest;
 };
-Parts powerOfTwo(float x) {
+PowerOfTwo powerOfTwo(float x) {
   const float within = x > -126.0f ? (x < 127.0f ? x : 127.0f) : -126.0f; // NaN: −126
   const float nearest = std::floor(within + 0.5f);
   const float f = within - nearest;
@@ -70,12 +70,12 @@ float log2OfOnePlus(float x) {
 
 float exp2Of(float x) {
   if (!(x >= -126.0f)) return 0.0f;
-  const Parts parts = powerOfTwo(x);
+  const PowerOfTwo parts = powerOfTwo(x);
   return parts.whole * (1.0f + parts.rest);
 }
 
 float exp2LessOne(float x) {
-  const Parts parts = powerOfTwo(x);
+  const PowerOfTwo parts = powerOfTwo(x);
   return parts.whole * parts.rest + (parts.whole - 1.0f);
 }
 

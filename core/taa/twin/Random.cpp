@@ -10,16 +10,19 @@ std::uint32_t hashed(std::uint32_t x) {
   return (word >> 22u) ^ word;
 }
 
+std::uint32_t randomSeed(const glm::ivec2& pixel, int frame) {
+  std::uint32_t seed = hashed(static_cast<std::uint32_t>(pixel.x));
+  seed = hashed(seed + static_cast<std::uint32_t>(pixel.y));
+  return hashed(seed + static_cast<std::uint32_t>(frame));
+}
+
 } // namespace
 
 std::uint32_t randomBits(const glm::ivec2& pixel, int frame, std::uint32_t channel) {
-  std::uint32_t seed = hashed(static_cast<std::uint32_t>(pixel.x));
-  seed = hashed(seed + static_cast<std::uint32_t>(pixel.y));
-  seed = hashed(seed + static_cast<std::uint32_t>(frame));
-  return hashed(seed + channel) >> 19u;
+  return hashed(randomSeed(pixel, frame) + channel) >> 19u;
 }
 
-float screenNoise(const glm::ivec2& pixel, int frame) {
+float triangularNoise(const glm::ivec2& pixel, int frame) {
   const auto first = static_cast<float>(randomBits(pixel, frame, 3));
   const auto second = static_cast<float>(randomBits(pixel, frame, 4));
   return ((first + 0.5f) + (second + 0.5f)) / 8192.0f - 1.0f;

@@ -10,6 +10,6 @@ namespace taa::twin {
 /// 0 to 8191. Channels 0 to 2 round what is stored, 3 and 4 are the screen's.
 std::uint32_t randomBits(const glm::ivec2& pixel, int frame, std::uint32_t channel);
 /// The sum of two such numbers, −1 to 1, triangular (catalogue 20.3).
-float screenNoise(const glm::ivec2& pixel, int frame);
+float triangularNoise(const glm::ivec2& pixel, int frame);
 
 } // namespace taa::twin

@@ -53,7 +53,7 @@ void recordNeighborhood(PixelRecord& record, const Neighborhood& neighborhood) {
   set(record, IntermediateId::boxMax, neighborhood.boxMax);
 }
 
-void recordValidation(PixelRecord& record, const Validated& validated) {
+void recordValidation(PixelRecord& record, const Validity& validated) {
   set(record, IntermediateId::depthExpected, validated.depthExpected);
   set(record, IntermediateId::historyDepth, validated.historyDepth);
   set(record, IntermediateId::depthMismatch, validated.depthMismatch);
@@ -68,10 +68,10 @@ void recordGeometry(PixelRecord& record, const GeometryMatch& match) {
   set(record, IntermediateId::velocityChange, match.velocityChange);
 }
 
-void recordHeld(PixelRecord& record, const Held& held) {
-  set(record, IntermediateId::lock, held.lock);
-  set(record, IntermediateId::lockLife, held.lockLife);
-  set(record, IntermediateId::instability, held.instability);
+void recordHeld(PixelRecord& record, const LockState& lockState) {
+  set(record, IntermediateId::lock, lockState.lock);
+  set(record, IntermediateId::lockLife, lockState.lockLife);
+  set(record, IntermediateId::instability, lockState.instability);
 }
 
 void recordWeights(PixelRecord& record, const Weights& weights) {
@@ -107,19 +107,19 @@ void recordOutput(PixelRecord& record, const Shown& shown) {
   set(record, IntermediateId::output, shown.color);
 }
 
-void recordRectified(PixelRecord& record, const Clipped& rectified, float length) {
+void recordRectified(PixelRecord& record, const Rectified& rectified, float length) {
   set(record, IntermediateId::historyRectified, rectified.value);
   set(record, IntermediateId::clipAmount, rectified.amount);
   set(record, IntermediateId::rectifyStrength, rectified.strength);
   set(record, IntermediateId::historyKeptLength, length);
 }
 
-Kept keptOf(const Geometry& geometry, const Held& held) {
+KeptLayers keptOf(const Geometry& geometry, const LockState& lockState) {
   return {{geometry.object, geometry.objectClass},
           glm::vec4(geometry.normal, 0.0f),
           geometry.motion,
-          held.keptLock,
-          held.keptLumas};
+          lockState.keptLock,
+          lockState.keptLumas};
 }
 
 /// Rec. 601's weights, and never quite 0 (catalogue 13.11).
@@ -128,24 +128,24 @@ float godotLuma(const glm::vec3& c) {
   return y > 0.0001f ? y : 0.0001f;
 }
 
-Seen seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
-            const glm::vec3& historyRaw, const glm::vec3& history, const Neighborhood& n) {
+WeightInputs seenBy(const Inputs& inputs, const SpaceSettings& space, const glm::vec3& current,
+                    const glm::vec3& historyRaw, const glm::vec3& history, const Neighborhood& n) {
   const auto boxed = [&space](const glm::vec3& color) { return boxLuma(toBox(color, space), space); };
-  Seen seen;
-  seen.hasHistory = !inputs.historyColor.empty();
-  seen.lumaCurrent = luma(current);
-  seen.lumaHistory = luma(history);
-  seen.boxCurrent = boxed(current);
-  seen.boxHistoryRaw = boxed(historyRaw);
-  seen.boxHistory = boxed(history);
-  seen.boxLow = boxLuma(n.boxMin, space);
-  seen.boxHigh = boxLuma(n.boxMax, space);
-  seen.compressedCurrent = godotLuma(compress(current, ToneSpace::ReinhardChannel));
-  seen.compressedHistory = godotLuma(compress(history, ToneSpace::ReinhardChannel));
-  seen.maxCurrent = luma(compress(current, ToneSpace::MaxChannel));
-  seen.maxHistory = luma(compress(history, ToneSpace::MaxChannel));
-  seen.stepSeconds = inputs.stepSeconds;
-  return seen;
+  WeightInputs weighed;
+  weighed.hasHistory = !inputs.historyColor.empty();
+  weighed.lumaCurrent = luma(current);
+  weighed.lumaHistory = luma(history);
+  weighed.boxCurrent = boxed(current);
+  weighed.boxHistoryRaw = boxed(historyRaw);
+  weighed.boxHistory = boxed(history);
+  weighed.boxLow = boxLuma(n.boxMin, space);
+  weighed.boxHigh = boxLuma(n.boxMax, space);
+  weighed.compressedCurrent = godotLuma(compress(current, ToneSpace::ReinhardChannel));
+  weighed.compressedHistory = godotLuma(compress(history, ToneSpace::ReinhardChannel));
+  weighed.maxCurrent = luma(compress(current, ToneSpace::MaxChannel));
+  weighed.maxHistory = luma(compress(history, ToneSpace::MaxChannel));
+  weighed.stepSeconds = inputs.stepSeconds;
+  return weighed;
 }
 
 /// Range of each channel over the nine samples, over the filtered color.
@@ -153,10 +153,10 @@ glm::vec3 contrastAround(const Inputs& inputs, const glm::ivec2& drawn, const gl
   glm::vec3 low = currentColor(inputs, drawn), high = low;
   for (int k = 0; k < 9; ++k) {
     const glm::vec3 sample = currentColor(inputs, drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
-    low = smaller(low, sample);
-    high = larger(high, sample);
+    low = minimum(low, sample);
+    high = maximum(high, sample);
   }
-  return (high - low) / larger(current, glm::vec3(1e-5f));
+  return (high - low) / maximum(current, glm::vec3(1e-5f));
 }
 
 /// Without TAA the sample is taken as it is.
@@ -193,7 +193,7 @@ void describeTaps(const Inputs& inputs, const Settings& settings, const Place& p
   else
     details.filterWeights = currentWeights(current, inputs.jitterPx);
   details.unsharpened = isSmaller
-                            ? upsample(inputs, settings.current.upsample, place, details.seen.speed).color
+                            ? upsample(inputs, settings.current.upsample, place, details.weighed.speed).color
                             : unsharpenedCurrent(inputs, current, place.texel);
   if (inputs.historyColor.empty()) return;
   HistorySettings read = settings.history;
@@ -213,19 +213,19 @@ void describeAround(const Inputs& inputs, const glm::ivec2& pixel, Details& deta
   }
 }
 
-PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, Kept* kept,
+PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::ivec2& p, KeptLayers* kept,
                      Details* details) {
   const Place place = isUpsampled(settings) ? placeOf(inputs, p) : Place{p, glm::vec2(0.0f), p};
   const glm::ivec2& texel = place.texel;
   PixelRecord record{};
   recordInputs(record, inputs, place);
 
-  const Dilated dilated = dilateMotion(inputs, settings.dilate, texel);
+  const DilatedMotion dilated = dilateMotion(inputs, settings.dilate, texel);
   set(record, IntermediateId::dilatedOffset, glm::vec2(dilated.offset));
   set(record, IntermediateId::dilatedDepth, dilated.depth);
   set(record, IntermediateId::dilatedMotion, dilated.motion);
 
-  const Reprojected reprojected = reproject(inputs, settings.reproject, dilated.motion, p);
+  const Reprojection reprojected = reproject(inputs, settings.reproject, dilated.motion, p);
   set(record, IntermediateId::historyPosition, reprojected.position);
   set(record, IntermediateId::speed, reprojected.speed);
   set(record, IntermediateId::onScreen, reprojected.onScreen ? 1.0f : 0.0f);
@@ -250,37 +250,38 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   const Geometry geometry = geometryOf(inputs, dilated, texel);
   const GeometryMatch match = compareGeometry(inputs, settings, geometry, history.position);
   recordGeometry(record, match);
-  const Validated validated =
+  const Validity validated =
       validateHistory(inputs, settings.validate, dilated, reprojected, history.position, texel, match);
   recordValidation(record, validated);
 
-  const Held held = holdHistory(inputs, settings, reprojected, history.position, neighborhood,
-                                validated.reason == RejectReason::Kept, p, texel);
-  recordHeld(record, held);
-  const Clipped rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood,
-                                           {reprojected.speed, held.share, validated.isFlicker});
+  const LockState lockState = holdHistory(inputs, settings, reprojected, history.position, neighborhood,
+                                          validated.reason == RejectReason::Kept, p, texel);
+  recordHeld(record, lockState);
+  const Rectified rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood,
+                                             {reprojected.speed, lockState.protection, validated.isFlicker});
   const float left = lengthLeft(settings.validate, history.length, validated);
-  const float length = lengthKept(settings, left, rectified, held.share);
+  const float length = lengthKept(settings, left, rectified, lockState.protection);
   recordRectified(record, rectified, length);
 
-  Seen seen = seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
-  seen.depth = dilated.depth;
-  seen.speed = reprojected.speed;
-  seen.picturePx = {inputs.outputWidth(), inputs.outputHeight()};
-  seen.contrast = contrastAround(inputs, texel, current);
-  seen.motion = dilated.motion;
-  seen.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
-  seen.confidence = confidence;
-  seen.isFlicker = validated.isFlicker;
-  if (!isUpsampled(settings)) seen.jitterPx = inputs.jitterPx; // else κ knows how far the sample is
-  seen.mask = mask;
-  seen.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
-  seen.velocityChange = match.velocityChange;
+  WeightInputs weighed =
+      seenBy(inputs, settings.space, current, history.color, rectified.value, neighborhood);
+  weighed.depth = dilated.depth;
+  weighed.speed = reprojected.speed;
+  weighed.picturePx = {inputs.outputWidth(), inputs.outputHeight()};
+  weighed.contrast = contrastAround(inputs, texel, current);
+  weighed.motion = dilated.motion;
+  weighed.motionUv = dilated.motion / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
+  weighed.confidence = confidence;
+  weighed.isFlicker = validated.isFlicker;
+  if (!isUpsampled(settings)) weighed.jitterPx = inputs.jitterPx; // else κ knows how far the sample is
+  weighed.mask = mask;
+  weighed.relax = settings.neighborhood.maskRelax == Switch::On ? largestMask : 0.0f;
+  weighed.velocityChange = match.velocityChange;
   const Divergence divergence = motionDivergence(inputs, settings.weight, texel);
-  seen.divergence = divergence.value;
-  seen.isFrozen = validated.isFrozen;
-  seen.decays = settings.validate.action == RejectAction::Decay;
-  const Weights weights = weigh(settings, length, validated.invalid, seen);
+  weighed.divergence = divergence.value;
+  weighed.isFrozen = validated.isFrozen;
+  weighed.decays = settings.validate.action == RejectAction::Decay;
+  const Weights weights = blendWeight(settings, length, validated.invalid, weighed);
   recordWeights(record, weights);
   const bool isBlurred =
       isTaaOn(settings) && settings.blend.restart == Restart::Blurred && validated.invalid >= 1.0f;
@@ -290,12 +291,12 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
                                dilated.motion, p, inputs.frame, inputs.historyColor.empty()}));
   Shown output;
   if (!inputs.resolved.empty()) recordOutput(record, output = showOutput(inputs, settings, p));
-  if (kept) *kept = keptOf(geometry, held);
+  if (kept) *kept = keptOf(geometry, lockState);
   if (!details) return record;
   details->texel = texel;
   details->neighborhood = neighborhood;
-  details->seen = seen;
-  details->held = held;
+  details->weighed = weighed;
+  details->lockState = lockState;
   details->geometry = geometry;
   details->match = match;
   details->divergence = divergence;
@@ -315,7 +316,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
 
 } // namespace
 
-PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept) {
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, KeptLayers* kept) {
   return resolved(inputs, settings, {x, y}, kept, nullptr);
 }
 

@@ -56,7 +56,7 @@ inline const glm::vec4& at(const PixelRecord& record, IntermediateId id) {
 }
 
 /// What the pixel leaves in the layers that only some settings keep; see History.
-struct Kept {
+struct KeptLayers {
   glm::vec2 object{0.0f};
   glm::vec4 normal{0.0f};
   glm::vec2 motion{0.0f};
@@ -66,7 +66,8 @@ struct Kept {
 
 /// All intermediates of pixel (x, y) of the picture, in 32-bit floats rounded after every operation. Those of
 /// stage Output are 0 without `inputs.resolved`. Fills `kept` when given.
-PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y, Kept* kept = nullptr);
+PixelRecord resolvePixel(const Inputs& inputs, const Settings& settings, int x, int y,
+                         KeptLayers* kept = nullptr);
 
 /// What no intermediate holds but formulas are made of.
 struct Details;

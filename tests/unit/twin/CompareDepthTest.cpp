@@ -52,8 +52,8 @@ ValidateSettings likeBalanced() {
   return settings;
 }
 
-ComparedDepth compared(const Inputs& inputs, const ValidateSettings& settings,
-                       const glm::vec2& position = glm::vec2(kMiddle + 0.5f)) {
+DepthTest compared(const Inputs& inputs, const ValidateSettings& settings,
+                   const glm::vec2& position = glm::vec2(kMiddle + 0.5f)) {
   return compareDepth(inputs, settings, {}, {kMiddle, kMiddle}, position);
 }
 
@@ -143,9 +143,9 @@ TEST(CompareDepth, TakesTheSlopeOfTheDilatedSample) {
   const auto ground = [](int x, int y) {
     return x == kMiddle + 1 ? 2.0f : 60.0f - 8.0f * static_cast<float>(y);
   };
-  Dilated dilated;
+  DilatedMotion dilated;
   dilated.offset = {1, 0};
-  const ComparedDepth result =
+  const DepthTest result =
       compareDepth(frames(ground, wall), square(), dilated, {kMiddle, kMiddle}, glm::vec2(kMiddle + 0.5f));
   EXPECT_EQ(result.expected, 2.0f);
   EXPECT_EQ(result.allowed, kTolerance);
@@ -171,11 +171,11 @@ TEST(CompareDepth, OnlyWhatIsNearerCanHaveHiddenASurface) {
 // A line narrower than a texel is three texels wide once dilated, or not there at all.
 TEST(CompareDepth, ALineThatAFrameMissesAtRestIsFlicker) {
   for (int offset = -1; offset <= 1; ++offset) { // of the pixel from the middle of the line
-    const ComparedDepth gone = compared(frames(wall, column(kMiddle - 1 + offset, 3)), likeBalanced());
+    const DepthTest gone = compared(frames(wall, column(kMiddle - 1 + offset, 3)), likeBalanced());
     EXPECT_EQ(gone.isFlicker, offset == 0) << "beside it the wall is in reach";
     EXPECT_FALSE(gone.isOther) << offset;
   }
-  const ComparedDepth there = compared(frames(column(kMiddle, 1), wall), likeBalanced());
+  const DepthTest there = compared(frames(column(kMiddle, 1), wall), likeBalanced());
   EXPECT_TRUE(there.isFlicker);
   EXPECT_FALSE(there.isOther);
   EXPECT_EQ(there.expected, kLine);
@@ -199,11 +199,11 @@ TEST(CompareDepth, FlickerIsAlikeAlongAllAxes) {
 // What is wider than a line was no matter of jitter: it has gone, and its history would be a ghost.
 TEST(CompareDepth, WhatIsWideIsNoFlicker) {
   for (int first = kMiddle - 3; first <= kMiddle - 1; ++first) {
-    const ComparedDepth gone = compared(frames(wall, column(first, 5)), likeBalanced());
+    const DepthTest gone = compared(frames(wall, column(first, 5)), likeBalanced());
     EXPECT_TRUE(gone.isOther) << first;
     EXPECT_FALSE(gone.isFlicker) << first;
   }
-  const ComparedDepth there = compared(frames(column(kMiddle - 2, 5), wall), likeBalanced());
+  const DepthTest there = compared(frames(column(kMiddle - 2, 5), wall), likeBalanced());
   EXPECT_TRUE(there.isOther);
 }
 
@@ -214,7 +214,7 @@ TEST(CompareDepth, WhatMovesIsNoFlicker) {
   ValidateSettings lenient = likeBalanced();
   lenient.restLimit = 0.75f;
   EXPECT_TRUE(compared(inputs, lenient).isFlicker);
-  Dilated along; // all moves as it did: a camera that pans is at rest too
+  DilatedMotion along; // all moves as it did: a camera that pans is at rest too
   along.motion = {0.0f, 0.75f};
   for (float& value : inputs.historyMotion.pixels) value = 0.0f;
   for (int y = 0; y < kSize; ++y)

@@ -153,8 +153,8 @@ TEST(FilterNumbers, TheUnjitterTapBringsARampBackExactly) {
     Inputs inputs = test::constantInputs(5, 5, glm::vec3(0.0f));
     inputs.jitterPx = {jitter, -0.5f * jitter};
     for (int k = 0; k < 25; ++k) {
-      const glm::vec2 held = glm::vec2(float(k % 5), float(k / 5)) - inputs.jitterPx;
-      test::setColor(inputs.color, k % 5, k / 5, {16.0f + held.x, 16.0f + held.y, 0.0f});
+      const glm::vec2 lockState = glm::vec2(float(k % 5), float(k / 5)) - inputs.jitterPx;
+      test::setColor(inputs.color, k % 5, k / 5, {16.0f + lockState.x, 16.0f + lockState.y, 0.0f});
     }
     const CurrentSettings unjitter{CurrentFilter::Unjitter, 0.22f};
     EXPECT_EQ(filterCurrent(inputs, unjitter, {2, 2}), glm::vec3(18.0f, 18.0f, 0.0f)) << jitter;
@@ -172,7 +172,7 @@ TEST(FilterNumbers, TheLongestOfEqualMotionsIsThePixelsOwn) {
     inputs.motion.at(k % 5, k / 5)[1] = -4.0f;
   }
   for (const DilateMethod method : {DilateMethod::Longest3x3, DilateMethod::LongestCross}) {
-    const Dilated still = dilateMotion(inputs, {method}, {2, 2});
+    const DilatedMotion still = dilateMotion(inputs, {method}, {2, 2});
     EXPECT_EQ(still.offset, glm::ivec2(0));
     EXPECT_EQ(still.motion, glm::vec2(3.0f, -4.0f));
   }

@@ -46,9 +46,9 @@ TEST(PrintedNumbers, Source000StartsBelowAlpha) {
   WeightSettings settings{.source = AlphaSource::Constant, .alpha = 0.1f, .minimum = 0.0f};
   settings.motion = MotionAlpha::SquaredAsPrinted;
   const auto alpha = [&settings](const glm::vec2& motionUv) {
-    Seen seen;
-    seen.motionUv = motionUv;
-    return weigh(settings, 4.0f, 0.0f, seen).alpha;
+    WeightInputs weighed;
+    weighed.motionUv = motionUv;
+    return blendWeight(settings, 4.0f, 0.0f, weighed).alpha;
   };
   EXPECT_NEAR(alpha({0.0f, 0.0f}), 0.075f, 1e-7f);
   EXPECT_NEAR(alpha({0.3f, 0.4f}), 0.30625f, 1e-7f) << "0.075 + 0.25 × 0.925";
@@ -234,9 +234,9 @@ TEST(PrintedNumbers, SpeedsMayBeCountedInThePicture) {
   source002.motion = MotionAlpha::Added;
   source002.motionSpeed = 1.08f;
   source002.motionSpeedIn = SpeedUnit::Picture1080;
-  const Seen seen{.speed = 0.5f, .picturePx = {1920, 1080}, .motion = {0.4f, 0.3f}};
+  const WeightInputs weighed{.speed = 0.5f, .picturePx = {1920, 1080}, .motion = {0.4f, 0.3f}};
   // 0.05 + 1000·‖(0.4/1920, 0.3/1080)‖
-  EXPECT_NEAR(weigh(source002, 4.0f, 0.0f, seen).alpha, 0.05f + 0.3472222f, 1e-6f);
+  EXPECT_NEAR(blendWeight(source002, 4.0f, 0.0f, weighed).alpha, 0.05f + 0.3472222f, 1e-6f);
 }
 
 } // namespace

@@ -39,16 +39,16 @@ Neighborhood around(const std::array<glm::vec3, 9>& colors, const SpaceSettings&
   n.max = glm::vec3(-1e9f);
   for (std::size_t k = 0; k < colors.size(); ++k) {
     n.samples[k] = toBox(colors[k], space);
-    n.min = smaller(n.min, n.samples[k]);
-    n.max = larger(n.max, n.samples[k]);
+    n.min = minimum(n.min, n.samples[k]);
+    n.max = maximum(n.max, n.samples[k]);
   }
   n.boxMin = n.min;
   n.boxMax = n.max;
   return n;
 }
 
-Clipped rectified(const Settings& settings, const std::array<glm::vec3, 9>& colors, const glm::vec3& history,
-                  const glm::vec3& current = glm::vec3(0.5f)) {
+Rectified rectified(const Settings& settings, const std::array<glm::vec3, 9>& colors,
+                    const glm::vec3& history, const glm::vec3& current = glm::vec3(0.5f)) {
   return rectifyHistory(oneHistory(), settings, history, current, around(colors, settings.space));
 }
 
@@ -74,8 +74,8 @@ class Colors {
 float outside(const glm::vec3& color, std::vector<glm::vec3> others, ColorSpace space) {
   glm::vec3 low(1e9f), high(-1e9f);
   for (const glm::vec3& other : others) {
-    low = smaller(low, toBox(other, {space, ToneSpace::Linear}));
-    high = larger(high, toBox(other, {space, ToneSpace::Linear}));
+    low = minimum(low, toBox(other, {space, ToneSpace::Linear}));
+    high = maximum(high, toBox(other, {space, ToneSpace::Linear}));
   }
   const glm::vec3 boxed = toBox(color, {space, ToneSpace::Linear});
   float most = 0.0f;
@@ -95,7 +95,7 @@ TEST(RectifyBySamples, WhatOnlyOneOfTheTwoBoxesHoldsIsMoved) {
   for (const ColorSpace space : kSpaces) {
     const Settings settings = with(RectifyMethod::ClipToBoth, space);
     EXPECT_EQ(rectified(settings, grays(), gray).value, gray) << "in both";
-    const Clipped moved = rectified(settings, grays(), red); // no chroma: only the gray target is left
+    const Rectified moved = rectified(settings, grays(), red); // no chroma: only the gray target is left
     EXPECT_NEAR(moved.amount, 1.0f, 1e-6f);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(moved.value[i], 0.5f, 1e-6f);
   }
@@ -109,7 +109,7 @@ TEST(RectifyBySamples, TheSixthSlabEndsTheWayWhereItStands) {
   colors[7] = {0.0f, 0.5f, 0.5f};            // Co = −¼
   const glm::vec3 history(1.0f, 0.5f, 0.0f); // Co = ½, half of which is too much
   for (const ColorSpace space : {ColorSpace::Rgb, ColorSpace::YCoCg, ColorSpace::YCoCgLifting}) {
-    const Clipped moved = rectified(with(RectifyMethod::ClipToBoth, space), colors, history);
+    const Rectified moved = rectified(with(RectifyMethod::ClipToBoth, space), colors, history);
     EXPECT_EQ(moved.amount, 0.5f);
     EXPECT_EQ(moved.value, glm::vec3(0.75f, 0.5f, 0.25f));
   }
@@ -140,12 +140,12 @@ TEST(RectifyBySamples, EndsInBothBoxesAndKeepsWhatLiesInThem) {
     for (int i = 0; i < 400; ++i) {
       const std::array<glm::vec3, 9> colors = random.nine();
       const glm::vec3 target = random.one(), history = random.one(1.2f);
-      std::vector<glm::vec3> held(colors.begin(), colors.end());
-      held.push_back(target); // the slabs are opened for it
-      const Clipped result = rectified(with(RectifyMethod::ClipToBoth, space), colors, history, target);
-      EXPECT_LE(outside(result.value, held, space), 1e-5f);
-      EXPECT_LE(outside(result.value, held, other), 1e-5f);
-      const float before = std::max(outside(history, held, space), outside(history, held, other));
+      std::vector<glm::vec3> lockState(colors.begin(), colors.end());
+      lockState.push_back(target); // the slabs are opened for it
+      const Rectified result = rectified(with(RectifyMethod::ClipToBoth, space), colors, history, target);
+      EXPECT_LE(outside(result.value, lockState, space), 1e-5f);
+      EXPECT_LE(outside(result.value, lockState, other), 1e-5f);
+      const float before = std::max(outside(history, lockState, space), outside(history, lockState, other));
       EXPECT_TRUE(result.moved || before <= 1e-5f);
       EXPECT_TRUE(result.amount <= 1e-5f || before > 0.0f);
       moved += result.moved;
@@ -184,7 +184,7 @@ TEST(RectifyBySamples, SelectTakesTheNearestSampleBitForBit) {
       const SpaceSettings space{ColorSpace::YCoCg, tone};
       const std::array<glm::vec3, 9> colors = random.nine();
       const glm::vec3 history = random.one(1.5f);
-      const Clipped result = rectified(with(RectifyMethod::Select, space.color, tone), colors, history);
+      const Rectified result = rectified(with(RectifyMethod::Select, space.color, tone), colors, history);
       EXPECT_EQ(std::ranges::count(colors, result.value), 1);
       EXPECT_EQ(result.amount, 1.0f);
       const auto distance = [&](const glm::vec3& color) {
@@ -210,7 +210,7 @@ TEST(RectifyBySamples, OfEquallyNearSamplesTheCenterThenTheFirstIsTaken) {
 TEST(RectifyBySamples, SelectReplacesHistoryInsideTheBoxButKeepsASample) {
   const Settings settings = with(RectifyMethod::Select);
   EXPECT_EQ(rectified(settings, grays(), glm::vec3(0.3f)).value, glm::vec3(0.25f));
-  const Clipped same = rectified(settings, grays(), glm::vec3(0.25f));
+  const Rectified same = rectified(settings, grays(), glm::vec3(0.25f));
   EXPECT_EQ(same.value, glm::vec3(0.25f));
   EXPECT_EQ(same.amount, 0.0f);
   EXPECT_FALSE(same.moved);
@@ -220,7 +220,7 @@ TEST(RectifyBySamples, SelectIsAppliedInPartAsOtherMethodsAre) {
   Settings settings = with(RectifyMethod::Select);
   settings.rectify.relaxAtRest = Switch::On;
   settings.rectify.leastStrength = 0.5f;
-  const Clipped half = rectified(settings, grays(), glm::vec3(2.0f)); // at rest
+  const Rectified half = rectified(settings, grays(), glm::vec3(2.0f)); // at rest
   EXPECT_EQ(half.value, glm::vec3(1.5f));
   EXPECT_EQ(half.amount, 0.5f);
   Inputs first = oneHistory();

@@ -192,7 +192,7 @@ TEST(TwinBlend, CurvesMixAsTheyCompress) {
   Settings settings = constantAlpha(0.1f);
   const auto gray = [&settings](ToneWeight tone, float current, float history) {
     settings.blend.tone = tone;
-    const Mix mix{
+    const BlendInputs mix{
         .current = glm::vec3(current), .history = glm::vec3(history), .alpha = 0.1f, .historyLength = 9.0f};
     return static_cast<double>(blend(settings, mix).resolved.x);
   };
@@ -252,7 +252,7 @@ TEST(TwinBlend, EightBitsStallAndDitherTakesTheBiasAway) {
   for (const float alpha : {0.1f, 0.04f}) {
     const Settings settings = storedAs(Precision::Unorm8, Switch::On, alpha);
     double sum = 0.0;
-    Mix mix{.current = glm::vec3(goal), .alpha = alpha};
+    BlendInputs mix{.current = glm::vec3(goal), .alpha = alpha};
     for (int pixel = 0; pixel < 64; ++pixel) {
       mix.pixel = {pixel % 8, pixel / 8};
       mix.history = glm::vec3(0.0f);
@@ -267,7 +267,7 @@ TEST(TwinBlend, EightBitsStallAndDitherTakesTheBiasAway) {
 }
 
 TEST(TwinBlend, DitherKeepsWhatCanBeStoredAndRoundsTheRestToEitherSide) {
-  Mix mix{.alpha = 1.0f};
+  BlendInputs mix{.alpha = 1.0f};
   for (const auto& [precision, steps] :
        {std::pair(Precision::Unorm8, 255), std::pair(Precision::Unorm10, 1023)}) {
     const Settings settings = storedAs(precision, Switch::On);
@@ -301,7 +301,7 @@ TEST(TwinBlend, DitherKeepsWhatCanBeStoredAndRoundsTheRestToEitherSide) {
 // Catalogue 20.6: the noise must not go with the jitter's period.
 TEST(TwinBlend, DitherIsWhiteOverFramesPixelsAndChannels) {
   const Settings settings = storedAs(Precision::Unorm8, Switch::On);
-  Mix mix{.current = glm::vec3(0.5f / 255.0f), .alpha = 1.0f}; // 0 or 1/255, even odds
+  BlendInputs mix{.current = glm::vec3(0.5f / 255.0f), .alpha = 1.0f}; // 0 or 1/255, even odds
   const auto sign = [&](int frame, int x, int y, int channel) {
     mix.frame = frame;
     mix.pixel = {x, y};
@@ -330,7 +330,8 @@ TEST(TwinBlend, ChannelsAreMixedByTheirOwnWeights) {
   Settings settings = test::plainSettings();
   settings.weight.source = AlphaSource::ContrastPerChannel;
   const glm::vec3 s{0.25f, 0.5f, 8.0f}, h{1.0f, 0.125f, 2.0f}, weights{0.25f, 0.75f, 1.0f};
-  const Mix mix{.current = s, .history = h, .alpha = 0.5f, .channels = weights, .historyLength = 3.0f};
+  const BlendInputs mix{
+      .current = s, .history = h, .alpha = 0.5f, .channels = weights, .historyLength = 3.0f};
   EXPECT_EQ(blend(settings, mix).resolved, h + weights * (s - h)) << "all products are exact";
   settings.blend.tone = ToneWeight::Luma;
   const glm::vec3 resolved = blend(settings, mix).resolved;
@@ -354,7 +355,7 @@ TEST(TwinBlend, ReciprocalLengthIsTheRecursionOfTheWeight) {
     EXPECT_NEAR(weight, static_cast<double>(frame) / static_cast<double>(frame + 1), 1e-12);
     EXPECT_NEAR(steps[frame].length, 1.0 / (1.0 - weight), 1e-4);
   }
-  Mix mix{.alpha = 0.5f, .historyLength = 30.0f};
+  BlendInputs mix{.alpha = 0.5f, .historyLength = 30.0f};
   EXPECT_EQ(blend(settings, mix).historyLength, 2.0f) << "a large α starts the count again";
   mix.alpha = 0.0f;
   EXPECT_EQ(blend(settings, mix).historyLength, 30.0f) << "nothing was added";

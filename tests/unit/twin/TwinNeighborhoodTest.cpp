@@ -64,7 +64,7 @@ TEST(TwinNeighborhood, TapsAtTheJitterFindTheSamplesOfARampWhereTheyWouldBeWitho
 }
 
 /// A ramp of 7×7, drawn with `jitter`, and what is measured around its middle; 1 m away unless it is said.
-Neighborhood tapsOfARamp(const Moved& moved, const glm::vec2& jitter = glm::vec2(0.0f)) {
+Neighborhood tapsOfARamp(const NeighborhoodInputs& moved, const glm::vec2& jitter = glm::vec2(0.0f)) {
   Inputs inputs = test::constantInputs(7, 7, glm::vec3(0.0f));
   inputs.jitterPx = jitter;
   for (int y = 0; y < 7; ++y)

@@ -171,8 +171,8 @@ TEST(TwinOutput, DeringingLeavesNothingOutsideTheNine) {
       const glm::vec3 result = sharpen(settings, c, c);
       glm::vec3 low = c[0], high = c[0];
       for (const glm::vec3& color : c) {
-        low = smaller(low, color);
-        high = larger(high, color);
+        low = minimum(low, color);
+        high = maximum(high, color);
       }
       EXPECT_EQ(result, clamped(result, low, high)) << static_cast<int>(method);
     }
@@ -264,7 +264,7 @@ TEST(TwinOutput, ScreenNoiseIsTriangular) {
   float most = 0.0f;
   constexpr int kSide = 256;
   for (int k = 0; k < kSide * kSide; ++k) {
-    const float noise = screenNoise({k % kSide, k / kSide}, 7);
+    const float noise = triangularNoise({k % kSide, k / kSide}, 7);
     sum += static_cast<double>(noise);
     squares += static_cast<double>(noise) * static_cast<double>(noise);
     most = std::fmax(most, std::fabs(noise));
@@ -274,7 +274,7 @@ TEST(TwinOutput, ScreenNoiseIsTriangular) {
   EXPECT_NEAR(squares / count, 1.0 / 6.0, 0.004);
   EXPECT_LT(most, 1.0f);
   EXPECT_GT(most, 0.98f);
-  EXPECT_NE(screenNoise({3, 4}, 7), screenNoise({3, 4}, 8));
+  EXPECT_NE(triangularNoise({3, 4}, 7), triangularNoise({3, 4}, 8));
 }
 
 TEST(TwinOutput, DitherIsAStepOfSquareRoots) {
@@ -283,7 +283,7 @@ TEST(TwinOutput, DitherIsAStepOfSquareRoots) {
   for (int k = 0; k < 1024; ++k) test::setColor(inputs.resolved, k % 32, k / 32, {0.25f, 0.0f, 4.0f});
   for (int k = 0; k < 1024; ++k) {
     const glm::ivec2 pixel(k % 32, k / 32);
-    const float noise = screenNoise(pixel, inputs.frame);
+    const float noise = triangularNoise(pixel, inputs.frame);
     const glm::vec3 color = showOutput(inputs, withDither(), pixel).color;
     EXPECT_NEAR(255.0f * (std::sqrt(color.x) - 0.5f), noise, 1e-4f);
     EXPECT_NEAR(255.0f * std::sqrt(color.y), std::fmax(noise, 0.0f), 1e-4f) << "black has no less";

@@ -30,7 +30,7 @@ std::vector<Case> randomCases() {
   for (int i = 0; i < 500; ++i) {
     const glm::vec3 a = point();
     const glm::vec3 b = point();
-    Case c{smaller(a, b), larger(a, b), 3.0f * point() - 1.0f, {}};
+    Case c{minimum(a, b), maximum(a, b), 3.0f * point() - 1.0f, {}};
     c.target = c.low + point() * (c.high - c.low);
     cases.push_back(c);
   }
@@ -49,7 +49,7 @@ float distanceFromLine(const glm::vec3& p, const glm::vec3& a, const glm::vec3& 
 TEST(TwinRectify, KeepsColorsInsideTheBoxExactly) {
   for (const Case& c : randomCases()) {
     for (const RectifyMethod method : kMethods) {
-      const Clipped clipped = clip(method, c.target, c.history, c.low, c.high);
+      const Rectified clipped = clip(method, c.target, c.history, c.low, c.high);
       EXPECT_EQ(clipped.value, c.target);
       EXPECT_EQ(clipped.amount, 0.0f);
     }
@@ -61,9 +61,9 @@ TEST(TwinRectify, BringsEverythingIntoTheBoxAndIsIdempotent) {
   constexpr float kRounding = 1e-6f; // a few roundings of values up to 3
   for (const Case& c : randomCases()) {
     for (const RectifyMethod method : kMethods) {
-      const Clipped once = clip(method, c.history, c.target, c.low, c.high);
+      const Rectified once = clip(method, c.history, c.target, c.low, c.high);
       EXPECT_TRUE(isInside(c, once.value, kRounding));
-      const Clipped twice = clip(method, once.value, c.target, c.low, c.high);
+      const Rectified twice = clip(method, once.value, c.target, c.low, c.high);
       EXPECT_LE(glm::length(twice.value - once.value), kRounding);
       EXPECT_GE(once.amount, 0.0f);
       EXPECT_LE(once.amount, 1.0f);
@@ -90,7 +90,7 @@ TEST(TwinRectify, ClipsEndOnTheSurfaceAndOnTheLineToTheirTarget) {
     if (std::min({extent.x, extent.y, extent.z}) < 0.01f) continue; // |u| below is ill-conditioned
     for (const RectifyMethod method : {RectifyMethod::ClipToCenter, RectifyMethod::ClipToFiltered}) {
       const glm::vec3 aim = method == RectifyMethod::ClipToCenter ? center : c.target;
-      const Clipped clipped = clip(method, c.history, c.target, c.low, c.high);
+      const Rectified clipped = clip(method, c.history, c.target, c.low, c.high);
       const glm::vec3 u = glm::abs(clipped.value - center) / extent;
       EXPECT_NEAR(std::max({u.x, u.y, u.z}), 1.0f, 1e-4f); // 1e-6 of the color over the least extent
       EXPECT_LE(distanceFromLine(clipped.value, c.history, aim), 1e-6f);
@@ -104,13 +104,13 @@ TEST(TwinRectify, ClosedFormsInOneDimension) {
   const glm::vec3 low(1.0f, 0.0f, 0.0f);
   const glm::vec3 high(2.0f, 1.0f, 1.0f);
   const glm::vec3 history(5.5f, 0.5f, 0.5f); // 3.5 outside, 4 from the center
-  const Clipped clamp = clip(RectifyMethod::Clamp, history, {}, low, high);
+  const Rectified clamp = clip(RectifyMethod::Clamp, history, {}, low, high);
   EXPECT_EQ(clamp.value, glm::vec3(2.0f, 0.5f, 0.5f));
   EXPECT_EQ(clamp.amount, 0.875f);
-  const Clipped center = clip(RectifyMethod::ClipToCenter, history, {}, low, high);
+  const Rectified center = clip(RectifyMethod::ClipToCenter, history, {}, low, high);
   EXPECT_NEAR(center.value.x, 2.0f, 1e-6f);
   EXPECT_NEAR(center.amount, 0.875f, 1e-6f);
-  const Clipped filtered = clip(RectifyMethod::ClipToFiltered, history, {1.0f, 0.5f, 0.5f}, low, high);
+  const Rectified filtered = clip(RectifyMethod::ClipToFiltered, history, {1.0f, 0.5f, 0.5f}, low, high);
   EXPECT_FLOAT_EQ(filtered.value.x, 2.0f);
   EXPECT_FLOAT_EQ(filtered.amount, 3.5f / 4.5f);
 }
@@ -118,7 +118,7 @@ TEST(TwinRectify, ClosedFormsInOneDimension) {
 TEST(TwinRectify, ATargetOutsideIsBroughtIntoTheBoxFirst) {
   const glm::vec3 low(0.0f);
   const glm::vec3 high(1.0f);
-  const Clipped clipped = clip(RectifyMethod::ClipToFiltered, glm::vec3(2.0f), glm::vec3(3.0f), low, high);
+  const Rectified clipped = clip(RectifyMethod::ClipToFiltered, glm::vec3(2.0f), glm::vec3(3.0f), low, high);
   EXPECT_EQ(clipped.value, high); // the clamped target: no extrapolation
   EXPECT_EQ(clipped.amount, 1.0f);
 }
@@ -126,7 +126,7 @@ TEST(TwinRectify, ATargetOutsideIsBroughtIntoTheBoxFirst) {
 TEST(TwinRectify, AFlatBoxTakesAllHistoryToItself) {
   const glm::vec3 point(0.25f, 0.5f, 0.125f);
   for (const RectifyMethod method : kMethods) {
-    const Clipped clipped = clip(method, {3.0f, 0.0f, 1.0f}, point, point, point);
+    const Rectified clipped = clip(method, {3.0f, 0.0f, 1.0f}, point, point, point);
     EXPECT_LE(glm::distance(clipped.value, point), 2e-8f); // the center's extent is 1e-8
     EXPECT_NEAR(clipped.amount, 1.0f, 1e-7f);
   }
@@ -170,7 +170,7 @@ TEST(TwinRectify, TheHullOfGraysHoldsNoColorWhateverTheirBox) {
   grays.boxMax = grays.max = glm::vec3(1.0f);
   const glm::vec3 red(0.75f, 0.25f, 0.25f), target(0.5f);
   Settings settings = hullSettings();
-  const Clipped hull = rectifyHistory(oneHistory(), settings, red, target, grays);
+  const Rectified hull = rectifyHistory(oneHistory(), settings, red, target, grays);
   EXPECT_EQ(hull.value, target);
   EXPECT_EQ(hull.amount, 1.0f);
   EXPECT_EQ(rectifyHistory(oneHistory(), settings, glm::vec3(0.625f), target, grays).value,

@@ -26,7 +26,7 @@ TEST(TwinDilate, SpreadsTheForegroundsMotionByOnePixel) {
   }
   for (int y = 0; y < 5; ++y) {
     for (int x = 0; x < 9; ++x) {
-      const Dilated dilated = dilateMotion(inputs, kClosest, {x, y});
+      const DilatedMotion dilated = dilateMotion(inputs, kClosest, {x, y});
       EXPECT_EQ(dilated.motion, glm::vec2(x <= 4 ? 3.0f : 0.0f, 0.0f)) << x << ", " << y;
       EXPECT_EQ(dilated.depth, x <= 4 ? 0.5f : 0.1f);
       EXPECT_EQ(dilateMotion(inputs, {DilateMethod::None}, {x, y}).motion.x, x < 4 ? 3.0f : 0.0f);
@@ -66,7 +66,7 @@ TEST(TwinDilate, AsHdrpPrintsItTheLowerLeftWinsWhereAnyIsNoFarther) {
     inputs.depth.at(0, 2)[0] = depths[3];
     return dilateMotion(inputs, {DilateMethod::ClosestXAsPrinted}, {1, 1});
   };
-  const Dilated printed = chosen({0.3f, 0.05f, 0.2f, 0.01f}); // the last is the farthest of all
+  const DilatedMotion printed = chosen({0.3f, 0.05f, 0.2f, 0.01f}); // the last is the farthest of all
   EXPECT_EQ(printed.offset, glm::ivec2(-1, 1));
   EXPECT_EQ(printed.depth, 0.01f) << "of the texel that was chosen";
   EXPECT_EQ(chosen({0.05f, 0.05f, 0.2f, 0.01f}).offset, glm::ivec2(-1, 1));
@@ -83,7 +83,7 @@ TEST(TwinDilate, GivesViewDepthInMetersAndZeroForTheSky) {
 
 TEST(TwinReproject, SubtractsMotionFromThePixelsCenter) {
   const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
-  const Reprojected reprojected = reproject(inputs, {}, {2.25f, -1.5f}, {3, 1});
+  const Reprojection reprojected = reproject(inputs, {}, {2.25f, -1.5f}, {3, 1});
   EXPECT_EQ(reprojected.position, glm::vec2(1.25f, 3.0f));
   EXPECT_TRUE(reprojected.onScreen);
   EXPECT_FALSE(reprojected.noPrevious);
@@ -93,7 +93,7 @@ TEST(TwinReproject, SubtractsMotionFromThePixelsCenter) {
 TEST(TwinReproject, ReadsHistoryInPlaceWhateverMoves) {
   const Inputs inputs = constantInputs(8, 4, glm::vec3(0.5f));
   for (const float motion : {0.0f, 2.25f, -300.0f, std::nanf(""), 65504.0f}) {
-    const Reprojected reprojected = reproject(inputs, {ReprojectMethod::InPlace}, {motion, 3.0f}, {3, 1});
+    const Reprojection reprojected = reproject(inputs, {ReprojectMethod::InPlace}, {motion, 3.0f}, {3, 1});
     EXPECT_EQ(reprojected.position, glm::vec2(3.5f, 1.5f)) << motion;
     EXPECT_TRUE(reprojected.onScreen && !reprojected.noPrevious) << motion;
   }

@@ -27,8 +27,8 @@ Inputs withHistory(float expected, float stored) {
   return inputs;
 }
 
-Validated validate(const Inputs& inputs, const ValidateSettings& settings = kOn) {
-  const Reprojected atRest{{1.5f, 1.5f}, true, false};
+Validity validate(const Inputs& inputs, const ValidateSettings& settings = kOn) {
+  const Reprojection atRest{{1.5f, 1.5f}, true, false};
   return validateHistory(inputs, settings, {}, atRest, atRest.position, {1, 1});
 }
 
@@ -91,9 +91,9 @@ TEST(TwinValidate, TakesTheBestOfTheNineTexelsAround) {
 
 TEST(TwinValidate, GivesTheFirstReasonThatApplies) {
   Inputs inputs = withHistory(4.0f, 8.0f);
-  const Reprojected off{{-3.0f, 1.5f}, false, false};
-  const Reprojected behind{{-3.0f, 1.5f}, false, true};
-  const auto reason = [&inputs](const Reprojected& where, const ValidateSettings& settings) {
+  const Reprojection off{{-3.0f, 1.5f}, false, false};
+  const Reprojection behind{{-3.0f, 1.5f}, false, true};
+  const auto reason = [&inputs](const Reprojection& where, const ValidateSettings& settings) {
     return validateHistory(inputs, settings, {}, where, where.position, {1, 1}).reason;
   };
   EXPECT_EQ(reason(behind, kOn), RejectReason::NoPrevious);
@@ -106,13 +106,13 @@ TEST(TwinValidate, GivesTheFirstReasonThatApplies) {
 
 TEST(TwinWeight, TakesTheLargestOfItsTerms) {
   const WeightSettings length{AlphaSource::HistoryLength, 0.5f, 0.1f};
-  EXPECT_EQ(weigh(length, 3.0f, 0.0f).alpha, 0.25f);
-  EXPECT_EQ(weigh(length, 99.0f, 0.0f).alpha, 0.1f);
-  EXPECT_EQ(weigh(length, 99.0f, 1.0f).alpha, 1.0f);
-  EXPECT_EQ(weigh(length, 0.0f, 1.0f).base, 1.0f);
+  EXPECT_EQ(blendWeight(length, 3.0f, 0.0f).alpha, 0.25f);
+  EXPECT_EQ(blendWeight(length, 99.0f, 0.0f).alpha, 0.1f);
+  EXPECT_EQ(blendWeight(length, 99.0f, 1.0f).alpha, 1.0f);
+  EXPECT_EQ(blendWeight(length, 0.0f, 1.0f).base, 1.0f);
   const WeightSettings constant{AlphaSource::Constant, 0.05f, 0.1f};
-  EXPECT_EQ(weigh(constant, 3.0f, 0.0f).alpha, 0.05f); // the floor is not for constants
-  EXPECT_EQ(weigh(constant, 3.0f, 1.0f).alpha, 1.0f);
+  EXPECT_EQ(blendWeight(constant, 3.0f, 0.0f).alpha, 0.05f); // the floor is not for constants
+  EXPECT_EQ(blendWeight(constant, 3.0f, 1.0f).alpha, 1.0f);
 }
 
 } // namespace

@@ -17,8 +17,8 @@ WeightSettings constant(float alpha) {
   return {.source = AlphaSource::Constant, .alpha = alpha, .minimum = 0.0f};
 }
 
-float alphaOf(const WeightSettings& settings, const Seen& seen) {
-  return weigh(settings, 4.0f, 0.0f, seen).alpha;
+float alphaOf(const WeightSettings& settings, const WeightInputs& weighed) {
+  return blendWeight(settings, 4.0f, 0.0f, weighed).alpha;
 }
 
 // Catalogue 7.7: as the Gaussian of 7.4 weighs one sample.
@@ -26,11 +26,11 @@ TEST(TwinWeight, FallsWithTheDistanceOfTheSample) {
   WeightSettings settings = constant(0.5f);
   settings.sampleDistance = SampleDistance::Gaussian;
   const std::array<float, 9> gaussian = gaussianWeights(0.22f, {0.25f, -0.5f});
-  Seen seen{.speed = 3.0f, .jitterPx = {0.25f, -0.5f}};
-  EXPECT_EQ(weigh(settings, 4.0f, 0.0f, seen).sampleDistance, gaussian[4]);
-  EXPECT_EQ(alphaOf(settings, seen), 0.5f * gaussian[4]);
-  seen.jitterPx = {};
-  EXPECT_EQ(alphaOf(settings, seen), 0.5f);
+  WeightInputs weighed{.speed = 3.0f, .jitterPx = {0.25f, -0.5f}};
+  EXPECT_EQ(blendWeight(settings, 4.0f, 0.0f, weighed).sampleDistance, gaussian[4]);
+  EXPECT_EQ(alphaOf(settings, weighed), 0.5f * gaussian[4]);
+  weighed.jitterPx = {};
+  EXPECT_EQ(alphaOf(settings, weighed), 0.5f);
 }
 
 // Catalogue 13.6, Donut: α·max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²).
@@ -54,7 +54,7 @@ TEST(TwinWeight, TheResolveIsGivenTheSameDistancesAndTimes) {
       WeightSettings settings = constant(0.5f);
       settings.sampleDistance = form;
       EXPECT_EQ(sampleDistanceFactor(form, jitter),
-                weigh(settings, 4.0f, 0.0f, {.jitterPx = jitter}).sampleDistance);
+                blendWeight(settings, 4.0f, 0.0f, {.jitterPx = jitter}).sampleDistance);
     }
   EXPECT_EQ(frameEighths(1.0 / 60.0, 60.0f), 8);
   EXPECT_EQ(frameEighths(1.0 / 24.0, 60.0f), 20);
@@ -74,18 +74,19 @@ TEST(TwinWeight, MotionDoublesAlphaAndStops) {
   EXPECT_EQ(alphaOf(settings, {.speed = 5000.0f}), 0.25f);
   settings.alpha = 0.75f;
   EXPECT_EQ(alphaOf(settings, {.speed = 50.0f}), 1.0f);
-  EXPECT_EQ(weigh(settings, 4.0f, 0.0f, {.speed = 50.0f}).motion, 0.25f);
+  EXPECT_EQ(blendWeight(settings, 4.0f, 0.0f, {.speed = 50.0f}).motion, 0.25f);
 }
 
 // Catalogue 13.11: Godot measures after c/(1 + c) against 1.001, Filament against the larger luma.
 TEST(TwinWeight, LumaMayBeMeasuredCompressed) {
   WeightSettings settings = constant(0.5f);
   settings.lumaFlicker = Switch::On;
-  Seen seen{.hasHistory = true, .lumaCurrent = 0.1f, .lumaHistory = 0.0f, .compressedCurrent = 0.0909f};
+  WeightInputs weighed{
+      .hasHistory = true, .lumaCurrent = 0.1f, .lumaHistory = 0.0f, .compressedCurrent = 0.0909f};
   const auto squared = [](double x) { return x * x; };
-  EXPECT_NEAR(alphaOf(settings, seen), 0.5 * squared(1.0 - 0.1 / 0.101), 1e-7);
+  EXPECT_NEAR(alphaOf(settings, weighed), 0.5 * squared(1.0 - 0.1 / 0.101), 1e-7);
   settings.flickerScale = FlickerScale::Compressed;
-  EXPECT_NEAR(alphaOf(settings, seen), 0.5 * squared(1.0 - 0.0909 / 1.001), 1e-7);
+  EXPECT_NEAR(alphaOf(settings, weighed), 0.5 * squared(1.0 - 0.0909 / 1.001), 1e-7);
 }
 
 // Invariant 53.
@@ -110,7 +111,7 @@ TEST(TwinWeight, TwoHalfFramesWeighAsOne) {
   settings.alpha = 0.0f;
   EXPECT_EQ(at(24.0), 0.0);
   settings.frameRate = Switch::Off;
-  EXPECT_EQ(weigh(constant(0.36f), 4.0f, 0.0f, {.stepSeconds = 1.0}).alpha, 0.36f);
+  EXPECT_EQ(blendWeight(constant(0.36f), 4.0f, 0.0f, {.stepSeconds = 1.0}).alpha, 0.36f);
 }
 
 // Catalogue 13.14, 14.2: β = lerp(0.25, 0.85, κ) of each channel.

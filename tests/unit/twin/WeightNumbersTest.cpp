@@ -13,12 +13,12 @@
 namespace taa::twin {
 namespace {
 
-Seen lumas(float current, float history) {
-  Seen seen;
-  seen.hasHistory = true;
-  seen.lumaCurrent = current;
-  seen.lumaHistory = history;
-  return seen;
+WeightInputs lumas(float current, float history) {
+  WeightInputs weighed;
+  weighed.hasHistory = true;
+  weighed.lumaCurrent = current;
+  weighed.lumaHistory = history;
+  return weighed;
 }
 
 /// The history weight 1 − α of Playdead, whose limits are .88 and .97.
@@ -28,7 +28,7 @@ float playdead(float current, float history) {
   settings.most = 0.12f;
   settings.least = 0.03f;
   settings.minimum = 0.0f;
-  return 1.0f - weigh(settings, 5.0f, 0.0f, lumas(current, history)).alpha;
+  return 1.0f - blendWeight(settings, 5.0f, 0.0f, lumas(current, history)).alpha;
 }
 
 TEST(WeightNumbers, TheLumaDifferenceOfPlaydeadTrustsWhatLooksAlike) {
@@ -48,10 +48,10 @@ TEST(WeightNumbers, TheLumaDifferenceAsPrintedTrustsWhatDiffers) {
   settings.source = AlphaSource::LumaDifferenceAsPrinted;
   settings.minimum = 0.0f;
   const auto alpha = [&settings](float history) { // of grays over 1 + their largest channel
-    Seen seen = lumas(0.5f, history);
-    seen.maxCurrent = 0.5f / 1.5f;
-    seen.maxHistory = history / (1.0f + history);
-    return weigh(settings, 5.0f, 0.0f, seen).alpha;
+    WeightInputs weighed = lumas(0.5f, history);
+    weighed.maxCurrent = 0.5f / 1.5f;
+    weighed.maxHistory = history / (1.0f + history);
+    return blendWeight(settings, 5.0f, 0.0f, weighed).alpha;
   };
   EXPECT_EQ(alpha(0.5f), 1.0f);
   EXPECT_GT(alpha(0.5f), alpha(0.6f));
@@ -62,11 +62,11 @@ TEST(WeightNumbers, TheLumaDifferenceAsPrintedTrustsWhatDiffers) {
 float nearClampFactor(float history) {
   WeightSettings settings;
   settings.nearClamp = Switch::On;
-  Seen seen = lumas(1.5f, history);
-  seen.boxHistoryRaw = history;
-  seen.boxLow = 1.0f;
-  seen.boxHigh = 2.0f;
-  return weigh(settings, 5.0f, 0.0f, seen).nearClamp;
+  WeightInputs weighed = lumas(1.5f, history);
+  weighed.boxHistoryRaw = history;
+  weighed.boxLow = 1.0f;
+  weighed.boxHigh = 2.0f;
+  return blendWeight(settings, 5.0f, 0.0f, weighed).nearClamp;
 }
 
 TEST(WeightNumbers, NearTheWallsHistoryIsKeptAndFarOutsideItIsNot) {
@@ -79,13 +79,13 @@ TEST(WeightNumbers, NearTheWallsHistoryIsKeptAndFarOutsideItIsNot) {
 TEST(WeightNumbers, SquaredMotionAsPrintedIsNothing) {
   WeightSettings settings;
   settings.motion = MotionAlpha::SquaredAsPrinted;
-  Seen seen = lumas(0.5f, 0.5f);
-  seen.speed = 50.0f;
-  seen.motionUv = {50.0f / 1920.0f, 0.0f};
-  EXPECT_NEAR(weigh(settings, 5.0f, 0.0f, seen).motion, 6.8e-4f, 2e-6f);
+  WeightInputs weighed = lumas(0.5f, 0.5f);
+  weighed.speed = 50.0f;
+  weighed.motionUv = {50.0f / 1920.0f, 0.0f};
+  EXPECT_NEAR(blendWeight(settings, 5.0f, 0.0f, weighed).motion, 6.8e-4f, 2e-6f);
   settings.motion = MotionAlpha::Squared; // in pixels it does something
   settings.motionSpeed = 64.0f;
-  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, 0.0f, seen).motion, 0.6103515625f);
+  EXPECT_FLOAT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).motion, 0.6103515625f);
 }
 
 TEST(WeightNumbers, AddedMotionIsThatOfSource002) {
@@ -96,9 +96,9 @@ TEST(WeightNumbers, AddedMotionIsThatOfSource002) {
   settings.motion = MotionAlpha::Added;
   const auto alpha = [&settings](float k, float speed) { // of a picture 1920 px wide
     settings.motionSpeed = 1920.0f / k;
-    Seen seen = lumas(0.5f, 0.5f);
-    seen.speed = speed;
-    return weigh(settings, 5.0f, 0.0f, seen).alpha;
+    WeightInputs weighed = lumas(0.5f, 0.5f);
+    weighed.speed = speed;
+    return blendWeight(settings, 5.0f, 0.0f, weighed).alpha;
   };
   EXPECT_NEAR(alpha(100.0f, 1.0f), 0.1021f, 5e-5f);
   EXPECT_NEAR(alpha(1000.0f, 1.0f), 0.5708f, 5e-5f);
@@ -109,11 +109,11 @@ TEST(WeightNumbers, ContrastTrustsHistoryOnEdgesAndTheCurrentFrameOnFlatAreas) {
   WeightSettings settings;
   settings.source = AlphaSource::Contrast;
   settings.minimum = 0.0f;
-  Seen seen = lumas(0.5f, 0.5f);
-  seen.boxCurrent = seen.boxLow = seen.boxHigh = 0.5f;
-  EXPECT_FLOAT_EQ(weigh(settings, 5.0f, 0.0f, seen).alpha, 0.75f);
-  seen.boxHigh = 2.0f;
-  EXPECT_NEAR(weigh(settings, 5.0f, 0.0f, seen).alpha, 0.15f, 1e-6f);
+  WeightInputs weighed = lumas(0.5f, 0.5f);
+  weighed.boxCurrent = weighed.boxLow = weighed.boxHigh = 0.5f;
+  EXPECT_FLOAT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).alpha, 0.75f);
+  weighed.boxHigh = 2.0f;
+  EXPECT_NEAR(blendWeight(settings, 5.0f, 0.0f, weighed).alpha, 0.15f, 1e-6f);
 }
 
 TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
@@ -122,9 +122,9 @@ TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
   settings.alpha = 0.1f;
   settings.minimum = 0.0f;
   const auto alpha = [&settings](float depth) {
-    Seen seen;
-    seen.depth = depth;
-    return weigh(settings, 5.0f, 0.0f, seen).alpha;
+    WeightInputs weighed;
+    weighed.depth = depth;
+    return blendWeight(settings, 5.0f, 0.0f, weighed).alpha;
   };
   EXPECT_EQ(alpha(0.0f), 1.0f);
   EXPECT_FLOAT_EQ(alpha(0.25f), 0.025f + 0.075f * 0.5f);
@@ -134,14 +134,14 @@ TEST(WeightNumbers, TheSkyTakesTheCurrentFrameAndDistanceTakesHistory) {
 TEST(WeightNumbers, AFactorBySizeOfTheBoxIsOneWhereThereIsNoContrast) {
   WeightSettings settings;
   settings.historyContrast = Switch::On;
-  Seen seen = lumas(0.5f, 0.5f);
-  seen.boxHistory = 0.5f;
-  seen.boxLow = seen.boxHigh = 0.5f;
-  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 1.0f);
-  seen.boxHigh = 1.0f; // 1/(1 + 0.5/0.5)
-  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 0.5f);
-  seen.boxHistory = 0.0f; // divided by nothing: α stays, instead of 0 forever
-  EXPECT_EQ(weigh(settings, 5.0f, 0.0f, seen).historyContrast, 1.0f);
+  WeightInputs weighed = lumas(0.5f, 0.5f);
+  weighed.boxHistory = 0.5f;
+  weighed.boxLow = weighed.boxHigh = 0.5f;
+  EXPECT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).historyContrast, 1.0f);
+  weighed.boxHigh = 1.0f; // 1/(1 + 0.5/0.5)
+  EXPECT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).historyContrast, 0.5f);
+  weighed.boxHistory = 0.0f; // divided by nothing: α stays, instead of 0 forever
+  EXPECT_EQ(blendWeight(settings, 5.0f, 0.0f, weighed).historyContrast, 1.0f);
 }
 
 Settings constantAlpha(float alpha) {

@@ -56,7 +56,7 @@ float ditheredHalf(float x, std::uint32_t number) {
 }
 
 /// A channel as the history holds it (catalogue 1.6, 14.7, 20.6).
-float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint32_t channel) {
+float asStored(const HistorySettings& settings, float x, const BlendInputs& mix, std::uint32_t channel) {
   const bool isDithered = settings.dither == Switch::On;
   const std::uint32_t number = isDithered ? randomBits(mix.pixel, mix.frame, channel) : 0;
   const float u = isDithered ? (static_cast<float>(number) + 0.5f) / 8192.0f : 0.5f;
@@ -74,7 +74,7 @@ float stored(const HistorySettings& settings, float x, const Mix& mix, std::uint
 }
 
 /// N after the frame (catalogue §16), of a sample of confidence κ.
-float lengthAfter(const Settings& settings, const Mix& mix) {
+float lengthAfter(const Settings& settings, const BlendInputs& mix) {
   const LengthRule rule = settings.blend.length;
   const float alpha = mix.alpha, before = mix.historyLength, confidence = mix.confidence;
   if (rule == LengthRule::CountTo16) {
@@ -96,7 +96,7 @@ float lengthAfter(const Settings& settings, const Mix& mix) {
 
 } // namespace
 
-Blended blend(const Settings& settings, const Mix& mix) {
+Blended blend(const Settings& settings, const BlendInputs& mix) {
   const ToneWeight tone = settings.blend.tone;
   Blended result;
   result.toneWeightCurrent = toneWeight(mix.current, tone);
@@ -110,9 +110,9 @@ Blended blend(const Settings& settings, const Mix& mix) {
     for (int i = 0; i < 3; ++i) factors[i] = factorOf(mix.channels[i]);
   const bool mayKeepAll = isUpsampled(settings) || settings.validate.offScreen == OffScreen::OneSided;
   const glm::vec3 color = mixed(mix.current, mix.history, factors, settings.blend, mayKeepAll);
+  const glm::vec3 sane = saneOr(mix.current, color);
   for (int i = 0; i < 3; ++i) {
-    const float channel = isBad(color[i]) ? mix.current[i] : color[i];
-    result.resolved[i] = stored(settings.history, channel, mix, static_cast<std::uint32_t>(i));
+    result.resolved[i] = asStored(settings.history, sane[i], mix, static_cast<std::uint32_t>(i));
   }
   result.historyLength = lengthAfter(settings, mix);
   return result;

@@ -13,7 +13,7 @@
 namespace taa::twin {
 
 /// What the terms of α look at: luma of scene-linear colors, luma of box space, and motion.
-struct Seen {
+struct WeightInputs {
   bool hasHistory = false;
   float lumaCurrent = 0.0f, lumaHistory = 0.0f; ///< filtered; rectified
   float boxCurrent = 0.0f, boxHistoryRaw = 0.0f, boxHistory = 0.0f, boxLow = 0.0f, boxHigh = 0.0f;
@@ -51,9 +51,11 @@ struct Weights {
   float alpha = 0.0f;       ///< composed
   glm::vec3 channels{0.0f}; ///< α of red, green and blue
 };
-Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen = {});
+Weights blendWeight(const WeightSettings& settings, float historyLength, float invalid,
+                    const WeightInputs& weighed = {});
 /// α is 1 where TAA is off.
-Weights weigh(const Settings& settings, float historyLength, float invalid, const Seen& seen);
+Weights blendWeight(const Settings& settings, float historyLength, float invalid,
+                    const WeightInputs& weighed);
 
 /// The output (catalogue §14–16).
 struct Blended {
@@ -64,7 +66,7 @@ struct Blended {
   glm::vec3 resolved{0.0f};
 };
 /// What is mixed.
-struct Mix {
+struct BlendInputs {
   glm::vec3 current{0.0f};
   glm::vec3 history{0.0f};
   float alpha = 1.0f;
@@ -76,17 +78,17 @@ struct Mix {
   int frame = 0;
   bool isFirst = false; ///< there is no history
 };
-Blended blend(const Settings& settings, const Mix& mix);
+Blended blend(const Settings& settings, const BlendInputs& mix);
 
 /// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,
                   const std::array<glm::vec3, 9>& current);
 /// What of it formulas are made of: RCAS's lobe, of nine colors with bounded highlights, and the mean that
 /// sharpening in the resolve keeps away from.
-float rcasLobe(const std::array<glm::vec3, 9>& bounded, float amount);
+float rcasLobe(const std::array<glm::vec3, 9>& compressed, float amount);
 glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current);
 /// Each color divided by 1 + its largest channel.
-std::array<glm::vec3, 9> bounded(const std::array<glm::vec3, 9>& colors);
+std::array<glm::vec3, 9> compressMax(const std::array<glm::vec3, 9>& colors);
 /// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (§18, 14.4).
 struct Shown {
   float detail = 0.0f; ///< luma that sharpening adds

@@ -22,14 +22,14 @@ float distance(float depth) {
 }
 
 /// |z − z′| / z; the sky differs from everything by 1, but not from itself.
-float mismatchOf(const ValidateSettings& settings, float expected, float stored) {
+float depthMismatch(const ValidateSettings& settings, float expected, float stored) {
   if (settings.depthDirection == DepthDirection::Nearer && !(distance(stored) < distance(expected)))
     return 0.0f;
   if (expected == 0.0f || stored == 0.0f) return expected == stored ? 0.0f : 1.0f;
   return std::fabs(expected - stored) / expected;
 }
 
-float storedAt(const Inputs& inputs, const glm::ivec2& place) {
+float storedDepth(const Inputs& inputs, const glm::ivec2& place) {
   const glm::ivec2 texel = clampedToPicture(place, inputs);
   return inputs.historySurface.texel(texel.x, texel.y).y;
 }
@@ -57,11 +57,11 @@ std::vector<glm::ivec2> readTexels(const glm::vec2& position) {
 }
 
 void takeBest(const Inputs& inputs, const ValidateSettings& settings, const std::vector<glm::ivec2>& texels,
-              ComparedDepth& result) {
+              DepthTest& result) {
   std::optional<float> least;
   for (const glm::ivec2& texel : texels) {
-    const float stored = storedAt(inputs, texel);
-    const float mismatch = mismatchOf(settings, result.expected, stored);
+    const float stored = storedDepth(inputs, texel);
+    const float mismatch = depthMismatch(settings, result.expected, stored);
     if (least && !(mismatch < *least)) continue;
     least = mismatch;
     result.stored = stored;
@@ -71,12 +71,12 @@ void takeBest(const Inputs& inputs, const ValidateSettings& settings, const std:
 
 /// The smaller step to two opposite neighbors where the surface goes on from one to the other; the step of a
 /// ridge or of a groove leads to something else.
-float stepAlong(const Inputs& inputs, const glm::ivec2& drawn, const glm::ivec2& way) {
+float slopeBetween(const Inputs& inputs, const glm::ivec2& drawn, const glm::ivec2& direction) {
   const auto depthAt = [&](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToDrawn(place, inputs);
     return distance(viewDepth(inputs.depth.texel(texel.x, texel.y).x, inputs.depthTerms));
   };
-  const float before = depthAt(drawn - way), own = depthAt(drawn), after = depthAt(drawn + way);
+  const float before = depthAt(drawn - direction), own = depthAt(drawn), after = depthAt(drawn + direction);
   const bool isBetween = (before <= own && own <= after) || (after <= own && own <= before);
   return isBetween ? std::min(std::fabs(own - before), std::fabs(after - own)) : 0.0f;
 }
@@ -102,14 +102,13 @@ bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm:
 
 /// Of the nearer of the two surfaces, in its own frame: seen past on opposite sides, in history, which is
 /// dilated by a texel to all sides, a texel farther out. Now the pixel's own sample may see past it too.
-bool isThin(const Inputs& inputs, const ComparedDepth& depth, const glm::ivec2& drawn,
-            const glm::ivec2& middle) {
+bool isThin(const Inputs& inputs, const DepthTest& depth, const glm::ivec2& drawn, const glm::ivec2& middle) {
   const bool wasNearer = distance(depth.stored) < distance(depth.expected);
   const float farther = wasNearer ? depth.expected : depth.stored;
   const auto isSeenPast = [&](const glm::ivec2& step) {
     const glm::ivec2 now = clampedToDrawn(drawn + step, inputs);
     const float seen =
-        wasNearer ? storedAt(inputs, middle + 2 * step) : inputs.previousDepth.texel(now.x, now.y).x;
+        wasNearer ? storedDepth(inputs, middle + 2 * step) : inputs.previousDepth.texel(now.x, now.y).x;
     return seen == 0.0f || (farther != 0.0f && seen >= farther * (1.0f - depth.allowed));
   };
   if (!wasNearer && isSeenPast({0, 0})) return true;
@@ -122,13 +121,13 @@ bool isThin(const Inputs& inputs, const ComparedDepth& depth, const glm::ivec2& 
 
 float depthSlope(const Inputs& inputs, const glm::ivec2& drawn) {
   if (inputs.depth.texel(drawn.x, drawn.y).x == 0.0f) return 0.0f;
-  return stepAlong(inputs, drawn, {1, 0}) + stepAlong(inputs, drawn, {0, 1});
+  return slopeBetween(inputs, drawn, {1, 0}) + slopeBetween(inputs, drawn, {0, 1});
 }
 
-ComparedDepth compareDepth(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
-                           const glm::ivec2& drawn, const glm::vec2& position) {
+DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
+                       const glm::ivec2& drawn, const glm::vec2& position) {
   const glm::ivec2 chosen = drawn + dilated.offset, middle = texelOf(position);
-  ComparedDepth result;
+  DepthTest result;
   result.expected = inputs.previousDepth.texel(chosen.x, chosen.y).x;
   result.allowed = allowedMismatch(inputs, settings, chosen, result.expected);
   if (inputs.historyColor.empty()) return result;

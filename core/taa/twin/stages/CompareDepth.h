@@ -10,7 +10,7 @@ namespace taa::twin {
 /// Sum of the depth steps along the surface at a render texel, m.
 float depthSlope(const Inputs& inputs, const glm::ivec2& drawn);
 
-struct ComparedDepth {
+struct DepthTest {
   float expected = 0.0f;  ///< m
   float stored = 0.0f;    ///< m, the one that fits best
   float mismatch = 0.0f;  ///< relative to the one expected
@@ -19,7 +19,7 @@ struct ComparedDepth {
   bool isFlicker = false; ///< not another one, though its depth differs
 };
 /// `drawn`: the render texel; `position`: where history is read, px.
-ComparedDepth compareDepth(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
-                           const glm::ivec2& drawn, const glm::vec2& position);
+DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
+                       const glm::ivec2& drawn, const glm::vec2& position);
 
 } // namespace taa::twin

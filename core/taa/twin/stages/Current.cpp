@@ -77,7 +77,7 @@ glm::vec3 mixed(const glm::vec3& a, const glm::vec3& b, float share) {
   return a + share * (b - a);
 }
 
-glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
+glm::vec3 weightedSamples(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
   const std::array<float, 9> weights = currentWeights(settings, inputs.jitterPx);
   const glm::vec3 center = currentColor(inputs, pixel);
   float sum = 0.0f;
@@ -94,8 +94,8 @@ glm::vec3 weighted(const Inputs& inputs, const CurrentSettings& settings, const 
 }
 
 /// The Laplacian of the four around added (18.2): corrected f + s(f − mean₄), or as printed 5s f − s Σ₄.
-glm::vec3 sharpened(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
-                    const glm::vec3& color) {
+glm::vec3 sharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
+                           const glm::vec3& color) {
   const float s = settings.sharpenAmount;
   glm::vec3 sum(0.0f), difference(0.0f);
   for (const glm::ivec2& step : {glm::ivec2(0, -1), glm::ivec2(-1, 0), glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
@@ -112,8 +112,8 @@ glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const 
   glm::vec3 low = currentColor(inputs, texel), high = low;
   for (int k = 0; k < 9; ++k) {
     const glm::vec3 sample = currentColor(inputs, texel + glm::ivec2(k % 3 - 1, k / 3 - 1));
-    low = smaller(low, sample);
-    high = larger(high, sample);
+    low = minimum(low, sample);
+    high = maximum(high, sample);
   }
   return clamped(color, low, high);
 }
@@ -153,7 +153,7 @@ glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& 
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
                          const glm::vec3& color) {
   if (settings.sharpen == CurrentSharpen::None) return color;
-  return storable(sharpened(inputs, settings, texel, color));
+  return storable(sharpenedCurrent(inputs, settings, texel, color));
 }
 
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
@@ -164,7 +164,7 @@ glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settin
   const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
                        settings.filter == CurrentFilter::CatmullRom ||
                        settings.filter == CurrentFilter::Lanczos;
-  glm::vec3 color = weighted(inputs, settings, pixel);
+  glm::vec3 color = weightedSamples(inputs, settings, pixel);
   if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
   return storable(color); // negative weights overshoot both ways
 }

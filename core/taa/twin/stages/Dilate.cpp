@@ -38,7 +38,7 @@ std::vector<glm::ivec2> candidates(DilateMethod method) {
 /// The nearest of them, 4.1 to 4.4, or the farthest. Reversed depth: larger is nearer. Starts from what
 /// `result` holds, or from the first of them.
 void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& pixel,
-                 Dilated& result) {
+                 DilatedMotion& result) {
   const bool startsFromFar = settings.method == DilateMethod::Closest3x3AsPrinted;
   bool hasAny = settings.ties != DilateTies::First || startsFromFar;
   const auto isPreferred = [&](float depth) {
@@ -58,7 +58,7 @@ void findClosest(const Inputs& inputs, const DilateSettings& settings, const glm
 }
 
 /// The fastest of them, 4.5 and 4.6.
-void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, Dilated& result) {
+void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pixel, DilatedMotion& result) {
   const auto squaredLength = [&inputs](const glm::ivec2& p) {
     const glm::vec4 motion = inputs.motion.texel(p.x, p.y);
     const float squared = motion.x * motion.x + motion.y * motion.y;
@@ -78,7 +78,7 @@ void findLongest(const Inputs& inputs, DilateMethod method, const glm::ivec2& pi
 
 /// HDRP's four taps as printed (D13): a tap that is no farther than what is kept is chosen, but the depth
 /// kept with it is the next tap's.
-void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilated& result) {
+void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, DilatedMotion& result) {
   const auto tap = [&](int dx, int dy) { return clampedToDrawn(pixel + glm::ivec2(dx, dy), inputs); };
   const std::array taps{tap(1, 1), tap(-1, -1), tap(1, -1), tap(-1, 1), tap(1, 1)};
   const auto depthAt = [&inputs](const glm::ivec2& p) { return inputs.depth.texel(p.x, p.y).x; };
@@ -93,8 +93,8 @@ void findClosestXAsPrinted(const Inputs& inputs, const glm::ivec2& pixel, Dilate
 
 } // namespace
 
-Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel) {
-  Dilated result;
+DilatedMotion dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel) {
+  DilatedMotion result;
   result.depth = inputs.depth.texel(texel.x, texel.y).x;
   switch (settings.method) {
   case DilateMethod::None:
@@ -125,8 +125,7 @@ Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const
     result.offset = chosen - texel;
     result.depth = inputs.depth.texel(chosen.x, chosen.y).x;
   }
-  const glm::vec2 motion(inputs.motion.texel(chosen.x, chosen.y));
-  result.motion = motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
+  result.motion = pictureMotion(inputs, glm::vec2(inputs.motion.texel(chosen.x, chosen.y)));
   return result;
 }
 

@@ -40,7 +40,7 @@ float changeOf(const glm::vec2& now, const glm::vec2& then, VelocityTest test) {
 
 } // namespace
 
-Geometry geometryOf(const Inputs& inputs, const Dilated& dilated, const glm::ivec2& drawn) {
+Geometry geometryOf(const Inputs& inputs, const DilatedMotion& dilated, const glm::ivec2& drawn) {
   const glm::ivec2 chosen = drawn + dilated.offset;
   const glm::vec4 normal = inputs.normal.texel(chosen.x, chosen.y);
   return {inputs.objectId.texel(chosen.x, chosen.y).x, normal.w, glm::vec3(normal), dilated.motion};
@@ -87,26 +87,26 @@ GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, co
 Divergence motionDivergence(const Inputs& inputs, const WeightSettings& settings, const glm::ivec2& drawn) {
   Divergence result;
   if (settings.divergence == Switch::Off) return result;
-  const auto squared = [](const glm::vec2& v) {
+  const auto squaredLength = [](const glm::vec2& v) {
     const float length = v.x * v.x + v.y * v.y;
     return length >= 0.0f ? length : 0.0f; // NaN is no motion
   };
   const auto motionAt = [&inputs](const glm::ivec2& place) {
     const glm::ivec2 texel = clampedToDrawn(place, inputs);
-    const glm::vec2 motion(inputs.motion.texel(texel.x, texel.y));
-    return motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
+    return pictureMotion(inputs, glm::vec2(inputs.motion.texel(texel.x, texel.y)));
   };
   const glm::vec2 own = motionAt(drawn);
-  result.fastest = squared(own);
+  result.fastest = squaredLength(own);
   for (int k = 0; k < 9; ++k) {
     const glm::vec2 other = motionAt(drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
     if (other.x == kNoPreviousPosition) continue;
-    const float larger = squared(other) > squared(own) ? squared(other) : squared(own);
-    const float along = (other.x * own.x + other.y * own.y) / larger;
+    const float faster =
+        squaredLength(other) > squaredLength(own) ? squaredLength(other) : squaredLength(own);
+    const float along = (other.x * own.x + other.y * own.y) / faster;
     if (along < result.least) result.least = along;
-    if (squared(other) > result.fastest) result.fastest = squared(other);
+    if (squaredLength(other) > result.fastest) result.fastest = squaredLength(other);
   }
-  if (squared(own) > 1e-4f)
+  if (squaredLength(own) > 1e-4f)
     result.value =
         saturated(1.0f - result.least) * saturated(std::sqrt(result.fastest) / settings.divergenceSpeed);
   return result;

@@ -14,12 +14,12 @@ constexpr float kFarthestPosition = 1e6f;
 
 /// A place between texels along one axis: the texel before it, and how far it is to the next. Apart, because
 /// their sum would round the fraction by as much as the texel's number is large.
-struct Place {
+struct AxisPlace {
   int texel;
   float fraction; ///< 0 to 1
 };
 
-Place placeAt(float positionPx) {
+AxisPlace placeAt(float positionPx) {
   const float texel = std::floor(positionPx - 0.5f); // texel 0 is centered at ½
   return {static_cast<int>(texel), positionPx - (texel + 0.5f)};
 }
@@ -29,14 +29,14 @@ glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
 }
 
 /// A texel of the history; beyond the border that of the edge, or black (catalogue 5.4).
-glm::vec3 storedAt(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
+glm::vec3 storedColor(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
   const glm::ivec2 inside = clampedToPicture(texel, inputs);
   if (border == HistoryBorder::Black && inside != texel) return glm::vec3(0.0f);
   return glm::vec3(inputs.historyColor.texel(inside.x, inside.y));
 }
 
-glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const Place& x, const Place& y) {
-  const auto stored = [&](int column, int row) { return storedAt(inputs, border, {column, row}); };
+glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const AxisPlace& x, const AxisPlace& y) {
+  const auto stored = [&](int column, int row) { return storedColor(inputs, border, {column, row}); };
   const glm::vec3 upper = lerp(stored(x.texel, y.texel), stored(x.texel + 1, y.texel), x.fraction);
   const glm::vec3 lower = lerp(stored(x.texel, y.texel + 1), stored(x.texel + 1, y.texel + 1), x.fraction);
   return lerp(upper, lower, y.fraction);
@@ -45,22 +45,23 @@ glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const Place& x, c
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4) unless
 /// as printed (6.4b), or each corner given to its two neighbors (6.4c).
 Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
-  const Place x = placeAt(position.x);
-  const Place y = placeAt(position.y);
+  const AxisPlace x = placeAt(position.x);
+  const AxisPlace y = placeAt(position.y);
   const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
   const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
   const float middleX = wx[1] + wx[2];
   const float middleY = wy[1] + wy[2];
-  const Place x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
-  const Place y12{y.texel, wy[2] / middleY};
+  const AxisPlace x12{x.texel, wx[2] / middleX}; // taps 1 and 2 in one
+  const AxisPlace y12{y.texel, wy[2] / middleY};
   const bool givesCorners = settings.filter == HistoryFilter::CatmullRom5Corners;
   const float besideX = givesCorners ? middleX + 0.5f * (wx[0] + wx[3]) : middleX;
   const float besideY = givesCorners ? middleY + 0.5f * (wy[0] + wy[3]) : middleY;
   // HDRP reads the right tap a row higher (D13).
-  const Place rightY = settings.filter == HistoryFilter::Cubic5AsPrinted ? Place{y.texel - 1, 0.0f} : y12;
+  const AxisPlace rightY =
+      settings.filter == HistoryFilter::Cubic5AsPrinted ? AxisPlace{y.texel - 1, 0.0f} : y12;
   Taps taps;
   taps.middle = 2;
-  const auto tap = [&](const Place& column, const Place& row, float weight) {
+  const auto tap = [&](const AxisPlace& column, const AxisPlace& row, float weight) {
     taps.add(sanitized(bilinear(inputs, settings.border, column, row)), weight);
   };
   tap(x12, {y.texel - 1, 0.0f}, besideX * wy[0]);
@@ -73,14 +74,14 @@ Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySett
 
 /// Nine bilinear taps: equal to sixteen texels (catalogue 6.3).
 Taps catmullRom9(const Inputs& inputs, const glm::vec2& position, HistoryBorder border) {
-  const Place px = placeAt(position.x);
-  const Place py = placeAt(position.y);
-  const auto axis = [](const Place& place) {
+  const AxisPlace px = placeAt(position.x);
+  const AxisPlace py = placeAt(position.y);
+  const auto axis = [](const AxisPlace& place) {
     const std::array<float, 4> w = catmullRomWeights(place.fraction);
     const float both = w[1] + w[2];
-    return std::array<std::pair<Place, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
-                                                   {{place.texel, w[2] / both}, both},
-                                                   {{place.texel + 2, 0.0f}, w[3]}}};
+    return std::array<std::pair<AxisPlace, float>, 3>{{{{place.texel - 1, 0.0f}, w[0]},
+                                                       {{place.texel, w[2] / both}, both},
+                                                       {{place.texel + 2, 0.0f}, w[3]}}};
   };
   Taps taps;
   taps.middle = 4;
@@ -90,9 +91,9 @@ Taps catmullRom9(const Inputs& inputs, const glm::vec2& position, HistoryBorder 
 }
 
 /// Sixteen texels with the kernel's weights (catalogue 6.2, 6.5 to 6.7).
-Taps sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
-  const Place x = placeAt(position.x);
-  const Place y = placeAt(position.y);
+Taps sixteenTexels(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
+  const AxisPlace x = placeAt(position.x);
+  const AxisPlace y = placeAt(position.y);
   const std::array<float, 4> wx = cubicWeights(settings, x.fraction);
   const std::array<float, 4> wy = cubicWeights(settings, y.fraction);
   const bool isLanczos = settings.filter == HistoryFilter::Lanczos;
@@ -101,7 +102,7 @@ Taps sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySetti
   for (int k = 0; k < 16; ++k) {
     const int i = k % 4, j = k / 4;
     const bool isNear = (i == 1 || i == 2) && (j == 1 || j == 2);
-    taps.add(sanitized(storedAt(inputs, settings.border, {x.texel + i - 1, y.texel + j - 1})),
+    taps.add(sanitized(storedColor(inputs, settings.border, {x.texel + i - 1, y.texel + j - 1})),
              wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)], isNear || !isLanczos);
   }
   return taps;
@@ -109,11 +110,11 @@ Taps sixteen(const Inputs& inputs, const glm::vec2& position, const HistorySetti
 
 /// The four texels of bilinear interpolation, as weights.
 Taps four(const Inputs& inputs, const glm::vec2& position, HistoryBorder border) {
-  const Place x = placeAt(position.x), y = placeAt(position.y);
+  const AxisPlace x = placeAt(position.x), y = placeAt(position.y);
   Taps taps;
   for (int k = 0; k < 4; ++k) {
     const int i = k % 2, j = k / 2;
-    taps.add(storedAt(inputs, border, {x.texel + i, y.texel + j}),
+    taps.add(storedColor(inputs, border, {x.texel + i, y.texel + j}),
              (i == 0 ? 1.0f - x.fraction : x.fraction) * (j == 0 ? 1.0f - y.fraction : y.fraction));
   }
   return taps;
@@ -131,8 +132,8 @@ glm::vec3 meanOf(const Taps& taps, const HistorySettings& settings) {
     sum = sum + tap.weight;
     difference = difference + (tap.color - middle) * tap.weight;
     if (!tap.bounds) continue;
-    low = smaller(low, tap.color);
-    high = larger(high, tap.color);
+    low = minimum(low, tap.color);
+    high = maximum(high, tap.color);
   }
   glm::vec3 result = middle + difference / sum;
   if (settings.filter == HistoryFilter::CatmullRom5AsPrinted) result = middle * sum + difference;
@@ -144,7 +145,7 @@ glm::ivec2 texelOf(const glm::vec2& positionPx) {
   return {static_cast<int>(std::floor(positionPx.x)), static_cast<int>(std::floor(positionPx.y))};
 }
 
-glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
+glm::vec3 filteredHistory(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
   if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q, settings.border);
   const Taps taps = historyTaps(inputs, settings, q);
   return settings.filter == HistoryFilter::Point ? taps.each[0].color : meanOf(taps, settings);
@@ -152,7 +153,7 @@ glm::vec3 filtered(const Inputs& inputs, const HistorySettings& settings, const 
 
 /// N of the four texels around, mixed by their distance, as Godot reads it.
 float bilinearLength(const Inputs& inputs, const glm::vec2& position) {
-  const Place x = placeAt(position.x), y = placeAt(position.y);
+  const AxisPlace x = placeAt(position.x), y = placeAt(position.y);
   const auto at = [&](int i, int j) {
     const glm::ivec2 texel = clampedToPicture({x.texel + i, y.texel + j}, inputs);
     return inputs.historySurface.texel(texel.x, texel.y).x;
@@ -185,8 +186,8 @@ std::array<float, 4> catmullRomWeights(float f) {
 
 std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
   const float c = settings.sharpness;
-  const auto near = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
-  const auto far = [](float x) {
+  const auto mitchellNear = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
+  const auto mitchellFar = [](float x) {
     return ((((-7.0f / 3.0f) * x + 12.0f) * x - 20.0f) * x + 32.0f / 3.0f) / 6.0f;
   };
   const auto lanczos = [](float x) {
@@ -201,7 +202,7 @@ std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
     return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
             ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
   case HistoryFilter::Mitchell:
-    return {far(1.0f + f), near(f), near(1.0f - f), far(2.0f - f)};
+    return {mitchellFar(1.0f + f), mitchellNear(f), mitchellNear(1.0f - f), mitchellFar(2.0f - f)};
   case HistoryFilter::Lanczos:
     return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
   case HistoryFilter::Point:
@@ -220,7 +221,7 @@ Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const gl
   switch (settings.filter) {
   case HistoryFilter::Point: {
     Taps one;
-    one.add(storedAt(inputs, settings.border, texelOf(positionPx)), 1.0f);
+    one.add(storedColor(inputs, settings.border, texelOf(positionPx)), 1.0f);
     return one;
   }
   case HistoryFilter::Bilinear:
@@ -239,7 +240,7 @@ Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const gl
   case HistoryFilter::Lanczos:
     break;
   }
-  return sixteen(inputs, positionPx, settings);
+  return sixteenTexels(inputs, positionPx, settings);
 }
 
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx, HistoryBorder border) {
@@ -258,7 +259,7 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
   const glm::vec2& q = result.position;
   result.color =
       storable(result.isEdge ? bilinearHistory(inputs, q, settings.border)
-                             : filtered(inputs, settings, q));          // negative lobes overshoot both ways
+                             : filteredHistory(inputs, settings, q));   // negative lobes overshoot both ways
   const bool isOfPixel = settings.length == LengthFrom::PixelAsPrinted; // D15
   const glm::ivec2 nearest = clampedToPicture(isOfPixel ? pixel : texelOf(q), inputs);
   result.length = settings.length == LengthFrom::Bilinear

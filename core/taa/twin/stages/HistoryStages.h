@@ -14,12 +14,12 @@
 namespace taa::twin {
 
 /// A color that the box is made from.
-struct Member {
+struct NeighborhoodSample {
   glm::vec3 color{0.0f};    ///< scene-linear
   std::size_t distance = 0; ///< steps from the center along the axes that it weighs as, 0 to 2
 };
 /// What it counts for mean and deviation (catalogue 10.7).
-float momentWeight(const Settings& settings, const Member& member);
+float momentWeight(const Settings& settings, const NeighborhoodSample& member);
 /// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
 struct Neighborhood {
   glm::vec3 mean{0.0f};
@@ -29,13 +29,13 @@ struct Neighborhood {
   float gamma = 0.0f; ///< the one used
   glm::vec3 boxMin{0.0f};
   glm::vec3 boxMax{0.0f};
-  std::array<glm::vec3, 9> samples{}; ///< in box space, row-major
-  std::array<glm::vec3, 9> colors{};  ///< the same, scene-linear
-  std::vector<Member> members;        ///< of the shape, in the order they are summed
-  float tapReach = 0.0f;              ///< how far taps that vary lie from the center along both axes, px
+  std::array<glm::vec3, 9> samples{};      ///< in box space, row-major
+  std::array<glm::vec3, 9> colors{};       ///< the same, scene-linear
+  std::vector<NeighborhoodSample> members; ///< of the shape, in the order they are summed
+  float tapReach = 0.0f;                   ///< how far taps that vary lie from the center along both axes, px
 };
 /// What the box may depend on besides this frame's colors.
-struct Moved {
+struct NeighborhoodInputs {
   glm::vec3 history{0.0f}; ///< scene-linear, as it was read
   float speed = 0.0f;      ///< px a frame
   float relax = 0.0f;      ///< the larger mask
@@ -44,41 +44,41 @@ struct Moved {
 };
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
-                                 const Moved& moved = {});
+                                 const NeighborhoodInputs& given = {});
 
 /// A point moved into a box, box space, how far on its way (0 kept, 1 all the way), and which part of that is
 /// applied.
-struct Clipped {
+struct Rectified {
   glm::vec3 value{0.0f};
   float amount = 0.0f;
   float strength = 1.0f;
   bool moved = false; ///< it was outside
 };
 /// Of the methods that need no more than the box (11.1 to 11.3).
-Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
-             const glm::vec3& boxMax);
+Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
+               const glm::vec3& boxMax);
 /// Directions across which a method measures slabs around the samples, in box space (catalogue 9.7, 10.12);
 /// none where it has no slabs.
 std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space);
 /// Number of the sample that is nearest to a color of box space (catalogue 11.8).
 std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood);
 /// What rectification may depend on besides colors.
-struct Applied {
-  float speed = 0.0f;     ///< px a frame
-  float held = 0.0f;      ///< share of the correction that is taken back
-  bool isFlicker = false; ///< its depth differs, and it is the same (13.9)
+struct RectifyInputs {
+  float speed = 0.0f;      ///< px a frame
+  float protection = 0.0f; ///< share of the correction that is taken back
+  bool isFlicker = false;  ///< its depth differs, and it is the same (13.9)
 };
 /// History pulled into the box, scene-linear (catalogue §11).
-Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
-                       const Applied& applied = {});
+Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
+                         const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                         const RectifyInputs& applied = {});
 /// N of history after it was rectified (catalogue 11.7).
-float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held);
+float lengthKept(const Settings& settings, float length, const Rectified& clipped, float protection);
 
 /// What of the correction is taken back (catalogue 17.3, 17.4).
-struct Held {
+struct LockState {
   float lock = 0.0f, lockLife = 0.0f, instability = 0.0f;
-  float share = 0.0f; ///< of the correction
+  float protection = 0.0f; ///< of the correction
   glm::vec2 keptLock{0.0f};
   glm::vec4 keptLumas{0.0f};
   // What decided it
@@ -88,9 +88,9 @@ struct Held {
   bool isChanged = false;      ///< luma is another than when it was locked
   glm::vec4 storedLumas{0.0f}; ///< of L/(1 + L) 255ths, latest first
 };
-Held holdHistory(const Inputs& inputs, const Settings& settings, const Reprojected& reprojected,
-                 const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
-                 const glm::ivec2& pixel, const glm::ivec2& drawn);
+LockState holdHistory(const Inputs& inputs, const Settings& settings, const Reprojection& reprojected,
+                      const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
+                      const glm::ivec2& pixel, const glm::ivec2& drawn);
 
 /// What the dilated sample belongs to.
 struct Geometry {
@@ -98,7 +98,7 @@ struct Geometry {
   glm::vec3 normal{0.0f};
   glm::vec2 motion{0.0f};
 };
-Geometry geometryOf(const Inputs& inputs, const Dilated& dilated, const glm::ivec2& drawn);
+Geometry geometryOf(const Inputs& inputs, const DilatedMotion& dilated, const glm::ivec2& drawn);
 /// How that agrees with what history was of, the best of nine texels (catalogue 12.2 to 12.5, 13.7).
 struct GeometryMatch {
   float object = 0.0f; ///< stored with history
@@ -131,7 +131,7 @@ enum class RejectReason : int {
   Velocity
 };
 /// Whether the history belongs to this surface (catalogue §5, §12).
-struct Validated {
+struct Validity {
   float depthExpected = 0.0f; ///< m
   float historyDepth = 0.0f;  ///< m
   float depthMismatch = 0.0f; ///< relative to depthExpected
@@ -142,9 +142,9 @@ struct Validated {
   bool isFlicker = false; ///< kept, though its depth differs (13.9)
 };
 /// N of history that may decay by what is rejected (Godot).
-float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated);
-Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
-                          const Reprojected& reprojected, const glm::vec2& readPosition,
-                          const glm::ivec2& pixel, const GeometryMatch& geometry = {});
+float lengthLeft(const ValidateSettings& settings, float length, const Validity& validated);
+Validity validateHistory(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
+                         const Reprojection& reprojected, const glm::vec2& readPosition,
+                         const glm::ivec2& pixel, const GeometryMatch& geometry = {});
 
 } // namespace taa::twin

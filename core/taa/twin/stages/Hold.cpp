@@ -15,7 +15,7 @@ struct Lumas {
   float mean = 0.0f;
 };
 
-Lumas lumasAround(const Inputs& inputs, const glm::ivec2& drawn) {
+Lumas lumasOf(const Inputs& inputs, const glm::ivec2& drawn) {
   Lumas lumas;
   float sum = 0.0f;
   for (int k = 0; k < 9; ++k) {
@@ -27,10 +27,10 @@ Lumas lumasAround(const Inputs& inputs, const glm::ivec2& drawn) {
   return lumas;
 }
 
-float smallerOf(float a, float b) {
+float minimum(float a, float b) {
   return a < b ? a : b;
 }
-float largerOf(float a, float b) {
+float maximum(float a, float b) {
   return a > b ? a : b;
 }
 
@@ -42,10 +42,10 @@ bool isThin(const Lumas& lumas) {
   float lowest = 1e30f, highest = 0.0f;
   for (std::size_t k = 0; k < 9; ++k) {
     const float other = lumas.each[k];
-    similar[k] = k == 4 || largerOf(own, other) < kSimilar * smallerOf(own, other);
+    similar[k] = k == 4 || maximum(own, other) < kSimilar * minimum(own, other);
     if (similar[k]) continue;
-    lowest = smallerOf(other, lowest);
-    highest = largerOf(other, highest);
+    lowest = minimum(other, lowest);
+    highest = maximum(other, highest);
   }
   if (!(own > highest || own < lowest)) return false;
   for (const std::size_t corner : {0u, 1u, 3u, 4u}) // of the four 2×2 that hold the pixel
@@ -54,31 +54,36 @@ bool isThin(const Lumas& lumas) {
 }
 
 void updateLock(const Inputs& inputs, float frames, const Lumas& lumas, const glm::vec2& stored,
-                const glm::vec2& next, Held& held) {
-  held.storedLock = stored;
+                const glm::vec2& next, LockState& lockState) {
+  lockState.storedLock = stored;
   float life = stored.x;
   float locked = stored.y == 0.0f ? lumas.mean : stored.y;
-  const bool isChanged = smallerOf(locked, lumas.mean) < 0.531441f * largerOf(locked, lumas.mean); // 0.9⁶
-  held.isThin = isThin(lumas);
-  held.isChanged = isChanged;
-  if (held.isThin) {
+  const bool isChanged = minimum(locked, lumas.mean) < 0.531441f * maximum(locked, lumas.mean); // 0.9⁶
+  lockState.isThin = isThin(lumas);
+  lockState.isChanged = isChanged;
+  if (lockState.isThin) {
     locked = lumas.mean;
     life = life == 0.0f ? 1.0f : 2.0f;
   } else if (life <= 1.0f) {
     locked = locked + 0.5f * (lumas.mean - locked);
   }
   if (isChanged) life = 0.0f;
-  held.lockLife = life;
-  held.lock = saturated(4.0f * saturated(life - 1.0f));
+  lockState.lockLife = life;
+  lockState.lock = saturated(4.0f * saturated(life - 1.0f));
   const bool stays = next.x >= 0.0f && next.x <= static_cast<float>(inputs.outputWidth()) && next.y >= 0.0f &&
                      next.y <= static_cast<float>(inputs.outputHeight());
-  held.keptLock = {stays ? largerOf(life - 1.0f / frames, 0.0f) : 0.0f, locked};
+  lockState.keptLock = {stays ? maximum(life - 1.0f / frames, 0.0f) : 0.0f, locked};
 }
 
-void updateInstability(const Lumas& lumas, const glm::vec4& stored, float deviation, Held& held) {
-  const float now = std::floor((lumas.mean / (1.0f + lumas.mean)) * 255.0f + 0.5f);
-  held.storedLumas = stored;
-  held.keptLumas = glm::vec4(now, stored.x, stored.y, stored.z) / 255.0f;
+/// L/(1 + L) in 255ths.
+float lumaStep(float luma) {
+  return std::floor((luma / (1.0f + luma)) * 255.0f + 0.5f);
+}
+
+void updateInstability(const Lumas& lumas, const glm::vec4& stored, float deviation, LockState& lockState) {
+  const float now = lumaStep(lumas.mean);
+  lockState.storedLumas = stored;
+  lockState.keptLumas = glm::vec4(now, stored.x, stored.y, stored.z) / 255.0f;
   const float last = now - stored.x;
   if (std::fabs(last) < 1.0f || stored.z == 0.0f) return;
   bool isPeriodic = false;
@@ -88,20 +93,20 @@ void updateInstability(const Lumas& lumas, const glm::vec4& stored, float deviat
   }
   const float size = saturated(deviation / 0.1f);
   const float squared = size * size;
-  if (isPeriodic && (squared * squared) * squared > 1.0f / 255.0f) held.instability = 1.0f;
+  if (isPeriodic && (squared * squared) * squared > 1.0f / 255.0f) lockState.instability = 1.0f;
 }
 
 } // namespace
 
-Held holdHistory(const Inputs& inputs, const Settings& settings, const Reprojected& reprojected,
-                 const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
-                 const glm::ivec2& pixel, const glm::ivec2& drawn) {
-  Held held;
+LockState holdHistory(const Inputs& inputs, const Settings& settings, const Reprojection& reprojected,
+                      const glm::vec2& readPosition, const Neighborhood& neighborhood, bool isValid,
+                      const glm::ivec2& pixel, const glm::ivec2& drawn) {
+  LockState lockState;
   const bool locks = settings.rectify.locks == Switch::On;
   const bool calms = settings.rectify.instability == Switch::On;
-  if (!locks && !calms) return held;
-  const Lumas lumas = lumasAround(inputs, drawn);
-  held.luma = lumas.mean;
+  if (!locks && !calms) return lockState;
+  const Lumas lumas = lumasOf(inputs, drawn);
+  lockState.luma = lumas.mean;
   const glm::ivec2 texel = clampedToPicture(
       {static_cast<int>(std::floor(readPosition.x)), static_cast<int>(std::floor(readPosition.y))}, inputs);
   if (locks) {
@@ -109,17 +114,18 @@ Held holdHistory(const Inputs& inputs, const Settings& settings, const Reproject
     const glm::vec2 center = glm::vec2(pixel) + 0.5f;
     updateLock(inputs, settings.rectify.lockFrames, lumas,
                has ? glm::vec2(inputs.historyLock.texel(texel.x, texel.y)) : glm::vec2(0.0f),
-               center + (center - reprojected.position), held);
+               center + (center - reprojected.position), lockState);
   }
   if (calms) {
     glm::vec4 stored(0.0f);
     if (isValid && !inputs.historyLumas.empty())
       for (int k = 0; k < 4; ++k)
         stored[k] = std::floor(inputs.historyLumas.texel(texel.x, texel.y)[k] * 255.0f + 0.5f);
-    updateInstability(lumas, stored, boxLuma(neighborhood.deviation, settings.space), held);
+    updateInstability(lumas, stored, boxLuma(neighborhood.deviation, settings.space), lockState);
   }
-  held.share = largerOf(held.lock, held.instability) * (1.0f - std::sqrt(maskAt(inputs, drawn).x)); // 11.7
-  return held;
+  lockState.protection =
+      maximum(lockState.lock, lockState.instability) * (1.0f - std::sqrt(maskAt(inputs, drawn).x)); // 11.7
+  return lockState;
 }
 
 } // namespace taa::twin

@@ -26,28 +26,29 @@ Set setOf(NeighborhoodShape shape, int frame) {
 }
 
 /// The sample of a pixel: its color, or what a tap where its center landed finds (catalogue 8.8).
-glm::vec3 sampleOf(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+glm::vec3 sampleAt(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
   if (settings.neighborhood.unjitter == Switch::Off) return currentColor(inputs, pixel);
   return tapAt(inputs, pixel, inputs.jitterPx);
 }
 
-std::vector<Member> membersOf(const Inputs& inputs, const Settings& settings, Set set,
-                              const glm::ivec2& pixel) {
-  std::vector<Member> members;
+std::vector<NeighborhoodSample> membersOf(const Inputs& inputs, const Settings& settings, Set set,
+                                          const glm::ivec2& pixel) {
+  std::vector<NeighborhoodSample> members;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx)
       if (belongs(set, dx, dy))
-        members.push_back({sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy)),
+        members.push_back({sampleAt(inputs, settings, pixel + glm::ivec2(dx, dy)),
                            static_cast<std::size_t>(std::abs(dx) + std::abs(dy))});
   return members;
 }
 
 /// Seven samples for both of columns 2k and 2k + 1 (catalogue 8.7): the left one, its diagonals, and the two
 /// to the right of it. What is not next to the pixel weighs as a neighbor that is none of them.
-std::vector<Member> pairMembers(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
+std::vector<NeighborhoodSample> pairSamples(const Inputs& inputs, const Settings& settings,
+                                            const glm::ivec2& pixel) {
   const bool isLeft = pixel.x % 2 == 0;
   const auto at = [&](int dx, int dy, std::size_t distance) {
-    return Member{sampleOf(inputs, settings, pixel + glm::ivec2(dx, dy)), distance};
+    return NeighborhoodSample{sampleAt(inputs, settings, pixel + glm::ivec2(dx, dy)), distance};
   };
   if (isLeft)
     return {at(-1, -1, 2), at(1, -1, 2), at(2, 0, 1), at(0, 0, 0), at(1, 0, 1), at(-1, 1, 2), at(1, 1, 2)};
@@ -55,19 +56,20 @@ std::vector<Member> pairMembers(const Inputs& inputs, const Settings& settings, 
 }
 
 /// κ of catalogue 8.5, px.
-float tapReach(const Moved& moved) {
-  if (moved.depth == 0.0f) return 0.5f; // the sky is infinitely far
-  const float product = moved.speed * moved.depth;
+float tapReach(const NeighborhoodInputs& given) {
+  if (given.depth == 0.0f) return 0.5f; // the sky is infinitely far
+  const float product = given.speed * given.depth;
   return 0.5f + 0.1667f * (product == 0.0f ? 1.0f : saturated(0.5f / product));
 }
 
 /// Four taps, which stand for the diagonals: they weigh what those do, since only weights of a table are the
 /// same everywhere.
-std::vector<Member> tapsAround(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                               float reach) {
-  std::vector<Member> taps;
-  for (const glm::vec2& way : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(1, 1)}) {
-    glm::vec2 offset = reach * way;
+std::vector<NeighborhoodSample> varyingTaps(const Inputs& inputs, const Settings& settings,
+                                            const glm::ivec2& pixel, float reach) {
+  std::vector<NeighborhoodSample> taps;
+  for (const glm::vec2& direction :
+       {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(1, 1)}) {
+    glm::vec2 offset = reach * direction;
     if (settings.neighborhood.unjitter == Switch::On) offset = offset + inputs.jitterPx;
     taps.push_back({tapAt(inputs, pixel, offset), 2});
   }
@@ -75,16 +77,16 @@ std::vector<Member> tapsAround(const Inputs& inputs, const Settings& settings, c
 }
 
 /// `center`: the pixel's own color, which need not be a member.
-void measureMembers(const std::vector<Member>& members, const Settings& settings, const glm::vec3& center,
-                    Neighborhood& result) {
+void measure(const std::vector<NeighborhoodSample>& members, const Settings& settings,
+             const glm::vec3& center, Neighborhood& result) {
   float total = 0.0f;
   glm::vec3 first(0.0f);
   glm::vec3 second(0.0f);
   result.min = result.max = toBox(members.front().color, settings.space);
-  for (const Member& member : members) {
+  for (const NeighborhoodSample& member : members) {
     const glm::vec3 sample = toBox(member.color, settings.space);
-    result.min = smaller(result.min, sample);
-    result.max = larger(result.max, sample);
+    result.min = minimum(result.min, sample);
+    result.max = maximum(result.max, sample);
     const float weight = momentWeight(settings, member);
     const glm::vec3 e = sample - center; // about the center: no cancellation in high dynamic range
     first = first + weight * e;
@@ -98,23 +100,23 @@ void measureMembers(const std::vector<Member>& members, const Settings& settings
   for (int i = 0; i < 3; ++i) result.deviation[i] = std::sqrt(variance[i] > 0.0f ? variance[i] : 0.0f);
 }
 
-std::vector<Member> membersOfShape(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                                   float reach) {
+std::vector<NeighborhoodSample> membersOfShape(const Inputs& inputs, const Settings& settings,
+                                               const glm::ivec2& pixel, float reach) {
   const NeighborhoodShape shape = settings.neighborhood.shape;
-  if (shape == NeighborhoodShape::Varying) return tapsAround(inputs, settings, pixel, reach);
-  if (shape == NeighborhoodShape::Pairs) return pairMembers(inputs, settings, pixel);
+  if (shape == NeighborhoodShape::Varying) return varyingTaps(inputs, settings, pixel, reach);
+  if (shape == NeighborhoodShape::Pairs) return pairSamples(inputs, settings, pixel);
   return membersOf(inputs, settings, setOf(shape, inputs.frame), pixel);
 }
 
 void measureSamples(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                    const Moved& moved, Neighborhood& result) {
+                    const NeighborhoodInputs& given, Neighborhood& result) {
   const glm::vec3 center = result.samples[4];
-  result.tapReach = tapReach(moved);
+  result.tapReach = tapReach(given);
   result.members = membersOfShape(inputs, settings, pixel, result.tapReach);
-  measureMembers(result.members, settings, center, result);
+  measure(result.members, settings, center, result);
   if (settings.neighborhood.shape != NeighborhoodShape::Rounded) return;
   Neighborhood five;
-  measureMembers(membersOf(inputs, settings, Set::Cross, pixel), settings, center, five);
+  measure(membersOf(inputs, settings, Set::Cross, pixel), settings, center, five);
   result.mean = 0.5f * (result.mean + five.mean);
   result.min = 0.5f * (result.min + five.min);
   result.max = 0.5f * (result.max + five.max);
@@ -144,20 +146,20 @@ float shareByResolution(int height) {
 }
 
 float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborhood& n,
-                const glm::vec3& center, const Moved& moved) {
+                const glm::vec3& center, const NeighborhoodInputs& given) {
   const NeighborhoodSettings& chosen = settings.neighborhood;
   float gamma = chosen.gamma;
   if (chosen.motionGamma == Switch::On) {
     const glm::ivec2 picturePx(inputs.outputWidth(), inputs.outputHeight());
-    const float speed = speedIn(chosen.gammaSpeedIn, moved.speed, moved.motion, picturePx);
+    const float speed = speedIn(chosen.gammaSpeedIn, given.speed, given.motion, picturePx);
     const float rest = saturated(1.0f - speed / chosen.gammaSpeed);
     gamma = chosen.gammaMoving + (gamma - chosen.gammaMoving) * (rest * rest);
   }
   // Of what is chosen, as Godot multiplies its base; what follows from colors does not know of pixels.
   if (chosen.resolutionGamma == Switch::On) gamma = gamma * shareByResolution(inputs.outputHeight());
   if (chosen.contrastGamma == Switch::On && !inputs.historyColor.empty())
-    gamma = gamma + contrastGrowth(settings, n, center, moved.history);
-  if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * moved.relax); // catalogue 10.10
+    gamma = gamma + contrastGrowth(settings, n, center, given.history);
+  if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * given.relax); // catalogue 10.10
   return gamma;
 }
 
@@ -175,15 +177,15 @@ void boundByMoments(BoxKind kind, Neighborhood& n) {
     n.boxMax = high;
     break;
   case BoxKind::Intersection:
-    n.boxMin = larger(n.min, low);
-    n.boxMax = smaller(n.max, high);
+    n.boxMin = maximum(n.min, low);
+    n.boxMax = minimum(n.max, high);
     break;
   }
 }
 
 } // namespace
 
-float momentWeight(const Settings& settings, const Member& member) {
+float momentWeight(const Settings& settings, const NeighborhoodSample& member) {
   constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
   const MomentWeights weights = settings.neighborhood.weights;
   if (weights == MomentWeights::BoxLuma)
@@ -194,16 +196,16 @@ float momentWeight(const Settings& settings, const Member& member) {
 
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
                                  const glm::vec3& currentFiltered, const glm::ivec2& pixel,
-                                 const Moved& moved) {
+                                 const NeighborhoodInputs& given) {
   Neighborhood result;
   for (int k = 0; k < 9; ++k) {
     const auto place = static_cast<std::size_t>(k);
-    result.colors[place] = sampleOf(inputs, settings, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
+    result.colors[place] = sampleAt(inputs, settings, pixel + glm::ivec2(k % 3 - 1, k / 3 - 1));
     result.samples[place] = toBox(result.colors[place], settings.space);
   }
-  measureSamples(inputs, settings, pixel, moved, result);
+  measureSamples(inputs, settings, pixel, given, result);
   const glm::vec3 center = result.samples[4];
-  result.gamma = gammaUsed(inputs, settings, result, center, moved);
+  result.gamma = gammaUsed(inputs, settings, result, center, given);
   boundByMoments(settings.neighborhood.box, result);
   if (settings.neighborhood.chromaShrink == Switch::On && settings.space.color != ColorSpace::Rgb) {
     const float half = 0.125f * (result.max.x - result.min.x); // catalogue 10.6
@@ -214,8 +216,8 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
   }
   if (settings.neighborhood.includeFiltered == Switch::On) {
     const glm::vec3 filtered = toBox(currentFiltered, settings.space);
-    result.boxMin = smaller(result.boxMin, filtered);
-    result.boxMax = larger(result.boxMax, filtered);
+    result.boxMin = minimum(result.boxMin, filtered);
+    result.boxMax = maximum(result.boxMax, filtered);
   }
   return result;
 }

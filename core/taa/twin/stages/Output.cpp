@@ -27,7 +27,7 @@ glm::vec3 differences(const Nine& c, const std::array<std::size_t, 4>& places) {
   return sum;
 }
 
-glm::vec3 byLuma(const Nine& c, float amount) {
+glm::vec3 sharpenedByLuma(const Nine& c, float amount) {
   const float center = luma(c[4]);
   if (!(center > 1e-6f)) return c[4];
   float sum = 0.0f;
@@ -35,15 +35,15 @@ glm::vec3 byLuma(const Nine& c, float amount) {
   return (1.0f - amount * ((sum / 9.0f) / center)) * c[4];
 }
 
-glm::vec3 byRcas(const Nine& c, float amount) {
-  const Nine t = bounded(c);
+glm::vec3 sharpenedByRcas(const Nine& c, float amount) {
+  const Nine t = compressMax(c);
   const float lobe = rcasLobe(t, amount);
   const glm::vec3 result = t[4] - (lobe * differences(t, kCross)) / (1.0f - 4.0f * lobe);
   return result == t[4] ? c[4] : decompress(result, ToneSpace::MaxChannel);
 }
 
-glm::vec3 inResolve(const Nine& c, const Nine& current, float amount) {
-  return c[4] + (3.0f * amount) * larger(c[4] - meanInResolve(current), glm::vec3(0.0f));
+glm::vec3 brightenedInResolve(const Nine& c, const Nine& current, float amount) {
+  return c[4] + (3.0f * amount) * maximum(c[4] - meanInResolve(current), glm::vec3(0.0f));
 }
 
 glm::vec3 squareRoot(const glm::vec3& x) {
@@ -51,7 +51,7 @@ glm::vec3 squareRoot(const glm::vec3& x) {
 }
 
 /// ratio^(steps/256) from its whole power and its square roots.
-glm::vec3 power(const glm::vec3& ratio, int steps) {
+glm::vec3 toAmount(const glm::vec3& ratio, int steps) {
   glm::vec3 result(1.0f);
   for (int whole = steps / 256; whole > 0; --whole) result = result * ratio;
   glm::vec3 root = ratio;
@@ -62,12 +62,12 @@ glm::vec3 power(const glm::vec3& ratio, int steps) {
   return result;
 }
 
-glm::vec3 inLogarithms(const Nine& c, float amount) {
+glm::vec3 sharpenedInLogarithms(const Nine& c, float amount) {
   const glm::vec3 upright = squareRoot((1.0f + c[1]) * (1.0f + c[7]));
   const glm::vec3 level = squareRoot((1.0f + c[3]) * (1.0f + c[5]));
   const glm::vec3 center = 1.0f + c[4];
   const int steps = static_cast<int>(std::floor(amount * 256.0f + 0.5f));
-  return c[4] + center * (power(center / squareRoot(upright * level), steps) - 1.0f);
+  return c[4] + center * (toAmount(center / squareRoot(upright * level), steps) - 1.0f);
 }
 
 glm::vec3 reconstructed(const Nine& c, float amount) {
@@ -78,14 +78,14 @@ glm::vec3 reconstructed(const Nine& c, float amount) {
 glm::vec3 deringed(const glm::vec3& color, const Nine& c) {
   glm::vec3 low = c[0], high = c[0];
   for (const glm::vec3& other : c) {
-    low = smaller(low, other);
-    high = larger(high, other);
+    low = minimum(low, other);
+    high = maximum(high, other);
   }
   return clamped(color, low, high);
 }
 
 /// Start of the taps: interleaved gradient noise, 0 to 1.
-float noiseAt(const glm::ivec2& pixel, int frame) {
+float gradientNoise(const glm::ivec2& pixel, int frame) {
   const auto fraction = [](float x) { return x - std::floor(x); };
   const glm::vec2 place = glm::vec2(pixel) + 5.588238f * static_cast<float>(frame % 64);
   return fraction(52.9829189f * fraction(0.06711056f * place.x + 0.00583715f * place.y));
@@ -103,7 +103,8 @@ glm::vec3 currentAt(const Inputs& inputs, const glm::vec2& position) {
   return top + share.y * (row(1) - top);
 }
 
-glm::vec3 blurred(const Inputs& inputs, const glm::vec2& position, const glm::vec2& motion, float noise) {
+glm::vec3 blurredAlong(const Inputs& inputs, const glm::vec2& position, const glm::vec2& motion,
+                       float noise) {
   const glm::vec2 step = motion / 6.0f;
   const float start = noise - 0.5f;
   const auto tap = [&](float number) { return currentAt(inputs, position + (start + number) * step); };
@@ -123,8 +124,8 @@ glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3
 
 /// The sharp color, and where it is fast the blurred one joined to it (catalogue 14.4). `texel`: the pixel's
 /// nearest sample.
-Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
-                       const glm::ivec2& texel, const Shown& sharp) {
+Shown blurredByMotion(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
+                      const glm::ivec2& texel, const Shown& sharp) {
   const glm::vec2 motion = dilateMotion(inputs, settings.dilate, texel).motion;
   const float speed = reproject(inputs, settings.reproject, motion, pixel).speed;
   Shown shown = sharp;
@@ -133,7 +134,7 @@ Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm
   if (shown.trust >= 1.0f) return shown;
   const glm::vec2 position = (glm::vec2(pixel) + 0.5f) * renderRatio(inputs); // render px, as the blur's way
   const glm::vec3 fast =
-      blurred(inputs, position, motion * renderRatio(inputs), noiseAt(pixel, inputs.frame));
+      blurredAlong(inputs, position, motion * renderRatio(inputs), gradientNoise(pixel, inputs.frame));
   shown.fast = fast;
   shown.color = fast + shown.trust * (sharp.color - fast);
   return shown;
@@ -141,15 +142,15 @@ Shown blurredWhereFast(const Inputs& inputs, const Settings& settings, const glm
 
 } // namespace
 
-std::array<glm::vec3, 9> bounded(const std::array<glm::vec3, 9>& colors) {
+std::array<glm::vec3, 9> compressMax(const std::array<glm::vec3, 9>& colors) {
   Nine result;
   for (std::size_t k = 0; k < 9; ++k) result[k] = compress(colors[k], ToneSpace::MaxChannel);
   return result;
 }
 
 float rcasLobe(const std::array<glm::vec3, 9>& t, float amount) {
-  const glm::vec3 low = smaller(smaller(t[1], t[3]), smaller(t[5], t[7]));
-  const glm::vec3 high = larger(larger(t[1], t[3]), larger(t[5], t[7]));
+  const glm::vec3 low = minimum(minimum(t[1], t[3]), minimum(t[5], t[7]));
+  const glm::vec3 high = maximum(maximum(t[1], t[3]), maximum(t[5], t[7]));
   float lobe = 0.1875f;
   for (int i = 0; i < 3; ++i) {
     const float least = low[i] < t[4][i] ? low[i] : t[4][i];
@@ -175,13 +176,13 @@ glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>
   if (settings.sharpen == Sharpen::None) return c[4];
   const float k = settings.amount;
   glm::vec3 result = c[4];
-  if (settings.sharpen == Sharpen::LumaRatio) result = byLuma(c, k);
+  if (settings.sharpen == Sharpen::LumaRatio) result = sharpenedByLuma(c, k);
   if (settings.sharpen == Sharpen::Laplacian) result = c[4] - k * (differences(c, kCross) / 4.0f);
   if (settings.sharpen == Sharpen::Unsharp)
     result = c[4] - k * ((differences(c, kCross) + differences(c, kCorners)) / 9.0f);
-  if (settings.sharpen == Sharpen::Rcas) result = byRcas(c, k);
-  if (settings.sharpen == Sharpen::InResolve) result = inResolve(c, current, k);
-  if (settings.sharpen == Sharpen::Logarithm) result = inLogarithms(c, k);
+  if (settings.sharpen == Sharpen::Rcas) result = sharpenedByRcas(c, k);
+  if (settings.sharpen == Sharpen::InResolve) result = brightenedInResolve(c, current, k);
+  if (settings.sharpen == Sharpen::Logarithm) result = sharpenedInLogarithms(c, k);
   if (settings.sharpen == Sharpen::Reconstruct) result = reconstructed(c, k);
   if (settings.sharpen == Sharpen::Mitchell)
     result = c[4] + (differences(c, kCorners) + 16.0f * differences(c, kCross)) / 324.0f;
@@ -202,12 +203,12 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
   const glm::vec3 sharp = sharpen(output, around, current);
   shown.detail = luma(sharp) - luma(around[4]);
   shown.color = shown.sharp = sharp;
-  if (output.motionBlur == Switch::On) shown = blurredWhereFast(inputs, settings, pixel, texel, shown);
+  if (output.motionBlur == Switch::On) shown = blurredByMotion(inputs, settings, pixel, texel, shown);
   shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);
   if (output.dither == Switch::On) { // catalogue 20.8
-    shown.noise = screenNoise(pixel, inputs.frame) / 255.0f;
+    shown.noise = triangularNoise(pixel, inputs.frame) / 255.0f;
     shown.smooth = shown.color;
-    const glm::vec3 root = larger(squareRoot(shown.color) + shown.noise, glm::vec3(0.0f));
+    const glm::vec3 root = maximum(squareRoot(shown.color) + shown.noise, glm::vec3(0.0f));
     shown.color = storable(root * root);
   }
   return shown;

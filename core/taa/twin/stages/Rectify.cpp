@@ -24,7 +24,7 @@ bool isInside(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
 }
 
 /// Nearest point of the box (catalogue 11.1).
-Clipped clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+Rectified clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 center = 0.5f * (low + high);
   const glm::vec3 r = clamped(h, low, high);
   const float whole = magnitude(center - h);
@@ -32,7 +32,7 @@ Clipped clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& hi
 }
 
 /// Along the line to the center (catalogue 11.2).
-Clipped clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
+Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 center = 0.5f * (low + high);
   const glm::vec3 extent = 0.5f * (high - low) + kLeastExtent;
   float m = 0.0f;
@@ -45,7 +45,8 @@ Clipped clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& 
 }
 
 /// Along the line to `aim`, a color of this frame, brought into the box first (catalogue 11.3).
-Clipped clipToColor(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& low, const glm::vec3& high) {
+Rectified clipToFiltered(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& low,
+                         const glm::vec3& high) {
   const glm::vec3 target = clamped(aim, low, high);
   const glm::vec3 d = target - h;
   float t = 0.0f;
@@ -61,8 +62,8 @@ Clipped clipToColor(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& l
 
 } // namespace
 
-Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
-             const glm::vec3& boxMax) {
+Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
+               const glm::vec3& boxMax) {
   if (method == RectifyMethod::None || isInside(value, boxMin, boxMax)) return {value, 0.0f};
   switch (method) {
   case RectifyMethod::Clamp:
@@ -70,7 +71,7 @@ Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& targ
   case RectifyMethod::ClipToCenter:
     return clipToCenter(value, boxMin, boxMax);
   case RectifyMethod::ClipToFiltered:
-    return clipToColor(value, target, boxMin, boxMax);
+    return clipToFiltered(value, target, boxMin, boxMax);
   case RectifyMethod::None:
   case RectifyMethod::ShrinkAxes:
   case RectifyMethod::ClampThenClip:
@@ -88,13 +89,13 @@ Clipped clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& targ
 namespace {
 
 /// How far `value` is from h, against the way from h to `target`.
-float share(const glm::vec3& value, const glm::vec3& h, const glm::vec3& target) {
+float shareToTarget(const glm::vec3& value, const glm::vec3& h, const glm::vec3& target) {
   const float whole = magnitude(target - h);
   return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
 }
 
 /// Towards the mean, made to fit axis by axis (catalogue 11.5).
-Clipped shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
+Rectified shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
   const glm::vec3 mean = clamped(n.mean, n.boxMin, n.boxMax);
   glm::vec3 r = h - mean;
@@ -108,17 +109,17 @@ Clipped shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
     }
   }
   const glm::vec3 value = mean + r;
-  return {value, share(value, h, mean)};
+  return {value, shareToTarget(value, h, mean)};
 }
 
 /// One box after the other (catalogue 10.5).
-Clipped clampThenClip(const glm::vec3& h, const Neighborhood& n) {
-  const Clipped second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
-  return {second.value, share(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
+Rectified clampThenClip(const glm::vec3& h, const Neighborhood& n) {
+  const Rectified second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
+  return {second.value, shareToTarget(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
 }
 
 /// Where the ray to the current color meets the box, if that is not too far (catalogue 11.4).
-Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
+Rectified rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
   const glm::vec3 d = current - h;
   const glm::vec3 b = 0.5f * (n.boxMin + n.boxMax);
@@ -135,9 +136,9 @@ Clipped rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighbo
 
 /// Towards `target` into what slabs [min d·c, max d·c] of the samples and the target leave
 /// (catalogue 9.7, 10.12).
-Clipped clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
-                    const std::vector<glm::vec3>& directions) {
-  const glm::vec3 way = target - h;
+Rectified clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
+                      const std::vector<glm::vec3>& directions) {
+  const glm::vec3 toTarget = target - h;
   float t = 0.0f;
   for (const glm::vec3& d : directions) {
     const auto along = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
@@ -147,14 +148,14 @@ Clipped clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborh
       high = along(sample) > high ? along(sample) : high;
     }
     const float from = along(h);
-    const float enter = from < low    ? (low - from) / along(way)
-                        : from > high ? (high - from) / along(way)
+    const float enter = from < low    ? (low - from) / along(toTarget)
+                        : from > high ? (high - from) / along(toTarget)
                                       : 0.0f;
     t = enter > t ? enter : t;
   }
   if (!(t > 0.0f)) return {h, 0.0f};
   if (t >= 1.0f) return {target, 1.0f};
-  return {h + way * t, t};
+  return {h + toTarget * t, t};
 }
 
 /// Axes of the space that is looked at besides the box's: Y, Co and Cg by R, G and B, or those by the box's
@@ -174,8 +175,8 @@ std::vector<glm::vec3> otherAxes(ColorSpace space) {
   return {};
 }
 
-Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::vec3& h,
-                  const glm::vec3& current, const Neighborhood& n) {
+Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, const glm::vec3& h,
+                            const glm::vec3& current, const Neighborhood& n) {
   switch (settings.method) {
   case RectifyMethod::ShrinkAxes:
     return shrinkAxes(h, n);
@@ -199,7 +200,7 @@ Clipped rectified(const RectifySettings& settings, ColorSpace space, const glm::
 }
 
 /// Part of the correction that is applied (catalogue 11.6, 13.9).
-float strengthAt(const RectifySettings& settings, const Applied& applied) {
+float rectifyStrength(const RectifySettings& settings, const RectifyInputs& applied) {
   if (settings.method == RectifyMethod::None) return 0.0f;
   const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
   if (settings.relaxAtRest == Switch::Off) return ofFlicker;
@@ -209,19 +210,19 @@ float strengthAt(const RectifySettings& settings, const Applied& applied) {
 
 /// A sample in the place of history, inside the box as well, and not taken through its space
 /// (catalogue 11.8).
-Clipped selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
+Rectified selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
   const glm::vec3 color = n.colors[nearestSample(h, n)];
   if (color == historyRaw) return {historyRaw, 0.0f};
   return {color, 1.0f, 1.0f, true};
 }
 
 /// Where history is moved, scene-linear, and how far on its way.
-Clipped rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& n) {
+Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
+                         const glm::vec3& currentFiltered, const Neighborhood& n) {
   const glm::vec3 h = toBox(historyRaw, settings.space);
   if (settings.rectify.method == RectifyMethod::Select) return selected(historyRaw, h, n);
-  const Clipped clipped =
-      rectified(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
+  const Rectified clipped =
+      rectifiedByMethod(settings.rectify, settings.space.color, h, toBox(currentFiltered, settings.space), n);
   // Kept history is kept exactly: no way there and back through the box's space.
   if (clipped.value == h && clipped.amount == 0.0f) return {historyRaw, 0.0f};
   return {storable(fromBox(clipped.value, settings.space)), clipped.amount, 1.0f, true};
@@ -247,8 +248,8 @@ std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
 
 std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) {
   const auto squared = [&](std::size_t k) {
-    const glm::vec3 way = neighborhood.samples[k] - h;
-    return (way.x * way.x + way.y * way.y) + way.z * way.z;
+    const glm::vec3 toTarget = neighborhood.samples[k] - h;
+    return (toTarget.x * toTarget.x + toTarget.y * toTarget.y) + toTarget.z * toTarget.z;
   };
   std::size_t nearest = 4; // the pixel's own, unless another is nearer
   for (std::size_t k = 0; k < neighborhood.samples.size(); ++k)
@@ -256,13 +257,13 @@ std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood) 
   return nearest;
 }
 
-Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
-                       const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
-                       const Applied& applied) {
+Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
+                         const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
+                         const RectifyInputs& applied) {
   const RectifySettings& rectify = settings.rectify;
-  const float strength = strengthAt(rectify, applied);
+  const float strength = rectifyStrength(rectify, applied);
   if (inputs.historyColor.empty()) return {historyRaw, 0.0f, strength};
-  Clipped clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
+  Rectified clipped = rectifiedFully(settings, historyRaw, currentFiltered, neighborhood);
   clipped.strength = strength;
   if (!clipped.moved) return clipped;
   if (rectify.relaxAtRest == Switch::On || strength < 1.0f) {
@@ -270,16 +271,16 @@ Clipped rectifyHistory(const Inputs& inputs, const Settings& settings, const glm
     clipped.amount = clipped.amount * strength;
   }
   if (rectify.locks == Switch::On || rectify.instability == Switch::On) {
-    clipped.value = clipped.value + applied.held * (historyRaw - clipped.value);
-    clipped.amount = clipped.amount * (1.0f - applied.held);
+    clipped.value = clipped.value + applied.protection * (historyRaw - clipped.value);
+    clipped.amount = clipped.amount * (1.0f - applied.protection);
   }
   return clipped;
 }
 
-float lengthKept(const Settings& settings, float length, const Clipped& clipped, float held) {
+float lengthKept(const Settings& settings, float length, const Rectified& clipped, float protection) {
   if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return length;
   const float forgotten = length < 1.6216216f ? length : 1.6216216f; // 0.1 / (0.74/12)
-  return forgotten + held * (length - forgotten);
+  return forgotten + protection * (length - forgotten);
 }
 
 } // namespace taa::twin

@@ -13,10 +13,10 @@ float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm:
   return 1080.0f * (length <= kNoPreviousPosition ? length : kNoPreviousPosition);
 }
 
-Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
-                      const glm::ivec2& pixel) {
+Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
+                       const glm::ivec2& pixel) {
   const bool isInPlace = settings.method == ReprojectMethod::InPlace;
-  Reprojected result;
+  Reprojection result;
   result.noPrevious = !isInPlace && motionPx.x == kNoPreviousPosition;
   const glm::vec2 center = glm::vec2(pixel) + 0.5f;
   const glm::vec2 q = isInPlace ? center : center - motionPx;

@@ -23,22 +23,22 @@ inline constexpr float kNoPreviousPosition = 65504.0f;
 float viewDepth(float depth, const glm::vec4& depthTerms);
 
 /// Whose motion the pixel follows (catalogue §4).
-struct Dilated {
+struct DilatedMotion {
   glm::ivec2 offset{0};   ///< px
   float depth = 0.0f;     ///< device
   glm::vec2 motion{0.0f}; ///< px of the picture
 };
-Dilated dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel);
+DilatedMotion dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel);
 
 /// Where that surface was (catalogue §5).
-struct Reprojected {
+struct Reprojection {
   glm::vec2 position{0.0f}; ///< px in the previous frame
   bool onScreen = false;
   bool noPrevious = false; ///< it was behind the previous camera
   float speed = 0.0f;      ///< px a frame
 };
-Reprojected reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
-                      const glm::ivec2& pixel);
+Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,
+                       const glm::ivec2& pixel);
 
 /// A speed in another unit than px, of its motion, px, and the picture's size.
 float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx);

@@ -13,20 +13,20 @@ namespace taa::twin {
 namespace {
 
 /// (x² − 1)(x² − 4)³/64 inside |x| ≤ 2.
-float lanczos2(float squared) {
+float lanczosOfSquare(float squared) {
   const float x2 = squared < 4.0f ? squared : 4.0f;
   const float a = x2 - 1.0f, b = x2 - 4.0f;
   return ((a * b) * (b * b)) / 64.0f;
 }
 
 /// Weight of the sample at d, render px from the pixel's center, with `ratio` render px to a pixel.
-float kernel(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) {
+float upsampleWeight(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) {
   switch (chosen) {
   case UpsampleKernel::SampleWeight: // the nearest alone
     break;
   case UpsampleKernel::Lanczos2: {
     const glm::vec2 x = d / ratio;
-    return lanczos2(x.x * x.x) * lanczos2(x.y * x.y);
+    return lanczosOfSquare(x.x * x.x) * lanczosOfSquare(x.y * x.y);
   }
   case UpsampleKernel::Hdrp:
   case UpsampleKernel::HdrpGaussian: {
@@ -40,7 +40,7 @@ float kernel(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) 
       const float scale = 1.0f / ratio[i];
       x[i] = d[i] * (scale < 1.99f ? scale : 1.99f);
     }
-    return lanczos2(x.x * x.x + x.y * x.y);
+    return lanczosOfSquare(x.x * x.x + x.y * x.y);
   }
   }
   return 0.0f;
@@ -67,6 +67,10 @@ float nearestConfidence(UpsampleKernel chosen, const Place& place, const glm::ve
 
 glm::vec2 renderRatio(const Inputs& inputs) {
   return glm::vec2(inputs.width(), inputs.height()) / glm::vec2(inputs.outputWidth(), inputs.outputHeight());
+}
+
+glm::vec2 pictureMotion(const Inputs& inputs, const glm::vec2& motion) {
+  return motion.x == kNoPreviousPosition ? motion : motion / renderRatio(inputs);
 }
 
 Place placeOf(const Inputs& inputs, const glm::ivec2& pixel) {
@@ -96,7 +100,7 @@ Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& plac
     for (int column = 0; column < count; ++column) {
       const glm::ivec2 step = first + glm::ivec2(column, row);
       taps.add(currentColor(inputs, place.texel + step),
-               kernel(chosen, place.offset + glm::vec2(step), ratio));
+               upsampleWeight(chosen, place.offset + glm::vec2(step), ratio));
     }
   }
   return taps;

@@ -12,6 +12,8 @@ namespace taa::twin {
 
 /// Size of what was drawn against that of the picture (catalogue §22: r).
 glm::vec2 renderRatio(const Inputs& inputs);
+/// A motion of the inputs, render px, in px of the picture; the mark of no previous position stays.
+glm::vec2 pictureMotion(const Inputs& inputs, const glm::vec2& motion);
 /// Which sample lies nearest to a pixel of the picture, and where from the pixel's center, render px.
 struct Place {
   glm::ivec2 texel{0};

@@ -16,8 +16,9 @@ bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
 }
 
 /// The first of the reasons to reject history, the weightiest first.
-RejectReason reasonOf(const Inputs& inputs, const ValidateSettings& settings, const Reprojected& reprojected,
-                      const GeometryMatch& geometry, bool isOtherDepth, float changed) {
+RejectReason rejectReason(const Inputs& inputs, const ValidateSettings& settings,
+                          const Reprojection& reprojected, const GeometryMatch& geometry, bool isOtherDepth,
+                          float changed) {
   const auto isOn = [](Switch value) { return value == Switch::On; };
   if (inputs.historyColor.empty()) return RejectReason::NoHistory;
   if (reprojected.noPrevious) return RejectReason::NoPrevious;
@@ -32,11 +33,11 @@ RejectReason reasonOf(const Inputs& inputs, const ValidateSettings& settings, co
 
 } // namespace
 
-Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings, const Dilated& dilated,
-                          const Reprojected& reprojected, const glm::vec2& readPosition,
-                          const glm::ivec2& pixel, const GeometryMatch& geometry) {
-  const ComparedDepth depth = compareDepth(inputs, settings, dilated, pixel, readPosition);
-  Validated result;
+Validity validateHistory(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
+                         const Reprojection& reprojected, const glm::vec2& readPosition,
+                         const glm::ivec2& pixel, const GeometryMatch& geometry) {
+  const DepthTest depth = compareDepth(inputs, settings, dilated, pixel, readPosition);
+  Validity result;
   result.depthExpected = depth.expected;
   result.historyDepth = depth.stored;
   result.depthMismatch = depth.mismatch;
@@ -44,7 +45,7 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
   float changed = 0.0f; // share that a change of velocity rejects, 12.5
   if (settings.velocity != VelocityTest::None)
     changed = saturated((geometry.velocityChange - settings.velocityLimit) * settings.velocityGain);
-  result.reason = reasonOf(inputs, settings, reprojected, geometry, depth.isOther, changed);
+  result.reason = rejectReason(inputs, settings, reprojected, geometry, depth.isOther, changed);
   result.isFlicker = depth.isFlicker && result.reason == RejectReason::Kept;
   if (result.reason == RejectReason::Kept) return result;
   result.isFrozen = result.reason == RejectReason::OffScreen && settings.offScreen == OffScreen::OneSided;
@@ -55,7 +56,7 @@ Validated validateHistory(const Inputs& inputs, const ValidateSettings& settings
   return result;
 }
 
-float lengthLeft(const ValidateSettings& settings, float length, const Validated& validated) {
+float lengthLeft(const ValidateSettings& settings, float length, const Validity& validated) {
   return settings.action == RejectAction::Decay ? length * (1.0f - validated.invalid) : length;
 }
 

@@ -7,83 +7,116 @@
 namespace taa::twin {
 namespace {
 
-float larger(float a, float b) {
+float maximum(float a, float b) {
   return a > b ? a : b;
 }
 
-float smaller(float a, float b) {
+float minimum(float a, float b) {
   return a < b ? a : b;
 }
 
 /// u² of Lottes and Playdead (catalogue 13.10): 1 where luma is the same.
-float likeness(float current, float history) {
-  const float most = larger(larger(current, history), 0.2f);
+float lumaLikeness(float current, float history) {
+  const float most = maximum(maximum(current, history), 0.2f);
   const float u = 1.0f - std::fabs(current - history) / most;
   return u * u;
 }
 
 /// Of a contrast, a range over a color (catalogue 13.14).
-float byContrast(float contrast) {
+float contrastWeight(float contrast) {
   return 1.0f - (0.25f + 0.6f * saturated(contrast));
 }
 
-float baseOf(const WeightSettings& settings, float historyLength, const Seen& seen) {
+float baseWeight(const WeightSettings& settings, float historyLength, const WeightInputs& weighed) {
   switch (settings.source) {
   case AlphaSource::Constant:
     return settings.alpha;
   case AlphaSource::HistoryLength:
     return 1.0f / (historyLength + 1.0f);
   case AlphaSource::LumaDifference:
-    return settings.most + likeness(seen.lumaCurrent, seen.lumaHistory) * (settings.least - settings.most);
+    return settings.most +
+           lumaLikeness(weighed.lumaCurrent, weighed.lumaHistory) * (settings.least - settings.most);
   case AlphaSource::LumaDifferenceCompressed:
-    return settings.most + likeness(seen.maxCurrent, seen.maxHistory) * (settings.least - settings.most);
+    return settings.most +
+           lumaLikeness(weighed.maxCurrent, weighed.maxHistory) * (settings.least - settings.most);
   case AlphaSource::LumaDifferenceAsPrinted: // D1
-    return likeness(seen.maxCurrent, seen.maxHistory);
+    return lumaLikeness(weighed.maxCurrent, weighed.maxHistory);
   case AlphaSource::Contrast:
   case AlphaSource::ContrastPerChannel:
-    return byContrast(std::fabs(seen.boxHigh - seen.boxLow) / larger(seen.boxCurrent, 1e-5f));
+    return contrastWeight(std::fabs(weighed.boxHigh - weighed.boxLow) / maximum(weighed.boxCurrent, 1e-5f));
   case AlphaSource::Confidence:
-    return smaller(larger(1.0f / confidenceAfter(historyLength, seen.motion), settings.least), settings.most);
+    return minimum(maximum(1.0f / confidenceAfter(historyLength, weighed.motion), settings.least),
+                   settings.most);
   case AlphaSource::Depth:
-    return seen.depth == 0.0f ? 1.0f : 0.025f + (settings.alpha - 0.025f) * std::sqrt(seen.depth);
+    return weighed.depth == 0.0f ? 1.0f : 0.025f + (settings.alpha - 0.025f) * std::sqrt(weighed.depth);
   }
   return settings.alpha;
 }
 
-/// The factors against flicker (catalogue 13.11, 13.13, 13.15).
-void calm(const WeightSettings& settings, const Seen& seen, Weights& result) {
-  if (!seen.hasHistory) return;
-  const float width = seen.boxHigh - seen.boxLow > 0.0f ? seen.boxHigh - seen.boxLow : 0.0f;
-  if (settings.lumaFlicker == Switch::On) {
-    const bool isCompressed = settings.flickerScale == FlickerScale::Compressed;
-    const float current = isCompressed ? seen.compressedCurrent : seen.lumaCurrent;
-    const float history = isCompressed ? seen.compressedHistory : seen.lumaHistory;
-    const float most = larger(current, history);
-    const float rest =
-        1.0f - std::fabs(current - history) / (isCompressed ? larger(most, 1.001f) : 0.001f + most);
-    result.lumaFlicker = rest * rest;
-  }
-  if (settings.nearClamp == Switch::On) {
-    const float wall =
-        smaller(std::fabs(seen.boxHistoryRaw - seen.boxLow), std::fabs(seen.boxHistoryRaw - seen.boxHigh));
-    result.nearClamp = wall + width > 0.0f ? wall / (wall + width) : 1.0f;
-  }
-  if (settings.historyContrast == Switch::On)
-    result.historyContrast = seen.boxHistory > 0.0f ? 1.0f / (1.0f + width / seen.boxHistory) : 1.0f;
+float boxWidth(const WeightInputs& weighed) {
+  const float width = weighed.boxHigh - weighed.boxLow;
+  return width > 0.0f ? width : 0.0f;
+}
+
+/// Against flicker where luma differs (catalogue 13.11).
+float lumaFlickerFactor(const WeightSettings& settings, const WeightInputs& weighed) {
+  if (settings.lumaFlicker == Switch::Off || !weighed.hasHistory) return 1.0f;
+  const bool isCompressed = settings.flickerScale == FlickerScale::Compressed;
+  const float current = isCompressed ? weighed.compressedCurrent : weighed.lumaCurrent;
+  const float history = isCompressed ? weighed.compressedHistory : weighed.lumaHistory;
+  const float largest = maximum(current, history);
+  const float rest =
+      1.0f - std::fabs(current - history) / (isCompressed ? maximum(largest, 1.001f) : 0.001f + largest);
+  return rest * rest;
+}
+
+/// Where history is near a wall of the box (catalogue 13.13).
+float nearClampFactor(const WeightSettings& settings, const WeightInputs& weighed) {
+  if (settings.nearClamp == Switch::Off || !weighed.hasHistory) return 1.0f;
+  const float wall = minimum(std::fabs(weighed.boxHistoryRaw - weighed.boxLow),
+                             std::fabs(weighed.boxHistoryRaw - weighed.boxHigh));
+  const float sum = wall + boxWidth(weighed);
+  return sum > 0.0f ? wall / sum : 1.0f;
+}
+
+/// Where the box is large against history (catalogue 13.15).
+float historyContrastFactor(const WeightSettings& settings, const WeightInputs& weighed) {
+  if (settings.historyContrast == Switch::Off || !weighed.hasHistory) return 1.0f;
+  return weighed.boxHistory > 0.0f ? 1.0f / (1.0f + boxWidth(weighed) / weighed.boxHistory) : 1.0f;
+}
+
+/// Where the mask widens the box (catalogue 13.18).
+float relaxFactor(const WeightInputs& weighed) {
+  return 1.0f / (1.0f + 0.5f * weighed.relax);
+}
+
+/// Where a single frame may miss what is there (catalogue 13.9).
+float flickerFactor(const WeightSettings& settings, const WeightInputs& weighed) {
+  return weighed.isFlicker ? settings.flickerShare : 1.0f;
+}
+
+/// The least that is left of α: no more than a source gives by itself, but 1/(N+1) is raised to it.
+float leastWeight(const WeightSettings& settings, float base) {
+  return settings.source == AlphaSource::HistoryLength ? settings.minimum : minimum(base, settings.minimum);
+}
+
+/// As the blend mode "screen" mixes.
+float screen(float a, float b) {
+  return 1.0f - (1.0f - a) * (1.0f - b);
 }
 
 /// By the distance of the sample to the pixel's center (catalogue 7.7, 13.6).
-float sampleDistanceOf(const WeightSettings& settings, const Seen& seen) {
-  const double x = static_cast<double>(seen.jitterPx.x), y = static_cast<double>(seen.jitterPx.y);
+float sampleDistanceFactor(const WeightSettings& settings, const WeightInputs& weighed) {
+  const double x = static_cast<double>(weighed.jitterPx.x), y = static_cast<double>(weighed.jitterPx.y);
   const double squared = x * x + y * y;
   if (settings.sampleDistance == SampleDistance::Gaussian)
     return static_cast<float>(std::exp(-squared / (2.0 * 0.22)));
   if (settings.sampleDistance == SampleDistance::None) return 1.0f;
-  const float t = saturated(seen.speed);
+  const float t = saturated(weighed.speed);
   const float moving = (t * t) * (3.0f - 2.0f * t);
   if (settings.sampleDistance == SampleDistance::GaussianMoving)
     return 1.0f + moving * (static_cast<float>(std::exp(-squared / (2.0 * 0.22))) - 1.0f);
-  return larger(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
+  return maximum(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
 }
 
 /// 1 − (1 − α)^(e/8) by whole powers and square roots, e the nearest eighth to Δt/Δt₀ (catalogue 13.19).
@@ -106,8 +139,8 @@ float byFrameRate(const WeightSettings& settings, float alpha, double stepSecond
 }
 
 /// What motion adds to α (catalogue 13.4 to 13.6).
-float motionTerm(const WeightSettings& settings, const Seen& seen, float alpha) {
-  const float speed = speedIn(settings.motionSpeedIn, seen.speed, seen.motion, seen.picturePx);
+float motionWeight(const WeightSettings& settings, const WeightInputs& weighed, float alpha) {
+  const float speed = speedIn(settings.motionSpeedIn, weighed.speed, weighed.motion, weighed.picturePx);
   const float x = saturated(speed / settings.motionSpeed);
   switch (settings.motion) {
   case MotionAlpha::None:
@@ -118,62 +151,60 @@ float motionTerm(const WeightSettings& settings, const Seen& seen, float alpha) 
   case MotionAlpha::Squared:
     return x * x;
   case MotionAlpha::SquaredAsPrinted: // fractions of the picture: D11
-    return saturated(seen.motionUv.x * seen.motionUv.x + seen.motionUv.y * seen.motionUv.y);
+    return saturated(weighed.motionUv.x * weighed.motionUv.x + weighed.motionUv.y * weighed.motionUv.y);
   case MotionAlpha::Doubled:
-    return x * (smaller(2.0f * alpha, 1.0f) - alpha);
+    return x * (minimum(2.0f * alpha, 1.0f) - alpha);
   }
   return 0.0f;
 }
 
 /// The least that the mask asks for (catalogue 13.18, 21.4).
-float maskTerm(const WeightSettings& settings, const Seen& seen) {
+float maskWeight(const WeightSettings& settings, const WeightInputs& weighed) {
   switch (settings.mask) {
   case MaskAlpha::Off:
     return 0.0f;
   case MaskAlpha::Responsive:
-    return settings.maskAlpha * larger(seen.mask.x, seen.mask.y);
+    return settings.maskAlpha * maximum(weighed.mask.x, weighed.mask.y);
   case MaskAlpha::Reactive:
-    return seen.mask.x;
+    return weighed.mask.x;
   case MaskAlpha::Exclude:
-    return seen.mask.y > 0.0f ? 1.0f : 0.0f;
+    return weighed.mask.y > 0.0f ? 1.0f : 0.0f;
   }
   return 0.0f;
 }
 
 /// Everything after the source, whose α stands in `result`, but for what is invalid and asked for by the
 /// mask.
-void compose(const WeightSettings& settings, const Seen& seen, Weights& result) {
-  result.floor = settings.source == AlphaSource::HistoryLength ? settings.minimum
-                                                               : smaller(result.base, settings.minimum);
+void compose(const WeightSettings& settings, const WeightInputs& weighed, Weights& result) {
+  result.floor = leastWeight(settings, result.base);
   float alpha = result.base * result.lumaFlicker;
   alpha = alpha * result.nearClamp;
   alpha = alpha * result.historyContrast;
   alpha = alpha * result.relax;
   alpha = alpha * result.sampleDistance;
-  alpha = larger(alpha, result.floor);
+  alpha = maximum(alpha, result.floor);
   alpha = alpha < 1.0f ? alpha : 1.0f;
   alpha = alpha * result.flicker;
-  result.motion = motionTerm(settings, seen, alpha);
-  const auto join = [&alpha](float term) { alpha = 1.0f - (1.0f - alpha) * (1.0f - term); };
-  if (settings.motion == MotionAlpha::SquaredAsPrinted) alpha = larger(alpha - 0.025f, 0.0f); // 13.4
+  result.motion = motionWeight(settings, weighed, alpha);
+  if (settings.motion == MotionAlpha::SquaredAsPrinted) alpha = maximum(alpha - 0.025f, 0.0f); // 13.4
   if (settings.motion == MotionAlpha::Doubled) {
     alpha = alpha + result.motion;
   } else if (settings.motion == MotionAlpha::Added) {
-    alpha = smaller(alpha + result.motion, 1.0f);
+    alpha = minimum(alpha + result.motion, 1.0f);
   } else if (settings.motion != MotionAlpha::None) {
-    join(result.motion);
+    alpha = screen(alpha, result.motion);
   }
-  if (settings.velocityChange == Switch::On) join(result.velocityChange);
-  if (settings.divergence == Switch::On) join(result.divergence);
-  result.byFrameRate = byFrameRate(settings, alpha, seen.stepSeconds);
+  if (settings.velocityChange == Switch::On) alpha = screen(alpha, result.velocityChange);
+  if (settings.divergence == Switch::On) alpha = screen(alpha, result.divergence);
+  result.byFrameRate = byFrameRate(settings, alpha, weighed.stepSeconds);
 }
 
 /// α of what was composed: by κ (catalogue §22), and no less than the mask and invalid history ask for; more
 /// by what is rejected where N decays.
-float alphaOf(const Weights& weights, const Seen& seen) {
-  if (seen.isFrozen) return 0.0f;
-  const float asked = larger(weights.byFrameRate * seen.confidence, weights.mask);
-  return seen.decays ? smaller(asked + weights.invalid, 1.0f) : larger(asked, weights.invalid);
+float wholeWeight(const Weights& weights, const WeightInputs& weighed) {
+  if (weighed.isFrozen) return 0.0f;
+  const float asked = maximum(weights.byFrameRate * weighed.confidence, weights.mask);
+  return weighed.decays ? minimum(asked + weights.invalid, 1.0f) : maximum(asked, weights.invalid);
 }
 
 } // namespace
@@ -183,33 +214,37 @@ float confidenceAfter(float before, const glm::vec2& motionPx) {
   return isStill ? before + 10.0f : 1.0f;
 }
 
-Weights weigh(const WeightSettings& settings, float historyLength, float invalid, const Seen& seen) {
+Weights blendWeight(const WeightSettings& settings, float historyLength, float invalid,
+                    const WeightInputs& weighed) {
   Weights result;
-  result.base = baseOf(settings, historyLength, seen);
-  calm(settings, seen, result);
-  result.relax = 1.0f / (1.0f + 0.5f * seen.relax);
-  result.mask = maskTerm(settings, seen);
-  result.sampleDistance = sampleDistanceOf(settings, seen);
+  result.base = baseWeight(settings, historyLength, weighed);
+  result.lumaFlicker = lumaFlickerFactor(settings, weighed);
+  result.nearClamp = nearClampFactor(settings, weighed);
+  result.historyContrast = historyContrastFactor(settings, weighed);
+  result.relax = relaxFactor(weighed);
+  result.mask = maskWeight(settings, weighed);
+  result.sampleDistance = sampleDistanceFactor(settings, weighed);
   if (settings.velocityChange == Switch::On)
-    result.velocityChange = saturated(seen.velocityChange / settings.velocityChangeSpeed);
-  result.divergence = seen.divergence;
-  result.flicker = seen.isFlicker ? settings.flickerShare : 1.0f;
+    result.velocityChange = saturated(weighed.velocityChange / settings.velocityChangeSpeed);
+  result.divergence = weighed.divergence;
+  result.flicker = flickerFactor(settings, weighed);
   result.invalid = invalid;
-  compose(settings, seen, result);
-  result.alpha = alphaOf(result, seen);
+  compose(settings, weighed, result);
+  result.alpha = wholeWeight(result, weighed);
   result.channels = glm::vec3(result.alpha);
   if (settings.source != AlphaSource::ContrastPerChannel) return result;
   for (int channel = 0; channel < 3; ++channel) {
     Weights one = result;
-    one.base = byContrast(seen.contrast[channel]);
-    compose(settings, seen, one);
-    result.channels[channel] = alphaOf(one, seen);
+    one.base = contrastWeight(weighed.contrast[channel]);
+    compose(settings, weighed, one);
+    result.channels[channel] = wholeWeight(one, weighed);
   }
   return result;
 }
 
-Weights weigh(const Settings& settings, float historyLength, float invalid, const Seen& seen) {
-  Weights result = weigh(settings.weight, historyLength, invalid, seen);
+Weights blendWeight(const Settings& settings, float historyLength, float invalid,
+                    const WeightInputs& weighed) {
+  Weights result = blendWeight(settings.weight, historyLength, invalid, weighed);
   if (isTaaOn(settings)) return result;
   result.alpha = 1.0f;
   result.channels = glm::vec3(1.0f);
