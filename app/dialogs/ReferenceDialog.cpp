@@ -4,39 +4,132 @@
 #include "app/style/Theme.h"
 #include "core/report/ReferencePage.h"
 
+#include <QDesktopServices>
+#include <QHBoxLayout>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 namespace taa::app {
 
-ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent) {
+namespace {
+
+/// The reference page tells them in the user's language.
+bool isOfTables(const ManualPage& page) {
+  return page.file == "settings.md" || page.file == "intermediates.md";
+}
+
+/// Tables as wide as the page, their cells apart by thin lines.
+void styleTables(QTextDocument* document, const QColor& line) {
+  for (QTextFrame* frame : document->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (!table) continue;
+    QTextTableFormat format = table->format();
+    format.setBorder(1);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderBrush(line);
+    format.setBorderCollapse(true);
+    format.setCellPadding(kUnit);
+    format.setCellSpacing(0);
+    format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+    table->setFormat(format);
+  }
+}
+
+} // namespace
+
+ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manualPages()) {
   setAttribute(Qt::WA_DeleteOnClose);
-  setWindowTitle(tr("Reference"));
-  resize(210 * kUnit, 170 * kUnit);
+  setWindowTitle(tr("Manual"));
+  resize(250 * kUnit, 170 * kUnit);
+  std::erase_if(pages_, isOfTables);
+  list_ = new QListWidget;
+  list_->setAccessibleName(tr("Pages of the manual"));
+  list_->addItem(tr("Settings and intermediates"));
+  for (const ManualPage& page : pages_) list_->addItem(QString::fromStdString(page.title));
+  list_->setFixedWidth(58 * kUnit);
+  list_->setTextElideMode(Qt::ElideRight);
+  search_ = new QLineEdit;
+  search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
+  search_->setAccessibleName(tr("Find in this page"));
+  search_->setClearButtonEnabled(true);
+  search_->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  browser_ = new QTextBrowser;
+  browser_->setAccessibleName(tr("Page of the manual"));
+  browser_->setOpenLinks(false);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, 2 * kUnit);
   layout->setSpacing(2 * kUnit);
-  auto* search = new QLineEdit;
-  search->setPlaceholderText(tr("Find in this page; Enter goes on"));
-  search->setAccessibleName(tr("Find in this page"));
-  search->setClearButtonEnabled(true);
-  search->addAction(themedIcon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  auto* page = new QTextBrowser;
-  page->setAccessibleName(tr("Parameters and intermediates"));
-  page->setHtml(QString::fromStdString(referencePageHtml()));
-  // From the start when there is no further one below.
-  const auto find = [search, page](bool fromHere) {
-    if (!fromHere) page->moveCursor(QTextCursor::Start);
-    if (page->find(search->text())) return;
-    page->moveCursor(QTextCursor::Start);
-    page->find(search->text());
-  };
-  connect(search, &QLineEdit::textChanged, this, [find] { find(false); });
-  connect(search, &QLineEdit::returnPressed, this, [find] { find(true); });
-  layout->addWidget(search);
-  layout->addWidget(page, 1);
-  search->setFocus();
+  auto* below = new QHBoxLayout;
+  below->setSpacing(2 * kUnit);
+  below->addWidget(list_);
+  below->addWidget(browser_, 1);
+  layout->addWidget(search_);
+  layout->addLayout(below, 1);
+  connect(list_, &QListWidget::currentRowChanged, this, &ReferenceDialog::showPage);
+  connect(browser_, &QTextBrowser::anchorClicked, this, &ReferenceDialog::follow);
+  connect(search_, &QLineEdit::textChanged, this, [this] { find(false); });
+  connect(search_, &QLineEdit::returnPressed, this, [this] { find(true); });
+  list_->setCurrentRow(0);
+  search_->setFocus();
+}
+
+void ReferenceDialog::showPage(int row) {
+  if (row <= 0)
+    browser_->setHtml(QString::fromStdString(referencePageHtml()));
+  else
+    showText(pages_[static_cast<std::size_t>(row - 1)]);
+  if (!search_->text().isEmpty()) find(false);
+}
+
+void ReferenceDialog::showText(const ManualPage& page) {
+  browser_->setMarkdown(QString::fromStdString(page.text));
+  styleTables(browser_->document(), themeColors(this).line);
+  browser_->moveCursor(QTextCursor::Start);
+}
+
+// Other pages open here; the web does in the desktop's browser.
+void ReferenceDialog::follow(const QUrl& link) {
+  if (!link.scheme().isEmpty()) {
+    QDesktopServices::openUrl(link);
+    return;
+  }
+  const std::string file = link.path().toStdString();
+  const auto page = std::ranges::find(pages_, file, &ManualPage::file);
+  if (page != pages_.end())
+    list_->setCurrentRow(static_cast<int>(page - pages_.begin()) + 1);
+  else if (!file.empty())
+    list_->setCurrentRow(0);
+  if (link.hasFragment()) scrollTo(link.fragment().toStdString());
+}
+
+void ReferenceDialog::scrollTo(const std::string& anchor) {
+  for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0 || headingAnchor(block.text().toStdString()) != anchor)
+      continue;
+    browser_->moveCursor(QTextCursor::End); // so that the heading comes to the top
+    browser_->setTextCursor(QTextCursor(block));
+    return;
+  }
+}
+
+// From the start when there is no further one below.
+void ReferenceDialog::find(bool fromHere) {
+  if (!fromHere) browser_->moveCursor(QTextCursor::Start);
+  if (browser_->find(search_->text())) return;
+  browser_->moveCursor(QTextCursor::Start);
+  browser_->find(search_->text());
 }
 
 } // namespace taa::app

@@ -1,15 +1,38 @@
-// The reference page: every stage, parameter and intermediate, with a field that finds a word in it.
+// The manual and the reference page: pages at the left, and a field that finds a word in the one on show.
 #pragma once
+
+#include "core/report/ManualPages.h"
 
 #include <QDialog>
 
+#include <string>
+#include <vector>
+
+class QLineEdit;
+class QListWidget;
+class QTextBrowser;
+class QUrl;
+
 namespace taa::app {
 
-/// Deletes itself when closed.
+/// Deletes itself when closed. Opens on the reference of settings and intermediates, in the user's language;
+/// the manual's own pages of them are left out.
 class ReferenceDialog : public QDialog {
   Q_OBJECT
  public:
   explicit ReferenceDialog(QWidget* parent);
+
+ private:
+  void showPage(int row);
+  void showText(const ManualPage& page);
+  void follow(const QUrl& link);
+  void scrollTo(const std::string& anchor);
+  void find(bool fromHere);
+
+  std::vector<ManualPage> pages_; ///< those of the list after its first row
+  QListWidget* list_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QTextBrowser* browser_ = nullptr;
 };
 
 } // namespace taa::app

@@ -1,4 +1,4 @@
-// Keys and reference.
+// Keys and manual.
 #include "app/menus/Menus.h"
 
 #include "app/dialogs/ReferenceDialog.h"
@@ -17,7 +17,7 @@ void Menus::makeHelp() {
   add(menu, tr("&Keys"), keys({"?"}), [this] {
     window_.showKeys();
   })->setIcon(themedIcon(QStringLiteral("keyboard")));
-  add(menu, tr("&Reference of parameters and intermediates"), keys({"F1"}), [this] {
+  add(menu, tr("&Manual, settings and intermediates"), keys({"F1"}), [this] {
     auto* dialog = new ReferenceDialog(&window_);
     dialog->open();
   });

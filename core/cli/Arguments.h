@@ -99,6 +99,10 @@ struct GlslArguments {
   bool force = false; ///< replace the file when it is there
 };
 
+struct ManualArguments {
+  std::string folder;
+};
+
 /// First and last frame, both included.
 struct FrameRange {
   int first = 0, last = 0;

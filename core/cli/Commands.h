@@ -27,7 +27,12 @@ void runProfile(const ProfileArguments& arguments, std::ostream& out, const Prog
 /// Prints figures of a range of frames: RMSE and PSNR against the reference, and what the resolve did.
 /// Throws UsageError, Error, Cancelled.
 void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Writes the resolve of some settings, and the pass after it, as one GLSL file. Throws UsageError, Error.
 void runGlsl(const GlslArguments& arguments, std::ostream& out);
+
+/// Writes the manual's pages of settings, intermediates, presets, scenes and techniques into a folder, over
+/// those that are there; prints the files. Throws Error.
+void runManual(const ManualArguments& arguments, std::ostream& out);
 
 } // namespace taa::cli

@@ -250,13 +250,22 @@ void addGlsl(CLI::App& app, GlslArguments& glsl) {
   command->callback([&glsl] { runGlsl(glsl, std::cout); });
 }
 
+void addManual(CLI::App& app, ManualArguments& manual) {
+  CLI::App* command = app.add_subcommand(
+      "manual",
+      "Write the pages of the manual that follow from the program's tables, over those that are there");
+  command->add_option("FOLDER", manual.folder, "Where they go; in the repository, resources/manual")
+      ->required();
+  command->callback([&manual] { runManual(manual, std::cout); });
+}
+
 /// CLI11 only says that a command is missing when the word in its place is none.
 void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, trace, profile, metrics and glsl");
+                   "\"; there are list, render, probe, trace, profile, metrics, glsl and manual");
 }
 
 int run(int argc, char** argv) {
@@ -273,6 +282,7 @@ int run(int argc, char** argv) {
   ProfileArguments profile;
   MetricsArguments metrics;
   GlslArguments glsl;
+  ManualArguments manual;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
     return line.show(what, done, total);
@@ -284,6 +294,7 @@ int run(int argc, char** argv) {
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
   addGlsl(app, glsl);
+  addManual(app, manual);
   requireCommand(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -20,9 +20,11 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QUrl>
 #include <QWheelEvent>
 
@@ -322,6 +324,48 @@ TEST_F(Window, TheReferencePageHoldsBothTablesAndFindsWords) {
         << row.name;
   QTest::keyClicks(dialog->findChild<QLineEdit*>(), "clipToFiltered");
   EXPECT_EQ(page->textCursor().selectedText(), "clipToFiltered");
+}
+
+TEST_F(Window, TheManualStandsBesideTheReferencePage) {
+  key(Qt::Key_F1);
+  auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  auto* list = dialog->findChild<QListWidget*>();
+  auto* page = dialog->findChild<QTextBrowser*>();
+  EXPECT_EQ(list->currentRow(), 0) << "it opens on the reference";
+  const QList<QListWidgetItem*> found = list->findItems("Techniques", Qt::MatchExactly);
+  ASSERT_EQ(found.size(), 1);
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found[0]).center());
+  EXPECT_TRUE(page->toPlainText().startsWith("Techniques"));
+  EXPECT_TRUE(page->toPlainText().contains("Catmull-Rom 5"));
+  auto* search = dialog->findChild<QLineEdit*>();
+  QTest::mouseClick(search, Qt::LeftButton);
+  QTest::keyClicks(search, "rotated grid");
+  EXPECT_EQ(page->textCursor().selectedText(), "rotated grid");
+}
+
+TEST_F(Window, LinksOfTheManualOpenItsPages) {
+  key(Qt::Key_F1);
+  auto* dialog = window.findChild<ReferenceDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  auto* list = dialog->findChild<QListWidget*>();
+  auto* page = dialog->findChild<QTextBrowser*>();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+  EXPECT_TRUE(page->toPlainText().startsWith("Manual"));
+  ASSERT_TRUE(page->find("Glossary"));
+  QTextCursor link = page->textCursor();
+  link.setPosition(link.selectionStart() + 2);
+  page->setTextCursor(link);
+  QTest::mouseClick(page->viewport(), Qt::LeftButton, {}, page->cursorRect(link).center());
+  EXPECT_TRUE(page->toPlainText().startsWith("Glossary"));
+  EXPECT_EQ(list->currentItem()->text(), "Glossary");
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+  ASSERT_TRUE(page->find("Intermediates"));
+  link = page->textCursor();
+  link.setPosition(link.selectionStart() + 2);
+  page->setTextCursor(link);
+  QTest::mouseClick(page->viewport(), Qt::LeftButton, {}, page->cursorRect(link).center());
+  EXPECT_EQ(list->currentRow(), 0) << "the reference page tells them";
 }
 
 TEST_F(Window, F5ReloadsShadersAndTypingDoesNotTriggerKeys) {

@@ -13,7 +13,7 @@ namespace taa::bench {
 
 namespace {
 
-constexpr std::string_view kBegin = "<!-- figures: written by taa_bench --write-readme -->\n";
+constexpr std::string_view kBegin = "<!-- figures: written by taa_bench --write-manual -->\n";
 constexpr std::string_view kEnd = "<!-- end of figures -->";
 
 struct Row {
@@ -113,13 +113,13 @@ std::string figuresTable(const Figures& figures, const std::string& driver) {
   return text.str();
 }
 
-void writeFigures(const std::filesystem::path& readme, const std::string& table) {
-  std::string text = readFile(readme);
+void writeFigures(const std::filesystem::path& page, const std::string& table) {
+  std::string text = readFile(page);
   const std::size_t begin = text.find(kBegin), end = text.find(kEnd);
   if (begin == std::string::npos || end == std::string::npos || end < begin)
-    throw Error(readme.string() + " has not the two comments that say where the figures go");
+    throw Error(page.string() + " has not the two comments that say where the figures go");
   text.replace(begin + kBegin.size(), end - begin - kBegin.size(), table);
-  writeFile(readme, text);
+  writeFile(page, text);
 }
 
 } // namespace taa::bench

@@ -1,4 +1,4 @@
-// The README's table of figures: which benchmark gives which, what is wanted, and writing it.
+// The manual's table of figures: which benchmark gives which, what is wanted, and writing it.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,8 @@ void registerPresets();
 /// out.
 std::string figuresTable(const Figures& figures, const std::string& driver);
 
-/// Replaces what stands between the two markers of the README. Throws Error when they are not there.
-void writeFigures(const std::filesystem::path& readme, const std::string& table);
+/// Replaces what stands between the two markers of a page of the manual. Throws Error when they are not
+/// there.
+void writeFigures(const std::filesystem::path& page, const std::string& table);
 
 } // namespace taa::bench

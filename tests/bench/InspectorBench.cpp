@@ -82,8 +82,8 @@ void watchAll(benchmark::State& state) {
 /// RenderDoc 1.24 took 69 ms on a machine of this class for one texture of one pixel: from a script in
 /// qrenderdoc, over a capture of a frame, the median of 20 of `controller.SetFrameEvent(event, True)` for
 /// another event and back, then `controller.PickPixel(texture, x, y, Subresource(), CompType.Typeless)`.
-/// That figure is the design's; RenderDoc was not installed where the table of the README was measured.
-/// Where it is, run that on a capture of taa-batch beside this.
+/// RenderDoc was not installed where the manual's figures were measured. Where it is, run that on a capture
+/// of taa-batch beside this.
 void probe(benchmark::State& state) {
   const std::unique_ptr<taa::Inspector> inspector = openFan();
   std::vector<double> times;

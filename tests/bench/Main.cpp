@@ -1,4 +1,4 @@
-// Runs the benchmarks; with --write-readme also writes their table into the README.
+// Runs the benchmarks; with --write-manual also writes their table into the manual.
 #include "core/base/Error.h"
 #include "core/gl/Context.h"
 #include "tests/bench/Figures.h"
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   bool write = false;
   for (int index = 1; index < argc; ++index)
-    if (std::strcmp(argv[index], "--write-readme") == 0) {
+    if (std::strcmp(argv[index], "--write-manual") == 0) {
       write = true;
       std::rotate(argv + index, argv + index + 1, argv + argc);
       --argc;
@@ -65,7 +65,8 @@ int main(int argc, char** argv) {
     benchmark::RunSpecifiedBenchmarks(&reporter);
     const std::string table = taa::bench::figuresTable(reporter.figures, driverName());
     std::cout << '\n' << table;
-    if (write && !reporter.failed) taa::bench::writeFigures(taa::test::rootFolder() / "README.md", table);
+    if (write && !reporter.failed)
+      taa::bench::writeFigures(taa::test::rootFolder() / "resources/manual/figures.md", table);
     return reporter.failed ? 1 : 0;
   } catch (const taa::Error& error) {
     std::cerr << "taa_bench: " << error.what() << '\n';

@@ -125,6 +125,22 @@ TEST(BatchList, PrintsOneLineForEachRowToPeople) {
   EXPECT_TRUE(result.out.starts_with("color ")) << result.out;
 }
 
+TEST(BatchManual, WritesThePagesThatTheTablesKnow) {
+  const fs::path folder = taa::test::temporaryFolder() / "manual";
+  fs::create_directories(folder);
+  const ProcessResult result = batch({"manual", folder.string()});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  std::string files;
+  for (const char* page : {"coverage", "settings", "intermediates", "presets", "scenes"}) {
+    const fs::path file = folder / (std::string(page) + ".md");
+    files += file.string() + "\n";
+    ASSERT_TRUE(fs::exists(file)) << file;
+    EXPECT_TRUE(taa::readFile(file).starts_with("# ")) << file;
+  }
+  EXPECT_EQ(result.out, files);
+  EXPECT_EQ(batch({"manual", (folder / "absent").string()}).exitCode, 1);
+}
+
 TEST(Batch, ExplainsEveryCommand) {
   for (const char* command : {"", "list", "render", "probe"}) {
     std::vector<std::string> arguments = {"--help"};

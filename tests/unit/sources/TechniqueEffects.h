@@ -1,4 +1,4 @@
-// Which tests show what each row of the README's table of techniques does.
+// Which tests show what each row of the table of techniques does.
 #pragma once
 
 #include <initializer_list>

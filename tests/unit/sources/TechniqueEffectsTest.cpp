@@ -1,5 +1,5 @@
-// What single techniques do to hand-made pixels, set as the README's table names them, and predicted from the
-// formulas of the catalogue. TechniquesTest lists which test shows which row.
+// What single techniques do to hand-made pixels, set as the table of techniques names them, and predicted
+// from the formulas of the catalogue. TechniquesTest lists which test shows which row.
 #include "core/render/jitter/Jitter.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/frames/TwinInputs.h"

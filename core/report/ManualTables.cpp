@@ -1,0 +1,158 @@
+#include "core/report/ManualTables.h"
+
+#include "core/report/Techniques.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "core/taa/rows/ChannelNames.h"
+#include "core/taa/rows/Intermediates.h"
+
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+
+namespace taa {
+
+namespace {
+
+/// A text of a table as Markdown shows it letter by letter, in a cell of a table too.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char letter : text) {
+    if (std::string_view("\\|*_<[]`~").find(letter) != std::string_view::npos) out += '\\';
+    out += letter;
+  }
+  return out;
+}
+
+std::string code(std::string_view text) {
+  return "`" + std::string(text) + "`";
+}
+
+/// A row of a table; what is in the cells is Markdown already.
+std::string cells(std::initializer_list<std::string> texts) {
+  std::string line = "|";
+  for (const std::string& text : texts) line += " " + text + " |";
+  return line + "\n";
+}
+
+std::string head(std::initializer_list<std::string> titles) {
+  std::string line = "|";
+  for (std::size_t column = 0; column < titles.size(); ++column) line += "---|";
+  return cells(titles) + line + "\n";
+}
+
+/// The beginning of a page; `about` says what it holds.
+std::string pageHead(const std::string& title, const std::string& about) {
+  return "# " + title + "\n\n" + about +
+         " The command `taa-batch manual FOLDER` writes this page from the program's tables; what is changed "
+         "by hand here is lost.\n";
+}
+
+ManualPage coveragePage() {
+  ManualPage page{"coverage.md", "Techniques and the settings that choose them", ""};
+  page.text =
+      pageHead(page.title,
+               "Each row of [the techniques](techniques.md), in its number: the setting that chooses it, as "
+               "`--set` takes it, or why it is not there. Between backticks stand settings, intermediates "
+               "and presets.") +
+      "\n" + head({"row", "technique", "here"});
+  for (const Technique& row : techniques())
+    page.text += cells({std::string(row.row), std::string(row.name), std::string(row.here)});
+  return page;
+}
+
+std::string rangeText(const Parameter& row) {
+  if (row.kind == ParameterKind::Choice) return "";
+  if (row.kind == ParameterKind::Toggle) return "On or off";
+  return valueText(row, row.minimum) + " to " + valueText(row, row.maximum) +
+         (row.unit.empty() ? "" : " " + std::string(row.unit));
+}
+
+std::string parameterText(const Parameter& row) {
+  std::string text = "\n### " + escaped(row.label) + " " + code(row.path) + "\n\n" + escaped(row.tooltip);
+  if (!row.formula.empty()) text += " Formula: " + escaped(row.formula) + ".";
+  text += "\n\n";
+  if (const std::string range = rangeText(row); !range.empty())
+    text += range + ", by";
+  else
+    text += "By";
+  text += " default " + code(valueText(row, row.defaultValue())) + ".";
+  if (const std::string when = relevantWhen(row); !when.empty())
+    text += " Has an effect with " + code(when) + ".";
+  text += " Source: " + escaped(row.source) + ".\n";
+  if (row.kind != ParameterKind::Choice) return text;
+  text += "\n" + head({"choice", "shown as", "what it does"});
+  for (const Choice& choice : row.choices)
+    text += cells({code(choice.id), escaped(choice.label), escaped(choice.explanation)});
+  return text;
+}
+
+/// The heading of a stage and its sentence; empty where nothing of the stage follows.
+std::string stageText(const StageInfo& stage, const std::string& rows) {
+  if (rows.empty()) return "";
+  return "\n## " + escaped(stage.label) + "\n\n" + escaped(stage.description) + "\n" + rows;
+}
+
+ManualPage settingsPage() {
+  ManualPage page{"settings.md", "Settings", ""};
+  page.text =
+      pageHead(page.title, "Every setting of the pipeline, by stage. `--set path=value` takes the code "
+                           "beside each name; presets and sessions hold the same paths.");
+  for (const StageInfo& stage : kStages) {
+    std::string rows;
+    for (const Parameter& row : parameters())
+      if (row.stage == stage.stage) rows += parameterText(row);
+    page.text += stageText(stage, rows);
+  }
+  return page;
+}
+
+ManualPage intermediatesPage() {
+  ManualPage page{"intermediates.md", "Intermediates", ""};
+  page.text = pageHead(page.title, "Everything of a frame that can be looked at, probed and exported, by the "
+                                   "stage that computes it. Colors are scene-linear, Rec. 709.");
+  for (const StageInfo& stage : kStages) {
+    std::string rows;
+    for (const Intermediate& row : kIntermediates)
+      if (row.stage == stage.stage)
+        rows += cells({code(row.name), escaped(row.label), escaped(row.description),
+                       escaped(channelNamesText(row)), escaped(row.unit)});
+    if (!rows.empty()) rows = "\n" + head({"id", "shown as", "what it is", "channels", "unit"}) + rows;
+    page.text += stageText(stage, rows);
+  }
+  return page;
+}
+
+ManualPage presetsPage() {
+  ManualPage page{"presets.md", "Presets", ""};
+  page.text =
+      pageHead(page.title, "The built-in settings, as the lists of the program group them. The sources "
+                           "are named in [Sources](sources.md). A step adds one listing of its source "
+                           "to those before it.");
+  for (const PresetGroup& group : kPresetGroups) {
+    page.text += "\n## " + escaped(group.label) + "\n\n" + head({"id", "shown as", "what it is"});
+    for (const Preset& preset : builtinPresets())
+      if (preset.group == group.id)
+        page.text += cells({code(preset.id), escaped(preset.label), escaped(preset.description)});
+  }
+  return page;
+}
+
+ManualPage scenesPage() {
+  ManualPage page{"scenes.md", "Built-in scenes", ""};
+  page.text = pageHead(page.title, "Scenes that each provoke something. They are opened by the code beside "
+                                   "them.") +
+              "\n" + head({"scene", "shown as", "what it shows"});
+  for (const BuiltinScene& scene : builtinScenes())
+    page.text += cells({code("builtin:" + scene.id), escaped(scene.label), escaped(scene.description)});
+  return page;
+}
+
+} // namespace
+
+std::vector<ManualPage> manualTables() {
+  return {coveragePage(), settingsPage(), intermediatesPage(), presetsPage(), scenesPage()};
+}
+
+} // namespace taa
