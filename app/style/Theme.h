@@ -1,4 +1,4 @@
-// Colors and type of the window (design: window.md): neutral grays, one accent, three sizes of text.
+// Colors and type of the window: neutral grays, one accent, three sizes of text.
 #pragma once
 
 #include <QColor>

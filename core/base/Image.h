@@ -1,4 +1,4 @@
-// A picture in memory: 32-bit floats, interleaved channels, row 0 at the top (design §3).
+// A picture in memory: 32-bit floats, interleaved channels, row 0 at the top (manual, conventions).
 #pragma once
 
 #include <glm/vec4.hpp>

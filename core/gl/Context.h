@@ -1,4 +1,4 @@
-// A GL 4.5 core context of our own: surfaceless EGL, no window system (design §2.7).
+// A GL 4.5 core context of our own: surfaceless EGL, no window system (manual, architecture).
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,9 @@ struct Driver {
 /// version (GL_VERSION): a sentence to refuse it with, since trying it would end the process.
 std::optional<std::string> knownFault(const std::string& renderer, const std::string& version);
 
-/// Makes the context current on the constructing thread and sets the conventions of design §3 (upper-left
-/// origin, depth 0…1). Use and destroy it on that thread. Throws Error when there is no GL 4.5 to be had.
+/// Makes the context current on the constructing thread and sets the conventions of the manual
+/// (upper-left origin, depth 0…1). Use and destroy it on that thread. Throws Error when there is no GL 4.5 to
+/// be had.
 class Context {
  public:
   Context();

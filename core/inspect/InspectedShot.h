@@ -31,8 +31,8 @@ struct FrameTimes {
 };
 
 /// The part of the Inspector that changes something. Frame n of a lane is f(scene, camera, the lane's
-/// settings, size, n): however it was reached, the same bits (design §2.1). Strong guarantee: when a member
-/// throws, everything is as it was before.
+/// settings, size, n): however it was reached, the same bits (manual, architecture). Strong guarantee: when a
+/// member throws, everything is as it was before.
 class InspectedShot {
  public:
   /// Reloads the shaders of the visualizer, makes the reference forget what was drawn of another scene or by

@@ -13,7 +13,7 @@
 namespace taa {
 
 /// Weight of each frame in the picture that the last one left: α·Π(1 − α of those after it). `alphas`: the
-/// current frame's weight in each frame, oldest first. They sum up to 1 when the oldest is 1 (catalogue §15).
+/// current frame's weight in each frame, oldest first. They sum up to 1 when the oldest is 1 (manual §15).
 std::vector<double> frameWeights(std::span<const double> alphas);
 
 /// Samples of equal weight that average noise as much: (Σw)²/Σw². 0 without weights.

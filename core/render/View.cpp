@@ -83,7 +83,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   const CameraState camera = cameraOf(scene, request, frame);
   CameraState previousCamera = cameraOf(scene, request, previous);
   if (request.inputs.motion == MotionSource::CurrentProjectionAsPrinted)
-    previousCamera.clipFromView = camera.clipFromView; // §26, D16
+    previousCamera.clipFromView = camera.clipFromView; // manual §26, D16
   fillCameras(camera, previousCamera, sizePx, view.info.jitterPx, view.projection, view.block);
   view.block.previousJitter = glm::vec4(frameInfo(scene, request, previous).jitterPx, 0.0f, 0.0f);
   fillSky(scene.sky, view.block);

@@ -1,4 +1,5 @@
-// Makes frames of all lanes and replays them from checkpoints: frame n of a lane is a function (design §2.1).
+// Makes frames of all lanes and replays them from checkpoints: frame n of a lane is a function (manual,
+// architecture).
 #pragma once
 
 #include "core/base/Progress.h"

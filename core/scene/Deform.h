@@ -1,4 +1,4 @@
-// Where deformed vertices are, by the formulas of catalogue 3.4 to 3.7; what shaders/scene/deform.glsl does
+// Where deformed vertices are, by the formulas of manual 3.4 to 3.7; what shaders/scene/deform.glsl does
 // on the GPU.
 #pragma once
 

@@ -42,7 +42,7 @@ struct TextureSlot {
 enum class AlphaMode : std::uint8_t { Opaque, Mask, Blend }; ///< how Blend is drawn is a setting
 
 /// Vertices that sway: each moves by direction · amplitude · uv1.y · sin(waveNumber·(x + z) + frequency·t) in
-/// model space (catalogue 3.7).
+/// model space (manual 3.7).
 struct Wind {
   float amplitude = 0.0f;  ///< model units; 0: still
   float waveNumber = 0.0f; ///< radians a model unit
@@ -51,7 +51,7 @@ struct Wind {
 };
 
 /// A picture that changes on a surface that does not: cells of an atlas one after another, row by row, and a
-/// steady shift (catalogue 21.7). Of the first uv set, before the slots' own transforms.
+/// steady shift (manual 21.7). Of the first uv set, before the slots' own transforms.
 struct UvAnimation {
   int columns = 1, rows = 1;
   float cellsPerSecond = 0.0f;

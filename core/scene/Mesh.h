@@ -53,7 +53,7 @@ struct MorphDelta {
   glm::vec3 position{0.0f}, normal{0.0f}, tangent{0.0f};
 };
 
-/// Positions baked for each vertex, frame after frame, as Alembic has them (catalogue 3.6).
+/// Positions baked for each vertex, frame after frame, as Alembic has them (manual 3.6).
 struct VertexCache {
   struct Entry {
     glm::vec3 position{0.0f}, normal{0.0f};

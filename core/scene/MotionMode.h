@@ -1,4 +1,4 @@
-// Which motion an object is given, whatever moves it (catalogue §3, motion modes).
+// Which motion an object is given, whatever moves it (manual §3, motion modes).
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ struct NodeState {
 };
 
 /// States of all nodes at `time` seconds. What has appeared or jumped since `previousTime` has no motion of
-/// its own yet: it is taken to have been where it is (§3, rule iii).
+/// its own yet: it is taken to have been where it is (manual §3, rule 3).
 std::vector<NodeState> nodeStates(const Scene& scene, const std::vector<MotionOverride>& overrides,
                                   double time, double previousTime);
 

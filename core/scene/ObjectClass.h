@@ -1,4 +1,4 @@
-// What kind of thing an object is, as an engine marks it in the stencil (catalogue 12.2).
+// What kind of thing an object is, as an engine marks it in the stencil (manual 12.2).
 #pragma once
 
 #include "core/scene/Scene.h"

@@ -72,7 +72,7 @@ struct Parameter {
   std::span<const Choice> choices; ///< Choice only
   std::string_view tooltip;        ///< what it does, in a sentence
   std::string_view formula;        ///< empty where there is none
-  std::string_view source;         ///< catalogue id and paper
+  std::string_view source;         ///< row of the manual, and who
   Uses uses;                       ///< Toggle: where it is on; Number: below its maximum
   Field field;
   double (*get)(const Settings&);

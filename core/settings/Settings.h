@@ -31,7 +31,7 @@ enum class JitterSequence : std::int32_t {
   BlueNoise16,
   WhiteNoise,
 };
-/// How the offset gets into the projection (catalogue §2.1).
+/// How the offset gets into the projection (manual §2.1).
 enum class JitterProjection : std::int32_t { Translation, AddedAsPrinted, ColumnAsPrinted, RightAsPrinted };
 struct JitterSettings {
   JitterSequence sequence = JitterSequence::Halton;
@@ -355,7 +355,7 @@ inline bool isUpsampled(const Settings& settings) {
   return settings.inputs.renderScale < 1.0f;
 }
 
-/// Whether depth that differs at rest is told from another surface (catalogue 13.9).
+/// Whether depth that differs at rest is told from another surface (manual 13.9).
 inline bool findsFlicker(const Settings& settings) {
   return settings.validate.depth == Switch::On && settings.validate.flicker == Switch::On;
 }

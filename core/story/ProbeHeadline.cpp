@@ -132,7 +132,7 @@ std::string doubtText(const Values& v, const std::string& kept) {
       kept, percentText(mismatch), v.percent(Id::depthAllowed));
 }
 
-/// Beyond the one border that is tested as printed history is kept whole (catalogue 5.7).
+/// Beyond the one border that is tested as printed history is kept whole (manual 5.7).
 bool isFrozen(const Values& v) {
   return v.settings.validate.offScreen == OffScreen::OneSided &&
          static_cast<int>(v.of(Id::rejectReason)) == static_cast<int>(twin::RejectReason::OffScreen);
@@ -185,7 +185,7 @@ std::string calmText(const Values& v, const std::string& source) {
   return v.of(Id::alphaFlicker) == 1.0f ? text : text + " × " + v.number(Id::alphaFlicker);
 }
 
-/// And what motion adds (catalogue §13), and how much the samples say where fewer are drawn (§22).
+/// And what motion adds (manual §13), and how much the samples say where fewer are drawn (manual §22).
 std::string alphaLine(const Values& v, const FrameInfo& info) {
   if (twin::isFirst(v.record) || v.of(Id::alphaInvalid) >= 1 || !isTaaOn(v.settings))
     return say<"α = 1: the current frame alone">();

@@ -157,7 +157,7 @@ std::string pulledWords(const Teller& t) {
   return words;
 }
 
-/// Where the printed way back from box space cuts channels off (§26, D7), how it does; else nothing.
+/// Where the printed way back from box space cuts channels off (manual §26, D7), how it does; else nothing.
 RowStory cutOffStory(const Teller& t, const Clip& clip, const std::string& words) {
   const SpaceSettings& space = t.settings().space;
   const SpaceSettings axes{twin::withoutClamp(space).color, ToneSpace::Linear};

@@ -138,7 +138,7 @@ std::string momentWords(Id id, std::size_t count, bool isRounded) {
   }
 }
 
-/// How far the taps that vary lie from the center: κ of catalogue 8.5.
+/// How far the taps that vary lie from the center: κ of manual 8.5.
 std::string reachText(const Teller& t) {
   const float depth = twin::viewDepth(t.value(Id::dilatedDepth), t.details().depthTerms);
   if (depth == 0.0f) return t.number(0.5);

@@ -26,7 +26,7 @@ std::string each(int channel, Text text) {
   return "(" + text(0) + ", " + text(1) + ", " + text(2) + ")";
 }
 
-/// Where a dithered color is rounded up (catalogue 14.7): 0 to 1 of a step.
+/// Where a dithered color is rounded up (manual 14.7): 0 to 1 of a step.
 float randomOf(const Teller& t, int channel) {
   const std::uint32_t number =
       twin::randomBits(t.probed.pixel, t.probed.info.frame, static_cast<std::uint32_t>(channel));

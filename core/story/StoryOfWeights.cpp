@@ -33,7 +33,7 @@ std::string baseText(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const twin::WeightInputs& weighed = t.details().weighed;
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
-  switch (weight.source) { // catalogue §13
+  switch (weight.source) { // manual §13
   case AlphaSource::Constant:
     return n(weight.alpha);
   case AlphaSource::HistoryLength:

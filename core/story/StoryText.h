@@ -25,7 +25,7 @@ std::string percentText(double share);
 float alphaBeforeRejection(const twin::PixelRecord& record);
 /// Where the way leads that the clip amount is a share of: "the middle of the box".
 std::string targetText(RectifyMethod method);
-/// How many frames of the reference rate a step counts as (catalogue 13.19): eighths, 1/8 to 8.
+/// How many frames of the reference rate a step counts as (manual 13.19): eighths, 1/8 to 8.
 double framesTaken(double stepSeconds, const WeightSettings& weight);
 
 /// The pixel, and how its numbers are written.

@@ -104,12 +104,12 @@ class TaaPass {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Factor on α by the distance of the jittered sample to the pixel's center (catalogue 7.7, 13.6).
+/// Factor on α by the distance of the jittered sample to the pixel's center (manual 7.7, 13.6).
 float sampleDistanceFactor(SampleDistance form, glm::vec2 jitterPx);
-/// Eighths of a frame of the reference rate that a frame of `stepSeconds` takes, 1 to 64 (catalogue 13.19).
+/// Eighths of a frame of the reference rate that a frame of `stepSeconds` takes, 1 to 64 (manual 13.19).
 int frameEighths(double stepSeconds, float referenceRate);
 
-/// Weights of the current filter over 3×3, row-major, not normalized (catalogue §7).
+/// Weights of the current filter over 3×3, row-major, not normalized (manual §7).
 std::array<float, 9> currentFilterWeights(const CurrentSettings& settings, glm::vec2 jitterPx);
 
 } // namespace taa

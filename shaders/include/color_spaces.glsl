@@ -1,5 +1,5 @@
 // Luma, sane colors, and the way between scene-linear Rec. 709 and box space, the space of the neighborhood's
-// box chosen by space.color and space.tone (catalogue §9, §15).
+// box chosen by space.color and space.tone (manual §9, §15).
 
 #include "include/select.glsl"
 #include "include/tone_curves.glsl"
@@ -67,7 +67,7 @@ vec3 inverseLogarithmChannel(vec3 c) {
   return vec3(inverseLogarithm(c.r), inverseLogarithm(c.g), inverseLogarithm(c.b));
 }
 
-/// The chosen axes (§9).
+/// The chosen axes (manual §9).
 vec3 toAxes(vec3 color) {
   precise vec3 c = color;
   if (kIsYCoCg) {
@@ -98,7 +98,7 @@ vec3 fromAxes(vec3 axes) {
     precise float r = (c.x + c.y) - c.z;
     precise float g = c.x + c.z;
     precise float b = (c.x - c.y) - c.z;
-    if (kIsYCoCgAsPrinted) return vec3(saturated(r), saturated(g), saturated(b)); // §26, D7
+    if (kIsYCoCgAsPrinted) return vec3(saturated(r), saturated(g), saturated(b)); // manual §26, D7
     return vec3(r, g, b);
   }
   if (kSpaceColor == kSpaceColor_yCoCgLifting) {
@@ -120,7 +120,7 @@ vec3 fromAxes(vec3 axes) {
 /// Luma of a color in box space.
 float boxLuma(vec3 box) { return kIsRgb ? luma(box) : box.x; }
 
-/// Scene-linear to box space: compressed (§15), then in the chosen axes, each if chosen.
+/// Scene-linear to box space: compressed (manual §15), then in the chosen axes, each if chosen.
 vec3 toBox(vec3 color) {
   precise vec3 c = color;
   if (kSpaceTone == kSpaceTone_reinhardLuma) {

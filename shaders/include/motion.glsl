@@ -1,18 +1,18 @@
-// Motion vectors: current − previous position, px, y down, jitter removed (catalogue §3). Both positions go
+// Motion vectors: current − previous position, px, y down, jitter removed (manual §3). Both positions go
 // through the same arithmetic, so that what does not move has exactly 0.
 #include "include/storage.glsl"
 
 /// The mark of a point without a previous position; kNoPreviousPosition in C++.
 const vec2 kNoPreviousPosition = vec2(kLargestHalf);
 
-/// As it is stored; the mark where the point lay behind the previous camera, at a w of 0 or less (§3, rule ii).
+/// As it is stored; the mark where the point lay behind the previous camera, at a w of 0 or less (manual §3, rule 2).
 vec2 checkedMotion(vec2 motionPx, float previousW) {
   // Comparisons are written so that NaN fails them.
   bool isVisible = previousW > 0.0 && all(lessThan(abs(motionPx), vec2(kLargestHalf)));
   return isVisible ? storedMotion(motionPx) : kNoPreviousPosition;
 }
 
-/// From interpolated clip positions (x, y, w) of both frames, divided here, per pixel (§3, rule i).
+/// From interpolated clip positions (x, y, w) of both frames, divided here, per pixel (manual §3, rule 1).
 vec2 motionFromClip(vec3 clip, vec3 previousClip) {
   precise vec2 ndc = clip.xy * (1.0 / clip.z);
   precise vec2 previousNdc = previousClip.xy * (1.0 / previousClip.z);
@@ -20,7 +20,7 @@ vec2 motionFromClip(vec3 clip, vec3 previousClip) {
   return checkedMotion(motionPx, previousClip.z);
 }
 
-/// As printed in source 001's listing of meshes (§26, D6): the current position is not divided by its w.
+/// As printed in source 001's listing of meshes (manual §26, D6): the current position is not divided by its w.
 vec2 printedMotion(vec3 clip, vec3 previousClip) {
   precise vec2 previousNdc = previousClip.xy * (1.0 / previousClip.z);
   precise vec2 motionPx = (clip.xy - previousNdc) * (vec2(0.5, -0.5) * frame.sizePx);
@@ -38,7 +38,7 @@ vec4 worldPosition(vec2 pixel, float depth) {
   return world;
 }
 
-/// Motion of a point that stands still in the world (§3.1), or infinitely far away when w = 0 (§3.2).
+/// Motion of a point that stands still in the world (manual §3.1), or infinitely far away when w = 0 (manual §3.2).
 vec2 cameraMotion(vec4 world) {
   precise vec4 clip = frame.clipFromWorld * world;
   precise vec4 previousClip = frame.previousClipFromWorld * world;

@@ -1,4 +1,4 @@
-// Noise of a pixel in a frame (catalogue §20). In: kNoise, one of kGradientNoise, kBlueNoise, kWhiteNoise; the frame's
+// Noise of a pixel in a frame (manual §20). In: kNoise, one of kGradientNoise, kBlueNoise, kWhiteNoise; the frame's
 // number, less than 256. Out: numbers from 0 to 1.
 #include "include/random.glsl"
 

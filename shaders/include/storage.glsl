@@ -1,4 +1,4 @@
-// Values as their textures keep them. Some drivers store half floats by truncation (design §8), which would
+// Values as their textures keep them. Some drivers store half floats by truncation (manual, architecture), which would
 // darken every average, so what is kept in 16 bits is rounded to nearest here.
 #include "shared/FrameBlock.h"
 

@@ -1,4 +1,4 @@
-// Curves that compress a channel, and their inverses (catalogue §15). In: scene-linear, 0 to 65504; or what the curve
+// Curves that compress a channel, and their inverses (manual §15). In: scene-linear, 0 to 65504; or what the curve
 // made of that, and whatever a box or a mix makes of those.
 
 #include "include/powers.glsl"

@@ -1,4 +1,4 @@
-// Motion of the camera alone, from the depth buffer (catalogue §3.1, §3.2): what an engine has whose objects
+// Motion of the camera alone, from the depth buffer (manual §3.1, §3.2): what an engine has whose objects
 // write no motion. Every surface is taken to stand still in the world. Specialised by kMotionSource.
 #include "include/motion.glsl"
 

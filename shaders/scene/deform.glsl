@@ -1,4 +1,4 @@
-// Vertices that move other than with their node (catalogue 3.4 to 3.7): cache, morph targets, wind, skin, in this
+// Vertices that move other than with their node (manual 3.4 to 3.7): cache, morph targets, wind, skin, in this
 // order. Specialised by kInfluenceSets, kMorphed, kCached and kWind. This frame and the previous one go through the
 // same function, so that what does not move has exactly no motion.
 layout(std430, binding = 0) readonly buffer Influences { vec4 influences[]; }; // joints, weights of each set

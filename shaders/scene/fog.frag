@@ -1,5 +1,5 @@
 // Fog laid over the shaded color. In: color, fog as it was marched; with a history the mean of the frames before.
-// Out: color, and the fog that it has got. kFogHistory: the constraint of that mean (catalogue 20.5).
+// Out: color, and the fog that it has got. kFogHistory: the constraint of that mean (manual 20.5).
 #include "include/storage.glsl"
 #include "shared/FogBlock.h"
 

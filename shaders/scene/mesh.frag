@@ -40,7 +40,7 @@ vec2 slotUv(int slot) {
   return vec2(dot(row.xyz, uv), dot(material.uvRows[2 * slot + 1].xyz, uv));
 }
 
-/// The texture of a slot. Unjittered, it is read where the pixel's center lies (catalogue 19.2); derivatives are those
+/// The texture of a slot. Unjittered, it is read where the pixel's center lies (manual 19.2); derivatives are those
 /// of the original coordinates.
 vec4 slotTexture(sampler2D map, int slot) {
   vec2 uv = slotUv(slot);
@@ -51,7 +51,7 @@ vec4 slotTexture(sampler2D map, int slot) {
   return textureGrad(map, uv + alongX * frame.jitterPx.x + alongY * frame.jitterPx.y, alongX * scale, alongY * scale);
 }
 
-/// Thresholds of an ordered 4×4 pattern; over sixteen frames each pixel has each of them once (catalogue 20.7).
+/// Thresholds of an ordered 4×4 pattern; over sixteen frames each pixel has each of them once (manual 20.7).
 float ditherThreshold() {
   const int kPattern[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;

@@ -1,5 +1,5 @@
 // The last that happens to a shaded color before the resolve. In: scene-linear color, with what is blended over it.
-// Out: the same, not negative; kClipped: no channel above 1 (catalogue 1.2); then with a noise that is one number for
+// Out: the same, not negative; kClipped: no channel above 1 (manual 1.2); then with a noise that is one number for
 // the three channels (20.1 to 20.4). kNoise, kTriangular: its form.
 #include "include/noise.glsl"
 #include "include/storage.glsl"

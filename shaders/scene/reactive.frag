@@ -1,5 +1,5 @@
 // How much blending changed a pixel: five times the largest difference of the tone-mapped channels, at most 0.9
-// (catalogue 21.5, FSR2). In: scene-linear colors. Out: the reactive mask; the responsive one stays.
+// (manual 21.5, FSR2). In: scene-linear colors. Out: the reactive mask; the responsive one stays.
 
 layout(binding = 0) uniform sampler2D u_opaque;
 layout(binding = 1) uniform sampler2D u_color; // with what was blended in

@@ -1,4 +1,4 @@
-// Mixes current and history (catalogue §14 to §16). In: scene-linear colors, α, motion in px, history length N,
+// Mixes current and history (manual §14 to §16). In: scene-linear colors, α, motion in px, history length N,
 // least α of invalid history. Out: the resolved color as it will be stored, and N after this frame.
 
 struct Blended {
@@ -9,7 +9,7 @@ struct Blended {
 const bool kWeighsByLuma = kBlendTone == kBlendTone_luma || kBlendTone == kBlendTone_lumaAsPrinted;
 const bool kMixesCompressed = !kWeighsByLuma && kBlendTone != kBlendTone_none;
 
-/// Bright colors count less (15.1, Karis 2014); as printed by the luma of the compressed color (§26, D19).
+/// Bright colors count less (15.1, Karis 2014); as printed by the luma of the compressed color (manual §26, D19).
 float toneWeight(vec3 color) {
   precise vec3 measured = color;
   if (kBlendTone == kBlendTone_lumaAsPrinted) measured = compressMax(color);

@@ -1,4 +1,4 @@
-// Decides α, the weight of the current frame, from its terms (catalogue §13): a base, damping factors, a floor, motion
+// Decides α, the weight of the current frame, from its terms (manual §13): a base, damping factors, a floor, motion
 // added to it, the time a frame takes, and more where history is invalid. In: what the stages before found. Out: α, 0
 // to 1, and that of each channel.
 
@@ -59,7 +59,7 @@ vec3 channelWeights(Samples samples, vec3 current) {
   return weight;
 }
 
-/// Bevy's confidence (§16): 10 more in each frame without motion, else 1.
+/// Bevy's confidence (manual §16): 10 more in each frame without motion, else 1.
 float confidenceAfter(float before, vec2 motion) {
   precise vec2 distances = abs(motion);
   bool isKnown = distances.x <= kNoPreviousPosition && distances.y <= kNoPreviousPosition; // NaN moves
@@ -79,7 +79,7 @@ float baseWeight(WeightInputs x) {
   if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.historyLength + 1.0);
   if (kWeightSource == kWeightSource_lumaDifference || kWeightSource == kWeightSource_lumaDifferenceCompressed)
     base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
-  if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // §26, D1
+  if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // manual §26, D1
   if (kWeightSource == kWeightSource_contrast || kHasChannelWeights) base = contrastWeight(x);
   if (kWeightSource == kWeightSource_confidence) base = confidenceWeight(x);
   if (kWeightSource == kWeightSource_depth) { // 13.8
@@ -181,7 +181,7 @@ float motionWeight(WeightInputs x, float alpha) {
   precise float share = saturated(speed / settings.weightMotionSpeed);
   precise float squared = share * share;
   precise vec2 uv = x.dilated.motion / resolveBlock.sizePx;
-  precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: §26, D11
+  precise float asPrinted = uv.x * uv.x + uv.y * uv.y; // in fractions of the picture: manual §26, D11
   if (kWeightMotion == kWeightMotion_linear || kWeightMotion == kWeightMotion_added) return share;
   if (kWeightMotion == kWeightMotion_squared) return squared;
   precise float twice = 2.0 * alpha;

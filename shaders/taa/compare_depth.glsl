@@ -1,4 +1,4 @@
-// Compares the depth that a pixel's surface had with those that history keeps around its position (catalogue 12.1), and
+// Compares the depth that a pixel's surface had with those that history keeps around its position (manual 12.1), and
 // tells a thin feature that single frames miss from another surface (13.9). Depths in m, 0: the sky.
 
 // What moves against what is known from the motion that history keeps.

@@ -1,4 +1,4 @@
-// Compares what a pixel's dilated sample belongs to with what the history around its position was of (catalogue 12.2 to
+// Compares what a pixel's dilated sample belongs to with what the history around its position was of (manual 12.2 to
 // 12.5, 13.7). The best of the 3×3 texels around counts: as wide as the jitter, and alike on all sides. What is not compared, or not kept, agrees.
 
 const bool kComparesObjects = kValidateObject || kValidateClass;

@@ -1,4 +1,4 @@
-// Chooses where motion is read (catalogue §4). In: the render texel of the pixel. Out: step to the chosen neighbor in
+// Chooses where motion is read (manual §4). In: the render texel of the pixel. Out: step to the chosen neighbor in
 // render px, its device depth, its motion in px of the picture.
 
 struct DilatedMotion {
@@ -43,7 +43,7 @@ float firstDepth(ivec2 pixel) {
 }
 
 /// The closest or the farthest. Ties, and sky all around, keep the pixel itself unless chosen otherwise. As printed the
-/// search starts from pixel (0, 0), and stays there when all is sky (§26, D4).
+/// search starts from pixel (0, 0), and stays there when all is sky (manual §26, D4).
 ivec2 findClosest(ivec2 pixel, out float closest) {
   ivec2 chosen = kIsAsPrinted ? ivec2(0) : pixel;
   closest = firstDepth(pixel);

@@ -1,4 +1,4 @@
-// Random numbers of a pixel in a frame, to round or to show colors with (catalogue 20.6, 20.8). In: the pixel. Out: 13 bits
+// Random numbers of a pixel in a frame, to round or to show colors with (manual 20.6, 20.8). In: the pixel. Out: 13 bits
 // each; white, so nothing of the jitter's period is in them.
 
 #include "include/random.glsl"

@@ -1,5 +1,5 @@
 // Finds history that rectification should leave alone, because what it shows is lost in most single frames: thin
-// features, which are locked (catalogue 17.3, FSR2), and luma that comes and goes with the jitter (17.4, FSR2).
+// features, which are locked (manual 17.3, FSR2), and luma that comes and goes with the jitter (17.4, FSR2).
 
 const bool kHolds = kRectifyLocks || kRectifyInstability;
 

@@ -70,7 +70,7 @@ float viewDepth(float depth) {
 }
 
 /// The render texel whose sample lies nearest to a pixel's center, and the way there from the center in render px:
-/// d = k + ½ − j − r·xₒ (catalogue §22). At full size the pixel itself.
+/// d = k + ½ − j − r·xₒ (manual §22). At full size the pixel itself.
 struct Place {
   ivec2 texel;
   vec2 offset;

@@ -1,4 +1,4 @@
-// Bounds the colors around the pixel by a box (catalogue §8, §10). In: scene-linear samples, filtered color and
+// Bounds the colors around the pixel by a box (manual §8, §10). In: scene-linear samples, filtered color and
 // history, speed in px, depth in m. Out: box space.
 
 struct Box {

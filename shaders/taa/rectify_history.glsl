@@ -1,4 +1,4 @@
-// Pulls history that lies outside the box back to it (catalogue §11). In: scene-linear history and filtered
+// Pulls history that lies outside the box back to it (manual §11). In: scene-linear history and filtered
 // color, neighborhood in box space, speed in px, how much of the correction is taken back. Out: scene-linear, and N;
 // history inside the box comes out untouched, bit for bit.
 

@@ -1,4 +1,4 @@
-// Where the pixel was in the previous frame (catalogue §5), or the pixel itself where history is read in place. In: the pixel, its motion in px. Out: position in px
+// Where the pixel was in the previous frame (manual §5), or the pixel itself where history is read in place. In: the pixel, its motion in px. Out: position in px
 // of the previous picture, whether there is one, whether it lies inside, and the speed.
 
 struct Reprojection {
@@ -35,7 +35,7 @@ bool isOutside(vec2 position) {
   precise vec2 last = resolveBlock.sizePx - margin;
   bool isWithin = position.x >= margin && position.x <= last.x && position.y >= margin && position.y <= last.y;
   if (kValidateOffScreen == kValidateOffScreen_keep) return false;
-  if (kValidateOffScreen == kValidateOffScreen_oneSided) return !(position.x > 0.0); // §26, D9
+  if (kValidateOffScreen == kValidateOffScreen_oneSided) return !(position.x > 0.0); // manual §26, D9
   return !isWithin;
 }
 

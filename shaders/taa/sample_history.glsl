@@ -1,4 +1,4 @@
-// Reads the accumulated picture between its pixels (catalogue §6). In: the pixel, its previous position in px, and this
+// Reads the accumulated picture between its pixels (manual §6). In: the pixel, its previous position in px, and this
 // frame's depth around it.
 // Out: scene-linear color, not negative, history length N there; all 0 without history.
 
@@ -130,7 +130,7 @@ vec3 fiveTaps(vec2 x) {
   precise vec2 w12 = w.w1 + w.w2;
   precise vec2 share = w.w2 / w12;
   Taps taps = historyTaps(ivec2(corner), share);
-  if (kIsCubic5AsPrinted) taps.right = historyTexel(ivec2(corner) + ivec2(2, -1)); // the row above: §26, D13
+  if (kIsCubic5AsPrinted) taps.right = historyTexel(ivec2(corner) + ivec2(2, -1)); // the row above: manual §26, D13
   precise vec2 beside = w12;
   if (kIsCatmullRom5Corners) {
     precise vec2 outer = w.w0 + w.w3;
@@ -264,7 +264,7 @@ HistorySample readHistory(ivec2 pixel, vec2 position, bool isEdge) {
   result.color = filteredHistory(position);
   if (kTakesEdges && isEdge) result.color = bilinearHistory(position);
   result.historyLength = historyAt(u_historySurface, ivec2(floor(position))).r;
-  if (kHistoryLength == kHistoryLength_pixelAsPrinted) // §26, D15
+  if (kHistoryLength == kHistoryLength_pixelAsPrinted) // manual §26, D15
     result.historyLength = historyAt(u_historySurface, pixel).r;
   if (kHistoryLength == kHistoryLength_bilinear) result.historyLength = bilinearLength(position);
   return result;

@@ -1,4 +1,4 @@
-// Sharpens the resolved color (catalogue §18). In: the nine resolved colors around the pixel, the place of this frame's
+// Sharpens the resolved color (manual §18). In: the nine resolved colors around the pixel, the place of this frame's
 // samples. Out: scene-linear color, storable. All differences are to the pixel itself, so that what is flat stays
 // exactly what it is, whatever the amount.
 
@@ -14,7 +14,7 @@ vec3 cornerDifference(Samples c) {
   return sum;
 }
 
-/// c·(L + k(L − mean₉ L))/L (18.1). Black has no ratio and stays black (§26, D8).
+/// c·(L + k(L − mean₉ L))/L (18.1). Black has no ratio and stays black (manual §26, D8).
 vec3 sharpenedByLuma(Samples c) {
   precise float center = luma(c.color[4]);
   precise float sum = luma(c.color[0]) - center;

@@ -1,5 +1,5 @@
 // The color at the center of a pixel of the picture, made from the samples of a smaller drawing, and how much these say
-// about it (catalogue §22). In: samples, place. Out: scene-linear color; κ, 0 to 1.
+// about it (manual §22). In: samples, place. Out: scene-linear color; κ, 0 to 1.
 
 struct CurrentColor {
   vec3 color;

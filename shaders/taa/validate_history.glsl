@@ -1,4 +1,4 @@
-// Decides whether history shows the same surface (catalogue §5, §12). In: the render texel, where depth and motion came
+// Decides whether history shows the same surface (manual §5, §12). In: the render texel, where depth and motion came
 // from, the reprojection, and what is stored with history. Out: a reject reason, and how much that weighs.
 
 #include "taa/compare_depth.glsl"
@@ -37,7 +37,7 @@ int rejectReason(Reprojection reprojection, bool isOther, GeometryMatch geometry
   return hasHistory() ? reason : kRejectReason_noHistory;
 }
 
-/// Source 002's first test of the border keeps all of the history that it finds invalid (§26, D9).
+/// Source 002's first test of the border keeps all of the history that it finds invalid (manual §26, D9).
 bool isFrozenBy(int reason) {
   return kValidateOffScreen == kValidateOffScreen_oneSided && reason == kRejectReason_offScreen;
 }

@@ -133,7 +133,7 @@ TEST_F(Lower, WeightsDecayFromTheLatestFrame) {
   EXPECT_NEAR(points[3].y(), std::pow(1.0 - alpha, 3) * alpha, 1e-12);
   EXPECT_NEAR(points[9].y(), std::pow(1.0 - alpha, 9), 1e-12) << "frame 0 had no history";
   const std::vector<QPointF>& samples = window.weights()->samples()->curves()[0].points;
-  EXPECT_NEAR(samples[9].y(), 5.13, 0.005) << "catalogue source 000";
+  EXPECT_NEAR(samples[9].y(), 5.13, 0.005) << "the Unity blog's table";
   EXPECT_TRUE(window.weights()->summary().contains("5.13 effective samples now, 19 at last"))
       << window.weights()->summary().toStdString();
 }

@@ -1,4 +1,4 @@
-// Shaded colors that are clipped before anything is averaged (catalogue 1.2).
+// Shaded colors that are clipped before anything is averaged (manual 1.2).
 #include "core/render/SceneRenderer.h"
 #include "core/render/passes/NoisePass.h"
 #include "core/scene/SceneSource.h"

@@ -1,5 +1,5 @@
 // Fog in beams against the geometry of the cones: the integral, the steps, the noise and its history
-// (catalogue 20.4, 20.5; source 001, "improving banding").
+// (manual 20.4, 20.5; source 001, "improving banding").
 #include "core/measure/References.h"
 #include "core/render/SceneRenderer.h"
 #include "tests/support/GlTest.h"

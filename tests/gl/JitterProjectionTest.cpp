@@ -1,4 +1,4 @@
-// The picture is drawn where the jittered projection says, in each of its forms (invariant 6, catalogue
+// The picture is drawn where the jittered projection says, in each of its forms (invariant 6, manual
 // §2.1).
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/MotionFixture.h"

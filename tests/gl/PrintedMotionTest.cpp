@@ -1,4 +1,4 @@
-// Motion of objects as two sources print it (catalogue §26, D6 and D16), against closed forms.
+// Motion of objects as two sources print it (manual §26, D6 and D16), against closed forms.
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/MotionFixture.h"
 

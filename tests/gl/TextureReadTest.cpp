@@ -1,4 +1,4 @@
-// How textures and transparency are read: mip bias, unjittered texture coordinates, dithered alpha (catalogue
+// How textures and transparency are read: mip bias, unjittered texture coordinates, dithered alpha (manual
 // §19, 20.7).
 #include "core/render/SceneRenderer.h"
 

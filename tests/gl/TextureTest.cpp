@@ -107,7 +107,7 @@ TEST_F(TextureTest, HoldsHalfFloatsOfElevenBits) {
   EXPECT_EQ(texture.download().pixels[0], 65504.0f);
 }
 
-// Design §3: GL_UPPER_LEFT makes texture row 0 the top of the picture.
+// Manual, conventions: GL_UPPER_LEFT makes texture row 0 the top of the picture.
 TEST_F(TextureTest, HasTheTopLeftPixelInItsFirstTexel) {
   Texture target({5, 4}, Format::RG32F, "coordinates");
   drawCoordinates(target, {});

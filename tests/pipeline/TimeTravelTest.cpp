@@ -1,5 +1,5 @@
 // Frame n is a function: however it is reached and however much is looked at, the same bits, with every
-// preset (design §2.1–3).
+// preset (manual, architecture–3).
 #include "core/inspect/Inspector.h"
 
 #include "core/base/Error.h"

@@ -184,7 +184,7 @@ TEST_F(BoxTest, IsAPointWhereColorsAreEqual) {
   }
 }
 
-// Catalogue 8.7: columns 2k and 2k + 1 have the same samples, of columns 2k − 1 to 2k + 2.
+// Manual 8.7: columns 2k and 2k + 1 have the same samples, of columns 2k − 1 to 2k + 2.
 TEST_F(BoxTest, PairsOfColumnsHaveTheSameBox) {
   taa::twin::Inputs made = taa::test::flatFrame(kShape, 0.0f);
   for (int y = 0; y < kShape.height; ++y)
@@ -199,7 +199,7 @@ TEST_F(BoxTest, PairsOfColumnsHaveTheSameBox) {
   }
 }
 
-// Catalogue 11.8.
+// Manual 11.8.
 TEST_F(BoxTest, SelectShowsOneOfTheNineBitForBit) {
   Settings settings; // balanced: the way through box space and back would change bits
   settings.rectify.method = RectifyMethod::Select;

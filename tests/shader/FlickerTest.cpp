@@ -1,4 +1,4 @@
-// Geometric flicker (catalogue 13.9): thin lines that come and go before a wall at rest, in GLSL and on the
+// Geometric flicker (manual 13.9): thin lines that come and go before a wall at rest, in GLSL and on the
 // CPU.
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/ResolveTest.h"

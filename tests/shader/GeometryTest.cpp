@@ -1,4 +1,4 @@
-// Rejection by what history was of: objects, classes, normals and motion (catalogue 12.2
+// Rejection by what history was of: objects, classes, normals and motion (manual 12.2
 // to 12.5, 12.7, 13.7).
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/ResolveTest.h"

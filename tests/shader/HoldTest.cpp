@@ -1,5 +1,5 @@
 // What rectification takes back: locks of thin features and luma that comes and goes
-// (catalogue 11.7, 17.3, 17.4).
+// (manual 11.7, 17.3, 17.4).
 #include "tests/support/CompareImages.h"
 #include "tests/support/frames/ResolveTest.h"
 

@@ -21,7 +21,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Axes of the box of each space, by its id (catalogue §9).
+/// Axes of the box of each space, by its id (manual §9).
 Names axesOf(std::string_view space) {
   if (space == "rgb") return {"R", "G", "B"};
   return space == "yCbCr" ? Names{"Y", "Cb", "Cr"} : Names{"Y", "Co", "Cg"};

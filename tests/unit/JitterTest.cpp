@@ -223,7 +223,7 @@ TEST(Jitter, MovesContentTheSameWayAtEveryDepth) {
 constexpr std::array kForms{JitterProjection::Translation, JitterProjection::AddedAsPrinted,
                             JitterProjection::ColumnAsPrinted, JitterProjection::RightAsPrinted};
 
-// Invariant 6 fails for each of the printed forms, by what each comes to (catalogue §2.1).
+// Invariant 6 fails for each of the printed forms, by what each comes to (manual §2.1).
 TEST(Jitter, MovesContentAsEachPrintedFormDoes) {
   const glm::vec2 jitter(0.375f, -0.25f);
   const auto& [perspective, orthographic] = projections();

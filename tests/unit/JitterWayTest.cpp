@@ -1,4 +1,4 @@
-// Jitter across the way the camera moves (catalogue J10).
+// Jitter across the way the camera moves (manual J10).
 #include "core/render/jitter/JitterWay.h"
 
 #include "core/render/SceneRenderer.h"

@@ -298,7 +298,7 @@ TEST(Presets, ChooseWhatTheirPeersChoose) {
       {"falcor",
        {"dilate.method=longest3x3", "history.filter=catmullRom9", "space.color=yCoCg",
         "neighborhood.box=variance", "rectify.method=clamp", "weight.alpha=0.1", "weight.nearClamp=on"}},
-      {"raptor-corrected", // what catalogue §26 says of each defect, D1 to D19
+      {"raptor-corrected", // what manual §26 says of each defect, D1 to D19
        {"inputs.motion=objects", "dilate.method=closest3x3", "history.filter=catmullRom9",
         "current.filter=mitchell", "current.jitterAware=on", "rectify.method=clampThenClip",
         "weight.source=lumaDifferenceCompressed", "weight.most=0.12", "weight.least=0.03", "blend.tone=luma",

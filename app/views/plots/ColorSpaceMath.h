@@ -39,7 +39,7 @@ struct ColorScene {
 ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& details, const Settings& settings,
                       PlotSpace space, const std::vector<WhatIfRow>& variants);
 
-/// Edges of the intersection of the slabs across `directions` that hold `points` (catalogue 9.7, 10.12).
+/// Edges of the intersection of the slabs across `directions` that hold `points` (manual 9.7, 10.12).
 std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
                                const std::vector<glm::vec3>& directions);
 /// The twelve edges of a box, as indices of its corners.

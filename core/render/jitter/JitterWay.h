@@ -1,4 +1,4 @@
-// Which way the camera moves on screen, for the jitter whose points lie across it (catalogue J10).
+// Which way the camera moves on screen, for the jitter whose points lie across it (manual J10).
 #pragma once
 
 #include <glm/vec2.hpp>

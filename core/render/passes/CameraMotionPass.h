@@ -1,4 +1,4 @@
-// Writes motion and previous depth anew from the depth buffer, as if nothing but the camera moved (catalogue
+// Writes motion and previous depth anew from the depth buffer, as if nothing but the camera moved (manual
 // §3.1).
 #pragma once
 

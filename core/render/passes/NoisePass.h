@@ -1,5 +1,5 @@
 // The last that happens to a color before the resolve: it is clipped where the settings ask for a low dynamic
-// range (catalogue 1.2), then given noise against banding (§20).
+// range (manual 1.2), then given noise against banding (manual §20).
 #pragma once
 
 #include "core/gl/RenderPass.h"

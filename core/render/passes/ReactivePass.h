@@ -1,4 +1,4 @@
-// Marks what blending changed: the difference of the opaque picture and the whole one (catalogue 21.5, FSR2).
+// Marks what blending changed: the difference of the opaque picture and the whole one (manual 21.5, FSR2).
 #pragma once
 
 #include "core/gl/RenderPass.h"

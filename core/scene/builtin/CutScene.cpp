@@ -32,7 +32,7 @@ void addPlace(SceneBuilder& builder, const std::string& name, float x, int wall,
 }
 
 /// A ball that is somewhere else every half second. Where its jumps are `known`, it has no motion in those
-/// frames (catalogue §3, rule iii); else its motion leads to where it was, far away.
+/// frames (manual §3, rule 3); else its motion leads to where it was, far away.
 void addJumper(SceneBuilder& builder, const std::string& name, const glm::vec3& glow, float z, bool known) {
   MeshBuilder ball;
   ball.ball({0, 0, 0}, 0.4f, 40);

@@ -34,14 +34,14 @@ double blackmanHarris(double r) {
 }
 
 /// The same window as Raptor's program reads it: its argument 1 − x is twice the distance too, so that it
-/// does not end at its support and comes back to 1 at distance 1 (catalogue §26, D3).
+/// does not end at its support and comes back to 1 at distance 1 (manual §26, D3).
 double blackmanHarrisAsPrinted(double distance) {
   const double angle = std::numbers::pi * (1.0 - 2.0 * distance);
   return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
          0.01168 * std::cos(3.0 * angle);
 }
 
-/// The polynomial of FSR2 and Filament near Lanczos 2 (catalogue 6.7).
+/// The polynomial of FSR2 and Filament near Lanczos 2 (manual 6.7).
 double lanczos(double x) {
   const double x2 = std::min(x * x, 4.0);
   return (x2 - 1.0) * std::pow(x2 - 4.0, 3.0) / 64.0;

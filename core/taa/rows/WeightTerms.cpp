@@ -9,7 +9,7 @@ namespace taa {
 float sampleDistanceFactor(SampleDistance form, glm::vec2 jitterPx) {
   const glm::dvec2 jitter(jitterPx);
   const double squared = jitter.x * jitter.x + jitter.y * jitter.y; // px²
-  constexpr double kVariance = 0.22;                                // of the Gaussian of catalogue 7.4, px²
+  constexpr double kVariance = 0.22;                                // of the Gaussian of manual 7.4, px²
   switch (form) {
   case SampleDistance::None:
     return 1.0f;

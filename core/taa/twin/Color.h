@@ -24,19 +24,19 @@ float luma(const glm::vec3& color);
 /// Within 0 and 1; NaN becomes 0.
 float saturated(float x);
 
-/// Highlights bounded (catalogue §15), and back.
+/// Highlights bounded (manual §15), and back.
 glm::vec3 compress(const glm::vec3& color, ToneSpace tone);
 glm::vec3 decompress(const glm::vec3& color, ToneSpace tone);
 
-/// Whether colors are compressed before they are mixed (catalogue 15.3 to 15.7); that, and back.
+/// Whether colors are compressed before they are mixed (manual 15.3 to 15.7); that, and back.
 bool mixesCompressed(ToneWeight tone);
 glm::vec3 compress(const glm::vec3& color, const BlendSettings& blend);
 glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend);
 
-/// Scene-linear color in the space the box is built in (catalogue §9, §15), and back.
+/// Scene-linear color in the space the box is built in (manual §9, §15), and back.
 glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space);
 glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space);
-/// The same axes with a way back that is not clamped as printed (§26, D7).
+/// The same axes with a way back that is not clamped as printed (manual §26, D7).
 SpaceSettings withoutClamp(const SpaceSettings& space);
 /// Luma of a color of that space.
 float boxLuma(const glm::vec3& box, const SpaceSettings& space);

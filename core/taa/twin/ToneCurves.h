@@ -1,4 +1,4 @@
-// Curves that compress a channel, and back (catalogue §15); c: scene-linear, 0 to 65504.
+// Curves that compress a channel, and back (manual §15); c: scene-linear, 0 to 65504.
 #pragma once
 
 namespace taa::twin {

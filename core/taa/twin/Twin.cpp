@@ -122,7 +122,7 @@ KeptLayers keptOf(const Geometry& geometry, const LockState& lockState) {
           lockState.keptLumas};
 }
 
-/// Rec. 601's weights, and never quite 0 (catalogue 13.11).
+/// Rec. 601's weights, and never quite 0 (manual 13.11).
 float godotLuma(const glm::vec3& c) {
   const float y = (0.299f * c.x + 0.587f * c.y) + 0.114f * c.z;
   return y > 0.0001f ? y : 0.0001f;

@@ -1,4 +1,4 @@
-// The resolve of one pixel on the CPU, written from the formulas of the catalogue, for tests and "what if"
+// The resolve of one pixel on the CPU, written from the formulas of the manual, for tests and "what if"
 // questions.
 #pragma once
 

@@ -108,7 +108,7 @@ TEST_F(FoggyShotTest, IsIntegratedFromNoiseThatMovesAndFromNoOther) {
   EXPECT_LT(moving, white);
 }
 
-// Catalogue 20.6: what α = 0.1 changes by less than half a step of 8 bits stays where it is, within 5 steps
+// Manual 20.6: what α = 0.1 changes by less than half a step of 8 bits stays where it is, within 5 steps
 // of its goal: smooth fog lies in bands. Rounded at random it moves on, and its mean comes nearer.
 TEST_F(FoggyShotTest, AnEightBitHistoryStopsInBandsUnlessItIsDithered) {
   constexpr int kFirst = 24, kLast = 55;

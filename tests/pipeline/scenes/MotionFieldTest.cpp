@@ -17,7 +17,7 @@
 namespace taa {
 namespace {
 
-constexpr int kWidth = 192; // 16:9, a tenth of the catalogue's 1920
+constexpr int kWidth = 192; // 16:9, a tenth of the manual's 1920
 constexpr int kHeight = 108;
 constexpr double kHalfDegree = std::numbers::pi / 360.0;
 const double kTanHalfFov = std::tan(std::numbers::pi / 6.0); // of the camera's 60°
@@ -106,7 +106,7 @@ TEST_F(MotionFieldTest, AnOrthographicCameraThatMovesGivesEveryDistanceTheSame) 
 }
 
 TEST_F(MotionFieldTest, YawMovesPlaneAndSkyAlike) {
-  // The catalogue's numbers (invariant 12), for a point that was at ndc 0, 0.5, 0.9 of a picture 1920 wide.
+  // The manual's numbers (invariant 12), for a point that was at ndc 0, 0.5, 0.9 of a picture 1920 wide.
   const auto moved = [](double ndc) {
     return (kP00 * std::tan(std::atan(ndc / kP00) + kHalfDegree) - ndc) * 960.0;
   };

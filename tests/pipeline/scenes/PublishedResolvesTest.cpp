@@ -1,5 +1,5 @@
 // Presets against small resolves of their own: Raptor's and Godot's algorithms written down once more,
-// straight from the published formulas (catalogue §4 to §18, §26), in doubles and with nothing of the program
+// straight from the published formulas (manual §4 to §18, §26), in doubles and with nothing of the program
 // but its inputs. Each keeps its own history from the first frame on.
 #include "tests/support/GlTest.h"
 #include "tests/support/frames/Frames.h"

@@ -1,4 +1,4 @@
-// Frames drawn smaller than the picture (catalogue §22): as the CPU twin says, and better than one frame
+// Frames drawn smaller than the picture (manual §22): as the CPU twin says, and better than one frame
 // stretched.
 #include "core/base/Error.h"
 #include "core/inspect/Inspector.h"

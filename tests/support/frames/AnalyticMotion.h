@@ -1,4 +1,4 @@
-// What motion every pixel of a frame must have, from the formulas of catalogue 3.3 to 3.7 in double
+// What motion every pixel of a frame must have, from the formulas of manual 3.3 to 3.7 in double
 // precision.
 #pragma once
 
@@ -18,7 +18,7 @@ struct MotionAgreement {
 };
 
 /// Follows the sample of each pixel through its triangle: clip positions of the three vertices now and in the
-/// frame before, weighted by where the sample lies among them (rule i of §3). Expects RG32F motion.
+/// frame before, weighted by where the sample lies among them (rule 1 of manual §3). Expects RG32F motion.
 MotionAgreement compareMotion(const Scene& scene, const FrameInputs& inputs);
 
 } // namespace taa::test

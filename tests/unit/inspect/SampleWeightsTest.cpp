@@ -1,4 +1,4 @@
-// How much frames count in an accumulated pixel: the catalogue's numbers, and patterns whose figures are
+// How much frames count in an accumulated pixel: the manual's numbers, and patterns whose figures are
 // known.
 #include "core/probe/SampleWeights.h"
 
@@ -38,7 +38,7 @@ TEST(SampleWeights, AreEqualUnderARunningMean) {
 }
 
 TEST(SampleWeights, CountTheSamplesThatTheCatalogueGives) {
-  // Catalogue source 000, α = 0.1: 2.17 after 5 frames, 5.13 after 10, 9.78 after 15, 19 at last.
+  // Manual source 000, α = 0.1: 2.17 after 5 frames, 5.13 after 10, 9.78 after 15, 19 at last.
   const std::vector<double> counts = effectiveSamplesOver(constantAlphas(0.1, 400));
   EXPECT_NEAR(counts[4], 2.17, 0.005);
   EXPECT_NEAR(counts[9], 5.13, 0.005);

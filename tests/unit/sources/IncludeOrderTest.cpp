@@ -1,4 +1,5 @@
-// Reads the sources and holds them to the directions of design §4 and the file rules of the house style.
+// Reads the sources and holds them to the directions of manual, architecture and the file rules of the house
+// style.
 #include "core/base/Files.h"
 
 #include <gtest/gtest.h>
@@ -67,8 +68,8 @@ std::string roomOf(const std::string& path) {
   return match[2].matched ? match[2].str() : "thread";
 }
 
-/// The floors of the house, the ground first (design §4): a room includes what stands on floors below its
-/// own.
+/// The floors of the house, the ground first (manual, architecture): a room includes what stands on floors
+/// below its own.
 const std::vector<std::vector<std::string>>& floors() {
   static const std::vector<std::vector<std::string>> kFloors = {
       {"shaders"},

@@ -1,5 +1,5 @@
 // What single techniques do to hand-made pixels, set as the table of techniques names them, and predicted
-// from the formulas of the catalogue. TechniquesTest lists which test shows which row.
+// from the formulas of the manual. TechniquesTest lists which test shows which row.
 #include "core/render/jitter/Jitter.h"
 #include "core/settings/Parameters.h"
 #include "tests/support/frames/TwinInputs.h"
@@ -35,7 +35,7 @@ glm::vec3 valueOf(const Inputs& inputs, const Settings& settings, IntermediateId
   return glm::vec3(at(resolvePixel(inputs, settings, pixel.x, pixel.y), id));
 }
 
-// ---- Jitter, catalogue 2.2
+// ---- Jitter, manual 2.2
 
 std::vector<glm::vec2> pointsOf(const char* sequence) {
   Settings settings = with({"jitter.firstIndex=0"});
@@ -91,7 +91,7 @@ TEST(TechniqueEffect, TheFirstIndexMovesASequenceOnByFrames) {
   }
 }
 
-// ---- Dilation, catalogue §4
+// ---- Dilation, manual §4
 
 /// 7×7 texels at 1 m; (3, 3) has two special neighbors: one above it, one to the lower right.
 Inputs twoNeighbors(const glm::vec2& nearness, const glm::vec2& speed) {
@@ -132,7 +132,7 @@ TEST(TechniqueEffect, EachDilationLooksAtItsOwnNeighbors) {
   EXPECT_EQ(offset("closest3x3", cornerFastest), own) << "speed does not matter to it";
 }
 
-// Catalogue §26, D4: a far-plane neighborhood returns the pixel in the picture's corner.
+// Manual §26, D4: a far-plane neighborhood returns the pixel in the picture's corner.
 TEST(TechniqueEffect, ClosestAsPrintedGivesTheSkyTheMotionOfTheCorner) {
   Inputs inputs = test::constantInputs(7, 5, glm::vec3(0.5f));
   for (float& depth : inputs.depth.pixels) depth = 0.0f;
@@ -145,7 +145,7 @@ TEST(TechniqueEffect, ClosestAsPrintedGivesTheSkyTheMotionOfTheCorner) {
   EXPECT_EQ(motion("dilate.method=closest3x3"), 2.0f);
 }
 
-// ---- Off the screen, catalogue §5
+// ---- Off the screen, manual §5
 
 TEST(TechniqueEffect, EachRuleOfTheBorderHasItsOwnInside) {
   Inputs inputs = test::constantInputs(8, 4, glm::vec3(0.5f));
@@ -165,7 +165,7 @@ TEST(TechniqueEffect, EachRuleOfTheBorderHasItsOwnInside) {
   EXPECT_TRUE(isKept("oneSided", 8.125f)) << "the right edge is not tested: D9";
 }
 
-// ---- History filters, catalogue §6
+// ---- History filters, manual §6
 
 using Kernel = std::array<double, 4>;
 
@@ -235,7 +235,7 @@ TEST(TechniqueEffect, DeringingKeepsHistoryWithinWhatItWasMadeFrom) {
       << "6.10: never below 0";
 }
 
-// ---- Current filters, catalogue §7
+// ---- Current filters, manual §7
 
 /// 3×3 texels of which only the named ones are not black.
 Inputs grays(const std::array<float, 9>& values) {
@@ -281,7 +281,7 @@ TEST(TechniqueEffect, DeringingKeepsTheFilteredColorWithinTheNine) {
   }
 }
 
-// ---- The space of the box, catalogue §9
+// ---- The space of the box, manual §9
 
 TEST(TechniqueEffect, AxesOfTheBoxAreThoseOfTheSpace) {
   const float r = 0.75f, g = 0.25f, b = 0.5f;
@@ -302,7 +302,7 @@ TEST(TechniqueEffect, AxesOfTheBoxAreThoseOfTheSpace) {
   expectMean("space.tone=logarithm", {std::log2(1 + r), std::log2(1 + g), std::log2(1 + b)});
 }
 
-// ---- Neighborhoods, boxes: catalogue §8, §10
+// ---- Neighborhoods, boxes: manual §8, §10
 
 struct Range {
   float low, high;
@@ -380,7 +380,7 @@ TEST(TechniqueEffect, GammaFollowsMotionHeightAndContrast) {
       << "lumas 1 and about 0.25: more than 0.55 of the larger, so all of the growth";
 }
 
-// ---- Rectification, catalogue §11
+// ---- Rectification, manual §11
 
 /// Samples whose mean is their middle in each channel: 0 or 1 around ½, so μ ± γσ is symmetric about ½.
 struct Rectified {
@@ -419,7 +419,7 @@ TEST(TechniqueEffect, MethodsEndWhereTheirFormulasSay) {
              "select"); // |h − 1|² = 3.06 is the least of the grays'
 }
 
-// Catalogue 10.5: clamped to the samples' box, then clipped to the center of the variance box.
+// Manual 10.5: clamped to the samples' box, then clipped to the center of the variance box.
 TEST(TechniqueEffect, ClampThenClipGoesBothWaysInTurn) {
   const float deviation = std::sqrt(8.0f * 0.25f / 9.0f); // eight samples ½ from the mean
   const glm::vec3 value =
@@ -437,7 +437,7 @@ TEST(TechniqueEffect, ClampThenClipGoesBothWaysInTurn) {
   EXPECT_LT(value.z, clipped.z - 0.05f) << "from where it was, the way is another";
 }
 
-// Catalogue 11.4: the hit of the ray to the current color, unless it is farther than T.
+// Manual 11.4: the hit of the ray to the current color, unless it is farther than T.
 TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
   // From 2½ to the current ½ the box's wall at 1 is three quarters of the way.
   const glm::vec3 hit =
@@ -453,7 +453,7 @@ TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
   EXPECT_NEAR(far.y, 0.5f, 1e-6f);
 }
 
-// Catalogue 11.6, 17.2: κ = κmin + (1 − κmin)·min(1, (‖v‖/θ)²).
+// Manual 11.6, 17.2: κ = κmin + (1 − κmin)·min(1, (‖v‖/θ)²).
 TEST(TechniqueEffect, AtRestOnlyAPartOfTheCorrectionIsApplied) {
   const auto at = [](float speed) {
     return rectified(glm::vec3(2.5f),
@@ -474,7 +474,7 @@ TEST(TechniqueEffect, AtRestOnlyAPartOfTheCorrectionIsApplied) {
   EXPECT_EQ(rectified(glm::vec3(2.5f), {"rectify.method=clamp", "rectify.relaxAtRest=off"}).strength, 1.0f);
 }
 
-// ---- Validation and weight, catalogue §12, §13, §15
+// ---- Validation and weight, manual §12, §13, §15
 
 TEST(TechniqueEffect, WhatIsFasterThanTheLimitHasNoHistory) {
   Inputs inputs = test::constantInputs(64, 4, glm::vec3(0.5f));
@@ -488,7 +488,7 @@ TEST(TechniqueEffect, WhatIsFasterThanTheLimitHasNoHistory) {
   EXPECT_EQ(reason("validate.speed=off", 20.5f), 0.0f);
 }
 
-// Catalogue §26, D19: the luma of c/(1 + max c).
+// Manual §26, D19: the luma of c/(1 + max c).
 TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(100.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 4.0f);
@@ -500,7 +500,7 @@ TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
   EXPECT_EQ(weight("blend.tone=none"), 1.0f);
 }
 
-// Catalogue 13.11, §26, D17: 0.1·(1 − 1/1.001)² of a change from 0 to 1, and a floor of α that ends it.
+// Manual 13.11, §26, D17: 0.1·(1 − 1/1.001)² of a change from 0 to 1, and a floor of α that ends it.
 TEST(TechniqueEffect, LumaCalmsAlphaToNothingWithoutAFloor) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 9.0f);

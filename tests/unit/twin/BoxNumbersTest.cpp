@@ -64,7 +64,7 @@ TEST(BoxNumbers, ShrunkChromaIsAnEighthOfTheLumaRangeAboutThePixel) {
   }
 }
 
-// Catalogue 10.9: γ·clamp(1.1·1080/H, ¾, 1).
+// Manual 10.9: γ·clamp(1.1·1080/H, ¾, 1).
 TEST(BoxNumbers, TallPicturesHaveATighterBox) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(0.5f));
   Settings settings = test::plainSettings();
@@ -106,7 +106,7 @@ TEST(BoxNumbers, TheWayBackAsPrintedEndsAtWhite) {
   const auto back = [](const glm::vec3& color, const SpaceSettings& space) {
     return fromBox(toBox(color, space), space);
   };
-  EXPECT_EQ(back({4.0f, 2.0f, 1.0f}, printed), glm::vec3(1.0f)) << "§26, D7";
+  EXPECT_EQ(back({4.0f, 2.0f, 1.0f}, printed), glm::vec3(1.0f)) << "manual §26, D7";
   EXPECT_EQ(back({4.0f, 2.0f, 1.0f}, withoutClamp(printed)), glm::vec3(4.0f, 2.0f, 1.0f));
   EXPECT_EQ(back({-1.0f, 0.25f, 0.5f}, printed), glm::vec3(0.0f, 0.25f, 0.5f));
   EXPECT_EQ(fromBox(glm::vec3(std::nanf("")), printed), glm::vec3(0.0f));

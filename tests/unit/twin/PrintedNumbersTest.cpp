@@ -1,4 +1,4 @@
-// What the sources' own formulas give for hand-made pixels (catalogue §26 and the rows that cite a source):
+// What the sources' own formulas give for hand-made pixels (manual §26 and the rows that cite a source):
 // every number here was computed by hand from the printed formula.
 #include "tests/support/frames/TwinInputs.h"
 
@@ -18,14 +18,14 @@ float mixedGray(const Settings& settings) {
   return at(resolvePixel(inputs, settings, 1, 1), IntermediateId::resolved).x;
 }
 
-// Raptor's shader was run with these two grays and gave 0.520 (§26, D1). Compressed by their largest channel
-// they are 1/3 and 3/8: u = 8/9, α = 64/81, weights 1/(1 + 1/3) and 1/(1 + 3/8).
+// Raptor's shader was run with these two grays and gave 0.520 (manual §26, D1). Compressed by their largest
+// channel they are 1/3 and 3/8: u = 8/9, α = 64/81, weights 1/(1 + 1/3) and 1/(1 + 3/8).
 TEST(PrintedNumbers, RaptorsShaderMixesHalfAndSixTenthsToItsNumber) {
   Settings settings = test::plainSettings();
   settings.weight = {AlphaSource::LumaDifferenceAsPrinted, 0.1f, 0.0f};
   settings.blend.tone = ToneWeight::LumaAsPrinted;
   EXPECT_NEAR(mixedGray(settings), 0.520482f, 1e-6f);
-  // With the weights as they were meant the catalogue expects about 0.58.
+  // With the weights as they were meant about 0.58 is right.
   settings.weight.source = AlphaSource::LumaDifferenceCompressed;
   settings.weight.most = 1.0f;
   settings.weight.least = 0.0f;

@@ -1,4 +1,4 @@
-// Rectification that looks at the nine samples and not at a box around them (catalogue 9.7, 11.8; invariants
+// Rectification that looks at the nine samples and not at a box around them (manual 9.7, 11.8; invariants
 // 34, 41).
 #include "tests/support/frames/TwinInputs.h"
 

@@ -187,7 +187,7 @@ TEST(TwinBlend, ToneWeightsTameFireflies) {
   EXPECT_FLOAT_EQ(gray(100.0f), 10.0f);
 }
 
-// Catalogue 15.5 to 15.7: the mean of what the curve makes of both.
+// Manual 15.5 to 15.7: the mean of what the curve makes of both.
 TEST(TwinBlend, CurvesMixAsTheyCompress) {
   Settings settings = constantAlpha(0.1f);
   const auto gray = [&settings](ToneWeight tone, float current, float history) {
@@ -298,7 +298,7 @@ TEST(TwinBlend, DitherKeepsWhatCanBeStoredAndRoundsTheRestToEitherSide) {
   }
 }
 
-// Catalogue 20.6: the noise must not go with the jitter's period.
+// Manual 20.6: the noise must not go with the jitter's period.
 TEST(TwinBlend, DitherIsWhiteOverFramesPixelsAndChannels) {
   const Settings settings = storedAs(Precision::Unorm8, Switch::On);
   BlendInputs mix{.current = glm::vec3(0.5f / 255.0f), .alpha = 1.0f}; // 0 or 1/255, even odds
@@ -325,7 +325,7 @@ TEST(TwinBlend, DitherIsWhiteOverFramesPixelsAndChannels) {
   EXPECT_LT(std::abs(acrossChannels), limit);
 }
 
-// Catalogue 14.2: (w_s s + w_h h)/(w_s + w_h) of each channel by itself.
+// Manual 14.2: (w_s s + w_h h)/(w_s + w_h) of each channel by itself.
 TEST(TwinBlend, ChannelsAreMixedByTheirOwnWeights) {
   Settings settings = test::plainSettings();
   settings.weight.source = AlphaSource::ContrastPerChannel;
@@ -371,7 +371,7 @@ TEST(TwinBlend, ConfidenceFreezesEarlySamples) {
   settings.blend.length = LengthRule::Confidence;
   Inputs inputs = test::constantInputs(1, 1, glm::vec3(0.5f));
   test::advance(inputs, settings, 0, 0);
-  double samples = 1.0; // what the weights average, N of §16
+  double samples = 1.0; // what the weights average, N of manual §16
   const std::array expected{0.0909, 0.0476, 0.0323, 0.0244, 0.0196, 0.0164, 0.015, 0.015};
   for (int frame = 1; frame <= 100; ++frame) {
     const PixelRecord record = test::advance(inputs, settings, 0, 0);

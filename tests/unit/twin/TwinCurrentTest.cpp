@@ -67,8 +67,8 @@ TEST(TwinCurrent, MovesAJitteredRampBackToTheCenter) {
   }
 }
 
-// Invariant 33: a tap at p + j gives the ramp at rest, one at p − j, as source 002's text has it (§26, D10),
-// is off by 2 j.
+// Invariant 33: a tap at p + j gives the ramp at rest, one at p − j, as source 002's text has it (manual §26,
+// D10), is off by 2 j.
 TEST(TwinCurrent, UnjitteringAsPrintedDoublesTheJitter) {
   for (const float jitter : {-0.5f, -0.25f, 0.25f, 0.5f}) {
     Inputs inputs = test::constantInputs(5, 1, glm::vec3(0.0f));

@@ -38,7 +38,7 @@ TEST(TwinHistory, CubicWeightsAreCatmullRoms) {
   }
 }
 
-// Catalogue 6.4c: Σw = 1, so a constant stays without a division, and a ramp is off by half of what its share
+// Manual 6.4c: Σw = 1, so a constant stays without a division, and a ramp is off by half of what its share
 // of the corners is.
 TEST(TwinHistory, CornersFromTheirNeighborsKeepConstantsAndRampsNearly) {
   const HistorySettings settings{HistoryFilter::CatmullRom5Corners, Switch::Off, Precision::Full};
@@ -80,7 +80,7 @@ TEST(TwinHistory, FiveTapsOfTheCubicAreCatmullRomsAtOneHalf) {
   EXPECT_GT(difference, 0.01f);
 }
 
-// Catalogue §26, D13.
+// Manual §26, D13.
 TEST(TwinHistory, AsHdrpPrintsItTheRightTapComesFromTheRowAbove) {
   HistorySettings cubic{HistoryFilter::Cubic5, Switch::Off, Precision::Full};
   HistorySettings printed = cubic;
@@ -101,7 +101,7 @@ TEST(TwinHistory, AsHdrpPrintsItTheRightTapComesFromTheRowAbove) {
       << "rows alike: the wrong row does not show";
 }
 
-// Catalogue 6.8.
+// Manual 6.8.
 TEST(TwinHistory, ReadsOneTapWhereDepthHasAnEdge) {
   Inputs inputs = withHistory(12, 8, glm::vec3(0.0f));
   for (int k = 0; k < 96; ++k)
@@ -140,7 +140,7 @@ TEST(TwinHistory, BilinearMixesTheFourTexelsAround) {
   EXPECT_EQ(bilinearHistory(inputs, {-5.0f, 9.0f}).x, 8.0f);   // clamped to the edge
 }
 
-// Catalogue 5.4: what lies beyond the picture is black, and what is read near the border is mixed with it.
+// Manual 5.4: what lies beyond the picture is black, and what is read near the border is mixed with it.
 TEST(TwinHistory, ABlackBorderDarkensWhatIsReadAcrossIt) {
   Inputs inputs = withHistory(4, 4, glm::vec3(1.0f));
   const auto read = [&](HistoryFilter filter, HistoryBorder border, const glm::vec2& position) {
@@ -163,7 +163,7 @@ TEST(TwinHistory, ABlackBorderDarkensWhatIsReadAcrossIt) {
   EXPECT_NEAR(read(HistoryFilter::CatmullRom16, HistoryBorder::Black, {0.25f, 2.5f}), w[2] + w[3], 1e-6f);
 }
 
-// Bevy's slip (§26, D15): N of the pixel, whatever surface was there.
+// Bevy's slip (manual §26, D15): N of the pixel, whatever surface was there.
 TEST(TwinHistory, AsBevyPrintsItNIsOfTheOwnPixel) {
   Inputs inputs = withHistory(8, 1, glm::vec3(0.5f));
   for (int x = 0; x < 8; ++x) inputs.historySurface.at(x, 0)[0] = static_cast<float>(x + 1);

@@ -37,7 +37,7 @@ constexpr SpaceSettings kRgb{ColorSpace::Rgb, ToneSpace::Linear};
 constexpr SpaceSettings kYCoCg{ColorSpace::YCoCg, ToneSpace::Linear};
 constexpr SpaceSettings kToned{ColorSpace::YCoCg, ToneSpace::ReinhardLuma};
 
-// Catalogue 8.8, as invariant 33: rendered with jitter j, pixel p holds what belongs to p − j.
+// Manual 8.8, as invariant 33: rendered with jitter j, pixel p holds what belongs to p − j.
 TEST(TwinNeighborhood, TapsAtTheJitterFindTheSamplesOfARampWhereTheyWouldBeWithoutIt) {
   const auto ramp = [](float x, float y) { return 8.0f + 0.5f * x + 0.25f * y; };
   NeighborhoodSettings settings{NeighborhoodShape::Square3x3, BoxKind::MinMax, 1.0f, Switch::Off};
@@ -78,7 +78,7 @@ Neighborhood tapsOfARamp(const NeighborhoodInputs& moved, const glm::vec2& jitte
   return measureNeighborhood(inputs, all, glm::vec3(0.0f), {3, 3}, moved);
 }
 
-// Catalogue 8.5: κ = ½ + 0.1667·sat(½/(‖v‖·z)).
+// Manual 8.5: κ = ½ + 0.1667·sat(½/(‖v‖·z)).
 TEST(TwinNeighborhood, TapsVaryWithSpeedAndDepth) {
   struct Case {
     float speed, depth, reach;
@@ -120,7 +120,7 @@ TEST(TwinNeighborhood, TheCenterIsNoneOfTheTapsThatVary) {
   EXPECT_EQ(n.samples[4], glm::vec3(1.0f));
 }
 
-// Catalogue 8.7, MiniEngine: both columns of a pair have the same seven.
+// Manual 8.7, MiniEngine: both columns of a pair have the same seven.
 TEST(TwinNeighborhood, PairsOfColumnsHaveTheSameSeven) {
   Inputs inputs = test::constantInputs(7, 3, glm::vec3(0.0f));
   for (int k = 0; k < 21; ++k)

@@ -1,4 +1,4 @@
-// What the CPU twin shows of a resolved picture (catalogue §18, 14.4; invariant 62).
+// What the CPU twin shows of a resolved picture (manual §18, 14.4; invariant 62).
 #include "tests/support/frames/TwinInputs.h"
 
 #include "core/taa/twin/Color.h"
@@ -258,7 +258,7 @@ Settings withDither() {
   return settings;
 }
 
-// Catalogue 20.8; invariant 64: mean 0, variance 1/6, from −1 to 1.
+// Manual 20.8; invariant 64: mean 0, variance 1/6, from −1 to 1.
 TEST(TwinOutput, ScreenNoiseIsTriangular) {
   double sum = 0.0, squares = 0.0;
   float most = 0.0f;

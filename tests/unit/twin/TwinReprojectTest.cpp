@@ -53,7 +53,7 @@ TEST(TwinDilate, TakesTheFirstOfEquallyNearNeighborsAndStaysInThePicture) {
   EXPECT_EQ(dilateMotion(inputs, kClosest, {0, 1}).offset, glm::ivec2(0, 1));
 }
 
-// Catalogue §26, D13: with each tap the depth of the next one is kept, and step() holds for equal depths:
+// Manual §26, D13: with each tap the depth of the next one is kept, and step() holds for equal depths:
 // from the first that is no farther than the pixel on, each is compared with itself, and the last of them
 // wins.
 TEST(TwinDilate, AsHdrpPrintsItTheLowerLeftWinsWhereAnyIsNoFarther) {

@@ -1,4 +1,4 @@
-// The twin's upsampling against numbers worked out by hand (catalogue §22).
+// The twin's upsampling against numbers worked out by hand (manual §22).
 #include "core/taa/twin/stages/Upsample.h"
 
 #include "core/render/SceneRenderer.h"

@@ -1,4 +1,4 @@
-// Validation and α of the CPU twin (catalogue 5.1, 12.1, 13.1, 13.3).
+// Validation and α of the CPU twin (manual 5.1, 12.1, 13.1, 13.3).
 #include "tests/support/frames/TwinInputs.h"
 
 #include "core/taa/twin/stages/Stages.h"

@@ -1,4 +1,4 @@
-// Terms of α of the CPU twin (catalogue §13; invariants 51, 53, 59).
+// Terms of α of the CPU twin (manual §13; invariants 51, 53, 59).
 #include "tests/support/frames/TwinInputs.h"
 
 #include "core/taa/TaaPass.h"
@@ -21,7 +21,7 @@ float alphaOf(const WeightSettings& settings, const WeightInputs& weighed) {
   return blendWeight(settings, 4.0f, 0.0f, weighed).alpha;
 }
 
-// Catalogue 7.7: as the Gaussian of 7.4 weighs one sample.
+// Manual 7.7: as the Gaussian of 7.4 weighs one sample.
 TEST(TwinWeight, FallsWithTheDistanceOfTheSample) {
   WeightSettings settings = constant(0.5f);
   settings.sampleDistance = SampleDistance::Gaussian;
@@ -33,7 +33,7 @@ TEST(TwinWeight, FallsWithTheDistanceOfTheSample) {
   EXPECT_EQ(alphaOf(settings, weighed), 0.5f);
 }
 
-// Catalogue 13.6, Donut: α·max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²).
+// Manual 13.6, Donut: α·max(smoothstep(0, 1, ‖v‖), 1 − ‖j‖²).
 TEST(TwinWeight, DonutsParabolaIsLiftedByMotion) {
   WeightSettings settings = constant(0.5f);
   settings.sampleDistance = SampleDistance::Parabola;
@@ -63,7 +63,7 @@ TEST(TwinWeight, TheResolveIsGivenTheSameDistancesAndTimes) {
   EXPECT_EQ(frameEighths(1.0, 1000.0f), 64) << "never more than eight frames";
 }
 
-// Catalogue 13.6, HDRP: 2α at 50 px, and no more.
+// Manual 13.6, HDRP: 2α at 50 px, and no more.
 TEST(TwinWeight, MotionDoublesAlphaAndStops) {
   WeightSettings settings = constant(0.125f);
   settings.motion = MotionAlpha::Doubled;
@@ -77,7 +77,7 @@ TEST(TwinWeight, MotionDoublesAlphaAndStops) {
   EXPECT_EQ(blendWeight(settings, 4.0f, 0.0f, {.speed = 50.0f}).motion, 0.25f);
 }
 
-// Catalogue 13.11: Godot measures after c/(1 + c) against 1.001, Filament against the larger luma.
+// Manual 13.11: Godot measures after c/(1 + c) against 1.001, Filament against the larger luma.
 TEST(TwinWeight, LumaMayBeMeasuredCompressed) {
   WeightSettings settings = constant(0.5f);
   settings.lumaFlicker = Switch::On;
@@ -114,7 +114,7 @@ TEST(TwinWeight, TwoHalfFramesWeighAsOne) {
   EXPECT_EQ(blendWeight(constant(0.36f), 4.0f, 0.0f, {.stepSeconds = 1.0}).alpha, 0.36f);
 }
 
-// Catalogue 13.14, 14.2: β = lerp(0.25, 0.85, κ) of each channel.
+// Manual 13.14, 14.2: β = lerp(0.25, 0.85, κ) of each channel.
 TEST(TwinWeight, ContrastWeighsEachChannelByItself) {
   WeightSettings settings = constant(0.5f);
   settings.source = AlphaSource::ContrastPerChannel;

@@ -25,7 +25,7 @@ float toneWeight(const glm::vec3& color, ToneWeight tone) {
   return 1.0f;
 }
 
-/// The mix itself, of compressed colors where the choice says so (catalogue 15.3 to 15.7). `keepsHistory`: a
+/// The mix itself, of compressed colors where the choice says so (manual 15.3 to 15.7). `keepsHistory`: a
 /// share of 0 leaves it as it is, even then (invariant 65).
 glm::vec3 mixed(const glm::vec3& current, const glm::vec3& history, const glm::vec3& k,
                 const BlendSettings& settings, bool keepsHistory) {
@@ -55,7 +55,7 @@ float ditheredHalf(float x, std::uint32_t number) {
   return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + number) & 0xFFFFE000u);
 }
 
-/// A channel as the history holds it (catalogue 1.6, 14.7, 20.6).
+/// A channel as the history holds it (manual 1.6, 14.7, 20.6).
 float asStored(const HistorySettings& settings, float x, const BlendInputs& mix, std::uint32_t channel) {
   const bool isDithered = settings.dither == Switch::On;
   const std::uint32_t number = isDithered ? randomBits(mix.pixel, mix.frame, channel) : 0;
@@ -73,7 +73,7 @@ float asStored(const HistorySettings& settings, float x, const BlendInputs& mix,
   return x;
 }
 
-/// N after the frame (catalogue §16), of a sample of confidence κ.
+/// N after the frame (manual §16), of a sample of confidence κ.
 float lengthAfter(const Settings& settings, const BlendInputs& mix) {
   const LengthRule rule = settings.blend.length;
   const float alpha = mix.alpha, before = mix.historyLength, confidence = mix.confidence;

@@ -36,9 +36,9 @@ struct WeightInputs {
   bool isFrozen = false; ///< nothing of the current frame is taken
   bool decays = false;   ///< what is rejected is added to α
 };
-/// Bevy's confidence after a frame (catalogue §16).
+/// Bevy's confidence after a frame (manual §16).
 float confidenceAfter(float before, const glm::vec2& motionPx);
-/// Terms of α, the weight of the current frame (catalogue §13).
+/// Terms of α, the weight of the current frame (manual §13).
 struct Weights {
   float base = 0.0f;
   float floor = 0.0f;
@@ -57,7 +57,7 @@ Weights blendWeight(const WeightSettings& settings, float historyLength, float i
 Weights blendWeight(const Settings& settings, float historyLength, float invalid,
                     const WeightInputs& weighed);
 
-/// The output (catalogue §14–16).
+/// The output (manual §14–16).
 struct Blended {
   float toneWeightCurrent = 1.0f;
   float toneWeightHistory = 1.0f;
@@ -80,7 +80,7 @@ struct BlendInputs {
 };
 Blended blend(const Settings& settings, const BlendInputs& mix);
 
-/// The middle of nine resolved colors sharpened (catalogue §18), `current`: this frame's; 3×3, row-major.
+/// The middle of nine resolved colors sharpened (manual §18), `current`: this frame's; 3×3, row-major.
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& resolved,
                   const std::array<glm::vec3, 9>& current);
 /// What of it formulas are made of: RCAS's lobe, of nine colors with bounded highlights, and the mean that
@@ -89,7 +89,7 @@ float rcasLobe(const std::array<glm::vec3, 9>& compressed, float amount);
 glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current);
 /// Each color divided by 1 + its largest channel.
 std::array<glm::vec3, 9> compressMax(const std::array<glm::vec3, 9>& colors);
-/// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (§18, 14.4).
+/// What is shown of a pixel of `inputs.resolved`, which may be larger than the inputs (manual §18, 14.4).
 struct Shown {
   float detail = 0.0f; ///< luma that sharpening adds
   float trust = 1.0f;  ///< share of the resolved color

@@ -81,7 +81,7 @@ float slopeBetween(const Inputs& inputs, const glm::ivec2& drawn, const glm::ive
   return isBetween ? std::min(std::fabs(own - before), std::fabs(after - own)) : 0.0f;
 }
 
-/// τ and the share of the surface's slope (catalogue 12.1: grazing surfaces need a slope term).
+/// τ and the share of the surface's slope (manual 12.1: grazing surfaces need a slope term).
 float allowedMismatch(const Inputs& inputs, const ValidateSettings& settings, const glm::ivec2& chosen,
                       float expected) {
   if (expected == 0.0f || inputs.depth.texel(chosen.x, chosen.y).x == 0.0f) return settings.depthTolerance;

@@ -1,4 +1,4 @@
-// Depth of now against that of history, on the CPU (catalogue 12.1, 13.9).
+// Depth of now against that of history, on the CPU (manual 12.1, 13.9).
 #pragma once
 
 #include "core/taa/twin/stages/SampleStages.h"

@@ -28,7 +28,7 @@ glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
   return a + fraction * (b - a);
 }
 
-/// A texel of the history; beyond the border that of the edge, or black (catalogue 5.4).
+/// A texel of the history; beyond the border that of the edge, or black (manual 5.4).
 glm::vec3 storedColor(const Inputs& inputs, HistoryBorder border, const glm::ivec2& texel) {
   const glm::ivec2 inside = clampedToPicture(texel, inputs);
   if (border == HistoryBorder::Black && inside != texel) return glm::vec3(0.0f);
@@ -42,7 +42,7 @@ glm::vec3 bilinear(const Inputs& inputs, HistoryBorder border, const AxisPlace& 
   return lerp(upper, lower, y.fraction);
 }
 
-/// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (catalogue 6.4) unless
+/// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (manual 6.4) unless
 /// as printed (6.4b), or each corner given to its two neighbors (6.4c).
 Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const AxisPlace x = placeAt(position.x);
@@ -72,7 +72,7 @@ Taps fiveTaps(const Inputs& inputs, const glm::vec2& position, const HistorySett
   return taps;
 }
 
-/// Nine bilinear taps: equal to sixteen texels (catalogue 6.3).
+/// Nine bilinear taps: equal to sixteen texels (manual 6.3).
 Taps catmullRom9(const Inputs& inputs, const glm::vec2& position, HistoryBorder border) {
   const AxisPlace px = placeAt(position.x);
   const AxisPlace py = placeAt(position.y);
@@ -90,7 +90,7 @@ Taps catmullRom9(const Inputs& inputs, const glm::vec2& position, HistoryBorder 
   return taps;
 }
 
-/// Sixteen texels with the kernel's weights (catalogue 6.2, 6.5 to 6.7).
+/// Sixteen texels with the kernel's weights (manual 6.2, 6.5 to 6.7).
 Taps sixteenTexels(const Inputs& inputs, const glm::vec2& position, const HistorySettings& settings) {
   const AxisPlace x = placeAt(position.x);
   const AxisPlace y = placeAt(position.y);
@@ -163,7 +163,7 @@ float bilinearLength(const Inputs& inputs, const glm::vec2& position) {
   return top + y.fraction * (bottom - top);
 }
 
-/// Whether view depth spans more than a share of the farthest among the nine pixels (catalogue 6.8).
+/// Whether view depth spans more than a share of the farthest among the nine pixels (manual 6.8).
 bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
   constexpr float kSky = 1e30f; // m
   float nearest = kSky, farthest = 0.0f;

@@ -18,9 +18,9 @@ struct NeighborhoodSample {
   glm::vec3 color{0.0f};    ///< scene-linear
   std::size_t distance = 0; ///< steps from the center along the axes that it weighs as, 0 to 2
 };
-/// What it counts for mean and deviation (catalogue 10.7).
+/// What it counts for mean and deviation (manual 10.7).
 float momentWeight(const Settings& settings, const NeighborhoodSample& member);
-/// The colors around the pixel and the box that bounds them, box space (catalogue §8–10).
+/// The colors around the pixel and the box that bounds them, box space (manual §8–10).
 struct Neighborhood {
   glm::vec3 mean{0.0f};
   glm::vec3 deviation{0.0f};
@@ -57,10 +57,10 @@ struct Rectified {
 /// Of the methods that need no more than the box (11.1 to 11.3).
 Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
                const glm::vec3& boxMax);
-/// Directions across which a method measures slabs around the samples, in box space (catalogue 9.7, 10.12);
+/// Directions across which a method measures slabs around the samples, in box space (manual 9.7, 10.12);
 /// none where it has no slabs.
 std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space);
-/// Number of the sample that is nearest to a color of box space (catalogue 11.8).
+/// Number of the sample that is nearest to a color of box space (manual 11.8).
 std::size_t nearestSample(const glm::vec3& h, const Neighborhood& neighborhood);
 /// What rectification may depend on besides colors.
 struct RectifyInputs {
@@ -68,14 +68,14 @@ struct RectifyInputs {
   float protection = 0.0f; ///< share of the correction that is taken back
   bool isFlicker = false;  ///< its depth differs, and it is the same (13.9)
 };
-/// History pulled into the box, scene-linear (catalogue §11).
+/// History pulled into the box, scene-linear (manual §11).
 Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const glm::vec3& historyRaw,
                          const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
                          const RectifyInputs& applied = {});
-/// N of history after it was rectified (catalogue 11.7).
+/// N of history after it was rectified (manual 11.7).
 float lengthKept(const Settings& settings, float length, const Rectified& clipped, float protection);
 
-/// What of the correction is taken back (catalogue 17.3, 17.4).
+/// What of the correction is taken back (manual 17.3, 17.4).
 struct LockState {
   float lock = 0.0f, lockLife = 0.0f, instability = 0.0f;
   float protection = 0.0f; ///< of the correction
@@ -99,7 +99,7 @@ struct Geometry {
   glm::vec2 motion{0.0f};
 };
 Geometry geometryOf(const Inputs& inputs, const DilatedMotion& dilated, const glm::ivec2& drawn);
-/// How that agrees with what history was of, the best of nine texels (catalogue 12.2 to 12.5, 13.7).
+/// How that agrees with what history was of, the best of nine texels (manual 12.2 to 12.5, 13.7).
 struct GeometryMatch {
   float object = 0.0f; ///< stored with history
   bool isSameObject = true, isSameClass = true;
@@ -110,7 +110,7 @@ struct GeometryMatch {
 };
 GeometryMatch compareGeometry(const Inputs& inputs, const Settings& settings, const Geometry& own,
                               const glm::vec2& readPosition);
-/// How far the motion around a render texel parts (catalogue 12.7).
+/// How far the motion around a render texel parts (manual 12.7).
 struct Divergence {
   float least = 1.0f;   ///< part of the longer motion that the other goes along
   float fastest = 0.0f; ///< speed squared, px² a frame
@@ -130,7 +130,7 @@ enum class RejectReason : int {
   Normal,
   Velocity
 };
-/// Whether the history belongs to this surface (catalogue §5, §12).
+/// Whether the history belongs to this surface (manual §5, §12).
 struct Validity {
   float depthExpected = 0.0f; ///< m
   float historyDepth = 0.0f;  ///< m

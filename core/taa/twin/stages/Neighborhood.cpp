@@ -25,7 +25,7 @@ Set setOf(NeighborhoodShape shape, int frame) {
   return Set::Square;
 }
 
-/// The sample of a pixel: its color, or what a tap where its center landed finds (catalogue 8.8).
+/// The sample of a pixel: its color, or what a tap where its center landed finds (manual 8.8).
 glm::vec3 sampleAt(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel) {
   if (settings.neighborhood.unjitter == Switch::Off) return currentColor(inputs, pixel);
   return tapAt(inputs, pixel, inputs.jitterPx);
@@ -42,7 +42,7 @@ std::vector<NeighborhoodSample> membersOf(const Inputs& inputs, const Settings& 
   return members;
 }
 
-/// Seven samples for both of columns 2k and 2k + 1 (catalogue 8.7): the left one, its diagonals, and the two
+/// Seven samples for both of columns 2k and 2k + 1 (manual 8.7): the left one, its diagonals, and the two
 /// to the right of it. What is not next to the pixel weighs as a neighbor that is none of them.
 std::vector<NeighborhoodSample> pairSamples(const Inputs& inputs, const Settings& settings,
                                             const glm::ivec2& pixel) {
@@ -55,7 +55,7 @@ std::vector<NeighborhoodSample> pairSamples(const Inputs& inputs, const Settings
   return {at(-2, -1, 2), at(0, -1, 1), at(-1, 0, 1), at(0, 0, 0), at(1, 0, 1), at(-2, 1, 2), at(0, 1, 1)};
 }
 
-/// κ of catalogue 8.5, px.
+/// κ of manual 8.5, px.
 float tapReach(const NeighborhoodInputs& given) {
   if (given.depth == 0.0f) return 0.5f; // the sky is infinitely far
   const float product = given.speed * given.depth;
@@ -122,7 +122,7 @@ void measureSamples(const Inputs& inputs, const Settings& settings, const glm::i
   result.max = 0.5f * (result.max + five.max);
 }
 
-/// What contrast between current and history adds to γ (catalogue 10.11).
+/// What contrast between current and history adds to γ (manual 10.11).
 float contrastGrowth(const Settings& settings, const Neighborhood& n, const glm::vec3& center,
                      const glm::vec3& history) {
   const SpaceSettings& space = settings.space;
@@ -138,7 +138,7 @@ float contrastGrowth(const Settings& settings, const Neighborhood& n, const glm:
   return settings.neighborhood.contrastGrowth * ((x * x) * (3.0f - 2.0f * x));
 }
 
-/// Share of γ that tall pictures keep (catalogue 10.9).
+/// Share of γ that tall pictures keep (manual 10.9).
 float shareByResolution(int height) {
   const float share = 1188.0f / static_cast<float>(height); // 1.1 × 1080
   const float atLeast = share > 0.75f ? share : 0.75f;
@@ -159,7 +159,7 @@ float gammaUsed(const Inputs& inputs, const Settings& settings, const Neighborho
   if (chosen.resolutionGamma == Switch::On) gamma = gamma * shareByResolution(inputs.outputHeight());
   if (chosen.contrastGamma == Switch::On && !inputs.historyColor.empty())
     gamma = gamma + contrastGrowth(settings, n, center, given.history);
-  if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * given.relax); // catalogue 10.10
+  if (chosen.maskRelax == Switch::On) gamma = gamma * (1.0f + 1.5f * given.relax); // manual 10.10
   return gamma;
 }
 
@@ -208,7 +208,7 @@ Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,
   result.gamma = gammaUsed(inputs, settings, result, center, given);
   boundByMoments(settings.neighborhood.box, result);
   if (settings.neighborhood.chromaShrink == Switch::On && settings.space.color != ColorSpace::Rgb) {
-    const float half = 0.125f * (result.max.x - result.min.x); // catalogue 10.6
+    const float half = 0.125f * (result.max.x - result.min.x); // manual 10.6
     for (int i = 1; i < 3; ++i) {
       result.boxMin[i] = center[i] - half;
       result.boxMax[i] = center[i] + half;

@@ -1,4 +1,4 @@
-// Stage 10, output: what is shown of the resolved picture, sharpened (catalogue §18) and blurred where it is
+// Stage 10, output: what is shown of the resolved picture, sharpened (manual §18) and blurred where it is
 // fast (14.4).
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Random.h"
@@ -114,7 +114,7 @@ glm::vec3 blurredAlong(const Inputs& inputs, const glm::vec2& position, const gl
   return first + sum / 7.0f;
 }
 
-/// The layer drawn without jitter over a color (catalogue 21.1); `texel`: the one that holds the pixel's
+/// The layer drawn without jitter over a color (manual 21.1); `texel`: the one that holds the pixel's
 /// center.
 glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
   if (inputs.overlay.empty()) return color;
@@ -122,7 +122,7 @@ glm::vec3 covered(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3
   return storable(color * (1.0f - layer.w) + glm::vec3(layer));
 }
 
-/// The sharp color, and where it is fast the blurred one joined to it (catalogue 14.4). `texel`: the pixel's
+/// The sharp color, and where it is fast the blurred one joined to it (manual 14.4). `texel`: the pixel's
 /// nearest sample.
 Shown blurredByMotion(const Inputs& inputs, const Settings& settings, const glm::ivec2& pixel,
                       const glm::ivec2& texel, const Shown& sharp) {
@@ -205,7 +205,7 @@ Shown showOutput(const Inputs& inputs, const Settings& settings, const glm::ivec
   shown.color = shown.sharp = sharp;
   if (output.motionBlur == Switch::On) shown = blurredByMotion(inputs, settings, pixel, texel, shown);
   shown.color = covered(inputs, isUpsampled(settings) ? placeOf(inputs, pixel).still : pixel, shown.color);
-  if (output.dither == Switch::On) { // catalogue 20.8
+  if (output.dither == Switch::On) { // manual 20.8
     shown.noise = triangularNoise(pixel, inputs.frame) / 255.0f;
     shown.smooth = shown.color;
     const glm::vec3 root = maximum(squareRoot(shown.color) + shown.noise, glm::vec3(0.0f));

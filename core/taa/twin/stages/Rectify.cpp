@@ -23,7 +23,7 @@ bool isInside(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   return true;
 }
 
-/// Nearest point of the box (catalogue 11.1).
+/// Nearest point of the box (manual 11.1).
 Rectified clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 center = 0.5f * (low + high);
   const glm::vec3 r = clamped(h, low, high);
@@ -31,7 +31,7 @@ Rectified clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& 
   return {r, whole == 0.0f ? 0.0f : magnitude(r - h) / whole};
 }
 
-/// Along the line to the center (catalogue 11.2).
+/// Along the line to the center (manual 11.2).
 Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 center = 0.5f * (low + high);
   const glm::vec3 extent = 0.5f * (high - low) + kLeastExtent;
@@ -44,7 +44,7 @@ Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3
   return {center + (h - center) / m, 1.0f - 1.0f / m};
 }
 
-/// Along the line to `aim`, a color of this frame, brought into the box first (catalogue 11.3).
+/// Along the line to `aim`, a color of this frame, brought into the box first (manual 11.3).
 Rectified clipToFiltered(const glm::vec3& h, const glm::vec3& aim, const glm::vec3& low,
                          const glm::vec3& high) {
   const glm::vec3 target = clamped(aim, low, high);
@@ -94,7 +94,7 @@ float shareToTarget(const glm::vec3& value, const glm::vec3& h, const glm::vec3&
   return whole == 0.0f ? 0.0f : magnitude(value - h) / whole;
 }
 
-/// Towards the mean, made to fit axis by axis (catalogue 11.5).
+/// Towards the mean, made to fit axis by axis (manual 11.5).
 Rectified shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
   const glm::vec3 mean = clamped(n.mean, n.boxMin, n.boxMax);
@@ -112,13 +112,13 @@ Rectified shrinkAxes(const glm::vec3& h, const Neighborhood& n) {
   return {value, shareToTarget(value, h, mean)};
 }
 
-/// One box after the other (catalogue 10.5).
+/// One box after the other (manual 10.5).
 Rectified clampThenClip(const glm::vec3& h, const Neighborhood& n) {
   const Rectified second = clipToCenter(clamped(h, n.min, n.max), n.boxMin, n.boxMax);
   return {second.value, shareToTarget(second.value, h, 0.5f * (n.boxMin + n.boxMax))};
 }
 
-/// Where the ray to the current color meets the box, if that is not too far (catalogue 11.4).
+/// Where the ray to the current color meets the box, if that is not too far (manual 11.4).
 Rectified rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neighborhood& n, float farthest) {
   if (isInside(h, n.boxMin, n.boxMax)) return {h, 0.0f};
   const glm::vec3 d = current - h;
@@ -135,7 +135,7 @@ Rectified rayToCurrent(const glm::vec3& h, const glm::vec3& current, const Neigh
 }
 
 /// Towards `target` into what slabs [min d·c, max d·c] of the samples and the target leave
-/// (catalogue 9.7, 10.12).
+/// (manual 9.7, 10.12).
 Rectified clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighborhood& n,
                       const std::vector<glm::vec3>& directions) {
   const glm::vec3 toTarget = target - h;
@@ -199,7 +199,7 @@ Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, c
   return clip(settings.method, h, current, n.boxMin, n.boxMax);
 }
 
-/// Part of the correction that is applied (catalogue 11.6, 13.9).
+/// Part of the correction that is applied (manual 11.6, 13.9).
 float rectifyStrength(const RectifySettings& settings, const RectifyInputs& applied) {
   if (settings.method == RectifyMethod::None) return 0.0f;
   const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
@@ -209,7 +209,7 @@ float rectifyStrength(const RectifySettings& settings, const RectifyInputs& appl
 }
 
 /// A sample in the place of history, inside the box as well, and not taken through its space
-/// (catalogue 11.8).
+/// (manual 11.8).
 Rectified selected(const glm::vec3& historyRaw, const glm::vec3& h, const Neighborhood& n) {
   const glm::vec3 color = n.colors[nearestSample(h, n)];
   if (color == historyRaw) return {historyRaw, 0.0f};

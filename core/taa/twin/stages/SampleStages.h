@@ -22,7 +22,7 @@ inline constexpr float kNoPreviousPosition = 65504.0f;
 /// View depth (m) of a device depth; 0 stands for the sky.
 float viewDepth(float depth, const glm::vec4& depthTerms);
 
-/// Whose motion the pixel follows (catalogue §4).
+/// Whose motion the pixel follows (manual §4).
 struct DilatedMotion {
   glm::ivec2 offset{0};   ///< px
   float depth = 0.0f;     ///< device
@@ -30,7 +30,7 @@ struct DilatedMotion {
 };
 DilatedMotion dilateMotion(const Inputs& inputs, const DilateSettings& settings, const glm::ivec2& texel);
 
-/// Where that surface was (catalogue §5).
+/// Where that surface was (manual §5).
 struct Reprojection {
   glm::vec2 position{0.0f}; ///< px in the previous frame
   bool onScreen = false;
@@ -59,16 +59,16 @@ struct Taps {
   std::span<const Tap> all() const { return std::span(each).first(count); }
 };
 
-/// Weights of a cubic's four taps at fraction f of a texel (catalogue 6.2, Catmull-Rom).
+/// Weights of a cubic's four taps at fraction f of a texel (manual 6.2, Catmull-Rom).
 std::array<float, 4> catmullRomWeights(float fraction);
-/// Weights of the four texels of an axis for the filters of sixteen texels (catalogue 6.2, 6.5 to 6.7).
+/// Weights of the four texels of an axis for the filters of sixteen texels (manual 6.2, 6.5 to 6.7).
 std::array<float, 4> cubicWeights(const HistorySettings& settings, float fraction);
 /// The stored color at `positionPx` by bilinear interpolation, clamped to the edge.
 glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx,
                           HistoryBorder border = HistoryBorder::Edge);
 /// The taps that a filter of history takes around a place, which are one for Point and four for Bilinear.
 Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx);
-/// What was accumulated there (catalogue §6).
+/// What was accumulated there (manual §6).
 struct HistorySample {
   glm::vec3 color{0.0f};
   float length = 0.0f;      ///< N, frames; 0 without history
@@ -83,20 +83,20 @@ inline HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& 
   return sampleHistory(inputs, settings, positionPx, pixel, pixel);
 }
 
-/// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (catalogue 7.4).
+/// Weights of the Gaussian around the displaced sample, row-major over 3×3, not normalized (manual 7.4).
 std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
-/// Weights of the chosen filter, likewise (catalogue §7).
+/// Weights of the chosen filter, likewise (manual §7).
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx);
-/// Mean of the pixel and its diagonals (catalogue 5.6).
+/// Mean of the pixel and its diagonals (manual 5.6).
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel);
 /// Within the nine samples around a texel.
 glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color);
-/// `color`, filtered around a texel, sharpened (catalogue 18.2); itself where that is off.
+/// `color`, filtered around a texel, sharpened (manual 18.2); itself where that is off.
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,
                          const glm::vec3& color);
 /// This frame's color by a bilinear tap at `offset` px from the center of a render texel.
 glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& offset);
-/// This frame's color at the pixel's center (catalogue §7), before it is sharpened.
+/// This frame's color at the pixel's center (manual §7), before it is sharpened.
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);
 /// And after that.
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel);

@@ -1,4 +1,4 @@
-// Pixels of a picture made from a smaller drawing: where their samples lie, and what these give (catalogue
+// Pixels of a picture made from a smaller drawing: where their samples lie, and what these give (manual
 // §22).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace taa::twin {
 
-/// Size of what was drawn against that of the picture (catalogue §22: r).
+/// Size of what was drawn against that of the picture (manual §22: r).
 glm::vec2 renderRatio(const Inputs& inputs);
 /// A motion of the inputs, render px, in px of the picture; the mark of no previous position stays.
 glm::vec2 pictureMotion(const Inputs& inputs, const glm::vec2& motion);
@@ -25,7 +25,7 @@ Place placeOf(const Inputs& inputs, const glm::ivec2& pixel);
 /// The samples that a kernel weighs for that pixel, the nearest in the middle; none where it takes that
 /// alone.
 Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& place);
-/// The color at the center of a pixel from fewer samples (catalogue §22); speed in px of the picture.
+/// The color at the center of a pixel from fewer samples (manual §22); speed in px of the picture.
 struct CurrentColor {
   glm::vec3 color{0.0f};
   float confidence = 1.0f; ///< κ

@@ -6,7 +6,7 @@
 namespace taa::twin {
 namespace {
 
-/// By the chosen rule (catalogue 5.0, 5.1, 5.3, 5.7); NaN is outside.
+/// By the chosen rule (manual 5.0, 5.1, 5.3, 5.7); NaN is outside.
 bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
   if (rule == OffScreen::Keep) return false;
   if (rule == OffScreen::OneSided) return !(q.x > 0.0f);

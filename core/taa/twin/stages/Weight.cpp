@@ -15,14 +15,14 @@ float minimum(float a, float b) {
   return a < b ? a : b;
 }
 
-/// u² of Lottes and Playdead (catalogue 13.10): 1 where luma is the same.
+/// u² of Lottes and Playdead (manual 13.10): 1 where luma is the same.
 float lumaLikeness(float current, float history) {
   const float most = maximum(maximum(current, history), 0.2f);
   const float u = 1.0f - std::fabs(current - history) / most;
   return u * u;
 }
 
-/// Of a contrast, a range over a color (catalogue 13.14).
+/// Of a contrast, a range over a color (manual 13.14).
 float contrastWeight(float contrast) {
   return 1.0f - (0.25f + 0.6f * saturated(contrast));
 }
@@ -58,7 +58,7 @@ float boxWidth(const WeightInputs& weighed) {
   return width > 0.0f ? width : 0.0f;
 }
 
-/// Against flicker where luma differs (catalogue 13.11).
+/// Against flicker where luma differs (manual 13.11).
 float lumaFlickerFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   if (settings.lumaFlicker == Switch::Off || !weighed.hasHistory) return 1.0f;
   const bool isCompressed = settings.flickerScale == FlickerScale::Compressed;
@@ -70,7 +70,7 @@ float lumaFlickerFactor(const WeightSettings& settings, const WeightInputs& weig
   return rest * rest;
 }
 
-/// Where history is near a wall of the box (catalogue 13.13).
+/// Where history is near a wall of the box (manual 13.13).
 float nearClampFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   if (settings.nearClamp == Switch::Off || !weighed.hasHistory) return 1.0f;
   const float wall = minimum(std::fabs(weighed.boxHistoryRaw - weighed.boxLow),
@@ -79,18 +79,18 @@ float nearClampFactor(const WeightSettings& settings, const WeightInputs& weighe
   return sum > 0.0f ? wall / sum : 1.0f;
 }
 
-/// Where the box is large against history (catalogue 13.15).
+/// Where the box is large against history (manual 13.15).
 float historyContrastFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   if (settings.historyContrast == Switch::Off || !weighed.hasHistory) return 1.0f;
   return weighed.boxHistory > 0.0f ? 1.0f / (1.0f + boxWidth(weighed) / weighed.boxHistory) : 1.0f;
 }
 
-/// Where the mask widens the box (catalogue 13.18).
+/// Where the mask widens the box (manual 13.18).
 float relaxFactor(const WeightInputs& weighed) {
   return 1.0f / (1.0f + 0.5f * weighed.relax);
 }
 
-/// Where a single frame may miss what is there (catalogue 13.9).
+/// Where a single frame may miss what is there (manual 13.9).
 float flickerFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   return weighed.isFlicker ? settings.flickerShare : 1.0f;
 }
@@ -105,7 +105,7 @@ float screen(float a, float b) {
   return 1.0f - (1.0f - a) * (1.0f - b);
 }
 
-/// By the distance of the sample to the pixel's center (catalogue 7.7, 13.6).
+/// By the distance of the sample to the pixel's center (manual 7.7, 13.6).
 float sampleDistanceFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   const double x = static_cast<double>(weighed.jitterPx.x), y = static_cast<double>(weighed.jitterPx.y);
   const double squared = x * x + y * y;
@@ -119,7 +119,7 @@ float sampleDistanceFactor(const WeightSettings& settings, const WeightInputs& w
   return maximum(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
 }
 
-/// 1 − (1 − α)^(e/8) by whole powers and square roots, e the nearest eighth to Δt/Δt₀ (catalogue 13.19).
+/// 1 − (1 − α)^(e/8) by whole powers and square roots, e the nearest eighth to Δt/Δt₀ (manual 13.19).
 float byFrameRate(const WeightSettings& settings, float alpha, double stepSeconds) {
   if (settings.frameRate == Switch::Off) return alpha;
   double eighths = std::round(stepSeconds * static_cast<double>(settings.referenceRate) * 8.0);
@@ -138,7 +138,7 @@ float byFrameRate(const WeightSettings& settings, float alpha, double stepSecond
   return 1.0f - power;
 }
 
-/// What motion adds to α (catalogue 13.4 to 13.6).
+/// What motion adds to α (manual 13.4 to 13.6).
 float motionWeight(const WeightSettings& settings, const WeightInputs& weighed, float alpha) {
   const float speed = speedIn(settings.motionSpeedIn, weighed.speed, weighed.motion, weighed.picturePx);
   const float x = saturated(speed / settings.motionSpeed);
@@ -158,7 +158,7 @@ float motionWeight(const WeightSettings& settings, const WeightInputs& weighed, 
   return 0.0f;
 }
 
-/// The least that the mask asks for (catalogue 13.18, 21.4).
+/// The least that the mask asks for (manual 13.18, 21.4).
 float maskWeight(const WeightSettings& settings, const WeightInputs& weighed) {
   switch (settings.mask) {
   case MaskAlpha::Off:
@@ -199,7 +199,7 @@ void compose(const WeightSettings& settings, const WeightInputs& weighed, Weight
   result.byFrameRate = byFrameRate(settings, alpha, weighed.stepSeconds);
 }
 
-/// α of what was composed: by κ (catalogue §22), and no less than the mask and invalid history ask for; more
+/// α of what was composed: by κ (manual §22), and no less than the mask and invalid history ask for; more
 /// by what is rejected where N decays.
 float wholeWeight(const Weights& weights, const WeightInputs& weighed) {
   if (weighed.isFrozen) return 0.0f;
