@@ -176,7 +176,7 @@ TEST(ProfileHistory, KeepsTheLastFramesAndTheirPasses) {
 
 namespace {
 
-class Thumbnails : public test::FakeWindow {
+class StageThumbnails : public test::FakeWindow {
  protected:
   SectionHeader* header(const char* stage) const {
     return window.pipeline()->findChild<SectionHeader*>(QStringLiteral("stage.") + QLatin1String(stage));
@@ -185,7 +185,7 @@ class Thumbnails : public test::FakeWindow {
 
 } // namespace
 
-TEST_F(Thumbnails, StandInTheHeadingsAndFollowTheFrame) {
+TEST_F(StageThumbnails, StandInTheHeadingsAndFollowTheFrame) {
   ASSERT_GT(renderer->thumbnails.x, 0);
   const double ratio = window.devicePixelRatioF();
   EXPECT_LE(renderer->thumbnails.x, 96 * ratio);
@@ -201,7 +201,7 @@ TEST_F(Thumbnails, StandInTheHeadingsAndFollowTheFrame) {
   }
 }
 
-TEST_F(Thumbnails, AreClickedToShowTheirRowAndNotToFold) {
+TEST_F(StageThumbnails, AreClickedToShowTheirRowAndNotToFold) {
   SectionHeader* heading = header("blend_weight");
   const bool wasChecked = heading->isChecked();
   QTest::mouseClick(heading, Qt::LeftButton, {}, heading->thumbnailRect().center());
@@ -212,7 +212,7 @@ TEST_F(Thumbnails, AreClickedToShowTheirRowAndNotToFold) {
   EXPECT_NE(heading->isChecked(), wasChecked);
 }
 
-TEST_F(Thumbnails, AreNotDrawnWhereNobodySeesThem) {
+TEST_F(StageThumbnails, AreNotDrawnWhereNobodySeesThem) {
   key(Qt::Key_F9);
   EXPECT_EQ(renderer->thumbnails, glm::ivec2(0));
   key(Qt::Key_F9);
