@@ -1,7 +1,7 @@
 // Whether two images agree within limits, and where they differ most.
 #include "tests/support/CompareImages.h"
 
-#include "tests/support/FailedImages.h"
+#include "tests/support/pictures/FailedImages.h"
 
 #include <algorithm>
 #include <bit>

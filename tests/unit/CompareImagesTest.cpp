@@ -2,8 +2,8 @@
 #include "tests/support/CompareImages.h"
 
 #include "core/base/Error.h"
-#include "tests/support/FailedImages.h"
 #include "tests/support/Paths.h"
+#include "tests/support/pictures/FailedImages.h"
 
 #include <gtest/gtest.h>
 

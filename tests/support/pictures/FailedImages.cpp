@@ -1,5 +1,5 @@
 // Pictures of a comparison that failed.
-#include "tests/support/FailedImages.h"
+#include "tests/support/pictures/FailedImages.h"
 
 #include "core/base/Error.h"
 #include "core/io/PictureFile.h"
