@@ -100,7 +100,7 @@ float ditheredHalf(float x, uint random) {
 }
 
 /// The multiple of 1/steps below x + u/steps, from 0 to 1.
-float unorm(float x, float steps, float u) {
+float quantized(float x, float steps, float u) {
   precise float result = floor(saturated(x) * steps + u) / steps;
   return result;
 }
@@ -116,7 +116,7 @@ vec3 asStored(vec3 color, ivec2 pixel) {
   uvec3 random = kHistoryDither ? randomBits(pixel) : uvec3(0u);
   vec3 u = kHistoryDither ? (vec3(random) + 0.5) / 8192.0 : vec3(0.5);
   float steps = kHistoryPrecision == kHistoryPrecision_unorm8 ? 255.0 : 1023.0;
-  if (kIsUnorm) return vec3(unorm(color.r, steps, u.r), unorm(color.g, steps, u.g), unorm(color.b, steps, u.b));
+  if (kIsUnorm) return vec3(quantized(color.r, steps, u.r), quantized(color.g, steps, u.g), quantized(color.b, steps, u.b));
   return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
 }
 

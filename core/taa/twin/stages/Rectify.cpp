@@ -141,15 +141,15 @@ Rectified clipToSlabs(const glm::vec3& h, const glm::vec3& target, const Neighbo
   const glm::vec3 toTarget = target - h;
   float t = 0.0f;
   for (const glm::vec3& d : directions) {
-    const auto along = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
-    float low = along(target), high = low;
+    const auto across = [&d](const glm::vec3& c) { return (d.x * c.x + d.y * c.y) + d.z * c.z; };
+    float low = across(target), high = low;
     for (const glm::vec3& sample : n.samples) {
-      low = along(sample) < low ? along(sample) : low;
-      high = along(sample) > high ? along(sample) : high;
+      low = across(sample) < low ? across(sample) : low;
+      high = across(sample) > high ? across(sample) : high;
     }
-    const float from = along(h);
-    const float enter = from < low    ? (low - from) / along(toTarget)
-                        : from > high ? (high - from) / along(toTarget)
+    const float from = across(h);
+    const float enter = from < low    ? (low - from) / across(toTarget)
+                        : from > high ? (high - from) / across(toTarget)
                                       : 0.0f;
     t = enter > t ? enter : t;
   }
