@@ -64,8 +64,8 @@ vec3 blurredRestart(Samples samples) {
   return result;
 }
 
-/// N after this frame (§16): the inverse of the variance that is left, unless printed or counted otherwise. A frame of
-/// confidence κ counts as κ frames.
+/// N after this frame (manual §16): the inverse of the variance that is left, unless printed or counted otherwise. A
+/// frame of confidence κ counts as κ frames.
 float lengthAfter(float alpha, float lengthBefore, float confidence, vec2 motion) {
   precise float variance = alpha * alpha + ((1.0 - alpha) * (1.0 - alpha)) / lengthBefore;
   precise float historyLength = 1.0 / variance;

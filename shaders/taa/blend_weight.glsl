@@ -274,8 +274,8 @@ Composed compose(WeightInputs x, float base, Damping damping) {
   return result;
 }
 
-/// α of what was composed: by κ (§22, 0 keeps history as it is), and no less than mask and invalid history ask for, or
-/// more by as much as is rejected where N decays as well;
+/// α of what was composed: by κ (manual §22, 0 keeps history as it is), and no less than mask and invalid history ask
+/// for, or more by as much as is rejected where N decays as well;
 /// without TAA only the current frame counts.
 float wholeWeight(WeightInputs x, Composed terms, float mask, float invalid) {
   if (!kTaaEnabled) return 1.0;

@@ -79,8 +79,9 @@ ivec2 findLongest(ivec2 pixel) {
   return chosen;
 }
 
-/// As HDRP prints it: with each diagonal goes the depth of the next one in this order (§26, D13). Its step() holds for
-/// equal depths, so that from the first that is no farther on each next one is compared with itself, and the last wins.
+/// As HDRP prints it: with each diagonal goes the depth of the next one in this order (manual §26, D13). Its step()
+/// holds for equal depths, so that from the first that is no farther on each next one is compared with itself, and
+/// the last wins.
 ivec2 findClosestXAsPrinted(ivec2 pixel, out float depth) {
   const ivec2 kSteps[4] = ivec2[](ivec2(1, 1), ivec2(-1, -1), ivec2(1, -1), ivec2(-1, 1));
   float depths[4];

@@ -1,5 +1,5 @@
-// Random numbers of a pixel in a frame, to round or to show colors with (manual 20.6, 20.8). In: the pixel. Out: 13 bits
-// each; white, so nothing of the jitter's period is in them.
+// Random numbers of a pixel in a frame, to round or to show colors with (manual 20.6, 20.8). In: the pixel. Out: 13
+// bits each; white, so nothing of the jitter's period is in them.
 
 #include "include/random.glsl"
 

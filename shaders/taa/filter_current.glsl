@@ -1,5 +1,6 @@
 // This frame's color at the pixel's center, made from the jittered samples around it (manual §7), and how much it
-// says about it (§22). In and out: scene-linear. Expects upsample.glsl, which takes over where fewer pixels are drawn.
+// says about it (manual §22). In and out: scene-linear. Expects upsample.glsl, which takes over where fewer pixels
+// are drawn.
 
 /// Weight of sample k: computed once a frame from jitter and variance (see currentFilterWeights).
 float currentWeight(int k) {

@@ -1,6 +1,6 @@
 // What is shown: the resolved color sharpened, where it moves fast this frame blurred along its motion, and over it
-// what was drawn without jitter, where kHasOverlay, and noise for the screen (manual §18, 14.4, 20.8, 21.1). In: pixel of the resolved picture, which
-// may be larger than the inputs; the layer has their size.
+// what was drawn without jitter, where kHasOverlay, and noise for the screen (manual §18, 14.4, 20.8, 21.1). In:
+// pixel of the resolved picture, which may be larger than the inputs; the layer has their size.
 
 layout(binding = 8) uniform sampler2D u_resolved; // scene-linear: History::color of this frame
 

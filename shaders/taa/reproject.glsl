@@ -1,5 +1,6 @@
-// Where the pixel was in the previous frame (manual §5), or the pixel itself where history is read in place. In: the pixel, its motion in px. Out: position in px
-// of the previous picture, whether there is one, whether it lies inside, and the speed.
+// Where the pixel was in the previous frame (manual §5), or the pixel itself where history is read in place. In: the
+// pixel, its motion in px. Out: position in px of the previous picture, whether there is one, whether it lies inside,
+// and the speed.
 
 struct Reprojection {
   vec2 position; // px
