@@ -1,4 +1,4 @@
-// Story of stage 6: history brought into the box.
+// Story of stage 7: history brought into the box.
 #include "core/story/StoryText.h"
 
 #include "core/base/Say.h"

@@ -1,4 +1,4 @@
-// Story of stage 7: whether history belongs to the surface at all.
+// Story of stage 6: whether history belongs to the surface at all.
 #include "core/story/StoryText.h"
 
 #include "core/base/Say.h"

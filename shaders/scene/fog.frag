@@ -11,7 +11,7 @@ layout(location = 0) out vec4 o_color;
 layout(location = 1) out vec4 o_fog;
 
 /// Kept within the smallest and largest of this frame's 3×3.
-vec4 clampedToDrawn(vec4 before, ivec2 pixel) {
+vec4 clamped(vec4 before, ivec2 pixel) {
   ivec2 border = textureSize(u_fog, 0) - 1;
   vec4 lowest = texelFetch(u_fog, pixel, 0), highest = lowest;
   for (int k = 0; k < 9; ++k) {
@@ -26,7 +26,7 @@ vec4 fogHere(ivec2 pixel) {
   vec4 now = texelFetch(u_fog, pixel, 0);
   if (kFogHistory == kFogHistory_none || fog.counts.y < 2) return now;
   vec4 before = texelFetch(u_before, pixel, 0);
-  if (kFogHistory == kFogHistory_clamped) before = clampedToDrawn(before, pixel);
+  if (kFogHistory == kFogHistory_clamped) before = clamped(before, pixel);
   if (kFogHistory == kFogHistory_largest) before = max(before, now);
   float frames = float(fog.counts.y);
   precise vec4 mean = (now + (frames - 1.0) * before) / frames;

@@ -1,4 +1,4 @@
-// Stage 7, validate history: how deep the surface was, and how deep history is there.
+// Stage 6, validate history: how deep the surface was, and how deep history is there.
 #include "core/taa/twin/stages/CompareDepth.h"
 
 #include "core/taa/twin/Color.h"

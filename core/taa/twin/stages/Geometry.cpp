@@ -1,4 +1,4 @@
-// Stage 7, validate history: objects, classes, normals and motion of now and of what history was of.
+// Stage 6, validate history: objects, classes, normals and motion of now and of what history was of.
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/stages/Stages.h"
 #include "core/taa/twin/stages/Upsample.h"

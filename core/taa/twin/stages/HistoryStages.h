@@ -1,5 +1,5 @@
-// Stages 5 to 7 of the resolve on the CPU: the box around this frame's colors, history brought into it, and
-// whether history belongs to the surface at all.
+// Stages 5 to 7 of the resolve on the CPU: the box around this frame's colors, whether history belongs to the
+// surface at all, and history brought into the box.
 #pragma once
 
 #include "core/taa/twin/stages/SampleStages.h"

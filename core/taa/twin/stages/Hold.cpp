@@ -1,4 +1,4 @@
-// Stage 6, rectify history: what of the correction is taken back, by locks and by luma that comes and goes.
+// Stage 7, rectify history: what of the correction is taken back, by locks and by luma that comes and goes.
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/stages/Stages.h"
 

@@ -1,4 +1,4 @@
-// Stage 6, rectify history: a color outside the box is moved onto it.
+// Stage 7, rectify history: a color outside the box is moved onto it.
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/stages/Stages.h"
 

@@ -1,4 +1,4 @@
-// Stage 7, validate history: off the screen, or another surface's.
+// Stage 6, validate history: off the screen, or another surface's.
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/stages/CompareDepth.h"
 #include "core/taa/twin/stages/Stages.h"
