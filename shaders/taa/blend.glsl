@@ -71,7 +71,8 @@ float lengthAfter(float alpha, float lengthBefore, float confidence, vec2 motion
   precise float historyLength = 1.0 / variance;
   if (kBlendLength == kBlendLength_count) historyLength = lengthBefore + (kUpsampled ? confidence : 1.0);
   if (kBlendLength == kBlendLength_varianceAsPrinted) historyLength = variance;
-  if (kBlendLength == kBlendLength_reciprocal) historyLength = alpha > 1e-6 ? maximum(confidence / alpha, 1.0) : lengthBefore;
+  if (kBlendLength == kBlendLength_reciprocal)
+    historyLength = alpha > 1e-6 ? maximum(confidence / alpha, 1.0) : lengthBefore;
   if (kBlendLength == kBlendLength_confidence) historyLength = confidenceAfter(lengthBefore, motion);
   if (kBlendLength == kBlendLength_countTo16) {
     precise float counted = lengthBefore + (kUpsampled ? confidence : 1.0);
@@ -116,7 +117,8 @@ vec3 asStored(vec3 color, ivec2 pixel) {
   uvec3 random = kHistoryDither ? randomBits(pixel) : uvec3(0u);
   vec3 u = kHistoryDither ? (vec3(random) + 0.5) / 8192.0 : vec3(0.5);
   float steps = kHistoryPrecision == kHistoryPrecision_unorm8 ? 255.0 : 1023.0;
-  if (kIsUnorm) return vec3(quantized(color.r, steps, u.r), quantized(color.g, steps, u.g), quantized(color.b, steps, u.b));
+  if (kIsUnorm)
+    return vec3(quantized(color.r, steps, u.r), quantized(color.g, steps, u.g), quantized(color.b, steps, u.b));
   return vec3(ditheredHalf(color.r, random.r), ditheredHalf(color.g, random.g), ditheredHalf(color.b, random.b));
 }
 
@@ -134,7 +136,8 @@ Blended blend(ivec2 pixel, Samples samples, WeightInputs x, Weights weight, floa
                    blendFactor(weight.channels.b, currentWeight, historyWeight));
   precise vec3 color = mixed(current, history, factors);
   precise vec3 sane = saneOr(current, color);
-  Blended result = Blended(asStored(sane, pixel), lengthAfter(weight.alpha, x.historyLength, x.confidence, x.dilated.motion));
+  Blended result = Blended(asStored(sane, pixel),
+                           lengthAfter(weight.alpha, x.historyLength, x.confidence, x.dilated.motion));
   expose_toneWeightCurrent(currentWeight);
   expose_toneWeightHistory(historyWeight);
   expose_blendFactor(factor);

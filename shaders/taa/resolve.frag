@@ -39,7 +39,8 @@ void main() {
   vec3 current = filtered.color;
   Samples measured = samples;
   if (kNeighborhoodUnjitter) measured = unjittered(place.texel, samples);
-  NeighborhoodInputs given = NeighborhoodInputs(history.color, dilated.motion, reprojection.speed, viewDepth(dilated.depth));
+  NeighborhoodInputs given =
+      NeighborhoodInputs(history.color, dilated.motion, reprojection.speed, viewDepth(dilated.depth));
   Neighborhood around = measureNeighborhood(measured, place.texel, current, given);
   stage_ends(kStage_neighborhood, vec4(around.box.lo + around.box.hi, 0.0));
   // Before it is rectified, because invalid history is not held.
@@ -51,13 +52,13 @@ void main() {
   RectifiedHistory rectified = rectifyHistory(history, around, current, strength, protection);
   stage_ends(kStage_rectify_history, vec4(rectified.color, rectified.historyLength));
   WeightInputs weighed =
-      WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed, rectified.historyLength,
-                   validity.velocityChange, motionDivergence(place.texel), samples.mask, filtered.confidence,
-                   validity.isFrozen, validity.isFlicker);
+      WeightInputs(current, rectified.color, history.color, around.box, dilated, reprojection.speed,
+                   rectified.historyLength, validity.velocityChange, motionDivergence(place.texel), samples.mask,
+                   filtered.confidence, validity.isFrozen, validity.isFlicker);
   Weights weight = blendWeight(weighed, samples, validity.invalid);
   stage_ends(kStage_blend_weight, vec4(weight.channels, weight.alpha));
   Blended blended = blend(pixel, samples, weighed, weight, validity.invalid);
-  o_color = vec4(blended.color, 1.0);                         // History::color
+  o_color = vec4(blended.color, 1.0);                                // History::color
   o_surface = vec2(blended.historyLength, viewDepth(dilated.depth)); // History::surface: N, view depth
   store_exposed();
 }
