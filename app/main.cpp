@@ -1,14 +1,11 @@
 // Starts taa-inspector: a window, or a picture of one.
 #include "app/Arguments.h"
-#include "app/panels/LowerArea.h"
-#include "app/panels/ProbePanel.h"
 #include "app/session/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Translation.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/window/MainWindow.h"
-#include "app/window/Screenshot.h"
 
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
@@ -123,30 +120,30 @@ bool opensBeforeWindow(const Arguments& arguments) {
   return arguments.preset.empty() && !taa::isSessionName(arguments.source) && !arguments.reopens;
 }
 
-void begin(MainWindow& window, const Arguments& arguments) {
-  Session& session = window.session();
+void begin(MainWindow& window, Session& session, const Arguments& arguments) {
   if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
-  showViews(*window.views(), arguments);
+  showViews(window.views(), arguments);
   if (arguments.pixel) session.setPick(*arguments.pixel);
   if (arguments.reopens)
-    window.keeper()->reopen();
+    window.keeper().reopen();
   else if (taa::isSessionName(arguments.source))
-    window.openSource(QString::fromStdString(arguments.source));
+    window.keeper().openSource(QString::fromStdString(arguments.source));
   else if (!opensBeforeWindow(arguments))
     openScene(session, arguments);
   if (arguments.zoom) {
     const glm::dvec2 center = arguments.pixel ? glm::dvec2(*arguments.pixel) + 0.5 : glm::dvec2(0.0);
     for (int view = 0; view < kViewCount; ++view)
-      window.views()->view(view)->viewport()->setCamera({false, *arguments.zoom, center});
+      window.views().view(view)->viewport()->setCamera({false, *arguments.zoom, center});
   }
-  if (const auto page = lowerPageWithId(QString::fromStdString(arguments.panel)))
-    window.setLowerPage(*page, true);
-  if (arguments.panel == "colorspace") window.setProbeTab(ProbeTab::ColorSpace);
-  if (arguments.panel == "whatif") window.setProbeTab(ProbeTab::WhatIf);
-  if (arguments.panel == "scene") window.showScene(true);
+  window.openPage(arguments.panel);
   if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
   if (arguments.track) session.addCameraTrack(*arguments.track);
   if (!(arguments.filter == taa::ObjectFilter{})) session.setObjectFilter(arguments.filter);
+}
+
+void endScreenshot(int code, const QString& text) {
+  if (!text.isEmpty()) std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
+  QApplication::exit(code);
 }
 
 int run(QApplication& application, Arguments arguments) {
@@ -168,19 +165,14 @@ int run(QApplication& application, Arguments arguments) {
   window.setTheme(arguments.theme.value_or(theme));
   if (isScreenshot) window.resize(arguments.windowSize.x, arguments.windowSize.y);
   window.show();
-  begin(window, arguments);
+  begin(window, session, arguments);
   session.undoStack().clear(); // what was asked for at the start is where it begins
   if (isScreenshot) {
-    auto* screenshot = new Screenshot(window, QString::fromStdString(arguments.screenshot),
-                                      screenshotFrame(arguments), [](int code, const QString& text) {
-                                        if (!text.isEmpty())
-                                          std::fprintf(stderr, "taa-inspector: %s\n", qPrintable(text));
-                                        QApplication::exit(code);
-                                      });
-    screenshot->setDialog(arguments.dialog);
+    window.takeScreenshot(QString::fromStdString(arguments.screenshot), screenshotFrame(arguments),
+                          arguments.dialog, endScreenshot);
   } else {
     if (arguments.frame) session.seek(*arguments.frame);
-    window.keeper()->offerOrphan();
+    window.keeper().offerOrphan();
   }
   return QApplication::exec();
 }

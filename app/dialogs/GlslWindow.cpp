@@ -88,6 +88,15 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
   refresh();
 }
 
+void GlslWindow::openAt(Session& session, Stage stage, QWidget* window) {
+  auto* glsl = window->findChild<GlslWindow*>();
+  if (!glsl) glsl = new GlslWindow(session, window);
+  glsl->showStage(stage);
+  glsl->show();
+  glsl->raise();
+  glsl->activateWindow();
+}
+
 void GlslWindow::showStage(Stage stage) {
   const int index = files_->findData(fileOf(stageInfo(stage)));
   files_->setCurrentIndex(std::max(0, index)); // the whole program where a stage has no file

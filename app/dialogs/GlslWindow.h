@@ -18,6 +18,8 @@ class GlslWindow : public QDialog {
  public:
   GlslWindow(Session& session, QWidget* parent);
 
+  /// Opens the one of `window`, or brings it to the front, at this stage.
+  static void openAt(Session& session, Stage stage, QWidget* window);
   void showStage(Stage stage);
   QComboBox* files() const { return files_; }
   SourceText* text() const { return text_; }

@@ -1,11 +1,11 @@
 #include "app/dialogs/RangeDialog.h"
 
+#include "app/session/Session.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/ConfirmReplace.h"
-#include "app/window/MainWindow.h"
 #include "core/io/GifFile.h"
 
 #include <QAbstractItemView>
@@ -32,10 +32,11 @@ namespace {
 const char* const kEndings[] = {"png", "gif", "exr"}; // in the order of SequenceKind
 } // namespace
 
-RangeDialog::RangeDialog(MainWindow& window, QWidget* parent)
-    : QDialog(parent), window_(window), form_(new QFormLayout), kind_(new QComboBox), extent_(new QComboBox),
-      first_(new QSpinBox), last_(new QSpinBox), rate_(new QDoubleSpinBox), rows_(new QListWidget),
-      target_(new QLineEdit), note_(new QLabel), start_(new QPushButton(tr("Export"))) {
+RangeDialog::RangeDialog(const Session& session, const ViewArea& views, QWidget* parent)
+    : QDialog(parent), session_(session), views_(views), form_(new QFormLayout), kind_(new QComboBox),
+      extent_(new QComboBox), first_(new QSpinBox), last_(new QSpinBox), rate_(new QDoubleSpinBox),
+      rows_(new QListWidget), target_(new QLineEdit), note_(new QLabel),
+      start_(new QPushButton(tr("Export"))) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Export a range of frames"));
   makeFields();
@@ -62,7 +63,7 @@ RangeDialog::RangeDialog(MainWindow& window, QWidget* parent)
 }
 
 void RangeDialog::makeFields() {
-  const Status& status = window_.session().status();
+  const Status& status = session_.status();
   kind_->addItems({tr("PNG pictures, one for each frame"), tr("Animated GIF"),
                    tr("EXR values, one file for each frame")});
   kind_->setAccessibleName(tr("Kind of files"));
@@ -113,7 +114,7 @@ void RangeDialog::makeFields() {
 void RangeDialog::addRows() {
   rows_->setAccessibleName(tr("Intermediates"));
   rows_->setMaximumHeight(8 * kRowHeight);
-  const std::vector<IntermediateId> shown = window_.views()->shown();
+  const std::vector<IntermediateId> shown = views_.shown();
   for (const IntermediateId id : allRows()) {
     const Intermediate& row = intermediate(id);
     auto* item = new QListWidgetItem(
@@ -134,7 +135,7 @@ QString RangeDialog::ending() const {
 }
 
 SequenceRequest RangeDialog::request() const {
-  const ViewPanel* view = window_.views()->active();
+  const ViewPanel* view = views_.active();
   SequenceRequest request;
   request.kind = kind();
   const QString target = target_->text();
@@ -142,8 +143,8 @@ SequenceRequest RangeDialog::request() const {
   request.first = first_->value();
   request.last = last_->value();
   const auto extent = extent_->currentIndex() == 1 ? PictureExtent::Viewport : PictureExtent::Whole;
-  request.picture = view->pictureRequest(window_.views()->comparedPresets(), extent);
-  request.picture.referenceSamples = window_.session().status().referenceGoal;
+  request.picture = view->pictureRequest(views_.comparedPresets(), extent);
+  request.picture.referenceSamples = session_.status().referenceGoal;
   request.framesPerSecond = rate_->value();
   for (int index = 0; index < rows_->count(); ++index)
     if (rows_->item(index)->checkState() == Qt::Checked)
@@ -189,7 +190,7 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
                 .arg(10 * gifDelay(wanted.framesPerSecond))
           : tr("Files: %1, the first %2. They appear when all of them are made.").arg(count).arg(first);
   if (kind() == SequenceKind::Exr || !showsOther(wanted.picture)) return text;
-  const ViewPanel* view = window_.views()->active();
+  const ViewPanel* view = views_.active();
   const OtherSide& side = *wanted.picture.other;
   QString other = view->sideText(true);
   if (side.frame) other = tr("%1 of frame %2").arg(other).arg(*side.frame);

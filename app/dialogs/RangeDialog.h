@@ -16,12 +16,13 @@ class QSpinBox;
 
 namespace taa::app {
 
-class MainWindow;
+class Session;
+class ViewArea;
 
 class RangeDialog : public QDialog {
   Q_OBJECT
  public:
-  RangeDialog(MainWindow& window, QWidget* parent);
+  RangeDialog(const Session& session, const ViewArea& views, QWidget* parent);
 
   /// What the fields say.
   SequenceRequest request() const;
@@ -39,7 +40,8 @@ class RangeDialog : public QDialog {
   SequenceKind kind() const;
   QString ending() const; ///< of its files, with the dot
 
-  MainWindow& window_;
+  const Session& session_;
+  const ViewArea& views_;
   QFormLayout* form_;
   QComboBox *kind_, *extent_;
   QSpinBox *first_, *last_;

@@ -1,62 +1,58 @@
-// What is opened, saved and exported.
-#include "app/menus/Menus.h"
+#include "app/menus/FileMenu.h"
 
+#include "app/commands/Exports.h"
 #include "app/session/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
-#include "app/window/Exports.h"
-#include "app/window/MainWindow.h"
 #include "core/scene/SceneSource.h"
 
 #include <QAction>
-#include <QMenu>
-#include <QMenuBar>
 
 namespace taa::app {
 
-void Menus::makeFile() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("&File"));
-  add(menu, tr("&Open…"), keys({"Ctrl+O"}), [this] {
-    window_.askForFile();
+FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, Exports& exports, QWidget* parent)
+    : CommandMenu(tr("&File"), commands, parent), keeper_(keeper), exports_(exports) {
+  add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
+    keeper.askWhatToOpen();
   })->setIcon(themedIcon(QStringLiteral("open")));
-  makeRecent(menu->addMenu(tr("Open &recent")));
-  SessionKeeper* keeper = window_.keeper();
-  add(menu, tr("Start &anew"), {}, [keeper] {
-    keeper->startAnew();
+  addRecent();
+  add(tr("Start &anew"), {}, [&keeper] {
+    keeper.startAnew();
   })->setToolTip(tr("The first scene, settings and layout. What is open is kept, and can be opened again."));
-  add(menu, tr("&Save session"), keys({"Ctrl+S"}), [keeper] { keeper->save(); });
-  add(menu, tr("Save session &as…"), keys({"Ctrl+Shift+S"}), [keeper] { keeper->askWhereToSave(); });
-  makeExport(menu->addMenu(tr("&Export")));
-  menu->addSeparator();
+  add(tr("&Save session"), keys({"Ctrl+S"}), [&keeper] { keeper.save(); });
+  add(tr("Save session &as…"), keys({"Ctrl+Shift+S"}), [&keeper] { keeper.askWhereToSave(); });
+  addExports();
+  addSeparator();
   for (const BuiltinScene& scene : builtinScenes()) {
     const QString source = QStringLiteral("builtin:") + QString::fromStdString(scene.id);
-    add(menu, tableText(scene.label), {}, [this, source] {
-      window_.openSource(source);
+    add(tableText(scene.label), {}, [&keeper, source] {
+      keeper.openSource(source);
     })->setToolTip(tableText(scene.description));
   }
-  menu->setToolTipsVisible(true);
-  menu->addSeparator();
-  add(menu, tr("&Quit"), keys({"Ctrl+Q"}), [this] { window_.close(); });
+  setToolTipsVisible(true);
+  addSeparator();
+  add(tr("&Quit"), keys({"Ctrl+Q"}), [window = parent->window()] { window->close(); });
 }
 
-void Menus::makeRecent(QMenu* menu) {
+void FileMenu::addRecent() {
+  QMenu* menu = addMenu(tr("Open &recent"));
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
-    for (const QString& path : window_.keeper()->recent())
+    for (const QString& path : keeper_.recent())
       menu->addAction(QString(path).replace(u'&', QStringLiteral("&&")), this,
-                      [this, path] { window_.openSource(path); });
+                      [this, path] { keeper_.openSource(path); });
     if (menu->isEmpty()) return menu->addAction(tr("Nothing yet"))->setEnabled(false);
     menu->addSeparator();
-    menu->addAction(tr("&Forget these"), this, [this] { window_.keeper()->clearRecent(); });
+    menu->addAction(tr("&Forget these"), this, [this] { keeper_.clearRecent(); });
   });
 }
 
-void Menus::makeExport(QMenu* menu) {
-  Exports* exports = window_.exports();
-  add(menu, tr("&View as PNG…"), keys({"Ctrl+E"}), [exports] { exports->askForView(false); });
-  add(menu, tr("View with its &legend as PNG…"), keys({"Ctrl+Alt+E"}),
-      [exports] { exports->askForView(true); });
-  add(menu, tr("&Range of frames…"), keys({"Ctrl+Shift+E"}), [exports] { exports->askForRange(); });
+void FileMenu::addExports() {
+  QMenu* menu = addMenu(tr("&Export"));
+  commands_.add(menu, tr("&View as PNG…"), keys({"Ctrl+E"}), [this] { exports_.askForView(false); });
+  commands_.add(menu, tr("View with its &legend as PNG…"), keys({"Ctrl+Alt+E"}),
+                [this] { exports_.askForView(true); });
+  commands_.add(menu, tr("&Range of frames…"), keys({"Ctrl+Shift+E"}), [this] { exports_.askForRange(); });
 }
 
 } // namespace taa::app

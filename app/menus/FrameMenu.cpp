@@ -1,17 +1,16 @@
-// Time, cameras, objects, size.
-#include "app/menus/Menus.h"
+#include "app/menus/FrameMenu.h"
 
+#include "app/commands/GoToPrompts.h"
+#include "app/menus/PlaybackMenu.h"
 #include "app/panels/TimelinePanel.h"
+#include "app/session/Session.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
-#include "app/window/MainWindow.h"
 
 #include <QAction>
-#include <QMenu>
-#include <QMenuBar>
 
 #include <algorithm>
-#include <string>
+#include <cstddef>
 
 namespace taa::app {
 
@@ -23,98 +22,115 @@ constexpr glm::ivec2 kSizes[] = {{640, 360},   {960, 540},   {1280, 720}, {1920,
 
 } // namespace
 
-void Menus::makeFrame() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("F&rame"));
-  Session& session = window_.session();
-  QAction* play = add(menu, tr("&Play"), keys({"Space"}), [&session] { session.togglePlaying(); });
-  add(menu, tr("Step &back"), keys({","}), [&session] {
-    session.step(-1);
-  })->setIcon(themedIcon(QStringLiteral("previous")));
-  add(menu, tr("Step &forward"), keys({"."}), [&session] {
-    session.step(1);
-  })->setIcon(themedIcon(QStringLiteral("next")));
-  add(menu, tr("Ten back"), keys({"Shift+,"}), [&session] { session.step(-10); });
-  add(menu, tr("Ten forward"), keys({"Shift+."}), [&session] { session.step(10); });
-  add(menu, tr("First frame"), keys({"Home"}), [&session] {
-    session.seek(0);
-  })->setIcon(themedIcon(QStringLiteral("first")));
-  add(menu, tr("Last frame"), keys({"End"}), [&session] {
-    session.seek(session.status().frameCount - 1);
-  })->setIcon(themedIcon(QStringLiteral("last")));
-  add(menu, tr("&Go to frame…"), keys({"G"}), [this] { window_.askForFrame(); });
-  QAction* looping =
-      addCheck(menu, tr("Start again at the end"), QKeySequence(QStringLiteral("Ctrl+L")), [this](bool on) {
-        window_.timeline()->setLooping(on);
-        Q_EMIT window_.timeline()->loopToggled(on);
-      });
-  makePlayback(menu->addMenu(tr("Speed and &range")));
-  makeFrameMarks(menu->addMenu(tr("&Marks")));
-  add(menu, tr("&Restart the history here, or no longer"), keys({"Shift+R"}), [this] {
-    if (window_.session().isOpen()) window_.session().toggleRestart(window_.timeline()->frame());
-  });
-  QAction* restarts = add(menu, tr("Take all restarts awa&y"), {}, [&session] { session.removeRestarts(); });
-  onRefresh([&session, restarts] { restarts->setEnabled(!session.restarts().empty()); });
-  makeFigures(menu->addMenu(tr("F&igure under the timeline")));
-  add(menu, tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
+FrameMenu::FrameMenu(Commands& commands, Session& session, TimelinePanel& timeline, GoToPrompts& prompts,
+                     QWidget* parent)
+    : CommandMenu(tr("F&rame"), commands, parent), session_(session) {
+  addSteps(prompts);
+  addLooping(timeline);
+  addMenu(new PlaybackMenu(commands_, timeline, this));
+  addMenu(new MarksMenu(commands_, timeline, prompts, this));
+  addRestarts(timeline);
+  addMenu(new FiguresMenu(commands_, timeline, this));
+  add(tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
     session.cancel();
   })->setIcon(themedIcon(QStringLiteral("stop")));
-  menu->addSeparator();
-  makeCameras(menu->addMenu(tr("&Camera")));
-  makeObjects(menu->addMenu(tr("&Motion of objects")));
-  makeSizes(menu->addMenu(tr("Render si&ze")));
-  makeBudgets(menu->addMenu(tr("Memory for &kept frames")));
-  onRefresh([&session, play, looping] {
-    play->setText(session.status().playing ? tr("&Pause") : tr("&Play"));
-    looping->setChecked(session.isLooping());
-  });
+  addSeparator();
+  addCameras();
+  addObjects();
+  addSizes(prompts);
+  addBudgets();
 }
 
-void Menus::makeSizes(QMenu* menu) {
-  Session& session = window_.session();
+void FrameMenu::addSteps(GoToPrompts& prompts) {
+  Session& session = session_;
+  QAction* play = add(tr("&Play"), keys({"Space"}), [&session] { session.togglePlaying(); });
+  onRefresh([&session, play] { play->setText(session.status().playing ? tr("&Pause") : tr("&Play")); });
+  add(tr("Step &back"), keys({","}), [&session] {
+    session.step(-1);
+  })->setIcon(themedIcon(QStringLiteral("previous")));
+  add(tr("Step &forward"), keys({"."}), [&session] {
+    session.step(1);
+  })->setIcon(themedIcon(QStringLiteral("next")));
+  add(tr("Ten back"), keys({"Shift+,"}), [&session] { session.step(-10); });
+  add(tr("Ten forward"), keys({"Shift+."}), [&session] { session.step(10); });
+  add(tr("First frame"), keys({"Home"}), [&session] {
+    session.seek(0);
+  })->setIcon(themedIcon(QStringLiteral("first")));
+  add(tr("Last frame"), keys({"End"}), [&session] {
+    session.seek(session.status().frameCount - 1);
+  })->setIcon(themedIcon(QStringLiteral("last")));
+  add(tr("&Go to frame…"), keys({"G"}), [&prompts] { prompts.askForFrame(); });
+}
+
+void FrameMenu::addLooping(TimelinePanel& timeline) {
+  QAction* looping =
+      addCheck(tr("Start again at the end"), QKeySequence(QStringLiteral("Ctrl+L")), [&timeline](bool on) {
+        timeline.setLooping(on);
+        Q_EMIT timeline.loopToggled(on);
+      });
+  onRefresh([this, looping] { looping->setChecked(session_.isLooping()); });
+}
+
+void FrameMenu::addRestarts(TimelinePanel& timeline) {
+  add(tr("&Restart the history here, or no longer"), keys({"Shift+R"}), [this, &timeline] {
+    if (session_.isOpen()) session_.toggleRestart(timeline.frame());
+  });
+  QAction* restarts = add(tr("Take all restarts awa&y"), {}, [this] { session_.removeRestarts(); });
+  onRefresh([this, restarts] { restarts->setEnabled(!session_.restarts().empty()); });
+}
+
+void FrameMenu::addSizes(GoToPrompts& prompts) {
+  QMenu* menu = addMenu(tr("Render si&ze"));
+  Session& session = session_;
   for (const glm::ivec2 size : kSizes) {
     const QString name = QStringLiteral("%1×%2").arg(size.x).arg(size.y);
-    QAction* action = add(menu, name, {}, [&session, size] { session.setSize(size.x, size.y); });
+    QAction* action = commands_.add(menu, name, {}, [&session, size] { session.setSize(size.x, size.y); });
     connect(menu, &QMenu::aboutToShow, action, [action, name, &session, size] {
       action->setText(tr("%1 (%2)").arg(name, session.memoryText(size)));
     });
   }
-  add(menu, tr("Other…"), {}, [this] { window_.askForSize(); });
+  commands_.add(menu, tr("Other…"), {}, [&prompts] { prompts.askForSize(); });
 }
 
-void Menus::makeBudgets(QMenu* menu) {
-  Session& session = window_.session();
+void FrameMenu::addBudgets() {
+  QMenu* menu = addMenu(tr("Memory for &kept frames"));
+  Session& session = session_;
   for (const std::size_t size : kBudgetsMiB) {
     const QString text = size < 1024 ? tr("%1 MiB").arg(size) : tr("%1 GiB").arg(size / 1024);
-    QAction* action = add(menu, text, {}, [&session, size] { session.setCheckpointBudget(size << 20); });
+    QAction* action =
+        commands_.add(menu, text, {}, [&session, size] { session.setCheckpointBudget(size << 20); });
     action->setCheckable(true);
     onRefresh(
         [&session, action, size] { action->setChecked(session.status().checkpointBudget == size << 20); });
   }
 }
 
-void Menus::makeCameras(QMenu* menu) {
-  onRefresh([this, menu] {
-    const Status& status = window_.session().status();
-    if (status.cameras != cameraNames_) {
-      cameraNames_ = status.cameras;
-      menu->clear();
-      for (const std::string& name : cameraNames_) {
-        const QString text = QString::fromStdString(name);
-        menu->addAction(text, &window_.session(), [this, text] { window_.session().setCamera(text); })
-            ->setCheckable(true);
-      }
-    }
-    for (QAction* action : menu->actions()) action->setChecked(action->text().toStdString() == status.camera);
-  });
+void FrameMenu::addCameras() {
+  QMenu* menu = addMenu(tr("&Camera"));
+  onRefresh([this, menu] { refreshCameras(menu); });
 }
 
-void Menus::makeObjects(QMenu* menu) {
+void FrameMenu::refreshCameras(QMenu* menu) {
+  const Status& status = session_.status();
+  if (status.cameras != cameraNames_) {
+    cameraNames_ = status.cameras;
+    menu->clear();
+    for (const std::string& name : cameraNames_) {
+      const QString text = QString::fromStdString(name);
+      menu->addAction(text, &session_, [this, text] { session_.setCamera(text); })->setCheckable(true);
+    }
+  }
+  for (QAction* action : menu->actions()) action->setChecked(action->text().toStdString() == status.camera);
+}
+
+void FrameMenu::addObjects() {
+  QMenu* menu = addMenu(tr("&Motion of objects"));
   onRefresh([this, menu] { refreshObjects(menu); });
 }
 
 // A submenu for each object of the scene, with the motion it is given.
-void Menus::refreshObjects(QMenu* menu) {
-  const Status& status = window_.session().status();
+void FrameMenu::refreshObjects(QMenu* menu) {
+  const Status& status = session_.status();
   if (status.objects != objectNames_) {
     objectNames_ = status.objects;
     menu->clear();
@@ -122,9 +138,8 @@ void Menus::refreshObjects(QMenu* menu) {
       QMenu* modes = menu->addMenu(QString::fromStdString(name).replace(u'&', QStringLiteral("&&")));
       for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
         modes
-            ->addAction(
-                tableText(kMotionModes[mode].label), &window_.session(),
-                [this, name, mode] { window_.session().setMotionMode(name, static_cast<MotionMode>(mode)); })
+            ->addAction(tableText(kMotionModes[mode].label), &session_,
+                        [this, name, mode] { session_.setMotionMode(name, static_cast<MotionMode>(mode)); })
             ->setCheckable(true);
     }
   }

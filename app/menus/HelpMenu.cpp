@@ -1,35 +1,33 @@
-// Keys and manual.
-#include "app/menus/Menus.h"
+#include "app/menus/HelpMenu.h"
 
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/menus/CommandLists.h"
+#include "app/session/Session.h"
 #include "app/style/Icons.h"
-#include "app/window/MainWindow.h"
 
 #include <QAction>
-#include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 
 namespace taa::app {
 
-void Menus::makeHelp() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("&Help"));
-  add(menu, tr("&Keys"), keys({"?"}), [this] {
-    window_.showKeys();
+HelpMenu::HelpMenu(Commands& commands, const Session& session, CommandLists& lists, QWidget* parent)
+    : CommandMenu(tr("&Help"), commands, parent) {
+  QWidget* window = parent->window();
+  add(tr("&Keys"), keys({"?"}), [&lists] {
+    lists.showKeys();
   })->setIcon(themedIcon(QStringLiteral("keyboard")));
-  add(menu, tr("&Manual, settings and intermediates"), keys({"F1"}), [this] {
-    auto* dialog = new ReferenceDialog(&window_);
+  add(tr("&Manual, settings and intermediates"), keys({"F1"}), [window] {
+    auto* dialog = new ReferenceDialog(window);
     dialog->open();
   });
-  add(menu, tr("&About TAA Inspector"), {}, [this] {
+  add(tr("&About TAA Inspector"), {}, [&session, window] {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, tr("About TAA Inspector"),
         tr("TAA Inspector %1\n\nSteps temporal anti-aliasing frame by frame and shows everything it "
            "computes.\n\nDriver: %2\nQt %3")
-            .arg(QStringLiteral(TAA_VERSION),
-                 QString::fromStdString(window_.session().status().driver.renderer),
+            .arg(QStringLiteral(TAA_VERSION), QString::fromStdString(session.status().driver.renderer),
                  QString::fromLatin1(qVersion())),
-        QMessageBox::Close, &window_);
+        QMessageBox::Close, window);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });

@@ -1,73 +1,86 @@
-// Objects of the scene, and the camera that is flown.
-#include "app/menus/Menus.h"
+#include "app/menus/SceneMenu.h"
 
+#include "app/commands/CameraFiles.h"
+#include "app/commands/Flight.h"
+#include "app/panels/LeftArea.h"
 #include "app/panels/ScenePanel.h"
+#include "app/session/Session.h"
 #include "app/style/Text.h"
-#include "app/window/Flight.h"
-#include "app/window/MainWindow.h"
 
 #include <QAction>
-#include <QMenu>
-#include <QMenuBar>
-#include <QTabWidget>
 
+#include <array>
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <vector>
 
 namespace taa::app {
 
-void Menus::makeScene() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("&Scene"));
-  ScenePanel* scene = window_.scene();
-  Flight* flight = window_.flight();
-  QAction* fly = addCheck(menu, tr("&Fly the camera"), QKeySequence(QStringLiteral("Shift+F")),
-                          [flight](bool on) { flight->setOn(on); });
+SceneMenu::SceneMenu(Commands& commands, const Targets& on, QWidget* parent)
+    : CommandMenu(tr("&Scene"), commands, parent) {
+  addFlight(on.flight);
+  addCameras(on.cameras);
+  addSeparator();
+  addTree(on.left, on.scene);
+  addSelection(on.scene);
+  QAction* all =
+      add(tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [&scene = on.scene] { scene.showAll(); });
+  onRefresh([all, &session = on.session] { all->setEnabled(!(session.objectFilter() == ObjectFilter{})); });
+}
+
+void SceneMenu::addFlight(Flight& flight) {
+  QAction* fly = addCheck(tr("&Fly the camera"), QKeySequence(QStringLiteral("Shift+F")),
+                          [&flight](bool on) { flight.setOn(on); });
   QAction* record =
-      add(menu, tr("&Record a flight"), keys({"Ctrl+Shift+R"}), [flight] { flight->toggleRecording(); });
-  add(menu, tr("&Back to the scene's camera"), keys({"Backspace"}), [flight] { flight->reset(); });
-  QAction* save = add(menu, tr("Sa&ve the flown camera…"), {}, [this] { window_.askToSaveCamera(); });
-  add(menu, tr("Open a recorded &camera…"), {}, [this] { window_.askForCamera(); });
+      add(tr("&Record a flight"), keys({"Ctrl+Shift+R"}), [&flight] { flight.toggleRecording(); });
+  add(tr("&Back to the scene's camera"), keys({"Backspace"}), [&flight] { flight.reset(); });
+  onRefresh([fly, record, &flight] {
+    fly->setChecked(flight.isOn());
+    record->setText(flight.isRecording() ? tr("End the &recording") : tr("&Record a flight"));
+  });
+}
+
+void SceneMenu::addCameras(CameraFiles& cameras) {
+  QAction* save = add(tr("Sa&ve the flown camera…"), {}, [&cameras] { cameras.askWhereToSave(); });
+  add(tr("Open a recorded &camera…"), {}, [&cameras] { cameras.askForFile(); });
   QAction* rename =
-      add(menu, tr("Re&name the flown camera…"), keys({"Ctrl+F2"}), [this] { window_.askForCameraName(); });
-  QAction* remove = add(menu, tr("&Delete the flown camera"), keys({"Ctrl+Shift+Del"}), [this] {
-    if (const CameraTrackHandle track = window_.flownCamera()) window_.session().removeCamera(track->name);
+      add(tr("Re&name the flown camera…"), keys({"Ctrl+F2"}), [&cameras] { cameras.askForName(); });
+  QAction* remove =
+      add(tr("&Delete the flown camera"), keys({"Ctrl+Shift+Del"}), [&cameras] { cameras.remove(); });
+  onRefresh([save, rename, remove, &cameras] {
+    for (QAction* action : {save, rename, remove}) action->setEnabled(cameras.flown() != nullptr);
   });
-  menu->addSeparator();
-  QAction* tree = addCheck(menu, tr("&Objects in place of the pipeline"), QKeySequence(QStringLiteral("F8")),
-                           [this](bool on) { window_.showScene(on); });
-  add(menu, tr("&Search objects"), keys({"Ctrl+Shift+F"}), [this, scene] {
-    window_.showScene(true);
-    scene->focusFilter();
+}
+
+void SceneMenu::addTree(LeftArea& left, ScenePanel& scene) {
+  QAction* tree = addCheck(tr("&Objects in place of the pipeline"), QKeySequence(QStringLiteral("F8")),
+                           [&left](bool on) { left.openPage(on ? LeftPage::Scene : LeftPage::Pipeline); });
+  onRefresh([tree, &left] { tree->setChecked(left.shows(LeftPage::Scene)); });
+  add(tr("&Search objects"), keys({"Ctrl+Shift+F"}), [&left, &scene] {
+    left.openPage(LeftPage::Scene);
+    scene.focusFilter();
   });
-  QAction* needSelection[] = {
-      add(menu, tr("&Hide or show the selected object"), keys({"Ctrl+H"}),
-          [scene] { scene->hideSelected(); }),
-      add(menu, tr("&Isolate the selected object, or show all again"), keys({"Ctrl+I"}),
-          [scene] { scene->isolateSelected(); }),
-      add(menu, tr("&Probe the selected object"), keys({"Ctrl+J"}), [scene] { scene->revealSelected(); })};
-  QMenu* motion = menu->addMenu(tr("&Motion of the selected object"));
+}
+
+void SceneMenu::addSelection(ScenePanel& scene) {
+  const std::array needSelection{
+      add(tr("&Hide or show the selected object"), keys({"Ctrl+H"}), [&scene] { scene.hideSelected(); }),
+      add(tr("&Isolate the selected object, or show all again"), keys({"Ctrl+I"}),
+          [&scene] { scene.isolateSelected(); }),
+      add(tr("&Probe the selected object"), keys({"Ctrl+J"}), [&scene] { scene.revealSelected(); })};
+  QMenu* motion = addMenu(tr("&Motion of the selected object"));
   for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
-    add(motion, tableText(kMotionModes[mode].label),
-        {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
-        [scene, mode] { scene->setMotionOfSelected(static_cast<MotionMode>(mode)); });
-  QMenu* classes = menu->addMenu(tr("&Class of the selected object"));
+    commands_.add(motion, tableText(kMotionModes[mode].label),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(mode + 1))},
+                  [&scene, mode] { scene.setMotionOfSelected(static_cast<MotionMode>(mode)); });
+  QMenu* classes = addMenu(tr("&Class of the selected object"));
   int number = static_cast<int>(kMotionModes.size());
   for (const std::optional<ObjectClass> offered : ScenePanel::classChoices())
-    add(classes, ScenePanel::classLabel(offered),
-        {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(++number))},
-        [scene, offered] { scene->setClassOfSelected(offered); });
-  QAction* all = add(menu, tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [scene] { scene->showAll(); });
-  onRefresh([this, fly, record, save, rename, remove, tree, motion, classes, all, flight, scene,
-             selection = std::vector<QAction*>(std::begin(needSelection), std::end(needSelection))] {
-    fly->setChecked(flight->isOn());
-    record->setText(flight->isRecording() ? tr("End the &recording") : tr("&Record a flight"));
-    for (QAction* action : {save, rename, remove}) action->setEnabled(window_.flownCamera() != nullptr);
-    tree->setChecked(window_.left()->currentWidget() == scene && !window_.left()->isHidden());
-    for (QAction* action : selection) action->setEnabled(scene->selected() >= 0);
-    for (QMenu* choices : {motion, classes}) choices->setEnabled(scene->selected() >= 0);
-    all->setEnabled(!(window_.session().objectFilter() == ObjectFilter{}));
+    commands_.add(classes, ScenePanel::classLabel(offered),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(++number))},
+                  [&scene, offered] { scene.setClassOfSelected(offered); });
+  onRefresh([needSelection, motion, classes, &scene] {
+    for (QAction* action : needSelection) action->setEnabled(scene.selected() >= 0);
+    for (QMenu* choices : {motion, classes}) choices->setEnabled(scene.selected() >= 0);
   });
 }
 

@@ -1,108 +1,145 @@
-// Views, panels, how pictures are drawn.
-#include "app/menus/Menus.h"
+#include "app/menus/ViewMenu.h"
 
+#include "app/commands/ThemeSetting.h"
+#include "app/commands/ViewChoices.h"
+#include "app/menus/CompareMenu.h"
+#include "app/menus/PlotsMenu.h"
+#include "app/panels/LeftArea.h"
+#include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "app/window/MainWindow.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QMenu>
-#include <QMenuBar>
 
 #include <utility>
 
 namespace taa::app {
 
-void Menus::makeView() {
-  QMenu* menu = window_.menuBar()->addMenu(tr("&View"));
-  ViewArea* views = window_.views();
-  add(menu, tr("&Intermediate…"), keys({"I"}),
-      [this, views] { window_.chooseIntermediate(views->activeIndex()); });
-  add(menu, tr("&Next number of views: one, two, four"), keys({"V"}), [views] { views->showNextCount(); });
-  makeViews(menu->addMenu(tr("&Views")));
-  makeComparing(menu->addMenu(tr("&Compare")));
-  QAction* linked = addCheck(menu, tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
-                             [views](bool on) { views->setLinked(on); });
-  makeArrangement(menu->addMenu(tr("&Arrangement")));
-  menu->addSeparator();
-  add(menu, tr("&Fit"), keys({"F"}), [views] {
-    views->active()->viewport()->fit();
-  })->setIcon(themedIcon(QStringLiteral("fit")));
-  add(menu, tr("&One to one"), keys({"1"}), [views] { views->active()->viewport()->oneToOne(); });
-  add(menu, tr("Zoom in"), keys({"+", "="}), [views] { views->active()->viewport()->zoomBy(1); });
-  add(menu, tr("Zoom out"), keys({"-"}), [views] { views->active()->viewport()->zoomBy(-1); });
-  menu->addSeparator();
-  QAction* panel = addCheck(menu, tr("Pipeline panel"), QKeySequence(QStringLiteral("F9")),
-                            [this](bool on) { window_.setPanelVisible(window_.pipeline(), on); });
-  panel->setChecked(true);
-  panel = addCheck(menu, tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
-                   [this](bool on) { window_.setPanelVisible(window_.probe(), on); });
-  panel->setChecked(true);
-  makeLowerPages(menu);
-  panel = addCheck(menu, tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),
-                   [this](bool on) { window_.pipeline()->setShowsThumbnails(on); });
-  panel->setChecked(true);
-  menu->addSeparator();
-  makePictures(menu->addMenu(tr("&Picture")));
-  makeOverlays(menu->addMenu(tr("O&verlays")));
-  makeThemes(menu->addMenu(tr("T&heme")));
-  onRefresh([views, linked] { linked->setChecked(views->areLinked()); });
+ViewMenu::ViewMenu(Commands& commands, const Targets& on, QWidget* parent)
+    : CommandMenu(tr("&View"), commands, parent) {
+  addViews(on);
+  addSeparator();
+  addZoom(on.views);
+  addSeparator();
+  addPanels(on);
+  addSeparator();
+  addPictures(on.views);
+  addMenu(new OverlayMenu(commands_, on.views, this));
+  addThemes(on.theme);
 }
 
-void Menus::makeArrangement(QMenu* menu) {
-  ViewArea* views = window_.views();
+void ViewMenu::addViews(const Targets& on) {
+  ViewArea& views = on.views;
+  add(tr("&Intermediate…"), keys({"I"}),
+      [&views, &choices = on.choices] { choices.chooseIntermediate(views.activeIndex()); });
+  add(tr("&Next number of views: one, two, four"), keys({"V"}), [&views] { views.showNextCount(); });
+  addMenu(new ViewCountMenu(commands_, views, this));
+  addMenu(new CompareMenu(commands_, on.session, views, on.choices, this));
+  QAction* linked = addCheck(tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
+                             [&views](bool isLinked) { views.setLinked(isLinked); });
+  onRefresh([&views, linked] { linked->setChecked(views.areLinked()); });
+  addArrangement(views);
+}
+
+void ViewMenu::addZoom(ViewArea& views) {
+  add(tr("&Fit"), keys({"F"}), [&views] {
+    views.active()->viewport()->fit();
+  })->setIcon(themedIcon(QStringLiteral("fit")));
+  add(tr("&One to one"), keys({"1"}), [&views] { views.active()->viewport()->oneToOne(); });
+  add(tr("Zoom in"), keys({"+", "="}), [&views] { views.active()->viewport()->zoomBy(1); });
+  add(tr("Zoom out"), keys({"-"}), [&views] { views.active()->viewport()->zoomBy(-1); });
+}
+
+void ViewMenu::addPanels(const Targets& on) {
+  QAction* panel = addCheck(tr("Pipeline panel"), QKeySequence(QStringLiteral("F9")),
+                            [&left = on.left](bool shown) { left.setShown(shown); });
+  panel->setChecked(true);
+  panel = addCheck(tr("Probe panel"), QKeySequence(QStringLiteral("F10")),
+                   [&probe = on.probe](bool shown) { probe.setVisible(shown); });
+  panel->setChecked(true);
+  addLowerPages(on.lower);
+  addMenu(new PlotsMenu(commands_, on.lower, on.plots, this));
+  panel = addCheck(tr("Pictures in the headings of stages"), QKeySequence(QStringLiteral("T")),
+                   [&pipeline = on.pipeline](bool shown) { pipeline.setShowsThumbnails(shown); });
+  panel->setChecked(true);
+}
+
+void ViewMenu::addLowerPages(LowerArea& lower) {
+  struct Entry {
+    LowerPage page;
+    QString text;
+    const char* key;
+  };
+  const Entry entries[] = {{LowerPage::Profiler, tr("Profiler"), "F11"},
+                           {LowerPage::Plots, tr("Plots of the probes over frames"), "F6"},
+                           {LowerPage::Jitter, tr("Jitter pattern"), "F7"},
+                           {LowerPage::Weights, tr("Weights and effective samples"), "Shift+F7"}};
+  for (const Entry& entry : entries) {
+    QAction* action =
+        addCheck(entry.text, QKeySequence(QLatin1String(entry.key)), [&lower, page = entry.page](bool on) {
+          if (lower.shows(page) != on) lower.setShown(page, on);
+        });
+    onRefresh([&lower, action, page = entry.page] { action->setChecked(lower.shows(page)); });
+  }
+}
+
+void ViewMenu::addArrangement(ViewArea& views) {
+  QMenu* menu = addMenu(tr("&Arrangement"));
   auto* group = new QActionGroup(this);
   const std::pair<Arrangement, QString> choices[] = {{Arrangement::Automatic, tr("Whichever is larger")},
                                                      {Arrangement::Beside, tr("Side by side")},
                                                      {Arrangement::Stacked, tr("One above the other")}};
   for (const auto& [choice, text] : choices) {
-    QAction* action = add(menu, text, {}, [views, choice = choice] { views->setArrangement(choice); });
+    QAction* action =
+        commands_.add(menu, text, {}, [&views, choice = choice] { views.setArrangement(choice); });
     action->setCheckable(true);
     group->addAction(action);
-    onRefresh([views, action, choice = choice] { action->setChecked(views->arrangement() == choice); });
+    onRefresh([&views, action, choice = choice] { action->setChecked(views.arrangement() == choice); });
   }
 }
 
-void Menus::makePictures(QMenu* menu) {
-  ViewArea* views = window_.views();
-  add(menu, tr("Brighter by half a stop"), keys({"E"}), [views] { views->active()->changeExposure(0.5f); });
-  add(menu, tr("Darker by half a stop"), keys({"Shift+E"}),
-      [views] { views->active()->changeExposure(-0.5f); });
-  add(menu, tr("&Normalize: fit the range to the visible values"), keys({"N"}), [views] {
-    views->active()->normalize();
-  })->setIcon(themedIcon(QStringLiteral("auto-range")));
-  add(menu, tr("Normalize always"), keys({"Shift+N"}),
-      [views] { views->active()->setAlwaysAuto(!views->active()->isAlwaysAuto()); });
-  QAction* histogram = addCheck(menu, tr("&Histogram of the visible values"),
-                                QKeySequence(QStringLiteral("H")), [views](bool on) {
-                                  if (views->active()->showsHistogram() != on)
-                                    views->active()->setHistogramShown(on);
-                                });
-  onRefresh([views, histogram] { histogram->setChecked(views->active()->showsHistogram()); });
-  add(menu, tr("&Reset"), keys({"R"}), [views] {
-    views->active()->resetStyle();
-  })->setIcon(themedIcon(QStringLiteral("reset")));
-  add(menu, tr("Next color &map"), keys({"M"}), [views] { views->active()->nextColorMap(); });
+void ViewMenu::addPictures(ViewArea& views) {
+  QMenu* menu = addMenu(tr("&Picture"));
+  commands_.add(menu, tr("Brighter by half a stop"), keys({"E"}),
+                [&views] { views.active()->changeExposure(0.5f); });
+  commands_.add(menu, tr("Darker by half a stop"), keys({"Shift+E"}),
+                [&views] { views.active()->changeExposure(-0.5f); });
+  commands_
+      .add(menu, tr("&Normalize: fit the range to the visible values"), keys({"N"}),
+           [&views] { views.active()->normalize(); })
+      ->setIcon(themedIcon(QStringLiteral("auto-range")));
+  commands_.add(menu, tr("Normalize always"), keys({"Shift+N"}),
+                [&views] { views.active()->setAlwaysAuto(!views.active()->isAlwaysAuto()); });
+  QAction* histogram = commands_.addCheck(menu, tr("&Histogram of the visible values"),
+                                          QKeySequence(QStringLiteral("H")), [&views](bool on) {
+                                            if (views.active()->showsHistogram() != on)
+                                              views.active()->setHistogramShown(on);
+                                          });
+  onRefresh([&views, histogram] { histogram->setChecked(views.active()->showsHistogram()); });
+  commands_.add(menu, tr("&Reset"), keys({"R"}), [&views] { views.active()->resetStyle(); })
+      ->setIcon(themedIcon(QStringLiteral("reset")));
+  commands_.add(menu, tr("Next color &map"), keys({"M"}), [&views] { views.active()->nextColorMap(); });
   const QString channels[] = {tr("First channel"), tr("Second channel"), tr("Third channel")};
   for (int channel = 0; channel < 3; ++channel)
-    add(menu, channels[channel], {QKeySequence(QStringLiteral("Alt+%1").arg(channel + 1))},
-        [views, channel] { views->active()->toggleChannel(channel); });
+    commands_.add(menu, channels[channel], {QKeySequence(QStringLiteral("Alt+%1").arg(channel + 1))},
+                  [&views, channel] { views.active()->toggleChannel(channel); });
 }
 
-void Menus::makeThemes(QMenu* menu) {
+void ViewMenu::addThemes(ThemeSetting& theme) {
+  QMenu* menu = addMenu(tr("T&heme"));
   auto* themes = new QActionGroup(this);
   const std::pair<ThemeChoice, QString> looks[] = {{ThemeChoice::System, tr("As the system")},
                                                    {ThemeChoice::Dark, tr("Dark")},
                                                    {ThemeChoice::Light, tr("Light")}};
   for (const auto& [choice, text] : looks) {
-    QAction* action = add(menu, text, {}, [this, choice = choice] { window_.setTheme(choice); });
+    QAction* action = commands_.add(menu, text, {}, [&theme, choice = choice] { theme.choose(choice); });
     action->setCheckable(true);
     themes->addAction(action);
-    onRefresh([this, action, choice = choice] { action->setChecked(window_.theme() == choice); });
+    onRefresh([&theme, action, choice = choice] { action->setChecked(theme.choice() == choice); });
   }
 }
 

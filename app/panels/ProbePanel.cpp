@@ -137,6 +137,11 @@ void ProbePanel::setTab(ProbeTab tab) {
   tabs_->setCurrentIndex(static_cast<int>(tab));
 }
 
+void ProbePanel::openTab(ProbeTab tab) {
+  setVisible(true);
+  setTab(tab);
+}
+
 ProbeTab ProbePanel::tab() const {
   return static_cast<ProbeTab>(tabs_->currentIndex());
 }

@@ -40,6 +40,8 @@ class ProbePanel : public QWidget {
   QString valueText(IntermediateId fallback) const;
   QString summary() const;
   void setTab(ProbeTab tab);
+  /// Shows the panel at this page.
+  void openTab(ProbeTab tab);
   ProbeTab tab() const;
   ColorSpacePage* colorSpace() const { return colorSpace_; }
   WhatIfPage* whatIf() const { return whatIf_; }

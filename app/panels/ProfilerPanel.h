@@ -34,6 +34,7 @@ class ProfilerPanel : public QWidget {
   /// All tables, for the clipboard.
   QString text() const;
   QString csv() const;
+  void copy(bool asCsv) const;
 
   FigureTable* passes() const { return passes_; }
   FigureTable* stages() const { return stages_; }
@@ -55,7 +56,6 @@ class ProfilerPanel : public QWidget {
   void refresh();
   void showPasses();
   void showMemory();
-  void copy(bool asCsv) const;
 
   ProfileHistory history_;
   std::optional<StageCosts> costs_;

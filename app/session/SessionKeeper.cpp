@@ -1,16 +1,15 @@
 #include "app/session/SessionKeeper.h"
 
 #include "app/session/Autosave.h"
+#include "app/session/Session.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/bars/OfferBar.h"
-#include "app/window/MainWindow.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/inspect/FirstSize.h"
 #include "core/replay/Checkpoints.h"
 #include "core/settings/Presets.h"
 
-#include <QBoxLayout>
 #include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
@@ -63,33 +62,30 @@ QJsonObject windowState(const SessionFile& file) {
 
 } // namespace
 
-SessionKeeper::SessionKeeper(MainWindow& window, QSettings* settings)
-    : QObject(&window), window_(window), settings_(settings) {
-  Session& session = window_.session();
-  connect(&session, &Session::statusChanged, this, &SessionKeeper::finishRestoring);
-  connect(&session, &Session::openingFailed, this, &SessionKeeper::takeFailure);
-  connect(&session, &Session::errorOccurred, this, [this](const QString& error) { lastError_ = error; });
+SessionKeeper::SessionKeeper(Session& session, StateAccess state, QSettings* settings, QWidget* window)
+    : QObject(window), session_(session), state_(std::move(state)), settings_(settings), window_(window) {
+  connect(&session_, &Session::statusChanged, this, &SessionKeeper::finishRestoring);
+  connect(&session_, &Session::openingFailed, this, &SessionKeeper::takeFailure);
+  connect(&session_, &Session::errorOccurred, this, [this](const QString& error) { lastError_ = error; });
   if (!settings_) return;
-  const auto text = [this] {
-    return window_.session().isOpen() ? sessionToText(wholeFile()) : std::string();
-  };
+  const auto text = [this] { return session_.isOpen() ? sessionToText(wholeFile()) : std::string(); };
   autosave_ = new Autosave(autosaveFolder(*settings_), text, this);
-  connect(&session, &Session::settingsChanged, autosave_, &Autosave::saveSoon);
+  connect(&session_, &Session::settingsChanged, autosave_, &Autosave::saveSoon);
 }
 
 SessionFile SessionKeeper::file() const {
-  SessionFile file = window_.session().file();
-  file.window = textOf(window_.state());
+  SessionFile file = session_.file();
+  file.window = textOf(state_.capture());
   return file;
 }
 
 // As it lies in a folder of the program: paths are whole.
 SessionFile SessionKeeper::wholeFile() const {
-  SessionFile file = window_.session().file();
+  SessionFile file = session_.file();
   if (const QString source = QString::fromStdString(file.source); isFile(source))
     file.source = QFileInfo(source).absoluteFilePath().toStdString();
-  QJsonObject window = window_.state();
-  window[geometryKey()] = QString::fromLatin1(window_.saveGeometry().toBase64());
+  QJsonObject window = state_.capture();
+  window[geometryKey()] = QString::fromLatin1(window_->saveGeometry().toBase64());
   if (!path_.isEmpty()) window[pathKey()] = QFileInfo(path_).absoluteFilePath();
   file.window = textOf(window);
   return file;
@@ -97,7 +93,7 @@ SessionFile SessionKeeper::wholeFile() const {
 
 void SessionKeeper::placeWindow(const SessionFile& file) {
   const QJsonObject state = windowState(file);
-  window_.restoreGeometry(QByteArray::fromBase64(state[geometryKey()].toString().toLatin1()));
+  window_->restoreGeometry(QByteArray::fromBase64(state[geometryKey()].toString().toLatin1()));
   path_ = state[pathKey()].toString();
 }
 
@@ -108,10 +104,10 @@ bool SessionKeeper::restore(const QString& path) {
     if (isFile(source) && !QFileInfo::exists(source))
       throw Error(say<"cannot open the session %1: its scene %2 is not there any more">(path.toStdString(),
                                                                                         file.source));
-    before_ = window_.state();
+    before_ = state_.capture();
     pathBefore_ = path_;
-    window_.session().restore(file);
-    window_.setState(windowState(file));
+    session_.restore(file);
+    state_.apply(windowState(file));
     restoring_ = std::move(file);
     isFromSession_ = true;
     return true;
@@ -122,6 +118,24 @@ bool SessionKeeper::restore(const QString& path) {
   }
 }
 
+void SessionKeeper::openSource(const QString& source) {
+  if (isSessionName(source.toStdString()))
+    open(source);
+  else
+    session_.open(source);
+}
+
+void SessionKeeper::askWhatToOpen() {
+  auto* dialog = new QFileDialog(
+      window_, tr("Open a scene or a session"), {},
+      tr("Scenes and sessions (*.gltf *.glb *.taa.json);;glTF 2.0 scenes (*.gltf *.glb);;Sessions "
+         "(*.taa.json);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::openSource);
+  dialog->open();
+}
+
 void SessionKeeper::open(const QString& path) {
   if (!restore(path)) return;
   path_ = path;
@@ -130,7 +144,7 @@ void SessionKeeper::open(const QString& path) {
 
 // Where a picture of another size was on show, places in it were kept inside that.
 void SessionKeeper::finishRestoring() {
-  const Status& status = window_.session().status();
+  const Status& status = session_.status();
   const QString source = QString::fromStdString(status.source);
   if (status.opened != opened_ && status.frameCount > 0) {
     opened_ = status.opened;
@@ -146,7 +160,7 @@ void SessionKeeper::finishRestoring() {
       glm::ivec2(status.width, status.height) != restoring_->size)
     return;
   const SessionFile file = *std::exchange(restoring_, {});
-  window_.setState(windowState(file));
+  state_.apply(windowState(file));
 }
 
 // A scene that is there and cannot be read, or a program that was stopped while it read it.
@@ -154,7 +168,7 @@ void SessionKeeper::takeFailure() {
   if (!std::exchange(restoring_, {})) return;
   isFromSession_ = isOfOrphan_ = false; // what was left is offered again at the next start
   if (std::exchange(isReopening_, false)) return openFirst();
-  window_.setState(before_);
+  state_.apply(before_);
   path_ = pathBefore_;
 }
 
@@ -164,7 +178,7 @@ bool SessionKeeper::canReopen(const QSettings& settings) {
 
 void SessionKeeper::reopen() {
   const auto path = autosave_ ? autosave_->takeLeft() : std::nullopt;
-  if (!path) return window_.session().open(QString::fromLatin1(kFirstSource));
+  if (!path) return session_.open(QString::fromLatin1(kFirstSource));
   isReopening_ = true;
   if (!restore(*path)) return openFirst();
   placeWindow(*restoring_);
@@ -177,9 +191,9 @@ void SessionKeeper::openFirst() {
   const auto kept = autosave_->keepAside();
   toSay_ = tr("What was open last is not open again: %1.").arg(lastError_);
   if (kept) toSay_ += QLatin1Char(' ') + tr("It has been kept as %1.").arg(*kept);
-  window_.setState(firstState_);
-  window_.session().setPreset(QString::fromStdString(builtinPresets().front().id));
-  window_.session().open(QString::fromLatin1(kFirstSource));
+  state_.apply(firstState_);
+  session_.setPreset(QString::fromStdString(builtinPresets().front().id));
+  session_.open(QString::fromLatin1(kFirstSource));
 }
 
 // After the window has cleared what was said of the scene before.
@@ -193,18 +207,17 @@ void SessionKeeper::leave() {
 }
 
 void SessionKeeper::startAnew() {
-  Session& session = window_.session();
-  if (const auto kept = autosave_ && session.isOpen() ? autosave_->keepAside() : std::nullopt) {
+  if (const auto kept = autosave_ && session_.isOpen() ? autosave_->keepAside() : std::nullopt) {
     remember(*kept);
     Q_EMIT said(tr("What was open has been kept: File, Open recent, %1.").arg(QFileInfo(*kept).fileName()));
   }
   path_.clear();
-  const glm::ivec2 size = firstSize(session.status().driver);
-  session.open(QString::fromLatin1(kFirstSource));
-  session.setSize(size.x, size.y);
-  session.setPreset(QString::fromStdString(builtinPresets().front().id));
-  session.setCheckpointBudget(kDefaultCheckpointBudget);
-  window_.setState(firstState_);
+  const glm::ivec2 size = firstSize(session_.status().driver);
+  session_.open(QString::fromLatin1(kFirstSource));
+  session_.setSize(size.x, size.y);
+  session_.setPreset(QString::fromStdString(builtinPresets().front().id));
+  session_.setCheckpointBudget(kDefaultCheckpointBudget);
+  state_.apply(firstState_);
 }
 
 void SessionKeeper::save() {
@@ -215,7 +228,7 @@ void SessionKeeper::save() {
 }
 
 void SessionKeeper::askWhereToSave() {
-  auto* dialog = new QFileDialog(&window_, tr("Save the session"),
+  auto* dialog = new QFileDialog(window_, tr("Save the session"),
                                  path_.isEmpty() ? QStringLiteral("session.taa.json") : path_,
                                  tr("Sessions (*.taa.json)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -224,14 +237,13 @@ void SessionKeeper::askWhereToSave() {
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const QString whole = withEnding(path);
     if (whole == path) return saveTo(path);
-    confirmReplace(&window_, {whole.toStdString()},
-                   [this, whole] { saveTo(whole); }); // of a name never shown
+    confirmReplace(window_, {whole.toStdString()}, [this, whole] { saveTo(whole); }); // of a name never shown
   });
   dialog->open();
 }
 
 void SessionKeeper::saveTo(const QString& path) {
-  if (!window_.session().isOpen()) return;
+  if (!session_.isOpen()) return;
   const QString named = withEnding(path);
   try {
     writeSession(named.toStdString(), file());
@@ -271,7 +283,6 @@ void SessionKeeper::offerOrphan() {
   offer_ = new OfferBar(tr("TAA Inspector ended without being closed. What was open on %1 has been kept.")
                             .arg(QLocale().toString(orphan->savedAt, QLocale::ShortFormat)),
                         tr("Open it again"), tr("Throw it away"));
-  qobject_cast<QBoxLayout*>(window_.centralWidget()->layout())->insertWidget(0, offer_);
   connect(offer_, &OfferBar::accepted, this, [this, path = orphan->path] {
     if (!restore(path)) return;
     placeWindow(*restoring_);
@@ -279,6 +290,7 @@ void SessionKeeper::offerOrphan() {
   });
   connect(offer_, &OfferBar::refused, this, [this] { autosave_->removeOrphan(); });
   connect(offer_, &QObject::destroyed, this, [this] { offer_ = nullptr; });
+  Q_EMIT offerMade(offer_);
 }
 
 } // namespace taa::app

@@ -9,24 +9,35 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 
 class QSettings;
+class QWidget;
 
 namespace taa::app {
 
 inline constexpr auto kFirstSource = "builtin:fan"; ///< of a first start
 
 class Autosave;
-class MainWindow;
 class OfferBar;
+class Session;
 
 class SessionKeeper : public QObject {
   Q_OBJECT
  public:
+  /// What the window adds to a session: views, probes, panels and layout.
+  struct StateAccess {
+    std::function<QJsonObject()> capture;
+    std::function<void(const QJsonObject&)> apply;
+  };
   /// `settings` remembers what was open, and beside it sessions are kept against crashes; null: neither.
-  SessionKeeper(MainWindow& window, QSettings* settings);
+  /// `window` has the place that goes on, and dialogs open over it.
+  SessionKeeper(Session& session, StateAccess state, QSettings* settings, QWidget* window);
 
+  /// Opens a session and pauses at its frame, or a file or "builtin:NAME" and plays.
+  void openSource(const QString& source);
+  void askWhatToOpen();
   /// Reads a session and goes there; failed() when that is not possible, and nothing has changed.
   void open(const QString& path);
   void save(); ///< where it came from, or asks
@@ -53,7 +64,7 @@ class SessionKeeper : public QObject {
   void setFirstState(const QJsonObject& state) { firstState_ = state; }
   /// Whether what is open, or about to be, came from a session: it says itself what is probed.
   bool isFromSession() const { return isFromSession_; }
-  /// Shows a bar when the program ended without closing before.
+  /// Makes a bar, offerMade(), when the program ended without closing before.
   void offerOrphan();
   OfferBar* offer() const { return offer_; } ///< null: there is none
   Autosave* autosave() const { return autosave_; }
@@ -61,6 +72,8 @@ class SessionKeeper : public QObject {
  Q_SIGNALS:
   void said(const QString& sentence);
   void failed(const QString& sentence);
+  /// Whoever takes it owns it.
+  void offerMade(QWidget* bar);
 
  private:
   bool restore(const QString& path);
@@ -72,8 +85,10 @@ class SessionKeeper : public QObject {
   void sayWhenOpen(const QString& sentence);
   void finishRestoring();
 
-  MainWindow& window_;
+  Session& session_;
+  StateAccess state_;
   QSettings* settings_;
+  QWidget* window_;
   QString path_;
   RequestId opened_ = 0;                 ///< see Status
   std::optional<SessionFile> restoring_; ///< until the picture has its size

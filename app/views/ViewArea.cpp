@@ -85,6 +85,11 @@ void ViewArea::activate(int index) {
   active()->viewport()->setFocus();
 }
 
+void ViewArea::showIntermediate(IntermediateId id, bool inOtherView) {
+  if (inOtherView && viewCount() == 1) setViewCount(2);
+  (inOtherView ? other() : active())->setIntermediate(id);
+}
+
 void ViewArea::setViewCount(int count) {
   if (count == count_ || (count != 1 && count != 2 && count != kViewCount)) return;
   count_ = count;

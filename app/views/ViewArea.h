@@ -37,6 +37,9 @@ class ViewArea : public QWidget {
   /// The view after the active one.
   ViewPanel* other() const { return view((active_ + 1) % std::max(2, count_)); }
 
+  /// Shows it in the active view, or in the one after it.
+  void showIntermediate(IntermediateId id, bool inOtherView);
+
   int viewCount() const { return count_; }
   /// 1, 2 or 4; shows as many.
   void setViewCount(int count);

@@ -1,11 +1,13 @@
 #include "app/window/Dialogs.h"
 
+#include "app/commands/Exports.h"
+#include "app/commands/OwnPresets.h"
+#include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/menus/CommandLists.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/widgets/IconButton.h"
-#include "app/window/Exports.h"
-#include "app/window/MainWindow.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -19,26 +21,30 @@ namespace taa::app {
 
 namespace {
 
-using Open = void (*)(MainWindow& window);
+using Open = void (*)(const DialogOpeners& by);
 
-void openReference(MainWindow& window) {
-  auto* dialog = new ReferenceDialog(&window);
+void openReference(const DialogOpeners& by) {
+  auto* dialog = new ReferenceDialog(by.window);
   dialog->open();
 }
 
-void openMore(MainWindow& window) {
-  window.views()->active()->header()->findChild<IconButton*>(QStringLiteral("more"))->click();
+void openGlsl(const DialogOpeners& by) {
+  GlslWindow::openAt(by.session, intermediate(by.views.active()->id()).stage, by.window);
+}
+
+void openMore(const DialogOpeners& by) {
+  by.views.active()->header()->findChild<IconButton*>(QStringLiteral("more"))->click();
 }
 
 const std::vector<std::pair<std::string, Open>>& dialogs() {
   static const std::vector<std::pair<std::string, Open>> all = {
-      {"export", [](MainWindow& window) { window.exports()->askForRange(); }},
-      {"glsl", [](MainWindow& window) { window.readGlsl(); }},
-      {"presets", [](MainWindow& window) { window.comparePresets(); }},
-      {"keys", [](MainWindow& window) { window.showKeys(); }},
+      {"export", [](const DialogOpeners& by) { by.exports.askForRange(); }},
+      {"glsl", openGlsl},
+      {"presets", [](const DialogOpeners& by) { by.presets.compare(); }},
+      {"keys", [](const DialogOpeners& by) { by.lists.showKeys(); }},
       {"reference", openReference},
-      {"commands", [](MainWindow& window) { window.showCommands(); }},
-      {"histogram", [](MainWindow& window) { window.views()->active()->setHistogramShown(true); }},
+      {"commands", [](const DialogOpeners& by) { by.lists.choose(); }},
+      {"histogram", [](const DialogOpeners& by) { by.views.active()->setHistogramShown(true); }},
       {"more", openMore}};
   return all;
 }
@@ -54,12 +60,12 @@ const std::vector<std::string>& dialogNames() {
   return names;
 }
 
-void openDialog(MainWindow& window, const std::string& name) {
+void openDialog(const DialogOpeners& by, const std::string& name) {
   const auto found = std::ranges::find(dialogs(), name, &std::pair<std::string, Open>::first);
-  found->second(window);
+  found->second(by);
 }
 
-void paintDialogs(const MainWindow& window, QPixmap& picture) {
+void paintDialogs(const QWidget& window, QPixmap& picture) {
   QPainter painter(&picture);
   for (QWidget* dialog : QApplication::topLevelWidgets()) {
     const bool isBeside = dialog->isVisible() && dialog != &window &&

@@ -5,16 +5,31 @@
 #include <vector>
 
 class QPixmap;
+class QWidget;
 
 namespace taa::app {
 
-class MainWindow;
+class CommandLists;
+class Exports;
+class OwnPresets;
+class Session;
+class ViewArea;
+
+/// What they are opened by.
+struct DialogOpeners {
+  QWidget* window;
+  Session& session;
+  ViewArea& views;
+  Exports& exports;
+  OwnPresets& presets;
+  CommandLists& lists;
+};
 
 /// "export", "glsl", "presets", …
 const std::vector<std::string>& dialogNames();
 /// Opens one, as its command in a menu does; expects a name of the list and an open source.
-void openDialog(MainWindow& window, const std::string& name);
-/// Adds the windows that are open beside it to a picture of the main one, where they are on the screen.
-void paintDialogs(const MainWindow& window, QPixmap& picture);
+void openDialog(const DialogOpeners& by, const std::string& name);
+/// Adds the windows that are open beside `window` to a picture of it, where they are on the screen.
+void paintDialogs(const QWidget& window, QPixmap& picture);
 
 } // namespace taa::app

@@ -1,41 +1,68 @@
 #include "app/window/MainWindow.h"
 
-#include "app/menus/Menus.h"
+#include "app/commands/CameraFiles.h"
+#include "app/commands/EscapeKey.h"
+#include "app/commands/Exports.h"
+#include "app/commands/Flight.h"
+#include "app/commands/GoToPrompts.h"
+#include "app/commands/OwnPresets.h"
+#include "app/commands/ProbeCommands.h"
+#include "app/commands/ThemeSetting.h"
+#include "app/commands/ViewChoices.h"
+#include "app/menus/CommandLists.h"
+#include "app/menus/EditMenu.h"
+#include "app/menus/FileMenu.h"
+#include "app/menus/FrameMenu.h"
+#include "app/menus/HelpMenu.h"
+#include "app/menus/PipelineMenu.h"
+#include "app/menus/ProbeMenu.h"
+#include "app/menus/SceneMenu.h"
+#include "app/menus/ViewMenu.h"
 #include "app/panels/JitterPanel.h"
+#include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/ProfilerPanel.h"
+#include "app/panels/ScenePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
 #include "app/session/SessionKeeper.h"
+#include "app/session/ShaderWatch.h"
 #include "app/style/Icons.h"
-#include "app/style/Numbers.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
+#include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
+#include "app/widgets/bars/FlightBar.h"
 #include "app/widgets/bars/WorkBar.h"
+#include "app/window/Dialogs.h"
+#include "app/window/FlightFeed.h"
+#include "app/window/FocusOrder.h"
+#include "app/window/PlotFeed.h"
+#include "app/window/ProbeFeed.h"
+#include "app/window/SceneFeed.h"
+#include "app/window/Screenshot.h"
+#include "app/window/ViewFeed.h"
+#include "app/window/WindowState.h"
+#include "app/window/WindowTitle.h"
+#include "app/window/WindowUndo.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
 #include <QSettings>
 #include <QSplitter>
-#include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -53,35 +80,35 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
     : QMainWindow(parent), session_(session), settings_(settings) {
   setWindowIcon(programIcon());
   setAcceptDrops(true);
-  makeParts();
-  makeLeft();
+  makePanels();
   layOut();
-  connectFiles();
-  menus_ = new Menus(*this);
+  makeKeeper();
+  makeCommands();
+  makeMenus();
   connectPanels();
-  connectProbe();
+  makeFeeds();
   connectProfiler();
-  connectLower();
-  connectScene();
-  connectViews();
   connectSession();
-  connectUndo();
+  connectMessages();
+  connectMenus();
+  watchShaders();
   showSettings();
+  commands_->refresh();
   restore();
-  orderFocus();
-  showStatus();
+  // What rows_ holds besides the columns lies below them.
+  orderFocus(*this, {messages_, left_, views_, probe_, rows_, timeline_, statusLine_});
 }
 
 MainWindow::~MainWindow() {
-  // The parts are destroyed after this; what they say on the way is of no interest.
+  // The panels are destroyed after this; what they say on the way is of no interest.
   disconnect(&session_, nullptr, this, nullptr);
-  disconnect(&session_.undoStack(), nullptr, this, nullptr);
-  disconnect(views_, nullptr, this, nullptr);
 }
 
-void MainWindow::makeParts() {
+void MainWindow::makePanels() {
   views_ = new ViewArea;
   pipeline_ = new PipelinePanel;
+  scene_ = new ScenePanel;
+  left_ = new LeftArea(pipeline_, scene_);
   probe_ = new ProbePanel;
   profiler_ = new ProfilerPanel;
   plots_ = new PlotsPanel;
@@ -91,6 +118,7 @@ void MainWindow::makeParts() {
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
   work_ = new WorkBar(views_, ViewHeader::kHeight);
+  flightBar_ = new FlightBar(views_, kLegendHeight + 8);
   sourceLabel_ = new QLabel;
   sourceLabel_->setFont(secondaryFont());
   sourceLabel_->setForegroundRole(QPalette::PlaceholderText);
@@ -137,20 +165,88 @@ void MainWindow::layOut() {
   menuBar()->setCornerWidget(sourceLabel_);
 }
 
+void MainWindow::makeKeeper() {
+  state_ = std::make_unique<WindowState>(WindowState::Holders{session_, *views_, *left_, *pipeline_, *scene_,
+                                                              *probe_, *lower_, *plots_, *timeline_,
+                                                              *columns_, *rows_});
+  const SessionKeeper::StateAccess access{[this] { return state_->capture(); },
+                                          [this](const QJsonObject& state) { state_->apply(state); }};
+  keeper_ = new SessionKeeper(session_, access, settings_, this);
+  connect(keeper_, &SessionKeeper::offerMade, this, [this](QWidget* bar) {
+    qobject_cast<QBoxLayout*>(centralWidget()->layout())->insertWidget(0, bar);
+  });
+}
+
+void MainWindow::makeCommands() {
+  theme_ = new ThemeSetting(settings_, this);
+  flight_ = new Flight(session_, views_, this);
+  escape_ = new EscapeKey(session_, *views_, *flight_, this);
+  exports_ = new Exports(session_, *views_, keeper_->cameraFolder(), this);
+  cameras_ = new CameraFiles(session_, this);
+  presets_ = new OwnPresets(session_, *pipeline_, settings_, this);
+  probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
+  prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
+  choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
+  commands_ = std::make_unique<Commands>();
+  lists_ = new CommandLists(*commands_, session_, this);
+}
+
+void MainWindow::makeMenus() {
+  QMenuBar* bar = menuBar();
+  Commands& all = *commands_;
+  bar->addMenu(new FileMenu(all, *keeper_, *exports_, bar));
+  bar->addMenu(new EditMenu(
+      all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
+  bar->addMenu(new ViewMenu(
+      all, {session_, *views_, *choices_, *left_, *pipeline_, *probe_, *lower_, *plots_, *theme_}, bar));
+  bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
+  bar->addMenu(new SceneMenu(all, {session_, *flight_, *cameras_, *left_, *scene_}, bar));
+  bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
+  bar->addMenu(new ProbeMenu(all, {session_, *views_, *probe_, *probeCommands_, *prompts_}, bar));
+  bar->addMenu(new HelpMenu(all, session_, *lists_, bar));
+}
+
+void MainWindow::makeFeeds() {
+  probeFeed_ = std::make_unique<ProbeFeed>(session_, *views_, *probe_);
+  plotFeed_ =
+      std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
+  sceneFeed_ = std::make_unique<SceneFeed>(session_, *views_, *scene_);
+  flightFeed_ = std::make_unique<FlightFeed>(session_, *flight_, *flightBar_, *messages_);
+  viewFeed_ = std::make_unique<ViewFeed>(session_, *views_, *pipeline_, *statusLine_);
+  undo_ = std::make_unique<WindowUndo>(session_.undoStack(), *views_, *timeline_);
+}
+
+// After all else that listens: commands are brought up to date with what has changed by then.
+void MainWindow::connectMenus() {
+  Commands* all = commands_.get();
+  connect(views_, &ViewArea::shownChanged, all, &Commands::refresh);
+  connect(left_, &LeftArea::changed, all, &Commands::refresh);
+  connect(lower_, &LowerArea::changed, all, &Commands::refresh);
+  connect(scene_, &ScenePanel::selectionChanged, all, &Commands::refresh);
+  connect(timeline_, &TimelinePanel::playbackEdited, all, &Commands::refresh);
+  connect(timeline_, &TimelinePanel::figureChosen, all, &Commands::refresh);
+  connect(flight_, &Flight::changed, all, &Commands::refresh);
+  connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
+  connect(&session_, &Session::statusChanged, all, &Commands::refresh);
+  connect(&session_, &Session::settingsChanged, all, &Commands::refresh);
+  connect(&session_, &Session::pickChanged, all, &Commands::refresh);
+  connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
+}
+
 void MainWindow::connectPanels() {
   connect(pipeline_, &PipelinePanel::parameterEdited, &session_, &Session::setParameter);
   connect(pipeline_, &PipelinePanel::presetChosen, &session_, &Session::setPreset);
   connect(pipeline_, &PipelinePanel::parameterConsidered, &session_, &Session::prepareParameter);
   connect(pipeline_, &PipelinePanel::presetConsidered, &session_, &Session::preparePreset);
-  connect(pipeline_, &PipelinePanel::intermediateChosen, this, &MainWindow::showIntermediate);
+  connect(&session_, &Session::stageSharesArrived, pipeline_, &PipelinePanel::setShares);
+  connect(&session_, &Session::statusChanged, pipeline_,
+          [this] { pipeline_->setFrame(session_.status().info.frame, session_.status().playing); });
   connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
   connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
   connect(timeline_, &TimelinePanel::playToggled, &session_, &Session::togglePlaying);
   connect(timeline_, &TimelinePanel::loopToggled, &session_, &Session::setLooping);
+  connect(timeline_, &TimelinePanel::playbackEdited, &session_, &Session::setPlayback);
   connect(work_, &WorkBar::stopRequested, &session_, &Session::cancel);
-  connect(messages_, &MessagesBar::hintClosed, this, [this] {
-    if (settings_) settings_->setValue(QStringLiteral("hintClosed"), true);
-  });
   timeline_->setLooping(session_.isLooping());
 }
 
@@ -164,32 +260,9 @@ void MainWindow::connectProfiler() {
   connect(&session_, &Session::thumbnailArrived, pipeline_, &PipelinePanel::setThumbnail);
 }
 
-void MainWindow::connectViews() {
-  connectComparing();
-  connect(views_, &ViewArea::shownChanged, this, [this] {
-    pipeline_->setShown(views_->shown(), views_->activeIndex());
-    menus_->refresh();
-  });
-  connect(views_, &ViewArea::hoverChanged, this, &MainWindow::showHover);
-  connect(views_, &ViewArea::picked, &session_, [this](glm::ivec2 pixel) { session_.setPick(pixel); });
-  connect(views_, &ViewArea::pickMoved, &session_, [this](int dx, int dy) {
-    session_.movePick(dx, dy);
-    if (session_.pick()) views_->active()->viewport()->reveal(*session_.pick());
-  });
-  connect(views_, &ViewArea::intermediateRequested, this, &MainWindow::chooseIntermediate);
-  pipeline_->setShown(views_->shown(), views_->activeIndex());
-}
-
 void MainWindow::connectSession() {
   connect(&session_, &Session::statusChanged, this, &MainWindow::showStatus);
   connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
-  connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
-  connect(&session_, &Session::pictureArrived, this, [this](int view) {
-    const std::shared_ptr<const ViewResult>& picture = session_.picture(view);
-    if (!picture) return;
-    views_->view(view)->setResult(picture);
-    statusLine_->setPicture(picture->subject);
-  });
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
     work_->setWork(QString::fromStdString(work.what), work.done, work.total);
@@ -197,41 +270,60 @@ void MainWindow::connectSession() {
   });
 }
 
+void MainWindow::connectMessages() {
+  connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
+  connect(&session_, &Session::shadersReloaded, messages_, &MessagesBar::showShaders);
+  connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);
+  connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
+  connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
+  connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
+  connect(cameras_, &CameraFiles::failed, messages_, &MessagesBar::showError);
+  connect(plots_, &PlotsPanel::failed, messages_, &MessagesBar::showError);
+  connect(messages_, &MessagesBar::hintClosed, this, [this] {
+    if (settings_) settings_->setValue(QStringLiteral("hintClosed"), true);
+  });
+}
+
+// Those that come from the program itself do not change.
+void MainWindow::watchShaders() {
+  const QString folder = ShaderWatch::folder();
+  if (folder.isEmpty()) return;
+  auto* shaders = new ShaderWatch(folder, this);
+  connect(shaders, &ShaderWatch::changed, &session_, &Session::reloadShaders);
+}
+
 void MainWindow::showStatus() {
   const Status& status = session_.status();
   timeline_->setStatus(status);
   statusLine_->setStatus(status);
-  showHistory();
+  plotFeed_->showHistory();
   profiler_->setDriver(status.driver);
   if (session_.isOpen()) {
     views_->setPictureSize({status.width, status.height});
     views_->setPlaying(status.playing);
     pipeline_->setPictureSize({status.width, status.height});
+    if (status.source != shownSource_) startSource(status);
   }
-  if (session_.isOpen() && status.source != shownSource_) {
-    shownSource_ = status.source;
-    pipeline_->startAnew(status.subject);
-    messages_->clear();
-    QStringList warnings;
-    for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
-    messages_->setWarnings(warnings);
-    // Nobody's change, so there is nothing to undo.
-    if (status.source == kFirstSource && !session_.pick() && !keeper_->isFromSession())
-      session_.setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
-                         .frame = status.info.frame}},
-                       0);
-  }
-  menus_->refresh();
-  const bool isFile = !status.source.empty() && !status.source.starts_with("builtin:");
-  const QString source = QString::fromStdString(status.source);
-  QStringList parts;
-  if (session_.isOpen()) parts << (isFile ? QFileInfo(source).fileName() : source);
-  parts << QString::fromStdString(session_.presetId()) +
-               (session_.isPresetChanged() ? QStringLiteral("*") : QString());
-  if (session_.isOpen()) parts << QStringLiteral("%1×%2").arg(status.width).arg(status.height);
-  views_->setSettingsName(QString::fromStdString(session_.presetId()) +
-                          (session_.isPresetChanged() ? QStringLiteral("*") : QString()));
-  const QString text = parts.join(QStringLiteral(" · "));
+  views_->setSettingsName(settingsName(session_));
+  showTitle();
+}
+
+void MainWindow::startSource(const Status& status) {
+  shownSource_ = status.source;
+  pipeline_->startAnew(status.subject);
+  messages_->clear();
+  QStringList warnings;
+  for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
+  messages_->setWarnings(warnings);
+  // Nobody's change, so there is nothing to undo.
+  if (status.source == kFirstSource && !session_.pick() && !keeper_->isFromSession())
+    session_.setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
+                       .frame = status.info.frame}},
+                     0);
+}
+
+void MainWindow::showTitle() {
+  const QString text = titleText(session_);
   if (text == sourceLabel_->text()) return;
   sourceLabel_->setText(text);
   menuBar()->setCornerWidget(sourceLabel_); // places it anew for its new width
@@ -245,31 +337,27 @@ void MainWindow::showSettings() {
   showStatus();
 }
 
-void MainWindow::showIntermediate(IntermediateId id, bool inOtherView) {
-  if (inOtherView && views_->viewCount() == 1) views_->setViewCount(2);
-  (inOtherView ? views_->other() : views_->active())->setIntermediate(id);
-}
-
 void MainWindow::setTheme(ThemeChoice choice) {
-  theme_ = choice;
-  applyTheme(*qApp, choice);
-  if (settings_) settings_->setValue(QStringLiteral("theme"), themeName(choice));
-  menus_->refresh();
+  theme_->choose(choice);
 }
 
-void MainWindow::setPanelVisible(QWidget* panel, bool visible) {
-  (panel == pipeline_ ? left_ : panel)->setVisible(visible);
-  if (menus_) menus_->refresh();
+void MainWindow::openPage(const std::string& name) {
+  if (const auto page = lowerPageWithId(QString::fromStdString(name))) lower_->setShown(*page, true);
+  if (name == "colorspace") probe_->openTab(ProbeTab::ColorSpace);
+  if (name == "whatif") probe_->openTab(ProbeTab::WhatIf);
+  if (name == "scene") left_->openPage(LeftPage::Scene);
 }
 
-void MainWindow::copyProfile(bool asCsv) {
-  if (profiler_->isVisible())
-    QApplication::clipboard()->setText(asCsv ? profiler_->csv() : profiler_->text());
+void MainWindow::openDialog(const std::string& name) {
+  app::openDialog({this, session_, *views_, *exports_, *presets_, *lists_}, name);
 }
 
-void MainWindow::measureStages() {
-  setLowerPage(LowerPage::Profiler, true);
-  session_.measureStages();
+void MainWindow::takeScreenshot(const QString& file, int frame, const std::string& dialog,
+                                std::function<void(int code, const QString& text)> done) {
+  std::function<void()> opens;
+  if (!dialog.empty()) opens = [this, dialog] { openDialog(dialog); };
+  new Screenshot({*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, opens},
+                 file, frame, std::move(done));
 }
 
 void MainWindow::restore() {
@@ -297,7 +385,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   sourceLabel_->setMinimumHeight(menuBar()->height()); // in line with the menus
   menuBar()->setCornerWidget(sourceLabel_);
   views_->active()->viewport()->setFocus();
-  keeper_->setFirstState(state());
+  keeper_->setFirstState(state_->capture());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -315,7 +403,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   if (urls.first().isLocalFile())
-    openSource(urls.first().toLocalFile());
+    keeper_->openSource(urls.first().toLocalFile());
   else
     messages_->showError(
         tr("%1 is not a file on this machine; save it first, then open it.").arg(urls.first().toString()));

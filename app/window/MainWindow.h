@@ -1,51 +1,55 @@
-// The window: panels around the views, and what connects them to the session.
+// The window: makes the panels around the views and what keeps them in touch with the session.
 #pragma once
 
-#include "app/models/FigureHistory.h"
 #include "app/session/Session.h"
 #include "app/style/Theme.h"
 
-#include <QElapsedTimer>
-#include <QJsonObject>
 #include <QMainWindow>
 
-#include <optional>
+#include <functional>
+#include <memory>
 #include <string>
 
 class QLabel;
 class QSettings;
 class QSplitter;
-class QTabWidget;
 
 namespace taa::app {
 
-enum class LowerPage;
-class JitterPanel;
-class LowerArea;
-class Drags;
-struct EscapeState;
+class CameraFiles;
+class CommandLists;
+class Commands;
+class EscapeKey;
+class Exports;
 class Flight;
 class FlightBar;
-class Menus;
-class Exports;
+class FlightFeed;
+class GoToPrompts;
+class JitterPanel;
+class LeftArea;
+class LowerArea;
 class MessagesBar;
+class OwnPresets;
 class PipelinePanel;
+class PlotFeed;
 class PlotsPanel;
+class ProbeCommands;
+class ProbeFeed;
 class ProbePanel;
 class ProfilerPanel;
-class SessionKeeper;
-class ShaderWatch;
+class SceneFeed;
 class ScenePanel;
-class StateWatch;
+class SessionKeeper;
 class StatusLine;
+class ThemeSetting;
 class TimelinePanel;
 class ViewArea;
+class ViewChoices;
+class ViewFeed;
 class WeightsPanel;
+class WindowState;
+class WindowUndo;
 class WorkBar;
-
-enum class ProbeTab;
-/// How a probe is copied; JSON is what taa-batch probe prints.
-enum class ProbeFormat { Text, Markdown, Json };
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -54,72 +58,18 @@ class MainWindow : public QMainWindow {
   MainWindow(Session& session, QSettings* settings, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  Session& session() { return session_; }
-  ViewArea* views() const { return views_; }
-  PipelinePanel* pipeline() const { return pipeline_; }
-  ProbePanel* probe() const { return probe_; }
-  LowerArea* lower() const { return lower_; }
-  ProfilerPanel* profiler() const { return profiler_; }
-  PlotsPanel* plots() const { return plots_; }
-  JitterPanel* jitter() const { return jitter_; }
-  WeightsPanel* weights() const { return weights_; }
-  TimelinePanel* timeline() const { return timeline_; }
-  MessagesBar* messages() const { return messages_; }
-  StatusLine* statusLine() const { return statusLine_; }
-  QTabWidget* left() const { return left_; } ///< pipeline and scene
-  ScenePanel* scene() const { return scene_; }
-  Flight* flight() const { return flight_; }
-  FlightBar* flightBar() const { return flightBar_; }
-
-  SessionKeeper* keeper() const { return keeper_; }
-  Exports* exports() const { return exports_; }
-
-  /// Opens a session and pauses at its frame, or a file or "builtin:NAME" and plays.
-  void openSource(const QString& source);
-  /// Views, probes, panels and layout; what they may make of a session of another window.
-  QJsonObject state() const;
-  void setState(const QJsonObject& state);
-  /// The GLSL of the active view's stage.
-  void readGlsl();
+  ViewArea& views() { return *views_; }
+  SessionKeeper& keeper() { return *keeper_; }
   void setTheme(ThemeChoice choice);
-  ThemeChoice theme() const { return theme_; }
-  /// Shows an intermediate in the active view or the other one.
-  void showIntermediate(IntermediateId id, bool inOtherView);
-  void setPanelVisible(QWidget* panel, bool visible);
-  /// Opens the area above the timeline at this page, or closes it.
-  void setLowerPage(LowerPage page, bool shown);
-  /// The scene's tree on the left, or the pipeline.
-  void showScene(bool shown);
-  void searchPipeline();
-
-  // What menus and keys ask for
-  void escape(); ///< ends the innermost thing, see EscapeKey.h
-  void askForFile();
-  void askForPixel();
-  void askForFrame();
-  void askForMarkName();
-  void askForSize();
-  void askForPresetName();
-  void askForPresetFile();
-  void comparePresets();
-  void showUserPresets();
-  void askToSaveCamera();
-  void askForCamera();
-  void askForCameraName();
-  CameraTrackHandle flownCamera() const; ///< that is looked through; null: one of the scene's
-  QString presetFolder() const;          ///< of the user's own
-  void chooseIntermediate(int view);
-  void chooseComparison(int view);
-  void showCommands();
-  void showKeys();
-  void copyValue();
-  void copyProbe(ProbeFormat format);
-  /// Opens the panel at a page.
-  void setProbeTab(ProbeTab tab);
-  void pinAnother();
-  void copyProfile(bool asCsv);
-  /// Opens the profiler if need be.
-  void measureStages();
+  /// Opens a page by its name: "profiler", "plots" … below, "colorspace" or "whatif" of the probe, "scene" on
+  /// the left; anything else: nothing.
+  void openPage(const std::string& name);
+  /// One of dialogNames(); expects an open source.
+  void openDialog(const std::string& name);
+  /// Writes a picture of the window once all of this frame has arrived in it, and calls `done` with an exit
+  /// code and what to say. `dialog` is opened before; empty: none.
+  void takeScreenshot(const QString& file, int frame, const std::string& dialog,
+                      std::function<void(int code, const QString& text)> done);
 
  protected:
   void showEvent(QShowEvent*) override;
@@ -128,41 +78,34 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent*) override;
 
  private:
-  void makeParts();
-  void makeLeft();
-  void connectScene();
-  void orderFocus();
+  void makePanels();
   void layOut();
+  void makeKeeper();
+  void makeCommands();
+  void makeMenus();
+  void makeFeeds();
+  void connectMenus();
   void connectPanels();
-  void connectProbe();
   void connectProfiler();
-  void connectLower();
-  void connectViews();
   void connectSession();
-  void connectFiles();
-  void connectUndo();
-  EscapeState escapeState() const;
+  void connectMessages();
+  void watchShaders();
   void showStatus();
+  void startSource(const Status& status);
+  void showTitle();
   void showSettings();
-  void showPick();
-  void showHistory();
-  void showTraces();
-  void showFigure();
-  void showProbe();
-  void showHover(int view);
-  void connectComparing();
-  void askForComparedFrame(int view);
-  void pickAtFirstStart();
   void restore();
   void remember();
 
   Session& session_;
   QSettings* settings_;
-  ThemeChoice theme_ = ThemeChoice::System;
   bool wasShown_ = false;
   std::string shownSource_; ///< whose warnings and first pick are shown
+  // Panels
   ViewArea* views_ = nullptr;
   PipelinePanel* pipeline_ = nullptr;
+  ScenePanel* scene_ = nullptr;
+  LeftArea* left_ = nullptr;
   ProbePanel* probe_ = nullptr;
   LowerArea* lower_ = nullptr;
   ProfilerPanel* profiler_ = nullptr;
@@ -173,22 +116,30 @@ class MainWindow : public QMainWindow {
   MessagesBar* messages_ = nullptr;
   StatusLine* statusLine_ = nullptr;
   WorkBar* work_ = nullptr;
+  FlightBar* flightBar_ = nullptr;
   QSplitter *columns_ = nullptr, *rows_ = nullptr;
   QLabel* sourceLabel_ = nullptr;
-  QTabWidget* left_ = nullptr;
-  ScenePanel* scene_ = nullptr;
-  Flight* flight_ = nullptr;
-  FlightBar* flightBar_ = nullptr;
-  bool selectsPicked_ = false; ///< the object at the probe, once it is known
-  bool reveals_ = false;       ///< the next pick is of the selected object
-  FigureHistory figures_;      ///< for the timeline
-  Menus* menus_ = nullptr;
+  // What commands do
   SessionKeeper* keeper_ = nullptr;
+  ThemeSetting* theme_ = nullptr;
+  Flight* flight_ = nullptr;
+  EscapeKey* escape_ = nullptr;
   Exports* exports_ = nullptr;
-  Drags* drags_ = nullptr;
-  StateWatch *viewsWatch_ = nullptr, *timelineWatch_ = nullptr;
-  QElapsedTimer workEnded_;
-  ShaderWatch* shaders_ = nullptr; ///< null: they come from the program itself
+  CameraFiles* cameras_ = nullptr;
+  OwnPresets* presets_ = nullptr;
+  ProbeCommands* probeCommands_ = nullptr;
+  GoToPrompts* prompts_ = nullptr;
+  ViewChoices* choices_ = nullptr;
+  CommandLists* lists_ = nullptr;
+  // What ends before the panels do: they have more to say while they are destroyed
+  std::unique_ptr<WindowState> state_;
+  std::unique_ptr<Commands> commands_;
+  std::unique_ptr<ProbeFeed> probeFeed_;
+  std::unique_ptr<PlotFeed> plotFeed_;
+  std::unique_ptr<SceneFeed> sceneFeed_;
+  std::unique_ptr<FlightFeed> flightFeed_;
+  std::unique_ptr<ViewFeed> viewFeed_;
+  std::unique_ptr<WindowUndo> undo_;
 };
 
 } // namespace taa::app

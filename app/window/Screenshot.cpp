@@ -5,9 +5,9 @@
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/ProfilerPanel.h"
 #include "app/panels/WeightsPanel.h"
+#include "app/session/Session.h"
 #include "app/views/ViewArea.h"
 #include "app/window/Dialogs.h"
-#include "app/window/MainWindow.h"
 
 #include <QPixmap>
 
@@ -25,13 +25,12 @@ constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
 } // namespace
 
-Screenshot::Screenshot(MainWindow& window, const QString& file, int frame, Done done)
-    : QObject(&window), window_(window), file_(file), frame_(frame), done_(std::move(done)) {
-  Session& session = window.session();
-  connect(&session, &Session::errorOccurred, this, [this](const QString& sentence) {
+Screenshot::Screenshot(ScreenshotSubject of, const QString& file, int frame, Done done)
+    : QObject(&of.window), of_(std::move(of)), file_(file), frame_(frame), done_(std::move(done)) {
+  connect(&of_.session, &Session::errorOccurred, this, [this](const QString& sentence) {
     lastError_ = sentence;
     // Nothing will come when nothing could be opened.
-    if (!window_.session().isOpen()) finish(1, sentence);
+    if (!of_.session.isOpen()) finish(1, sentence);
   });
   connect(&poll_, &QTimer::timeout, this, &Screenshot::look);
   connect(&limit_, &QTimer::timeout, this, [this] {
@@ -43,11 +42,11 @@ Screenshot::Screenshot(MainWindow& window, const QString& file, int frame, Done 
 }
 
 bool Screenshot::isComplete() const {
-  const Session& session = window_.session();
+  const Session& session = of_.session;
   const Status& status = session.status();
   if (status.info.frame != frame_ || !status.exact || status.playing || !session.work().what.empty())
     return false;
-  const std::vector<ViewRequest> wanted = window_.views()->requests();
+  const std::vector<ViewRequest> wanted = of_.views.requests();
   for (std::size_t view = 0; view < wanted.size(); ++view) {
     const ViewResult* result = session.picture(static_cast<int>(view)).get();
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
@@ -56,12 +55,11 @@ bool Screenshot::isComplete() const {
             ? !result->flickerSamples
             : isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
       return false;
-    if (window_.views()->view(static_cast<int>(view))->isMeasuring()) return false;
+    if (of_.views.view(static_cast<int>(view))->isMeasuring()) return false;
     if (wanted[view].other && !(result->other && result->other->exact)) return false;
   }
-  const PipelinePanel* pipeline = window_.pipeline();
-  if (pipeline->isVisible() && pipeline->showsThumbnails() && !pipeline->hasThumbnailsOf(frame_))
-    return false;
+  const PipelinePanel& pipeline = of_.pipeline;
+  if (pipeline.isVisible() && pipeline.showsThumbnails() && !pipeline.hasThumbnailsOf(frame_)) return false;
   if (!session.pick()) return true;
   const ProbeResult* probe = session.probe();
   return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.pick();
@@ -69,30 +67,30 @@ bool Screenshot::isComplete() const {
 
 // The profiler shows the stages, too, which are only measured when somebody asks.
 bool Screenshot::areProfilesComplete() {
-  const ProfilerPanel* profiler = window_.profiler();
-  if (!profiler->isVisible()) return true;
-  if (!std::exchange(measures_, true)) window_.session().measureStages();
-  return profiler->hasProfile() && profiler->hasStageCosts();
+  const ProfilerPanel& profiler = of_.profiler;
+  if (!profiler.isVisible()) return true;
+  if (!std::exchange(measures_, true)) of_.session.measureStages();
+  return profiler.hasProfile() && profiler.hasStageCosts();
 }
 
 // Plots show what was seen before, which a picture of one frame lacks: the frames up to it are made.
 bool Screenshot::areTracesComplete() {
-  const PlotsPanel* plots = window_.plots();
-  const Session& session = window_.session();
-  const bool isShown = plots->isVisible() || window_.jitter()->isVisible() || window_.weights()->isVisible();
+  const PlotsPanel& plots = of_.plots;
+  const Session& session = of_.session;
+  const bool isShown = plots.isVisible() || of_.jitter.isVisible() || of_.weights.isVisible();
   if (!isShown || session.pins().empty()) return true;
   const int first = std::max(0, frame_ - kTracedFrames);
-  if (!std::exchange(asksForTraces_, true)) window_.session().fillTraces(first, frame_);
+  if (!std::exchange(asksForTraces_, true)) of_.session.fillTraces(first, frame_);
   if (session.work().what == "Tracing the probes") sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
   return std::ranges::all_of(session.pins(), [&](const ProbePin& pin) {
-    const PixelTrace* trace = plots->store().traceOf(pin);
+    const PixelTrace* trace = plots.store().traceOf(pin);
     return trace && missingFrames(*trace, first, frame_).empty();
   });
 }
 
 void Screenshot::look() {
-  Session& session = window_.session();
+  Session& session = of_.session;
   if (!session.isOpen()) return;
   if (!asked_) {
     asked_ = true;
@@ -105,14 +103,14 @@ void Screenshot::look() {
   }
   // Layouts settle and late results arrive before the picture is taken.
   if (++quiet_ < kQuiet) return;
-  if (dialog_.empty()) return take();
-  openDialog(window_, std::exchange(dialog_, {}));
+  if (!of_.openDialog) return take();
+  std::exchange(of_.openDialog, nullptr)();
   quiet_ = -kDialogQuiet;
 }
 
 void Screenshot::take() {
-  QPixmap picture = window_.grab();
-  paintDialogs(window_, picture);
+  QPixmap picture = of_.window.grab();
+  paintDialogs(of_.window, picture);
   if (picture.save(file_, "PNG"))
     finish(0, {});
   else

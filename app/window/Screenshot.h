@@ -6,11 +6,29 @@
 #include <QTimer>
 
 #include <functional>
-#include <string>
 
 namespace taa::app {
 
-class MainWindow;
+class JitterPanel;
+class PipelinePanel;
+class PlotsPanel;
+class ProfilerPanel;
+class Session;
+class ViewArea;
+class WeightsPanel;
+
+/// The window and what of it a picture waits for.
+struct ScreenshotSubject {
+  QWidget& window;
+  Session& session;
+  ViewArea& views;
+  PipelinePanel& pipeline;
+  ProfilerPanel& profiler;
+  PlotsPanel& plots;
+  JitterPanel& jitter;
+  WeightsPanel& weights;
+  std::function<void()> openDialog; ///< before the picture; null: none
+};
 
 /// Waits for frame, views and probe, writes the picture, and calls `done` with an exit code and what to say.
 class Screenshot : public QObject {
@@ -18,9 +36,7 @@ class Screenshot : public QObject {
  public:
   using Done = std::function<void(int code, const QString& text)>;
   /// `frame` is clamped to the shot.
-  Screenshot(MainWindow& window, const QString& file, int frame, Done done);
-  /// Opens this one of dialogNames() first; empty: none.
-  void setDialog(const std::string& name) { dialog_ = name; }
+  Screenshot(ScreenshotSubject of, const QString& file, int frame, Done done);
 
  private:
   /// Asks for the frame once the source is open, and takes the picture once all is there.
@@ -31,14 +47,13 @@ class Screenshot : public QObject {
   void take();
   void finish(int code, const QString& text);
 
-  MainWindow& window_;
+  ScreenshotSubject of_;
   QString file_;
   int frame_;
   Done done_;
   bool asked_ = false, measures_ = false;
   bool asksForTraces_ = false, sawTracing_ = false;
-  int quiet_ = 0;      ///< polls since all was there
-  std::string dialog_; ///< that is still to be opened
+  int quiet_ = 0; ///< polls since all was there
   QTimer poll_, limit_;
   QString lastError_;
 };

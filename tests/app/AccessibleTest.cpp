@@ -1,6 +1,7 @@
 // Who cannot see the window or has no mouse: names for screen readers, the way of the Tab key.
 #include "tests/app/WindowFixture.h"
 
+#include "app/panels/LeftArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/ScenePanel.h"
@@ -50,7 +51,7 @@ void expectNames(const QWidget* window) {
 
 TEST_F(AccessibleTest, EveryControlOfTheWindowHasAName) {
   for (const bool shows : {false, true}) {
-    window.showScene(shows);
+    window.left()->openPage(shows ? LeftPage::Scene : LeftPage::Pipeline);
     settle();
     expectNames(&window);
   }

@@ -1,4 +1,5 @@
 // No text is cut off and nothing overlaps at the sizes the window is made for.
+#include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/widgets/bars/WorkBar.h"
@@ -84,7 +85,8 @@ TEST_P(Layout, CutsNoTextAndOverlapsNothingWithTheProfiler) {
   window.resize(GetParam().first, GetParam().second);
   renderer->status.driver.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
   renderer->status.driver.isSoftware = true;
-  window.measureStages();
+  window.lower()->setShown(LowerPage::Profiler, true);
+  session.measureStages();
   session.seek(3);
   settle();
   settle();

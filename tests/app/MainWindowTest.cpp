@@ -1,7 +1,9 @@
 // Keys, mouse and menus of the window, on a synthetic renderer.
 #include "app/window/MainWindow.h"
+#include "app/commands/GoToPrompts.h"
 #include "app/dialogs/KeysDialog.h"
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/menus/CommandLists.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
@@ -185,7 +187,7 @@ TEST_F(Window, SaysWhatASizeTakesWhereItIsChosen) {
   EXPECT_TRUE(first.startsWith(QStringLiteral("640×360 (about ")) && first.contains(QStringLiteral("MiB")))
       << first.toStdString();
   EXPECT_TRUE(sizes->actions().at(6)->text().contains(QStringLiteral("GiB")));
-  window.askForSize();
+  window.prompts()->askForSize();
   auto* prompt = window.findChild<Prompt*>();
   ASSERT_TRUE(prompt);
   prompt->field()->setText(QStringLiteral("7680x4320"));
@@ -214,9 +216,9 @@ TEST_F(Window, KeysChangeHowThePictureLooks) {
 
 TEST_F(Window, EachIntermediateRemembersItsStyle) {
   key(Qt::Key_E);
-  window.showIntermediate(IntermediateId::motion, false);
+  window.showIntermediate(IntermediateId::motion);
   EXPECT_EQ(window.views()->view(0)->style(), defaultStyle(intermediate(IntermediateId::motion)));
-  window.showIntermediate(IntermediateId::resolved, false);
+  window.showIntermediate(IntermediateId::resolved);
   EXPECT_EQ(window.views()->view(0)->style().exposure, 0.5f);
 }
 
@@ -301,7 +303,7 @@ TEST_F(Window, KeysAreListedAndCommandsAreFound) {
     }
   EXPECT_TRUE(titles.contains("File") && titles.contains("Export"));
   dialog->close();
-  window.showCommands();
+  window.lists()->choose();
   auto* chooser = window.findChild<Chooser*>();
   ASSERT_TRUE(chooser);
   auto* field = chooser->findChild<QLineEdit*>();

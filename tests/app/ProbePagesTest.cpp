@@ -1,5 +1,6 @@
 // The pages of the probe panel, what its rows tell, and what is copied.
 #include "app/views/plots/ProbePages.h"
+#include "app/commands/ProbeCommands.h"
 #include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/plots/ColorSpaceView.h"
@@ -80,7 +81,7 @@ TEST_F(ProbePages, CopyAsMarkdownAndJson) {
 // What the window copies of a real frame is what taa-batch probe prints.
 TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   Session session;
-  MainWindow window(session, nullptr);
+  app::test::TestWindow window(session, nullptr);
   window.show();
   session.setSize(64, 36);
   session.open(QStringLiteral("builtin:fan"), false);
@@ -91,7 +92,7 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
     return session.probe() && session.probe()->frame == 5 && session.probe()->exact &&
            session.probe()->x == 40;
   }));
-  window.copyProbe(ProbeFormat::Json);
+  window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();
   const auto printed = [] {
     Inspector inspector;

@@ -34,7 +34,7 @@ ViewResult resultOf(IntermediateId id, int samples) {
 
 TEST_F(ReferenceKeys, ShowItAndGoBack) {
   const IntermediateId before = IntermediateId::alpha; // not what it starts with
-  window.showIntermediate(before, false);
+  window.showIntermediate(before);
   settle();
   key(Qt::Key_U);
   EXPECT_EQ(renderer->views.at(0).id, IntermediateId::reference);

@@ -1,7 +1,9 @@
 // The tree of the scene by real events, and flying by mouse and keys.
 #include "tests/app/WindowFixture.h"
 
+#include "app/commands/Flight.h"
 #include "app/models/SceneTreeModel.h"
+#include "app/panels/LeftArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
 #include "app/views/FlightMath.h"
@@ -10,7 +12,6 @@
 #include "app/widgets/Prompt.h"
 #include "app/widgets/SearchField.h"
 #include "app/widgets/bars/FlightBar.h"
-#include "app/window/Flight.h"
 
 #include <QJsonArray>
 #include <QLineEdit>

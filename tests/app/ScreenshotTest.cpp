@@ -98,7 +98,7 @@ TEST(Screenshot, WrongUsageEndsWithTwo) {
 TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   applyTheme(*qApp, ThemeChoice::Dark);
   Session session;
-  MainWindow window(session, nullptr);
+  app::test::TestWindow window(session, nullptr);
   window.resize(1280, 800);
   window.show();
   session.setSize(96, 54);
@@ -132,7 +132,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
 TEST(RealWindow, StepsBackToTheSamePicture) {
   applyTheme(*qApp, ThemeChoice::Dark);
   Session session;
-  MainWindow window(session, nullptr);
+  app::test::TestWindow window(session, nullptr);
   window.resize(1280, 800);
   window.show();
   session.setSize(96, 54);

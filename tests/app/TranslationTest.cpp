@@ -174,7 +174,7 @@ TEST_F(TranslatedWindow, ShowsNoTextThatIsNotTranslated) {
 
 TEST_F(TranslatedWindow, AsksForNothingThatIsNotInTheTemplate) {
   auto messages = readTemplate();
-  for (const std::string& name : dialogNames()) openDialog(window, name);
+  for (const std::string& name : dialogNames()) window.openDialog(name);
   settle();
   ASSERT_GT(brackets.asked.size(), 20u);
   for (const auto& [context, texts] : brackets.asked)

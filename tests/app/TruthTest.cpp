@@ -1,10 +1,10 @@
 // What the window says about the picture on show: nothing before it is there, and nothing of another scene.
+#include "app/commands/Flight.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/StatusLine.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/bars/FlightBar.h"
-#include "app/window/Flight.h"
 #include "tests/app/WindowFixture.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A window on a fake or a real renderer, and ways to wait for it.
 #pragma once
 
-#include "app/window/MainWindow.h"
 #include "tests/app/FakeRenderer.h"
+#include "tests/app/TestWindow.h"
 
 #include <QApplication>
 #include <QTest>
@@ -48,7 +48,7 @@ class FakeWindow : public testing::Test {
     renderer = made.get();
     return made;
   }};
-  MainWindow window{session, nullptr};
+  TestWindow window{session, nullptr};
 };
 
 } // namespace taa::app::test

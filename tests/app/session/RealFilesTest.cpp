@@ -1,10 +1,10 @@
 // Sessions, command lines and shaders on the real renderer: the same pictures, byte for byte.
+#include "app/commands/Exports.h"
 #include "app/panels/MessagesBar.h"
 #include "app/session/SessionKeeper.h"
 #include "app/session/ShaderWatch.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "app/window/Exports.h"
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "tests/app/WindowFixture.h"
@@ -36,7 +36,7 @@ class RealFiles : public testing::Test {
   void open() {
     applyTheme(*qApp, ThemeChoice::Dark);
     session = std::make_unique<Session>();
-    window = std::make_unique<MainWindow>(*session, nullptr);
+    window = std::make_unique<app::test::TestWindow>(*session, nullptr);
     window->resize(1280, 800);
     window->show();
     // A note takes room from the views: one that went while a test runs would change the size of their
@@ -116,7 +116,7 @@ class RealFiles : public testing::Test {
 
   QTemporaryDir folder;
   std::unique_ptr<Session> session;
-  std::unique_ptr<MainWindow> window;
+  std::unique_ptr<app::test::TestWindow> window;
 };
 
 TEST_F(RealFiles, AReopenedSessionShowsTheSamePicture) {

@@ -1,7 +1,9 @@
 // Sessions, autosaves, exports and shaders as the window handles them, on a fake renderer.
+#include "app/commands/Exports.h"
 #include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/RangeDialog.h"
 #include "app/dialogs/SourceText.h"
+#include "app/menus/CommandLists.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/ProbePanel.h"
 #include "app/session/Autosave.h"
@@ -10,7 +12,6 @@
 #include "app/views/ViewArea.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/bars/OfferBar.h"
-#include "app/window/Exports.h"
 #include "core/base/Files.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/support/ShaderFolder.h"
@@ -43,7 +44,7 @@ class SessionFiles : public taa::app::test::FakeWindow {
  protected:
   QTemporaryDir folder;
   QSettings settings{folder.filePath("taa.ini"), QSettings::IniFormat};
-  std::unique_ptr<MainWindow> own = std::make_unique<MainWindow>(session, &settings);
+  std::unique_ptr<app::test::TestWindow> own = std::make_unique<app::test::TestWindow>(session, &settings);
 
   void SetUp() override {
     FakeWindow::SetUp();
@@ -92,7 +93,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   settle();
   session.setPick(glm::ivec2(70, 40));
   session.addPin(glm::ivec2(12, 9), Follow::Surface);
-  own->setPanelVisible(own->probe(), false);
+  own->probe()->setVisible(false);
   settle();
   own->keeper()->saveTo(path("it.taa.json"));
   const std::string saved = readFile(path("it.taa.json").toStdString());
@@ -103,7 +104,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
   session.removeAllPins();
-  own->setPanelVisible(own->probe(), true);
+  own->probe()->setVisible(true);
   settle();
   drop(path("it.taa.json"));
   EXPECT_EQ(session.presetId(), "fsr2");
@@ -138,7 +139,7 @@ TEST_F(SessionFiles, AnAutosaveGoesWithACleanEnd) {
   own->keeper()->autosave()->save();
   const QString kept = own->keeper()->autosave()->path();
   EXPECT_TRUE(QFile::exists(kept));
-  MainWindow second(session, &settings); // the first one runs
+  app::test::TestWindow second(session, &settings); // the first one runs
   second.keeper()->offerOrphan();
   EXPECT_FALSE(second.keeper()->offer());
   own.reset();
@@ -158,7 +159,7 @@ TEST_F(SessionFiles, WhatACrashLeftIsOfferedOnce) {
   settle();
   OfferBar* offer = own->keeper()->offer();
   ASSERT_TRUE(offer && offer->isVisible());
-  MainWindow second(session, &settings);
+  app::test::TestWindow second(session, &settings);
   second.keeper()->offerOrphan();
   EXPECT_FALSE(second.keeper()->offer()) << "it is offered in the first window";
   QTest::mouseClick(offer->findChild<QPushButton*>("accept"), Qt::LeftButton);
@@ -353,7 +354,7 @@ TEST_F(SessionFiles, TheGlslOfAStageIsRead) {
 }
 
 TEST_F(SessionFiles, CommandsHoldTheChoicesOfParameters) {
-  own->showCommands();
+  own->lists()->choose();
   auto* chooser = own->findChild<Chooser*>();
   ASSERT_TRUE(chooser);
   auto* field = chooser->findChild<QLineEdit*>();

@@ -1,6 +1,7 @@
 // What panels show comes back with a session: everything that was opened, chosen, folded, turned and
 // scrolled.
 #include "app/models/ProbeModel.h"
+#include "app/panels/LeftArea.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/PlotsPanel.h"
@@ -118,15 +119,15 @@ TEST_F(SessionPanels, ThePipelineComesBackAsItWasOpenSearchedAndScrolled) {
 }
 
 TEST_F(SessionPanels, AHiddenColumnAndTheSceneInPlaceOfThePipelineComeBack) {
-  window.showScene(true);
+  window.left()->openPage(LeftPage::Scene);
   save();
-  window.showScene(false);
+  window.left()->openPage(LeftPage::Pipeline);
   reopen();
   EXPECT_EQ(window.left()->currentIndex(), 1);
   EXPECT_FALSE(window.left()->isHidden());
-  window.setPanelVisible(window.pipeline(), false);
+  window.left()->setShown(false);
   save();
-  window.showScene(false);
+  window.left()->openPage(LeftPage::Pipeline);
   reopen();
   EXPECT_TRUE(window.left()->isHidden());
   EXPECT_EQ(window.left()->currentIndex(), 1);
@@ -142,7 +143,7 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   views->view(0)->setOverlay(Overlay::Outlines, true);
   views->view(1)->setIntermediate(IntermediateId::resolved);
   views->view(1)->setComparison(parseComparison("frame:3"));
-  window.setLowerPage(LowerPage::Plots, true);
+  window.lower()->setShown(LowerPage::Plots, true);
   window.plots()->setRows({{IntermediateId::alpha}, {IntermediateId::clipAmount, 1u}});
   settle();
   window.plots()->charts().front()->setShown({3.0, 40.0});
@@ -167,7 +168,7 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   views->view(1)->setComparison({});
   window.plots()->setRows({{IntermediateId::speed}});
   window.plots()->resetZoom();
-  window.setLowerPage(LowerPage::Weights, true);
+  window.lower()->setShown(LowerPage::Weights, true);
   timeline->setFigure({});
   timeline->setSpeed(2.0);
   timeline->clearRange();

@@ -1,4 +1,5 @@
 // Undo and Esc in the window, by the keys and the mouse, wherever the focus is.
+#include "app/commands/Flight.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ScenePanel.h"
 #include "app/panels/TimelinePanel.h"
@@ -7,7 +8,6 @@
 #include "app/widgets/SearchField.h"
 #include "app/widgets/parameters/NumberField.h"
 #include "app/widgets/parameters/ParameterRow.h"
-#include "app/window/Flight.h"
 #include "tests/app/views/ViewsFixture.h"
 
 #include <QAction>

@@ -1,5 +1,6 @@
 // A user's own presets: saved by a key, listed in the menu, opened again.
 #include "app/session/UserPresets.h"
+#include "app/commands/OwnPresets.h"
 
 #include "app/dialogs/PresetsDialog.h"
 #include "app/panels/MessagesBar.h"
@@ -31,7 +32,7 @@ class UserPresetsTest : public test::FakeWindow {
  protected:
   QTemporaryDir folder;
   QSettings settings{folder.filePath("taa.ini"), QSettings::IniFormat};
-  MainWindow own{session, &settings};
+  app::test::TestWindow own{session, &settings};
 
   void SetUp() override {
     FakeWindow::SetUp();
@@ -63,7 +64,7 @@ TEST_F(UserPresetsTest, AreSavedByAKeyAndOpenAgain) {
   EXPECT_EQ(preset(path.toStdString()).settings.weight.minimum, 0.25f);
   EXPECT_EQ(session.presetId(), "my-calm-one");
   EXPECT_FALSE(session.isPresetChanged());
-  const std::vector<UserPreset> found = userPresets(own.presetFolder());
+  const std::vector<UserPreset> found = userPresets(own.presets()->folder());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].label, "My calm one");
   session.setPreset("minimal");
@@ -114,9 +115,9 @@ TEST_F(UserPresetsTest, ANameOfABuiltInOneIsRefusedAndNothingIsLost) {
   QObject::connect(&session, &Session::errorOccurred, [&said](const QString& sentence) { said = sentence; });
   saveAs("Balanced");
   EXPECT_TRUE(said.contains("built-in")) << said.toStdString();
-  EXPECT_TRUE(userPresets(own.presetFolder()).empty());
+  EXPECT_TRUE(userPresets(own.presets()->folder()).empty());
   EXPECT_EQ(session.settings().weight.minimum, 0.25f);
-  EXPECT_THROW(saveUserPreset(own.presetFolder(), "…", {}), Error);
+  EXPECT_THROW(saveUserPreset(own.presets()->folder(), "…", {}), Error);
 }
 
 TEST_F(UserPresetsTest, RowsBeginAtTheSamePlaceChosenOrNot) {
@@ -167,8 +168,8 @@ TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   prompt->field()->setText("Yours");
   QTest::keyClick(prompt->field(), Qt::Key_Return);
   settle();
-  ASSERT_EQ(userPresets(own.presetFolder()).size(), 1u);
-  EXPECT_EQ(userPresets(own.presetFolder())[0].label, "Yours");
+  ASSERT_EQ(userPresets(own.presets()->folder()).size(), 1u);
+  EXPECT_EQ(userPresets(own.presets()->folder())[0].label, "Yours");
   press("Delete…");
   auto* box = dialog->findChild<QMessageBox*>();
   ASSERT_TRUE(box);
@@ -176,7 +177,7 @@ TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   for (QAbstractButton* button : box->buttons())
     if (button->text() == "Delete") button->click();
   settle();
-  EXPECT_TRUE(userPresets(own.presetFolder()).empty());
+  EXPECT_TRUE(userPresets(own.presets()->folder()).empty());
 }
 
 TEST_F(UserPresetsTest, AnotherOnesNameIsNotTaken) {

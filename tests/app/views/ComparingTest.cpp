@@ -1,4 +1,5 @@
 // Views with two sides, by mouse and keys.
+#include "app/commands/ViewChoices.h"
 #include "app/panels/StatusLine.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -256,7 +257,7 @@ TEST_F(ComparingTest, TheListOffersPresetsFramesAndIntermediates) {
   settle();
   EXPECT_EQ(view()->comparison().kind, OtherKind::FramesBefore);
   ASSERT_TRUE(test::waitFor([&] { return !window.findChild<Chooser*>(); }));
-  window.chooseComparison(0);
+  window.choices()->chooseComparison(0);
   chooser = window.findChild<Chooser*>();
   ASSERT_TRUE(chooser);
   chooser->search(QStringLiteral("another frame…"));

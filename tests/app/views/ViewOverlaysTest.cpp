@@ -33,7 +33,7 @@ TEST_F(ViewOverlays, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
   const ViewStyle& style = asked().style;
   EXPECT_TRUE(style.markClipped && style.markRejected && style.outlineObjects && style.arrows);
   EXPECT_FALSE(asked(1).style.markClipped);
-  window.showIntermediate(IntermediateId::motion, false);
+  window.showIntermediate(IntermediateId::motion);
   settle();
   EXPECT_TRUE(asked().style.markClipped && asked().style.arrows);
   key(Qt::Key_J);
@@ -41,7 +41,7 @@ TEST_F(ViewOverlays, KeysLayOverlaysOverTheActiveViewWhateverItShows) {
 }
 
 TEST_F(ViewOverlays, ChannelsOfABoxAreNamedByTheSettings) {
-  window.showIntermediate(IntermediateId::boxMin, false);
+  window.showIntermediate(IntermediateId::boxMin);
   const auto names = [&] {
     return view()->header()->findChild<ChannelButtons*>()->names().join(QLatin1Char(' '));
   };

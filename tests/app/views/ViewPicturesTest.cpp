@@ -1,8 +1,8 @@
 // Pictures of views for files.
+#include "app/commands/Exports.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/views/Wipe.h"
-#include "app/window/Exports.h"
 #include "tests/app/views/ViewsFixture.h"
 
 #include <memory>

@@ -4,6 +4,7 @@
 
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/TimelinePanel.h"
+#include "app/session/SessionKeeper.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/window/MainWindow.h"
@@ -148,9 +149,9 @@ class SlowRenderer final : public Renderer {
 /// What a hand does, one after another: each is a real event to a real widget.
 class Hand {
  public:
-  explicit Hand(MainWindow& window) : window_(window) {}
+  Hand(MainWindow& window, Session& session) : window_(window), session_(session) {}
   void act(int number) {
-    Viewport* viewport = window_.views()->active()->viewport();
+    Viewport* viewport = window_.views().active()->viewport();
     const QPoint place(100 + number % 200, 100 + number % 90);
     switch (number % 8) {
     case 0:
@@ -165,9 +166,9 @@ class Hand {
     case 5:
       return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Period : Qt::Key_Comma);
     case 6:
-      return window_.session().setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
+      return session_.setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
     default:
-      return wheel(window_.pipeline()->findChild<QScrollArea*>()->viewport(), {50, 50},
+      return wheel(window_.findChild<PipelinePanel*>()->findChild<QScrollArea*>()->viewport(), {50, 50},
                    number % 400 < 200 ? -120 : 120);
     }
   }
@@ -184,11 +185,12 @@ class Hand {
     QApplication::sendEvent(widget, &event);
   }
   MainWindow& window_;
+  Session& session_;
 };
 
 /// Milliseconds from post to handled of each event, rising.
-std::vector<double> measure(MainWindow& window) {
-  Hand hand(window);
+std::vector<double> measure(MainWindow& window, Session& session) {
+  Hand hand(window, session);
   std::vector<double> waits;
   std::thread poster([&] {
     for (int number = 0; number < kEvents; ++number) {
@@ -222,14 +224,14 @@ int main(int argc, char** argv) {
   MainWindow window(session, nullptr);
   window.resize(1600, 900);
   window.show();
-  window.openSource(QStringLiteral("builtin:fan"));
+  window.keeper().openSource(QStringLiteral("builtin:fan"));
   if (!QTest::qWaitFor([&] { return session.picture(0) != nullptr; }, 20000)) {
     std::fputs("taa_ui_latency: no picture arrived\n", stderr);
     return 1;
   }
   session.setPick(glm::ivec2(200, 200));
   QTest::qWait(1500); // layouts and first paints are over
-  const std::vector<double> waits = measure(window);
+  const std::vector<double> waits = measure(window, session);
   const auto at = [&](double share) {
     return waits[static_cast<std::size_t>(share * static_cast<double>(waits.size() - 1))];
   };

@@ -59,11 +59,13 @@ const std::vector<Source>& all() {
   return sources;
 }
 
-/// Where a file stands: its folder below core, "thread" for core's root, "app", "shaders".
+/// Where a file stands: its folder below core, "thread" for core's root; of app the whole folder,
+/// "app/views/plots"; "shaders".
 std::string roomOf(const std::string& path) {
   static const std::regex kRoom(R"(^(core|app|shaders)/(?:([a-z]+)/)?)");
   std::smatch match;
   if (!std::regex_search(path, match, kRoom)) return "";
+  if (match[1] == "app") return fs::path(path).parent_path().generic_string();
   if (match[1] != "core") return match[1].str();
   return match[2].matched ? match[2].str() : "thread";
 }
@@ -86,6 +88,18 @@ const std::vector<std::vector<std::string>>& floors() {
       {"jobs"},
       {"thread"},
       {"cli"},
+      {"app/style"},
+      {"app/widgets"},
+      {"app/widgets/parameters"},
+      {"app/widgets/bars"},
+      {"app/session"},
+      {"app/models"},
+      {"app/views/legend", "app/views/plots", "app/views/timeline"},
+      {"app/views"},
+      {"app/panels", "app/dialogs"},
+      {"app/commands"},
+      {"app/menus"},
+      {"app/window"},
       {"app"},
   };
   return kFloors;
@@ -115,7 +129,8 @@ TEST(IncludeOrder, FindsTheSources) {
   EXPECT_EQ(roomOf("core/base/Error.h"), "base");
   EXPECT_EQ(roomOf("core/scene/gltf/GltfLoader.h"), "scene");
   EXPECT_EQ(roomOf("core/RenderThread.h"), "thread");
-  EXPECT_EQ(roomOf("app/panels/Probe.h"), "app");
+  EXPECT_EQ(roomOf("app/panels/Probe.h"), "app/panels");
+  EXPECT_EQ(roomOf("app/views/plots/CurveChart.h"), "app/views/plots");
   EXPECT_TRUE(isQtHeader("QString") && isQtHeader("QtTest/QSignalSpy") && !isQtHeader("Quantity.h"));
 }
 

@@ -1,4 +1,4 @@
-#include "app/window/Flight.h"
+#include "app/commands/Flight.h"
 
 #include "app/session/Session.h"
 #include "app/views/ViewArea.h"

@@ -1,21 +1,17 @@
-// What the window does for views with two sides: lists to choose from, values of both under the mouse.
-#include "app/window/MainWindow.h"
+#include "app/commands/ViewChoices.h"
 
-#include "app/panels/StatusLine.h"
+#include "app/session/Session.h"
 #include "app/session/UserPresets.h"
-#include "app/style/Numbers.h"
 #include "app/style/Text.h"
+#include "app/style/Theme.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
-#include "app/views/Viewport.h"
 #include "app/widgets/Chooser.h"
 #include "app/widgets/Prompt.h"
 #include "core/settings/Presets.h"
-#include "core/taa/twin/Known.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,20 +41,31 @@ void addPresets(std::vector<Choice>& choices, const QString& group, const QStrin
 
 } // namespace
 
-void MainWindow::connectComparing() {
-  // Lanes first: what is asked of them waits until they are there.
-  connect(views_, &ViewArea::requestsChanged, this, [this] {
-    session_.setOtherPresets(views_->comparedPresets());
-    views_->setSpaces(session_.settings().space, session_.otherLanes());
-    session_.setViews(views_->requests());
-  });
-  connect(views_, &ViewArea::comparisonRequested, this, &MainWindow::chooseComparison);
+ViewChoices::ViewChoices(Session& session, ViewArea& views, const QString& presetFolder, QWidget* window)
+    : QObject(window), session_(session), views_(views), presetFolder_(presetFolder), window_(window) {
+  connect(&views_, &ViewArea::intermediateRequested, this, &ViewChoices::chooseIntermediate);
+  connect(&views_, &ViewArea::comparisonRequested, this, &ViewChoices::chooseComparison);
 }
 
-void MainWindow::chooseComparison(int view) {
+void ViewChoices::chooseIntermediate(int view) {
+  std::vector<ChooserEntry> entries;
+  for (const Intermediate& row : kIntermediates)
+    entries.push_back(
+        {tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)});
+  ViewPanel* panel = views_.view(view);
+  auto* chooser = new Chooser(
+      tr("Search intermediates"), std::move(entries),
+      [panel](int index) { panel->setIntermediate(kIntermediates[static_cast<std::size_t>(index)].id); },
+      panel);
+  const QRect header = panel->header()->geometry();
+  chooser->open({header.left() + 2 * kUnit, header.top(), 280, header.height() - 2},
+                static_cast<int>(panel->id()));
+}
+
+void ViewChoices::chooseComparison(int view) {
   std::vector<Choice> choices;
   choices.push_back({{tr("Nothing"), {}, {}, {}}, Comparison{}});
-  addPresets(choices, tr("The same with another preset"), presetFolder());
+  addPresets(choices, tr("The same with another preset"), presetFolder_);
   const QString frames = tr("The same in another frame");
   choices.push_back(
       {{tr("The frame before"), {}, frames, {}}, Comparison{OtherKind::FramesBefore, {}, {}, 1}});
@@ -69,7 +76,7 @@ void MainWindow::chooseComparison(int view) {
     choices.push_back(
         {{tableText(row.label), tableText(row.unit), tableText(stageInfo(row.stage).label), qtext(row.name)},
          Comparison{OtherKind::Row, row.id}});
-  ViewPanel* panel = views_->view(view);
+  ViewPanel* panel = views_.view(view);
   std::vector<ChooserEntry> entries;
   int current = -1;
   for (std::size_t index = 0; index < choices.size(); ++index) {
@@ -90,9 +97,9 @@ void MainWindow::chooseComparison(int view) {
   chooser->open({header.left() + 2 * kUnit, header.top(), 320, header.height() - 2}, current);
 }
 
-void MainWindow::askForComparedFrame(int view) {
+void ViewChoices::askForComparedFrame(int view) {
   const Status& status = session_.status();
-  ViewPanel* panel = views_->view(view);
+  ViewPanel* panel = views_.view(view);
   auto* prompt = new Prompt(
       tr("Compare with frame (0 to %1)").arg(status.frameCount - 1), QString::number(status.info.frame),
       [this, panel](const QString& text) {
@@ -102,30 +109,8 @@ void MainWindow::askForComparedFrame(int view) {
         panel->setComparison({OtherKind::Frame, {}, {}, frame});
         return true;
       },
-      this);
+      window_);
   prompt->open();
-}
-
-void MainWindow::showHover(int view) {
-  const Viewport* viewport = views_->view(view)->viewport();
-  const auto pixel = viewport->hovered();
-  if (!pixel) return statusLine_->setHover({});
-  QString text =
-      QStringLiteral("%1 (%2, %3)").arg(QChar(static_cast<char16_t>('A' + view))).arg(pixel->x).arg(pixel->y);
-  const auto add = [&](const std::optional<std::vector<float>>& values, IntermediateId id,
-                       const QString& before) {
-    if (!values) return;
-    const auto count = std::min(values->size(), static_cast<std::size_t>(intermediate(id).channels));
-    const bool isNone = isOfHistory(id) && session_.status().info.startsHistory;
-    text += before + (isNone ? tr("no history yet") : tupleText(std::span(*values).first(count), 5));
-  };
-  const ViewPanel* panel = views_->view(view);
-  add(viewport->valueAt(*pixel), panel->id(),
-      panel->isDifference() ? tr("  difference ") : QStringLiteral("  "));
-  const Comparison& comparison = panel->comparison();
-  add(viewport->otherValueAt(*pixel), comparison.kind == OtherKind::Row ? comparison.id : panel->id(),
-      tr("  other "));
-  statusLine_->setHover(text);
 }
 
 } // namespace taa::app

@@ -1,11 +1,10 @@
-#include "app/window/Exports.h"
+#include "app/commands/Exports.h"
 
 #include "app/dialogs/RangeDialog.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/Session.h"
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "app/window/MainWindow.h"
 #include "core/base/Files.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/io/PictureFile.h"
@@ -42,8 +41,9 @@ void askForPlace(QWidget* parent, const QString& title, const QString& name, con
 
 } // namespace
 
-Exports::Exports(MainWindow& window) : QObject(&window), window_(window) {
-  connect(&window_.session(), &Session::exported, this, [this](const ExportResult& result) {
+Exports::Exports(Session& session, ViewArea& views, const QString& cameraFolder, QWidget* window)
+    : QObject(window), session_(session), views_(views), cameraFolder_(cameraFolder), window_(window) {
+  connect(&session_, &Session::exported, this, [this](const ExportResult& result) {
     const QString name = QFileInfo(QString::fromStdString(result.target)).filePath();
     if (result.frames > 0)
       Q_EMIT said(tr("Exported. Frames: %1, the first into %2.").arg(result.frames).arg(name));
@@ -54,7 +54,7 @@ Exports::Exports(MainWindow& window) : QObject(&window), window_(window) {
 
 // A part of it may be on its way.
 std::optional<QImage> Exports::viewImage(bool withLegend) {
-  QImage image = window_.views()->active()->viewport()->picture(withLegend);
+  QImage image = views_.active()->viewport()->picture(withLegend);
   if (!image.isNull()) return image;
   Q_EMIT failed(tr("A part of this view is on its way: pause, or try again when it is there."));
   return {};
@@ -62,9 +62,9 @@ std::optional<QImage> Exports::viewImage(bool withLegend) {
 
 void Exports::askForView(bool withLegend) {
   const QString name = QStringLiteral("%1.%2.png")
-                           .arg(qtext(intermediate(window_.views()->active()->id()).name))
-                           .arg(window_.session().status().info.frame, 4, 10, QLatin1Char('0'));
-  askForPlace(&window_, withLegend ? tr("Save the view with its legend") : tr("Save the view"), name,
+                           .arg(qtext(intermediate(views_.active()->id()).name))
+                           .arg(session_.status().info.frame, 4, 10, QLatin1Char('0'));
+  askForPlace(window_, withLegend ? tr("Save the view with its legend") : tr("Save the view"), name,
               tr("PNG (*.png)"), [this, withLegend](const QString& path) { writeView(path, withLegend); });
 }
 
@@ -94,27 +94,26 @@ void Exports::writeView(const QString& path, bool withLegend) {
 }
 
 void Exports::askForRange() {
-  auto* dialog = new RangeDialog(window_, &window_);
+  auto* dialog = new RangeDialog(session_, views_, window_);
   connect(dialog, &RangeDialog::exportRequested, this, &Exports::writeRange);
   dialog->show();
 }
 
 void Exports::writeRange(const SequenceRequest& request) {
-  window_.session().exportSequence(request);
+  session_.exportSequence(request);
 }
 
 void Exports::askForGlsl() {
-  const QString name =
-      QStringLiteral("taa_resolve_%1.frag").arg(QString::fromStdString(window_.session().presetId()));
-  askForPlace(&window_, tr("Export resolve and output as GLSL"), name, tr("GLSL (*.frag *.glsl)"),
+  const QString name = QStringLiteral("taa_resolve_%1.frag").arg(QString::fromStdString(session_.presetId()));
+  askForPlace(window_, tr("Export resolve and output as GLSL"), name, tr("GLSL (*.frag *.glsl)"),
               [this](const QString& path) { writeGlsl(path); });
 }
 
 void Exports::writeGlsl(const QString& path) {
-  const Session& session = window_.session();
   try {
-    const std::string title = settingsTitle(session.presetId(), session.settings(), session.presetSettings());
-    writeFile(path.toStdString(), exportedGlsl(session.settings(), title));
+    const std::string title =
+        settingsTitle(session_.presetId(), session_.settings(), session_.presetSettings());
+    writeFile(path.toStdString(), exportedGlsl(session_.settings(), title));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));
@@ -126,8 +125,7 @@ QString Exports::cameraFile(const SessionFile& session) const {
   if (!needsCameraFile(session)) return {};
   const QByteArray text = QByteArray::fromStdString(cameraTrackJson(*session.track).dump(1));
   const QByteArray hash = QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex().left(12);
-  return QDir(window_.keeper()->cameraFolder())
-      .filePath(QStringLiteral("path-%1.json").arg(QString::fromLatin1(hash)));
+  return QDir(cameraFolder_).filePath(QStringLiteral("path-%1.json").arg(QString::fromLatin1(hash)));
 }
 
 void Exports::copyView(bool withLegend) {
@@ -135,22 +133,22 @@ void Exports::copyView(bool withLegend) {
   if (!shown) return;
   QApplication::clipboard()->setImage(*shown);
   Q_EMIT said(tr("Copied the picture of view %1, %2×%3 pixels.")
-                  .arg(QChar(static_cast<char16_t>('A' + window_.views()->activeIndex())))
+                  .arg(QChar(static_cast<char16_t>('A' + views_.activeIndex())))
                   .arg(shown->width())
                   .arg(shown->height()));
 }
 
 QString Exports::commandLine() const {
-  const ViewPanel* view = window_.views()->active();
+  const ViewPanel* view = views_.active();
   CommandView shown = view->commandView();
-  shown.referenceSamples = window_.session().status().referenceGoal;
-  const SessionFile session = window_.session().file();
+  shown.referenceSamples = session_.status().referenceGoal;
+  const SessionFile session = session_.file();
   return QString::fromStdString(renderCommand(session, shown, cameraFile(session).toStdString()));
 }
 
 void Exports::copyCommandLine() {
-  if (!window_.session().isOpen()) return;
-  const SessionFile session = window_.session().file();
+  if (!session_.isOpen()) return;
+  const SessionFile session = session_.file();
   try {
     if (const QString camera = cameraFile(session); !camera.isEmpty()) {
       QDir().mkpath(QFileInfo(camera).path());

@@ -1,9 +1,17 @@
 // What Esc ends: one thing at a time, the innermost of what is there.
 #pragma once
 
+#include <QElapsedTimer>
+#include <QObject>
+
 #include <optional>
 
 namespace taa::app {
+
+class Drags;
+class Flight;
+class Session;
+class ViewArea;
 
 enum class EscapeTarget { Drag, SearchText, SearchField, Work, Flight, Comparison, Probe };
 
@@ -23,5 +31,23 @@ struct EscapeState {
 /// flight ends, the active view compares no more, the active probe is removed. Nothing: there is none of
 /// these.
 std::optional<EscapeTarget> escapeTarget(const EscapeState& state);
+
+/// The key in the window.
+class EscapeKey : public QObject {
+  Q_OBJECT
+ public:
+  EscapeKey(Session& session, ViewArea& views, Flight& flight, QObject* parent);
+
+  void press();
+
+ private:
+  EscapeState state() const;
+
+  Session& session_;
+  ViewArea& views_;
+  Flight& flight_;
+  Drags* drags_;
+  QElapsedTimer workEnded_;
+};
 
 } // namespace taa::app

@@ -15,12 +15,14 @@ struct SessionFile;
 
 namespace taa::app {
 
-class MainWindow;
+class Session;
+class ViewArea;
 
 class Exports : public QObject {
   Q_OBJECT
  public:
-  explicit Exports(MainWindow& window);
+  /// `cameraFolder`: where cameras lie that copied command lines name. Dialogs open over `window`.
+  Exports(Session& session, ViewArea& views, const QString& cameraFolder, QWidget* window);
 
   /// Asks for a file, then writes the active view.
   void askForView(bool withLegend);
@@ -46,7 +48,11 @@ class Exports : public QObject {
   QString cameraFile(const SessionFile& session) const; ///< empty: no need for one
   /// Says why when there is none.
   std::optional<QImage> viewImage(bool withLegend);
-  MainWindow& window_;
+
+  Session& session_;
+  ViewArea& views_;
+  QString cameraFolder_;
+  QWidget* window_;
 };
 
 } // namespace taa::app

@@ -1,0 +1,79 @@
+#include "app/commands/EscapeKey.h"
+
+#include "app/commands/Flight.h"
+#include "app/session/Session.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/Drags.h"
+#include "app/widgets/SearchField.h"
+
+#include <QApplication>
+
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+/// A key that was to stop some work may come when it has just ended.
+constexpr qint64 kLateMs = 400;
+
+} // namespace
+
+std::optional<EscapeTarget> escapeTarget(const EscapeState& state) {
+  constexpr std::pair<EscapeTarget, bool EscapeState::*> kOrder[] = {
+      {EscapeTarget::Drag, &EscapeState::isDragging},
+      {EscapeTarget::SearchText, &EscapeState::hasSearchText},
+      {EscapeTarget::SearchField, &EscapeState::isInSearch},
+      {EscapeTarget::Work, &EscapeState::isWorking},
+      {EscapeTarget::Flight, &EscapeState::isFlying},
+      {EscapeTarget::Comparison, &EscapeState::isComparing},
+      {EscapeTarget::Probe, &EscapeState::hasProbe}};
+  for (const auto& [target, isThere] : kOrder)
+    if (state.*isThere) return target;
+  return {};
+}
+
+EscapeKey::EscapeKey(Session& session, ViewArea& views, Flight& flight, QObject* parent)
+    : QObject(parent), session_(session), views_(views), flight_(flight), drags_(new Drags(this)) {
+  connect(&session_, &Session::workChanged, this, [this, wasWorking = false]() mutable {
+    const bool isWorking = !session_.work().what.empty();
+    if (std::exchange(wasWorking, isWorking) && !isWorking) workEnded_.start();
+  });
+}
+
+EscapeState EscapeKey::state() const {
+  const auto* search = qobject_cast<const SearchField*>(QApplication::focusWidget());
+  const bool justWorked = workEnded_.isValid() && workEnded_.elapsed() < kLateMs;
+  return {.isDragging = drags_->isRunning(),
+          .hasSearchText = search && !search->text().isEmpty(),
+          .isInSearch = search != nullptr,
+          .isWorking = justWorked || !session_.work().what.empty() || session_.status().goal,
+          .isFlying = flight_.isOn(),
+          .isComparing = static_cast<bool>(views_.active()->comparison()),
+          .hasProbe = session_.activePin() >= 0};
+}
+
+void EscapeKey::press() {
+  const std::optional<EscapeTarget> target = escapeTarget(state());
+  if (!target) return;
+  switch (*target) {
+  case EscapeTarget::Drag:
+    drags_->cancel();
+    return session_.undoStack().abandonGesture();
+  case EscapeTarget::SearchText:
+    return static_cast<SearchField*>(QApplication::focusWidget())->clear();
+  case EscapeTarget::SearchField:
+    return views_.active()->viewport()->setFocus();
+  case EscapeTarget::Work:
+    return session_.cancel();
+  case EscapeTarget::Flight:
+    return flight_.setOn(false);
+  case EscapeTarget::Comparison:
+    return views_.active()->setComparison({});
+  case EscapeTarget::Probe:
+    return session_.setPick({});
+  }
+}
+
+} // namespace taa::app

@@ -1,0 +1,76 @@
+#include "app/commands/GoToPrompts.h"
+
+#include "app/panels/TimelinePanel.h"
+#include "app/session/Session.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/widgets/Prompt.h"
+
+namespace taa::app {
+
+GoToPrompts::GoToPrompts(Session& session, ViewArea& views, TimelinePanel& timeline, QWidget* window)
+    : QObject(window), session_(session), views_(views), timeline_(timeline), window_(window) {}
+
+void GoToPrompts::askForPixel() {
+  const auto pick = session_.pick();
+  const QString now = pick ? QStringLiteral("%1, %2").arg(pick->x).arg(pick->y) : QString();
+  auto* prompt = new Prompt(
+      tr("Go to pixel (x, y)"), now,
+      [this](const QString& text) {
+        int x = 0, y = 0;
+        if (!parsePair(text, x, y)) return false;
+        session_.setPick(glm::ivec2(x, y));
+        if (session_.pick()) views_.active()->viewport()->reveal(*session_.pick());
+        return true;
+      },
+      window_);
+  prompt->open();
+}
+
+void GoToPrompts::askForFrame() {
+  const Status& status = session_.status();
+  auto* prompt = new Prompt(
+      tr("Go to frame (0 to %1)").arg(status.frameCount - 1), QString::number(status.info.frame),
+      [this](const QString& text) {
+        bool understood = false;
+        const int frame = text.trimmed().toInt(&understood);
+        if (understood) session_.seek(frame);
+        return understood;
+      },
+      window_);
+  prompt->open();
+}
+
+void GoToPrompts::askForSize() {
+  const Status& status = session_.status();
+  auto* prompt = new Prompt(
+      tr("Render size (width × height, px)"), QStringLiteral("%1×%2").arg(status.width).arg(status.height),
+      [this](const QString& text) {
+        int width = 0, height = 0;
+        if (!parsePair(text, width, height)) return false;
+        session_.setSize(width, height);
+        return true;
+      },
+      window_);
+  prompt->setHint([this](const QString& text) {
+    int width = 0, height = 0;
+    if (!parsePair(text, width, height) || width == 0 || height == 0) return tr("width and height");
+    return tr("takes %1 of memory").arg(session_.memoryText({width, height}));
+  });
+  prompt->open();
+}
+
+void GoToPrompts::askForMarkName() {
+  if (!session_.isOpen()) return;
+  const int frame = timeline_.frame();
+  auto* prompt = new Prompt(
+      tr("Name of the mark at frame %1").arg(frame), timeline_.marks().nameOf(frame),
+      [this](const QString& text) {
+        timeline_.nameMark(text);
+        return true;
+      },
+      window_);
+  prompt->open();
+}
+
+} // namespace taa::app

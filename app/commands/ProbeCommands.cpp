@@ -1,0 +1,61 @@
+#include "app/commands/ProbeCommands.h"
+
+#include "app/panels/ProbePanel.h"
+#include "app/session/Session.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+#include "app/views/plots/ProbePages.h"
+#include "core/report/ProbeReport.h"
+
+#include <QApplication>
+#include <QClipboard>
+
+#include <algorithm>
+#include <string>
+
+namespace taa::app {
+
+ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& panel, QObject* parent)
+    : QObject(parent), session_(session), views_(views), panel_(panel) {
+  connect(&panel_, &ProbePanel::copyRequested, this, [this] { copy(ProbeFormat::Text); });
+}
+
+bool ProbeCommands::pinAnother() {
+  const auto hovered = views_.active()->viewport()->hovered();
+  const auto pick = session_.pick();
+  if (!hovered && !pick) return false;
+  const auto isTaken = [this](const glm::ivec2& pixel) {
+    return std::ranges::any_of(session_.pins(), [&](const ProbePin& pin) { return pin.pixel == pixel; });
+  };
+  glm::ivec2 pixel = hovered ? *hovered : *pick;
+  while (isTaken(pixel)) ++pixel.x;
+  session_.addPin(pixel);
+  return true;
+}
+
+void ProbeCommands::copyValue() {
+  const QString text = panel_.valueText(views_.active()->id());
+  if (!text.isEmpty()) QApplication::clipboard()->setText(text);
+}
+
+void ProbeCommands::copy(ProbeFormat format) {
+  const ProbeResult* result = session_.probe();
+  if (!result || result->around.empty()) return;
+  const Status& status = session_.status();
+  const ProbeReport report{{status.source, status.camera,
+                            status.driver.renderer + ", " + status.driver.version, status.width,
+                            status.height},
+                           {result->x, result->y},
+                           {{{"", session_.presetId(), result->settings, result->info},
+                             result->around[result->around.size() / 2],
+                             {},
+                             result->details}}};
+  const std::string text = format == ProbeFormat::Json       ? probeJson(report).dump(2) + "\n"
+                           : format == ProbeFormat::Markdown ? probeMarkdown(report)
+                                                             : probeText(report);
+  QApplication::clipboard()->setText(panel_.tab() == ProbeTab::WhatIf && format == ProbeFormat::Text
+                                         ? panel_.whatIf()->text()
+                                         : QString::fromStdString(text));
+}
+
+} // namespace taa::app

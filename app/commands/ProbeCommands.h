@@ -1,0 +1,33 @@
+// What is done with the probe by a key: its values are copied, another one is pinned.
+#pragma once
+
+#include <QObject>
+
+namespace taa::app {
+
+class ProbePanel;
+class Session;
+class ViewArea;
+
+/// How a probe is copied; JSON is what taa-batch probe prints.
+enum class ProbeFormat { Text, Markdown, Json };
+
+class ProbeCommands : public QObject {
+  Q_OBJECT
+ public:
+  ProbeCommands(Session& session, ViewArea& views, ProbePanel& panel, QObject* parent);
+
+  /// Of the selected row, else of what the active view shows.
+  void copyValue();
+  void copy(ProbeFormat format);
+  /// Where the mouse is, else to the right of the active probe; the next place that no probe has. False:
+  /// there is neither.
+  bool pinAnother();
+
+ private:
+  Session& session_;
+  ViewArea& views_;
+  ProbePanel& panel_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,29 @@
+// All commands in a list: to search and choose from, and with their keys to read.
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace taa::app {
+
+class Commands;
+class Session;
+
+class CommandLists : public QObject {
+  Q_OBJECT
+ public:
+  /// They open over `window`.
+  CommandLists(const Commands& commands, Session& session, QWidget* window);
+
+  /// Commands, and behind them the choices of the settings.
+  void choose();
+  void showKeys();
+
+ private:
+  const Commands& commands_;
+  Session& session_;
+  QWidget* window_;
+};
+
+} // namespace taa::app

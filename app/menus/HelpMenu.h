@@ -1,0 +1,17 @@
+// Keys and manual.
+#pragma once
+
+#include "app/menus/Commands.h"
+
+namespace taa::app {
+
+class CommandLists;
+class Session;
+
+class HelpMenu : public CommandMenu {
+  Q_OBJECT
+ public:
+  HelpMenu(Commands& commands, const Session& session, CommandLists& lists, QWidget* parent);
+};
+
+} // namespace taa::app

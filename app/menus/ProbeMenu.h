@@ -1,0 +1,33 @@
+// The probes: where they are pinned, which is active, what it follows.
+#pragma once
+
+#include "app/menus/Commands.h"
+
+namespace taa::app {
+
+class GoToPrompts;
+class ProbeCommands;
+class ProbePanel;
+class Session;
+class ViewArea;
+
+class ProbeMenu : public CommandMenu {
+  Q_OBJECT
+ public:
+  struct Targets {
+    Session& session;
+    ViewArea& views;
+    ProbePanel& panel;
+    ProbeCommands& probe;
+    GoToPrompts& prompts;
+  };
+  ProbeMenu(Commands& commands, const Targets& on, QWidget* parent);
+
+ private:
+  void addPlaces(const Targets& on);
+  void addPins(const Targets& on);
+  void addPages(ProbePanel& panel);
+  void addPlot(ProbePanel& panel);
+};
+
+} // namespace taa::app

@@ -1,0 +1,33 @@
+// Objects of the scene, and the camera that is flown.
+#pragma once
+
+#include "app/menus/Commands.h"
+
+namespace taa::app {
+
+class CameraFiles;
+class Flight;
+class LeftArea;
+class ScenePanel;
+class Session;
+
+class SceneMenu : public CommandMenu {
+  Q_OBJECT
+ public:
+  struct Targets {
+    const Session& session;
+    Flight& flight;
+    CameraFiles& cameras;
+    LeftArea& left;
+    ScenePanel& scene; ///< on the left
+  };
+  SceneMenu(Commands& commands, const Targets& on, QWidget* parent);
+
+ private:
+  void addFlight(Flight& flight);
+  void addCameras(CameraFiles& cameras);
+  void addTree(LeftArea& left, ScenePanel& scene);
+  void addSelection(ScenePanel& scene);
+};
+
+} // namespace taa::app

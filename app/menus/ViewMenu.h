@@ -1,0 +1,44 @@
+// Views, panels, how pictures are drawn.
+#pragma once
+
+#include "app/menus/Commands.h"
+
+namespace taa::app {
+
+class LeftArea;
+class LowerArea;
+class PipelinePanel;
+class PlotsPanel;
+class ProbePanel;
+class Session;
+class ThemeSetting;
+class ViewArea;
+class ViewChoices;
+
+class ViewMenu : public CommandMenu {
+  Q_OBJECT
+ public:
+  struct Targets {
+    const Session& session;
+    ViewArea& views;
+    ViewChoices& choices;
+    LeftArea& left;
+    PipelinePanel& pipeline; ///< on the left
+    ProbePanel& probe;
+    LowerArea& lower;
+    PlotsPanel& plots; ///< a page of `lower`
+    ThemeSetting& theme;
+  };
+  ViewMenu(Commands& commands, const Targets& on, QWidget* parent);
+
+ private:
+  void addViews(const Targets& on);
+  void addZoom(ViewArea& views);
+  void addPanels(const Targets& on);
+  void addLowerPages(LowerArea& lower);
+  void addArrangement(ViewArea& views);
+  void addPictures(ViewArea& views);
+  void addThemes(ThemeSetting& theme);
+};
+
+} // namespace taa::app

@@ -1,0 +1,86 @@
+#include "app/window/PlotFeed.h"
+
+#include "app/models/PixelHistory.h"
+#include "app/panels/JitterPanel.h"
+#include "app/panels/PlotsPanel.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/panels/WeightsPanel.h"
+#include "app/session/Session.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace taa::app {
+
+PlotFeed::PlotFeed(Session& session, const Panels& to) : session_(session), to_(to) {
+  connectTraces();
+  connectFigures();
+}
+
+void PlotFeed::connectTraces() {
+  connect(&to_.jitter, &JitterPanel::seekRequested, &session_, &Session::seek);
+  connect(&to_.weights, &WeightsPanel::seekRequested, &session_, &Session::seek);
+  connect(&to_.plots, &PlotsPanel::seekRequested, &session_, &Session::seek);
+  connect(&to_.plots, &PlotsPanel::fillRequested, &session_, &Session::fillTraces);
+  connect(&to_.jitter, &JitterPanel::shownChanged, this, &PlotFeed::showTraces);
+  connect(&to_.weights, &WeightsPanel::shownChanged, this, &PlotFeed::showTraces);
+  connect(&to_.plots, &PlotsPanel::shownChanged, this, &PlotFeed::showTraces);
+  connect(&session_, &Session::traceArrived, &to_.plots, &PlotsPanel::addSample);
+  connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
+    if (trace.frame == session_.status().info.frame) showHistory();
+  });
+  connect(&session_, &Session::pickChanged, this, &PlotFeed::showTraces);
+  connect(&session_, &Session::workChanged, this,
+          [this] { to_.plots.setFilling(session_.work().what == "Tracing the probes"); });
+}
+
+void PlotFeed::connectFigures() {
+  connect(&to_.timeline, &TimelinePanel::figureChosen, this, [this](std::optional<Figure> figure) {
+    session_.setFigures(figure ? std::vector<Figure>{*figure} : std::vector<Figure>());
+    showFigure();
+  });
+  connect(&session_, &Session::figuresArrived, this, [this](const FrameFigures& figures) {
+    if (figures_.add(figures)) showFigure();
+  });
+}
+
+// Probes are followed over frames as long as somebody looks.
+void PlotFeed::showTraces() {
+  session_.setTracing(to_.plots.isVisible() || to_.jitter.isVisible() || to_.weights.isVisible());
+  to_.plots.setPins(session_.pins(), session_.activePin());
+  showHistory();
+}
+
+// What jitter and weights are drawn from.
+void PlotFeed::showHistory() {
+  to_.plots.setStatus(session_.status());
+  if (figures_.setSubject(session_.status().subject)) showFigure();
+  if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
+  const Status& status = session_.status();
+  PixelHistory history;
+  history.settings = session_.settings();
+  history.frame = status.info.frame;
+  if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
+    history.jitterWay = status.info.jitterWay;
+  for (const std::vector<int>* starts : {&status.cuts, &status.restarts})
+    for (const int start : *starts)
+      if (start <= history.frame) history.start = std::max(history.start, start);
+  if (const int active = session_.activePin(); active >= 0) {
+    const ProbePin& pin = session_.pins()[static_cast<std::size_t>(active)];
+    if (const PixelTrace* trace = to_.plots.store().traceOf(pin))
+      history.measured = alphasUpTo(*trace, history.frame, kMostFramesBack);
+    if (const auto pixel = session_.pick())
+      history.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
+  }
+  to_.jitter.setHistory(history);
+  to_.weights.setHistory(history);
+}
+
+void PlotFeed::showFigure() {
+  if (const auto figure = to_.timeline.figure())
+    to_.timeline.setStrip(figures_.strip(*figure, session_.status().frameCount));
+}
+
+} // namespace taa::app

@@ -1,0 +1,26 @@
+// Keeps the probe's panel and the marks in the views up to date, and does what they ask for.
+#pragma once
+
+#include <QObject>
+
+namespace taa::app {
+
+class ProbePanel;
+class Session;
+class ViewArea;
+
+class ProbeFeed : public QObject {
+  Q_OBJECT
+ public:
+  ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel);
+
+ private:
+  void showPick();
+  void showProbe();
+
+  Session& session_;
+  ViewArea& views_;
+  ProbePanel& panel_;
+};
+
+} // namespace taa::app

@@ -1,0 +1,71 @@
+#include "app/window/SceneFeed.h"
+
+#include "app/panels/ScenePanel.h"
+#include "app/session/Session.h"
+#include "app/views/ViewArea.h"
+#include "app/views/Viewport.h"
+
+#include <optional>
+
+namespace taa::app {
+
+namespace {
+
+int objectAt(const ProbeResult& probe) {
+  return static_cast<int>(twin::at(probe.around[4], IntermediateId::objectId).x);
+}
+
+} // namespace
+
+SceneFeed::SceneFeed(Session& session, ViewArea& views, ScenePanel& panel)
+    : session_(session), views_(views), panel_(panel) {
+  connectPanel();
+  connectPick();
+  connect(&session_, &Session::objectAreaArrived, &panel_, &ScenePanel::setArea);
+  connect(&panel_, &ScenePanel::areaChanged, this, &SceneFeed::showArea);
+  connect(&session_, &Session::statusChanged, this, &SceneFeed::showStatus);
+}
+
+void SceneFeed::connectPanel() {
+  connect(&panel_, &ScenePanel::hiddenAsked, &session_, &Session::setHidden);
+  connect(&panel_, &ScenePanel::isolationAsked, &session_, &Session::setIsolated);
+  connect(&panel_, &ScenePanel::filterAsked, &session_, &Session::setObjectFilter);
+  connect(&panel_, &ScenePanel::motionAsked, &session_, &Session::setMotionMode);
+  connect(&panel_, &ScenePanel::classAsked, &session_, &Session::setObjectClass);
+  connect(&panel_, &ScenePanel::locationAsked, &session_, &Session::locate);
+  connect(&panel_, &ScenePanel::revealAsked, this, [this](glm::ivec2 pixel) {
+    reveals_ = true; // the object is selected already
+    session_.setPick(pixel);
+    reveals_ = false;
+    views_.active()->viewport()->reveal(pixel);
+  });
+}
+
+// A new pick selects its object; while time runs on under the probe the selection stays.
+void SceneFeed::connectPick() {
+  connect(&session_, &Session::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
+  connect(&session_, &Session::probeArrived, this, &SceneFeed::selectPicked);
+}
+
+void SceneFeed::selectPicked() {
+  const ProbeResult* probe = session_.probe();
+  // There is nothing around a pin that is off the screen or not there yet.
+  if (!probe || probe->around.size() < 5 || !selectsPicked_ ||
+      session_.pick() != glm::ivec2(probe->x, probe->y))
+    return;
+  selectsPicked_ = false;
+  panel_.selectObject(objectAt(*probe));
+}
+
+void SceneFeed::showStatus() {
+  panel_.setStatus(session_.status());
+  panel_.setChoices(session_.objectFilter(), session_.motionModes(), session_.objectClasses());
+  showArea();
+}
+
+void SceneFeed::showArea() {
+  const auto area = panel_.area();
+  views_.setFramed(area ? std::optional(area->box) : std::nullopt);
+}
+
+} // namespace taa::app

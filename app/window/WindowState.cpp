@@ -1,0 +1,125 @@
+#include "app/window/WindowState.h"
+
+#include "app/panels/LeftArea.h"
+#include "app/panels/LowerArea.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/panels/ScenePanel.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/session/Session.h"
+#include "app/views/ViewArea.h"
+
+#include <QJsonArray>
+#include <QSplitter>
+
+#include <algorithm>
+#include <vector>
+
+namespace taa::app {
+
+namespace {
+
+QJsonValue bytesJson(const QByteArray& bytes) {
+  return QString::fromLatin1(bytes.toBase64());
+}
+
+QByteArray jsonBytes(const QJsonValue& value) {
+  return QByteArray::fromBase64(value.toString().toLatin1());
+}
+
+QJsonArray pinsJson(const std::vector<ProbePin>& pins) {
+  QJsonArray array;
+  for (const ProbePin& pin : pins)
+    array << QJsonObject{{QStringLiteral("x"), pin.pixel.x},
+                         {QStringLiteral("y"), pin.pixel.y},
+                         {QStringLiteral("frame"), pin.frame},
+                         {QStringLiteral("followsSurface"), pin.follow == Follow::Surface}};
+  return array;
+}
+
+std::vector<ProbePin> pinsFrom(const QJsonArray& array) {
+  std::vector<ProbePin> pins;
+  for (const QJsonValue& value : array) {
+    const QJsonObject pin = value.toObject();
+    if (static_cast<int>(pins.size()) < kMostPins)
+      pins.push_back(
+          {{std::max(0, pin[QStringLiteral("x")].toInt()), std::max(0, pin[QStringLiteral("y")].toInt())},
+           pin[QStringLiteral("followsSurface")].toBool() ? Follow::Surface : Follow::Screen,
+           std::max(0, pin[QStringLiteral("frame")].toInt()),
+           {}});
+  }
+  return pins;
+}
+
+} // namespace
+
+QJsonObject WindowState::capture() const {
+  QJsonObject state;
+  state[QStringLiteral("views")] = of_.views.state();
+  state[QStringLiteral("timeline")] = of_.timeline.state();
+  state[QStringLiteral("plots")] = of_.plots.state();
+  state[QStringLiteral("pipeline")] = of_.pipeline.state();
+  state[QStringLiteral("probe")] = of_.probe.state();
+  state[QStringLiteral("scene")] = of_.session.sceneState();
+  state[QStringLiteral("sceneTree")] = of_.scene.state();
+  state[QStringLiteral("pins")] = pinsJson(of_.session.pins());
+  state[QStringLiteral("activePin")] = of_.session.activePin();
+  state[QStringLiteral("looping")] = of_.session.isLooping();
+  state[QStringLiteral("referenceSamples")] = of_.session.status().referenceGoal;
+  state[QStringLiteral("panels")] = panels();
+  state[QStringLiteral("columns")] = bytesJson(of_.columns.saveState());
+  if (of_.lower.shows(of_.lower.current())) // else nothing is divided
+    state[QStringLiteral("rows")] = bytesJson(of_.rows.saveState());
+  return state;
+}
+
+QJsonObject WindowState::panels() const {
+  const LowerPage page = of_.lower.current();
+  return {{QStringLiteral("pipeline"), !of_.left.isHidden()},
+          {QStringLiteral("scene"), of_.left.page() == LeftPage::Scene},
+          {QStringLiteral("probe"), !of_.probe.isHidden()},
+          {QStringLiteral("lower"), of_.lower.shows(page) ? lowerPageId(page) : QString()}};
+}
+
+void WindowState::apply(const QJsonObject& state) const {
+  const UndoStack::Quiet quiet(of_.session.undoStack());
+  applyPanels(state[QStringLiteral("panels")].toObject());
+  of_.columns.restoreState(jsonBytes(state[QStringLiteral("columns")]));
+  of_.rows.restoreState(jsonBytes(state[QStringLiteral("rows")]));
+  applySession(state);
+  of_.views.setState(state[QStringLiteral("views")].toObject());
+  of_.timeline.setState(state[QStringLiteral("timeline")].toObject());
+  of_.plots.setState(state[QStringLiteral("plots")].toObject());
+  of_.pipeline.setState(state[QStringLiteral("pipeline")].toObject());
+  of_.probe.setState(state[QStringLiteral("probe")].toObject());
+  of_.scene.setState(state[QStringLiteral("sceneTree")].toObject());
+}
+
+void WindowState::applyPanels(const QJsonObject& panels) const {
+  if (const QJsonValue shown = panels[QStringLiteral("pipeline")]; shown.isBool())
+    of_.left.setShown(shown.toBool());
+  if (const QJsonValue shown = panels[QStringLiteral("probe")]; shown.isBool())
+    of_.probe.setVisible(shown.toBool());
+  of_.left.setCurrentIndex(
+      static_cast<int>(panels[QStringLiteral("scene")].toBool() ? LeftPage::Scene : LeftPage::Pipeline));
+  if (const QJsonValue page = panels[QStringLiteral("lower")]; page.isString())
+    of_.lower.setShown(lowerPageWithId(page.toString()).value_or(of_.lower.current()),
+                       !page.toString().isEmpty());
+}
+
+void WindowState::applySession(const QJsonObject& state) const {
+  if (const QJsonValue looping = state[QStringLiteral("looping")]; looping.isBool()) {
+    of_.session.setLooping(looping.toBool());
+    of_.timeline.setLooping(of_.session.isLooping());
+  }
+  if (const int samples = state[QStringLiteral("referenceSamples")].toInt(); samples > 0)
+    of_.session.setReferenceSamples(samples);
+  if (const QJsonValue scene = state[QStringLiteral("scene")]; scene.isObject())
+    of_.session.setSceneState(scene.toObject());
+  const std::vector<ProbePin> pins = pinsFrom(state[QStringLiteral("pins")].toArray());
+  const int last = static_cast<int>(pins.size()) - 1;
+  of_.session.setPins(pins, std::clamp(state[QStringLiteral("activePin")].toInt(-1), -1, last));
+}
+
+} // namespace taa::app

@@ -1,0 +1,130 @@
+#include "tests/app/TestWindow.h"
+
+#include "app/commands/Exports.h"
+#include "app/commands/Flight.h"
+#include "app/commands/GoToPrompts.h"
+#include "app/commands/OwnPresets.h"
+#include "app/commands/ProbeCommands.h"
+#include "app/commands/ViewChoices.h"
+#include "app/menus/CommandLists.h"
+#include "app/panels/JitterPanel.h"
+#include "app/panels/LeftArea.h"
+#include "app/panels/LowerArea.h"
+#include "app/panels/MessagesBar.h"
+#include "app/panels/PipelinePanel.h"
+#include "app/panels/PlotsPanel.h"
+#include "app/panels/ProbePanel.h"
+#include "app/panels/ProfilerPanel.h"
+#include "app/panels/ScenePanel.h"
+#include "app/panels/StatusLine.h"
+#include "app/panels/TimelinePanel.h"
+#include "app/panels/WeightsPanel.h"
+#include "app/session/SessionKeeper.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/bars/FlightBar.h"
+
+#include <QJsonDocument>
+
+namespace taa::app::test {
+
+ViewArea* TestWindow::views() const {
+  return findChild<ViewArea*>();
+}
+
+LeftArea* TestWindow::left() const {
+  return findChild<LeftArea*>();
+}
+
+PipelinePanel* TestWindow::pipeline() const {
+  return findChild<PipelinePanel*>();
+}
+
+ScenePanel* TestWindow::scene() const {
+  return findChild<ScenePanel*>();
+}
+
+ProbePanel* TestWindow::probe() const {
+  return findChild<ProbePanel*>();
+}
+
+LowerArea* TestWindow::lower() const {
+  return findChild<LowerArea*>();
+}
+
+ProfilerPanel* TestWindow::profiler() const {
+  return findChild<ProfilerPanel*>();
+}
+
+PlotsPanel* TestWindow::plots() const {
+  return findChild<PlotsPanel*>();
+}
+
+JitterPanel* TestWindow::jitter() const {
+  return findChild<JitterPanel*>();
+}
+
+WeightsPanel* TestWindow::weights() const {
+  return findChild<WeightsPanel*>();
+}
+
+TimelinePanel* TestWindow::timeline() const {
+  return findChild<TimelinePanel*>();
+}
+
+MessagesBar* TestWindow::messages() const {
+  return findChild<MessagesBar*>();
+}
+
+StatusLine* TestWindow::statusLine() const {
+  return findChild<StatusLine*>();
+}
+
+FlightBar* TestWindow::flightBar() const {
+  return findChild<FlightBar*>();
+}
+
+SessionKeeper* TestWindow::keeper() const {
+  return findChild<SessionKeeper*>();
+}
+
+Exports* TestWindow::exports() const {
+  return findChild<Exports*>();
+}
+
+Flight* TestWindow::flight() const {
+  return findChild<Flight*>();
+}
+
+OwnPresets* TestWindow::presets() const {
+  return findChild<OwnPresets*>();
+}
+
+ProbeCommands* TestWindow::probeCommands() const {
+  return findChild<ProbeCommands*>();
+}
+
+GoToPrompts* TestWindow::prompts() const {
+  return findChild<GoToPrompts*>();
+}
+
+ViewChoices* TestWindow::choices() const {
+  return findChild<ViewChoices*>();
+}
+
+CommandLists* TestWindow::lists() const {
+  return findChild<CommandLists*>();
+}
+
+void TestWindow::openSource(const QString& source) {
+  keeper()->openSource(source);
+}
+
+void TestWindow::showIntermediate(IntermediateId id) {
+  views()->active()->setIntermediate(id);
+}
+
+QJsonObject TestWindow::state() const {
+  return QJsonDocument::fromJson(QByteArray::fromStdString(keeper()->file().window)).object();
+}
+
+} // namespace taa::app::test
