@@ -1,7 +1,7 @@
 // Everything at one pixel as a table: a branch for each stage, a row for each intermediate.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 #include "core/settings/Settings.h"
 #include "core/story/ProbeStory.h"
 #include "core/taa/rows/Intermediates.h"

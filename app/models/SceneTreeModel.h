@@ -1,7 +1,7 @@
 // The scene as a tree: each node with whether it is drawn and the motion it is given.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QAbstractItemModel>
 

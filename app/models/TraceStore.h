@@ -1,7 +1,7 @@
 // What was seen of the probes over frames, as long as it is true.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <cstdint>
 #include <vector>

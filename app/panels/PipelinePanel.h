@@ -3,7 +3,7 @@
 
 #include "app/session/UserPresets.h"
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/rows/Intermediates.h"
 

@@ -1,7 +1,7 @@
 // Everything at the picked pixel: its story in words, its neighbors, and the value of every intermediate.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QJsonObject>
 #include <QWidget>

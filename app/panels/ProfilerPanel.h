@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/models/ProfileHistory.h"
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,7 +1,7 @@
 // The tree of the scene: what is drawn, with which motion, and where it is seen.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QJsonObject>
 #include <QWidget>

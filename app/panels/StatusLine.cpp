@@ -4,7 +4,7 @@
 #include "app/style/Theme.h"
 
 #include "core/render/SceneRenderer.h"
-#include "core/requests/RenderRequests.h"
+#include "core/requests/RequestKinds.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

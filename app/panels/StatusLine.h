@@ -1,7 +1,7 @@
 // The last line of the window: what lies under the mouse, how long the frame took, and whether it is exact.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QString>
 #include <QWidget>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/models/FrameMarks.h"
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QJsonObject>
 #include <QWidget>

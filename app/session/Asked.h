@@ -1,7 +1,7 @@
 // A value that is asked of the render thread: what was asked for until the answer is there, then the answer.
 #pragma once
 
-#include "core/requests/RenderRequests.h"
+#include "core/requests/RequestKinds.h"
 
 #include <utility>
 

@@ -1,7 +1,11 @@
 #include "app/session/Mailbox.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <mutex>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace taa::app {
 
@@ -26,60 +30,43 @@ void keepNewest(std::vector<ProbeResult>& probes, ProbeResult newest) {
     probes.push_back(std::move(newest));
 }
 
+// What becomes of each kind of result.
+struct Keep {
+  Delivery& delivery;
+
+  void operator()(ViewResult result) const {
+    if (result.view < 0 || result.view >= kViewCount) return;
+    delivery.pictures[static_cast<std::size_t>(result.view)] = std::move(result);
+  }
+  void operator()(ProbeResult result) const { keepNewest(delivery.probes, std::move(result)); }
+  void operator()(Status status) const { delivery.status = std::move(status); }
+  void operator()(Work work) const { delivery.work = std::move(work); }
+  void operator()(Failure failure) const { delivery.errors.push_back(std::move(failure)); }
+  void operator()(FrameProfile profile) const {
+    if (delivery.profiles.size() < kMostProfiles) delivery.profiles.push_back(std::move(profile));
+  }
+  void operator()(StageCosts costs) const { delivery.costs = std::move(costs); }
+  void operator()(Thumbnail thumbnail) const { keepNewest(delivery.thumbnails, std::move(thumbnail)); }
+  void operator()(FrameFigures figures) const {
+    if (delivery.figures.size() < kMostFigures) delivery.figures.push_back(std::move(figures));
+  }
+  void operator()(ShadersRead shaders) const { delivery.shaders = std::move(shaders); }
+  void operator()(ExportResult exported) const { delivery.exported = std::move(exported); }
+  void operator()(ObjectArea area) const { delivery.area = std::move(area); }
+  void operator()(StageShares shares) const { delivery.shares = std::move(shares); }
+  void operator()(TraceDelivery trace) const { delivery.traces.push_back(std::move(trace)); }
+};
+
 } // namespace
 
-RenderListener listenerOf(Mailbox& mailbox) {
-  RenderListener listener;
-  listener.onPicture = [&mailbox](ViewResult result) {
-    if (result.view < 0 || result.view >= kViewCount) return;
-    mailbox.put([&](Delivery& delivery) {
-      delivery.pictures[static_cast<std::size_t>(result.view)] = std::move(result);
-    });
-  };
-  listener.onProbe = [&mailbox](ProbeResult result) {
-    mailbox.put([&](Delivery& delivery) { keepNewest(delivery.probes, std::move(result)); });
-  };
-  listener.onStatus = [&mailbox](Status status) {
-    mailbox.put([&](Delivery& delivery) { delivery.status = std::move(status); });
-  };
-  listener.onWork = [&mailbox](Work work) {
-    mailbox.put([&](Delivery& delivery) { delivery.work = std::move(work); });
-  };
-  listener.onError = [&mailbox](Failure failure) {
-    mailbox.put([&](Delivery& delivery) { delivery.errors.push_back(std::move(failure)); });
-  };
-  listener.onProfile = [&mailbox](FrameProfile profile) {
-    mailbox.put([&](Delivery& delivery) {
-      if (delivery.profiles.size() < kMostProfiles) delivery.profiles.push_back(std::move(profile));
-    });
-  };
-  listener.onStageCosts = [&mailbox](StageCosts costs) {
-    mailbox.put([&](Delivery& delivery) { delivery.costs = std::move(costs); });
-  };
-  listener.onThumbnail = [&mailbox](Thumbnail thumbnail) {
-    mailbox.put([&](Delivery& delivery) { keepNewest(delivery.thumbnails, std::move(thumbnail)); });
-  };
-  listener.onFigures = [&mailbox](FrameFigures figures) {
-    mailbox.put([&](Delivery& delivery) {
-      if (delivery.figures.size() < kMostFigures) delivery.figures.push_back(figures);
-    });
-  };
-  listener.onShaders = [&mailbox](std::string error) {
-    mailbox.put([&](Delivery& delivery) { delivery.shaders = std::move(error); });
-  };
-  listener.onExported = [&mailbox](ExportResult result) {
-    mailbox.put([&](Delivery& delivery) { delivery.exported = std::move(result); });
-  };
-  listener.onStageShares = [&mailbox](StageShares shares) {
-    mailbox.put([&](Delivery& delivery) { delivery.shares = std::move(shares); });
-  };
-  listener.onObjectArea = [&mailbox](ObjectArea area) {
-    mailbox.put([&](Delivery& delivery) { delivery.area = std::move(area); });
-  };
-  listener.onTrace = [&mailbox](TraceDelivery trace) {
-    mailbox.put([&](Delivery& delivery) { delivery.traces.push_back(std::move(trace)); });
-  };
-  return listener;
+void Mailbox::put(Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::visit(Keep{delivery_}, std::move(answer.result));
+    if (posted_) return;
+    posted_ = true;
+  }
+  post_();
 }
 
 } // namespace taa::app

@@ -1,13 +1,12 @@
 // Results of the render thread on their way to the window: the newest of each kind, posted once.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <array>
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct Delivery {
   std::optional<StageCosts> costs;
   std::vector<Thumbnail> thumbnails; ///< the newest of each row
   std::vector<FrameFigures> figures; ///< all of them: each is of a frame
-  std::optional<std::string> shaders;
+  std::optional<ShadersRead> shaders;
   std::optional<ExportResult> exported;
   std::optional<ObjectArea> area;
   std::optional<StageShares> shares;
@@ -39,17 +38,8 @@ class Mailbox {
   /// `post` is called from any thread, at most once between two takes.
   explicit Mailbox(std::function<void()> post) : post_(std::move(post)) {}
 
-  /// Lets `change` write into the delivery.
-  template <class Change>
-  void put(Change change) {
-    {
-      const std::lock_guard lock(mutex_);
-      change(delivery_);
-      if (posted_) return;
-      posted_ = true;
-    }
-    post_();
-  }
+  /// Called from any thread.
+  void put(Answer answer);
 
   Delivery take() {
     const std::lock_guard lock(mutex_);
@@ -63,8 +53,5 @@ class Mailbox {
   Delivery delivery_;
   bool posted_ = false;
 };
-
-/// A listener that puts everything into `mailbox`, which must outlive the renderer.
-RenderListener listenerOf(Mailbox& mailbox);
 
 } // namespace taa::app

@@ -1,7 +1,7 @@
 // The pinned probes of a session, in the order of their numbers, with what last arrived for each.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <optional>
 #include <vector>

@@ -26,11 +26,10 @@ Session::Session(const MakeRenderer& makeRenderer, QObject* parent)
     chosen_ = chosenInForce_ = {first.settings, first.settings, first.id};
     settings_ = Asked<Settings>(first.settings);
   });
-  guarded([&] { renderer_ = makeRenderer(listenerOf(mailbox_)); });
+  guarded([&] { renderer_ = makeRenderer([this](Answer answer) { mailbox_.put(std::move(answer)); }); });
   stays_.setSingleShot(true);
   stays_.setInterval(kStayMs);
-  connect(&stays_, &QTimer::timeout, this,
-          [this] { ask([&](Renderer& renderer) { renderer.prepare(considered_); }); });
+  connect(&stays_, &QTimer::timeout, this, [this] { ask(request::Prepare{considered_}); });
 }
 
 Session::~Session() {
@@ -68,14 +67,10 @@ void Session::guarded(const std::function<void()>& act) {
 }
 
 // 0: it was not asked.
-RequestId Session::ask(const std::function<void(Renderer&)>& wish) {
-  RequestId request = 0;
-  if (renderer_)
-    guarded([&] {
-      wish(*renderer_);
-      request = renderer_->lastRequest();
-    });
-  return request;
+RequestId Session::ask(Request request) {
+  RequestId id = 0;
+  if (renderer_) guarded([&] { id = renderer_->post(std::move(request)); });
+  return id;
 }
 
 void Session::deliver() {
@@ -99,7 +94,7 @@ void Session::deliver() {
   for (const TraceDelivery& trace : delivery.traces) Q_EMIT traceArrived(trace);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
   for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
-  if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(*delivery.shaders));
+  if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(delivery.shaders->error));
   if (delivery.exported) Q_EMIT exported(*delivery.exported);
   if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
   if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
@@ -158,21 +153,21 @@ void Session::useStatus(Status&& status) {
 void Session::open(const QString& source, bool plays) {
   playsWhenOpen_ = plays;
   beforeOpening_.reset();
-  opening_ = ask([&](Renderer& renderer) { renderer.open(source.toStdString()); });
+  opening_ = ask(request::Open{source.toStdString()});
 }
 
 void Session::setSize(int width, int height) {
-  ask([&](Renderer& renderer) { renderer.setSize(width, height); });
+  ask(request::SetSize{width, height});
 }
 
 void Session::setCamera(const QString& name) {
   if (name.toStdString() != status_.camera) noteCameras(tr("choice of camera %1").arg(name));
   flown_.giveUp();
-  ask([&](Renderer& renderer) { renderer.setCamera(name.toStdString()); });
+  ask(request::SetCamera{name.toStdString()});
 }
 
 void Session::setPlaying(bool playing) {
-  ask([&](Renderer& renderer) { renderer.setPlaying(playing); });
+  ask(request::SetPlaying{playing});
 }
 
 void Session::togglePlaying() {
@@ -181,36 +176,33 @@ void Session::togglePlaying() {
 
 void Session::setLooping(bool looping) {
   looping_ = looping;
-  ask([&](Renderer& renderer) { renderer.setLooping(looping); });
+  ask(request::SetLooping{looping});
 }
 
 void Session::setTracing(bool tracing) {
   if (std::exchange(tracing_, tracing) == tracing) return;
-  ask([&](Renderer& renderer) { renderer.setTracing(tracing); });
+  ask(request::SetTracing{tracing});
 }
 
 void Session::fillTraces(int first, int last) {
-  ask([&](Renderer& renderer) { renderer.fillTraces(first, last); });
+  ask(request::FillTraces{first, last});
 }
 
 void Session::setPlayback(const Playback& playback) {
   if (playback == playback_) return;
   playback_ = playback;
-  ask([&](Renderer& renderer) { renderer.setPlayback(playback_); });
+  ask(request::SetPlayback{playback_});
   Q_EMIT playbackChanged();
 }
 
 void Session::seek(int frame) {
   // Before something is open its length is not known; the render thread clamps as well.
   const int last = isOpen() ? status_.frameCount - 1 : std::numeric_limits<int>::max();
-  ask([&](Renderer& renderer) { renderer.seek(std::clamp(frame, 0, last)); });
+  ask(request::Seek{std::clamp(frame, 0, last)});
 }
 
 void Session::step(int frames) {
-  ask([&](Renderer& renderer) {
-    renderer.setPlaying(false);
-    renderer.step(frames);
-  });
+  ask(request::Step{frames});
 }
 
 void Session::use(const PresetChoice& choice) {
@@ -218,8 +210,7 @@ void Session::use(const PresetChoice& choice) {
   stays_.stop();
   const bool isNew = !(choice.settings == chosen_.settings);
   chosen_ = choice;
-  if (isNew)
-    settings_.ask(choice.settings, ask([&](Renderer& renderer) { renderer.setSettings(choice.settings); }));
+  if (isNew) settings_.ask(choice.settings, ask(request::SetSettings{choice.settings}));
   Q_EMIT settingsChanged(); // also where only the preset's name is another
 }
 
@@ -281,7 +272,7 @@ void Session::savePreset(const QString& folder, const QString& label) {
 void Session::setViews(const std::vector<ViewRequest>& views) {
   if (views == views_) return;
   views_ = views;
-  ask([&](Renderer& renderer) { renderer.setViews(views_); });
+  ask(request::SetViews{views_});
 }
 
 void Session::setOtherPresets(const QStringList& idsOrPaths) {
@@ -291,40 +282,40 @@ void Session::setOtherPresets(const QStringList& idsOrPaths) {
     std::vector<Settings> lanes;
     for (const QString& each : idsOrPaths) lanes.push_back(preset(each.toStdString()).settings);
     otherLanes_ = std::move(lanes);
-    ask([&](Renderer& renderer) { renderer.setOtherLanes(otherLanes_); });
+    ask(request::SetOtherLanes{otherLanes_});
   });
 }
 
 void Session::setCheckpointBudget(std::size_t bytes) {
-  ask([&](Renderer& renderer) { renderer.setCheckpointBudget(bytes); });
+  ask(request::SetCheckpointBudget{bytes});
 }
 
 void Session::setProfiling(bool profiling) {
-  ask([&](Renderer& renderer) { renderer.setProfiling(profiling); });
+  ask(request::SetProfiling{profiling});
 }
 
 void Session::measureStages() {
-  ask([&](Renderer& renderer) { renderer.measureStages(); });
+  ask(request::MeasureStages{});
 }
 
 void Session::setThumbnails(int width, int height) {
-  ask([&](Renderer& renderer) { renderer.setThumbnails(width, height); });
+  ask(request::SetThumbnails{width, height});
 }
 
 void Session::setReferenceSamples(int samples) {
-  ask([&](Renderer& renderer) { renderer.setReferenceSamples(samples); });
+  ask(request::SetReferenceSamples{samples});
 }
 
 void Session::setFigures(const std::vector<Figure>& figures) {
-  ask([&](Renderer& renderer) { renderer.setFigures(figures); });
+  ask(request::SetFigures{figures});
 }
 
 void Session::reloadShaders() {
-  ask([&](Renderer& renderer) { renderer.reloadShaders(); });
+  ask(request::ReloadShaders{});
 }
 
 void Session::cancel() {
-  ask([&](Renderer& renderer) { renderer.cancel(); });
+  ask(request::Cancel{});
 }
 
 } // namespace taa::app

@@ -1,4 +1,4 @@
-// What the window works on: wishes go to the render thread, its results arrive here as signals.
+// What the window works on: requests go to the render thread, its answers arrive here as signals.
 #pragma once
 
 #include "app/session/Asked.h"
@@ -35,7 +35,7 @@ struct PresetChoice {
 class Session : public QObject {
   Q_OBJECT
  public:
-  using MakeRenderer = std::function<std::unique_ptr<Renderer>(RenderListener)>;
+  using MakeRenderer = std::function<std::unique_ptr<Renderer>(Listener)>;
   explicit Session(const MakeRenderer& makeRenderer = makeRenderThread, QObject* parent = nullptr);
   ~Session() override;
 
@@ -194,7 +194,7 @@ class Session : public QObject {
   void noteAsked(const Asked<Value>& asked, const Value& value, void (Session::*set)(const Value&),
                  const QString& what);
   void consider(const Settings& settings);
-  RequestId ask(const std::function<void(Renderer&)>& wish);
+  RequestId ask(Request request);
   void apply(const SessionFile& file);
   void guarded(const std::function<void()>& act);
   void sendPins();

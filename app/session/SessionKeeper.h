@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/io/SessionFile.h"
-#include "core/requests/RenderRequests.h"
+#include "core/requests/RequestKinds.h"
 
 #include <QJsonObject>
 #include <QObject>

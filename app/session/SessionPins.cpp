@@ -26,7 +26,7 @@ glm::ivec2 Session::inPicture(glm::ivec2 pixel) const {
 }
 
 void Session::sendPins() {
-  ask([&](Renderer& renderer) { renderer.setPins({pins_.all(), pins_.active(), wantsWhatIf_}); });
+  ask(request::SetPins{pins_.all(), pins_.active(), wantsWhatIf_});
   Q_EMIT pickChanged();
 }
 
@@ -131,7 +131,7 @@ void Session::setFollow(int pin, Follow follow) {
 void Session::setWhatIf(bool wanted) {
   if (wanted == wantsWhatIf_) return;
   wantsWhatIf_ = wanted;
-  ask([&](Renderer& renderer) { renderer.setPins({pins_.all(), pins_.active(), wantsWhatIf_}); });
+  ask(request::SetPins{pins_.all(), pins_.active(), wantsWhatIf_});
 }
 
 void Session::setPins(const std::vector<ProbePin>& pins, int active) {

@@ -66,13 +66,13 @@ void Session::noteAsked(const Asked<Value>& asked, const Value& value, void (Ses
 
 void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
   noteAsked(motionModes_, modes, &Session::setMotionModes, tr("change of how objects move"));
-  motionModes_.ask(modes, ask([&](Renderer& renderer) { renderer.setMotionModes(modes); }));
+  motionModes_.ask(modes, ask(request::SetMotionModes{modes}));
 }
 
 void Session::setObjectFilter(const ObjectFilter& filter) {
   noteAsked(filter_, filter, &Session::setObjectFilter, tr("change of what is drawn"));
   // Also where it is the same: what was just opened has none.
-  filter_.ask(filter, ask([&](Renderer& renderer) { renderer.setObjectFilter(filter); }));
+  filter_.ask(filter, ask(request::SetObjectFilter{filter}));
 }
 
 void Session::setHidden(const std::string& object, bool hidden) {
@@ -97,7 +97,7 @@ void Session::setObjectClass(const std::string& object, std::optional<ObjectClas
 
 void Session::setObjectClasses(const std::vector<ClassOverride>& classes) {
   noteAsked(classes_, classes, &Session::setObjectClasses, tr("change of what class objects are of"));
-  classes_.ask(classes, ask([&](Renderer& renderer) { renderer.setObjectClasses(classes); }));
+  classes_.ask(classes, ask(request::SetObjectClasses{classes}));
 }
 
 void Session::toggleRestart(int frame) {
@@ -113,11 +113,11 @@ void Session::removeRestarts() {
 
 void Session::setRestarts(const std::vector<int>& frames) {
   noteAsked(restarts_, frames, &Session::setRestarts, tr("change of where history restarts"));
-  restarts_.ask(frames, ask([&](Renderer& renderer) { renderer.setRestarts(frames); }));
+  restarts_.ask(frames, ask(request::SetRestarts{frames}));
 }
 
 void Session::useCameras(const FlownCameras& cameras) {
-  flown_.ask(cameras, ask([&](Renderer& renderer) { renderer.setFlownCameras(cameras); }));
+  flown_.ask(cameras, ask(request::SetFlownCameras{cameras}));
 }
 
 // To be called before the cameras change.
@@ -133,8 +133,8 @@ void Session::noteCameras(const QString& what, const std::string& key) {
 void Session::fly(const CameraPose& pose, std::chrono::duration<double> took) {
   if (!status_.recording) noteCameras(tr("flight"), kFlight);
   flown_.giveUp();
-  const auto ticks = std::chrono::duration_cast<RenderThread::Clock::duration>(took);
-  ask([&](Renderer& renderer) { renderer.fly(pose, ticks); });
+  const auto ticks = std::chrono::duration_cast<FlightRecording::Clock::duration>(took);
+  ask(request::Fly{pose, ticks});
 }
 
 void Session::setRecording(bool recording) {
@@ -143,13 +143,13 @@ void Session::setRecording(bool recording) {
     noteCameras(tr("recording of a flight"), kFlight);
   }
   flown_.giveUp();
-  ask([&](Renderer& renderer) { renderer.setRecording(recording); });
+  ask(request::SetRecording{recording});
 }
 
 void Session::addCameraTrack(const CameraTrack& track) {
   noteCameras(tr("opening of camera %1").arg(QString::fromStdString(track.name)));
   flown_.giveUp();
-  ask([&](Renderer& renderer) { renderer.addCameraTrack(track); });
+  ask(request::AddCameraTrack{track});
 }
 
 void Session::replaceCamera(const std::optional<CameraTrack>& before,
@@ -184,7 +184,7 @@ void Session::backToSceneCamera() {
 }
 
 void Session::locate(const std::vector<int>& objects) {
-  ask([&](Renderer& renderer) { renderer.locate(objects); });
+  ask(request::Locate{objects});
 }
 
 QJsonObject Session::sceneState() const {

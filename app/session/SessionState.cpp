@@ -50,7 +50,7 @@ void Session::apply(const SessionFile& file) {
 }
 
 void Session::exportSequence(const SequenceRequest& request) {
-  ask([&](Renderer& renderer) { renderer.exportSequence(request); });
+  ask(request::ExportSequence{request});
 }
 
 } // namespace taa::app

@@ -4,7 +4,7 @@
 #include "app/session/Pins.h"
 #include "app/views/ViewportMath.h"
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <optional>
 

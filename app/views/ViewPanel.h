@@ -6,10 +6,10 @@
 #include "app/views/ViewportMath.h"
 #include "app/views/legend/RangeMath.h"
 
-#include "core/RenderThread.h"
 #include "core/inspect/Comparison.h"
 #include "core/inspect/ShownPicture.h"
 #include "core/report/CommandLine.h"
+#include "core/requests/Results.h"
 #include "core/settings/Settings.h"
 
 #include <QJsonObject>

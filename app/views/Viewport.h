@@ -7,8 +7,8 @@
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Drags.h"
 
-#include "core/RenderThread.h"
 #include "core/inspect/Comparison.h"
+#include "core/requests/Results.h"
 
 #include <QImage>
 #include <QWidget>

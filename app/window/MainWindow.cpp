@@ -266,7 +266,7 @@ void MainWindow::connectSession() {
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
     work_->setWork(QString::fromStdString(work.what), work.done, work.total);
-    profiler_->setMeasuring(work.what == "Measuring stages");
+    profiler_->setMeasuring(work.kind == WorkKind::Stages);
   });
 }
 

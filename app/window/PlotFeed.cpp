@@ -33,7 +33,7 @@ void PlotFeed::connectTraces() {
   });
   connect(&session_, &Session::pickChanged, this, &PlotFeed::showTraces);
   connect(&session_, &Session::workChanged, this,
-          [this] { to_.plots.setFilling(session_.work().what == "Tracing the probes"); });
+          [this] { to_.plots.setFilling(session_.work().kind == WorkKind::Traces); });
 }
 
 void PlotFeed::connectFigures() {

@@ -81,7 +81,7 @@ bool Screenshot::areTracesComplete() {
   if (!isShown || session.pins().empty()) return true;
   const int first = std::max(0, frame_ - kTracedFrames);
   if (!std::exchange(asksForTraces_, true)) of_.session.fillTraces(first, frame_);
-  if (session.work().what == "Tracing the probes") sawTracing_ = true;
+  if (session.work().kind == WorkKind::Traces) sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
   return std::ranges::all_of(session.pins(), [&](const ProbePin& pin) {
     const PixelTrace* trace = plots.store().traceOf(pin);

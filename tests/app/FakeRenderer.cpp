@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace taa::app::test {
@@ -35,14 +36,19 @@ std::shared_ptr<const SceneOutline> fakeOutline(const std::string& source) {
 
 } // namespace
 
-void FakeRenderer::open(const std::string& source) {
+RequestId FakeRenderer::post(Request request) {
+  std::visit([this](const auto& asked) { take(asked); }, request);
+  return ++requests;
+}
+
+void FakeRenderer::take(const request::Open& asked) {
+  const auto& [source] = asked;
   if (!source.starts_with("builtin:")) {
-    listener_.onError(
-        {"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
+    tell(Failure{"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
     return;
   }
   status.source = source;
-  status.opened = requests + 1; // as lastRequest() is about to say
+  status.opened = requests + 1; // as post() is about to say
   ++status.subject;
   status.cameras = {"still", "pan"};
   status.camera = "still";
@@ -61,18 +67,21 @@ void FakeRenderer::open(const std::string& source) {
   deliver();
 }
 
-void FakeRenderer::setSize(int width, int height) {
+void FakeRenderer::take(const request::SetSize& asked) {
+  const auto& [width, height] = asked;
   status.width = width;
   status.height = height;
   deliver();
 }
 
-void FakeRenderer::setCheckpointBudget(std::size_t bytes) {
+void FakeRenderer::take(const request::SetCheckpointBudget& asked) {
+  const auto& [bytes] = asked;
   status.checkpointBudget = bytes;
   deliver();
 }
 
-void FakeRenderer::setCamera(const std::string& name) {
+void FakeRenderer::take(const request::SetCamera& asked) {
+  const auto& [name] = asked;
   status.camera = name;
   deliver();
 }
@@ -80,43 +89,44 @@ void FakeRenderer::setCamera(const std::string& name) {
 bool FakeRenderer::refuses(RequestKind kind) {
   if (refused != kind) return false;
   refused.reset();
-  listener_.onError({"this is refused", kind, requests + 1});
-  listener_.onStatus(status);
+  tell(Failure{"this is refused", kind, requests + 1});
+  tell(status);
   return true;
 }
 
-void FakeRenderer::setMotionModes(const std::vector<MotionOverride>& modes) {
+void FakeRenderer::take(const request::SetMotionModes& asked) {
+  const auto& [modes] = asked;
   if (refuses(RequestKind::MotionModes)) return;
   status.motionModes = modes;
   deliver();
 }
 
-void FakeRenderer::setObjectFilter(const ObjectFilter& filter) {
+void FakeRenderer::take(const request::SetObjectFilter& asked) {
+  const auto& [filter] = asked;
   if (refuses(RequestKind::Objects)) return;
   status.filter = filter;
   deliver();
 }
 
-void FakeRenderer::setObjectClasses(const std::vector<ClassOverride>& classes) {
+void FakeRenderer::take(const request::SetObjectClasses& asked) {
+  const auto& [classes] = asked;
   status.objectClasses = classes;
   deliver();
 }
 
-void FakeRenderer::setRestarts(const std::vector<int>& frames) {
+void FakeRenderer::take(const request::SetRestarts& asked) {
+  const auto& [frames] = asked;
   status.restarts = frames;
   deliver();
 }
 
-void FakeRenderer::fly(const CameraPose& pose, RenderThread::Clock::duration) {
-  addCameraTrack({kFreeCamera, 0, {pose}});
-}
-
-void FakeRenderer::setRecording(bool recording) {
-  status.recording = recording;
+void FakeRenderer::take(const request::SetRecording& asked) {
+  status.recording = asked.on;
   deliver();
 }
 
-void FakeRenderer::addCameraTrack(const CameraTrack& track) {
+void FakeRenderer::take(const request::AddCameraTrack& asked) {
+  const auto& [track] = asked;
   std::erase_if(status.tracks, [&](const CameraTrackHandle& known) { return known->name == track.name; });
   std::erase(status.cameras, track.name);
   status.tracks.push_back(std::make_shared<const CameraTrack>(track));
@@ -126,7 +136,8 @@ void FakeRenderer::addCameraTrack(const CameraTrack& track) {
   deliver();
 }
 
-void FakeRenderer::setFlownCameras(const FlownCameras& cameras) {
+void FakeRenderer::take(const request::SetFlownCameras& asked) {
+  const auto& [cameras] = asked;
   for (const CameraTrackHandle& track : status.tracks) std::erase(status.cameras, track->name);
   status.tracks.clear();
   for (const CameraTrack& track : cameras.tracks) {
@@ -138,7 +149,8 @@ void FakeRenderer::setFlownCameras(const FlownCameras& cameras) {
 }
 
 /// Object n is seen in the box from (10·n, 5) that is 4 pixels wide and 3 high.
-void FakeRenderer::locate(const std::vector<int>& objects) {
+void FakeRenderer::take(const request::Locate& asked) {
+  const auto& [objects] = asked;
   located = objects;
   if (objects.empty()) return;
   ObjectArea area;
@@ -147,10 +159,11 @@ void FakeRenderer::locate(const std::vector<int>& objects) {
   area.pixels = 12;
   area.box = {10 * objects.front(), 5, 4, 3};
   area.pixel = {10 * objects.front() + 1, 6};
-  listener_.onObjectArea(std::move(area));
+  tell(std::move(area));
 }
 
-void FakeRenderer::setSettings(const Settings& settings) {
+void FakeRenderer::take(const request::SetSettings& asked) {
+  const auto& [settings] = asked;
   ++settingsSent;
   if (refuses(RequestKind::Settings)) return;
   ++status.subject;
@@ -158,19 +171,22 @@ void FakeRenderer::setSettings(const Settings& settings) {
   deliver();
 }
 
-void FakeRenderer::setPlaying(bool playing) {
+void FakeRenderer::take(const request::SetPlaying& asked) {
+  const auto& [playing] = asked;
   status.playing = playing;
   deliver();
 }
 
-void FakeRenderer::setTracing(bool wanted) {
+void FakeRenderer::take(const request::SetTracing& asked) {
+  const auto& [wanted] = asked;
   tracing = wanted;
   deliver();
 }
 
-void FakeRenderer::fillTraces(int first, int last) {
+void FakeRenderer::take(const request::FillTraces& asked) {
+  const auto& [first, last] = asked;
   for (int frame = first; frame <= last; ++frame)
-    for (const ProbePin& pin : pins) deliverTrace(pin, frame);
+    for (const ProbePin& pin : probes.pins) deliverTrace(pin, frame);
 }
 
 /// Every channel is valueAt(); history is rejected in frames that are multiples of ten, for their depth.
@@ -179,15 +195,17 @@ void FakeRenderer::deliverTrace(const ProbePin& pin, int frame) {
   trace.sample.record.fill(glm::vec4(valueAt(pin.pixel.x, pin.pixel.y, frame)));
   const float reason = frame % 10 == 0 ? 4.0f : 0.0f;
   twin::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
-  listener_.onTrace(trace);
+  tell(trace);
 }
 
-void FakeRenderer::setPlayback(const Playback& playback) {
+void FakeRenderer::take(const request::SetPlayback& asked) {
+  const auto& [playback] = asked;
   status.playback = playback;
   deliver();
 }
 
-void FakeRenderer::seek(int frame) {
+void FakeRenderer::take(const request::Seek& asked) {
+  const auto& [frame] = asked;
   status.info.frame = std::clamp(frame, 0, std::max(0, status.frameCount - 1));
   status.info.jitterIndex = status.info.frame % 16;
   status.info.time = status.info.frame / 60.0;
@@ -195,23 +213,24 @@ void FakeRenderer::seek(int frame) {
   deliverProfile();
 }
 
-void FakeRenderer::setViews(const std::vector<ViewRequest>& wanted) {
+void FakeRenderer::take(const request::SetViews& asked) {
+  const auto& [wanted] = asked;
   views = wanted;
   deliver();
 }
 
-void FakeRenderer::setPins(const PinWish& wanted) {
-  pinWish = wanted;
-  pins = wanted.pins;
+void FakeRenderer::take(const request::SetPins& asked) {
+  probes = asked;
   deliver();
 }
 
-void FakeRenderer::setOtherLanes(const std::vector<Settings>& lanes) {
+void FakeRenderer::take(const request::SetOtherLanes& asked) {
+  const auto& [lanes] = asked;
   otherLanes = lanes;
   deliver();
 }
 
-void FakeRenderer::measureStages() {
+void FakeRenderer::take(const request::MeasureStages&) {
   StageCosts costs;
   costs.frame = status.info.frame;
   costs.width = status.width;
@@ -222,10 +241,11 @@ void FakeRenderer::measureStages() {
   costs.stages = {{Stage::Neighborhood, {2.0, 1.75, 2.125}},
                   {Stage::BlendWeight, {0.25, -0.5, 0.5}},
                   {Stage::Blend, {-1.0, -1.5, -0.75}}};
-  listener_.onStageCosts(costs);
+  tell(costs);
 }
 
-void FakeRenderer::setThumbnails(int width, int height) {
+void FakeRenderer::take(const request::SetThumbnails& asked) {
+  const auto& [width, height] = asked;
   thumbnails = {width, height};
   deliver();
 }
@@ -234,9 +254,9 @@ void FakeRenderer::deliverThumbnails() {
   if (thumbnails.x == 0) return;
   if (!status.playing) {
     const double share = 0.01 * (status.info.frame % 100);
-    listener_.onStageShares({status.info.frame,
-                             status.info.frame == 0,
-                             {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
+    tell(StageShares{status.info.frame,
+                     status.info.frame == 0,
+                     {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
   }
   for (const IntermediateId id : mainRows()) {
     Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}, status.subject};
@@ -244,16 +264,18 @@ void FakeRenderer::deliverThumbnails() {
     thumbnail.picture.rgba.assign(static_cast<std::size_t>(thumbnails.x) * thumbnails.y * 4, gray);
     for (std::size_t alpha = 3; alpha < thumbnail.picture.rgba.size(); alpha += 4)
       thumbnail.picture.rgba[alpha] = 255;
-    listener_.onThumbnail(std::move(thumbnail));
+    tell(std::move(thumbnail));
   }
 }
 
-void FakeRenderer::setReferenceSamples(int samples) {
+void FakeRenderer::take(const request::SetReferenceSamples& asked) {
+  const auto& [samples] = asked;
   status.referenceGoal = samples;
   deliver();
 }
 
-void FakeRenderer::setFigures(const std::vector<Figure>& wanted) {
+void FakeRenderer::take(const request::SetFigures& asked) {
+  const auto& [wanted] = asked;
   figures = wanted;
   deliver();
 }
@@ -262,7 +284,7 @@ void FakeRenderer::deliverFigures() {
   if (figures.empty()) return;
   FrameFigures result{.frame = status.info.frame, .values = {}, .subject = status.subject};
   for (const Figure figure : figures) result.at(figure) = 0.01 * status.info.frame;
-  listener_.onFigures(result);
+  tell(result);
 }
 
 /// Frame n: two passes of n and 2n ms, 3 MiB of textures.
@@ -276,7 +298,7 @@ void FakeRenderer::deliverProfile() {
   profile.memory = {{"history, \"kept\"", std::size_t(3) << 20, 5}};
   profile.memoryBytes = std::size_t(3) << 20;
   profile.checkpointBytes = std::size_t(1) << 20;
-  listener_.onProfile(profile);
+  tell(profile);
 }
 
 Image FakeRenderer::valuesOf(IntermediateId id, int lane, int frame) const {
@@ -329,14 +351,14 @@ ViewResult FakeRenderer::draw(int view) const {
 
 void FakeRenderer::deliver() {
   if (holdsBack) return;
-  listener_.onStatus(status);
+  tell(status);
   if (status.frameCount == 0) return;
   for (std::size_t view = 0; view < views.size(); ++view)
-    if (views[view].width > 0) listener_.onPicture(draw(static_cast<int>(view)));
+    if (views[view].width > 0) tell(draw(static_cast<int>(view)));
   deliverThumbnails();
-  for (const ProbePin& pin : pins) deliverPin(pin);
+  for (const ProbePin& pin : probes.pins) deliverPin(pin);
   if (tracing)
-    for (const ProbePin& pin : pins) deliverTrace(pin, status.info.frame);
+    for (const ProbePin& pin : probes.pins) deliverTrace(pin, status.info.frame);
   deliverFigures();
 }
 
@@ -360,9 +382,9 @@ void FakeRenderer::deliverPin(const ProbePin& pin) {
       twin::at(record, IntermediateId::rejectReason) = glm::vec4(0);
       result.around.push_back(record);
     }
-  const bool isActive = pinWish.active >= 0 && pins[static_cast<std::size_t>(pinWish.active)] == pin;
+  const bool isActive = probes.active >= 0 && probes.pins[static_cast<std::size_t>(probes.active)] == pin;
   if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
-  if (isActive && pinWish.whatIf)
+  if (isActive && probes.whatIf)
     for (const Variant& variant : variantsOf(status.settings))
       result.whatIf.push_back({variant.group,
                                variant.id,
@@ -375,7 +397,7 @@ void FakeRenderer::deliverPin(const ProbePin& pin) {
                                {},
                                0.5f,
                                0});
-  listener_.onProbe(result);
+  tell(result);
 }
 
 } // namespace taa::app::test

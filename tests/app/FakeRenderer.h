@@ -15,52 +15,19 @@ namespace taa::app::test {
 /// and 10,000 more for each lane; stages have rejected n % of its pixels.
 class FakeRenderer final : public Renderer {
  public:
-  explicit FakeRenderer(RenderListener listener) : listener_(std::move(listener)) {}
+  explicit FakeRenderer(Listener listener) : listener_(std::move(listener)) {}
 
   static float valueAt(int x, int y, int frame) { return static_cast<float>(x + 100 * y + frame); }
 
   /// Levels of the pictures: of a view, of its other side, of a difference.
   static constexpr int kGray = 160, kOtherGray = 80, kDifferenceGray = 240;
 
-  void open(const std::string& source) override;
-  void setSize(int width, int height) override;
-  void setCamera(const std::string& name) override;
-  void setMotionModes(const std::vector<MotionOverride>& modes) override;
-  void setSettings(const Settings& settings) override;
-  void prepare(const Settings& settings) override { prepared = settings; }
-  void setPlaying(bool playing) override;
-  void setLooping(bool looping) override { isLooping = looping; }
-  void seek(int frame) override;
-  void step(int frames) override { seek(status.info.frame + frames); }
-  void setViews(const std::vector<ViewRequest>& wanted) override;
-  void setPins(const PinWish& wanted) override;
-  void setCheckpointBudget(std::size_t bytes) override;
-  void setProfiling(bool wanted) override { profiling = wanted; }
-  void measureStages() override;
-  void setThumbnails(int width, int height) override;
-  void setReferenceSamples(int samples) override;
-  void setFigures(const std::vector<Figure>& wanted) override;
-  void setOtherLanes(const std::vector<Settings>& lanes) override;
-  void reloadShaders() override { ++reloads; }
-  void cancel() override { ++cancels; }
-  void setPlayback(const Playback& playback) override;
-  void exportSequence(const SequenceRequest& request) override { exported = request; }
-  void setObjectFilter(const ObjectFilter& filter) override;
-  void setObjectClasses(const std::vector<ClassOverride>& classes) override;
-  void setRestarts(const std::vector<int>& frames) override;
-  void fly(const CameraPose& pose, RenderThread::Clock::duration took) override;
-  void setRecording(bool recording) override;
-  void addCameraTrack(const CameraTrack& track) override;
-  void setFlownCameras(const FlownCameras& cameras) override;
-  void locate(const std::vector<int>& objects) override;
-  RequestId lastRequest() override { return ++requests; }
-  void setTracing(bool wanted) override;
-  void fillTraces(int first, int last) override;
+  RequestId post(Request request) override;
+  void tell(Result result) const { listener_({requests, std::move(result)}); } ///< as the render thread would
 
   Status status;
   std::vector<ViewRequest> views;
-  std::vector<ProbePin> pins;
-  PinWish pinWish;
+  request::SetPins probes;          ///< wanted
   std::optional<Settings> prepared; ///< the last ones
   bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
@@ -72,10 +39,42 @@ class FakeRenderer final : public Renderer {
   RequestId requests = 0;             ///< so far
   std::optional<RequestKind> refused; ///< answers the next wish of this kind with an error and nothing else
   int reloads = 0, cancels = 0, settingsSent = 0;
-  const RenderListener& listener() const { return listener_; }
   void deliver(); ///< all that there is
 
  private:
+  void take(const request::Open& asked);
+  void take(const request::SetSize& asked);
+  void take(const request::SetCamera& asked);
+  void take(const request::SetMotionModes& asked);
+  void take(const request::SetSettings& asked);
+  void take(const request::SetPlaying& asked);
+  void take(const request::Seek& asked);
+  void take(const request::SetViews& asked);
+  void take(const request::SetPins& asked);
+  void take(const request::SetCheckpointBudget& asked);
+  void take(const request::MeasureStages&);
+  void take(const request::SetThumbnails& asked);
+  void take(const request::SetReferenceSamples& asked);
+  void take(const request::SetFigures& asked);
+  void take(const request::SetOtherLanes& asked);
+  void take(const request::SetPlayback& asked);
+  void take(const request::SetObjectFilter& asked);
+  void take(const request::SetObjectClasses& asked);
+  void take(const request::SetRestarts& asked);
+  void take(const request::SetRecording& asked);
+  void take(const request::AddCameraTrack& asked);
+  void take(const request::SetFlownCameras& asked);
+  void take(const request::Locate& asked);
+  void take(const request::SetTracing& asked);
+  void take(const request::FillTraces& asked);
+  void take(const request::Prepare& asked) { prepared = asked.settings; }
+  void take(const request::SetLooping& asked) { isLooping = asked.looping; }
+  void take(const request::Step& asked) { take(request::Seek{status.info.frame + asked.frames}); }
+  void take(const request::SetProfiling& asked) { profiling = asked.on; }
+  void take(const request::ReloadShaders&) { ++reloads; }
+  void take(const request::Cancel&) { ++cancels; }
+  void take(const request::ExportSequence& asked) { exported = asked.sequence; }
+  void take(const request::Fly& asked) { take(request::AddCameraTrack{{kFreeCamera, 0, {asked.pose}}}); }
   bool refuses(RequestKind kind);
   void deliverThumbnails();
   void deliverTrace(const ProbePin& pin, int frame);
@@ -86,7 +85,7 @@ class FakeRenderer final : public Renderer {
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);
 
-  RenderListener listener_;
+  Listener listener_;
 };
 
 } // namespace taa::app::test

@@ -150,8 +150,8 @@ TEST_F(Window, ARightClickPicksAndArrowsMoveThePick) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
   EXPECT_EQ(session.pick(), glm::ivec2(30, 12));
-  ASSERT_EQ(renderer->pins.size(), 1u);
-  EXPECT_EQ(renderer->pins[0].pixel, glm::ivec2(30, 12));
+  ASSERT_EQ(renderer->probes.pins.size(), 1u);
+  EXPECT_EQ(renderer->probes.pins[0].pixel, glm::ivec2(30, 12));
   viewport->setFocus();
   QTest::keyClick(viewport, Qt::Key_Right);
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
@@ -255,7 +255,7 @@ TEST_F(Window, ABrokenFileIsToldAndKeepsThePicture) {
 TEST_F(Window, TheBadgeShowsWhileHistoryIsFromOldSettings) {
   EXPECT_FALSE(window.statusLine()->showsBadge());
   renderer->status.exact = false;
-  renderer->setPlaying(false);
+  renderer->post(request::SetPlaying{false});
   settle();
   EXPECT_TRUE(window.statusLine()->showsBadge());
 }
@@ -263,7 +263,7 @@ TEST_F(Window, TheBadgeShowsWhileHistoryIsFromOldSettings) {
 TEST_F(Window, TheBadgeShowsWhileAnotherFrameIsOnItsWay) {
   renderer->status.info.frame = 61;
   renderer->status.goal = 75;
-  renderer->setPlaying(false);
+  renderer->post(request::SetPlaying{false});
   settle();
   EXPECT_TRUE(window.statusLine()->showsBadge());
   const QList<QLabel*> labels = window.statusLine()->findChildren<QLabel*>();
@@ -272,7 +272,7 @@ TEST_F(Window, TheBadgeShowsWhileAnotherFrameIsOnItsWay) {
   }));
   EXPECT_EQ(window.findChild<Timeline*>()->frame(), 75) << "it stays under the mouse";
   renderer->status.goal.reset();
-  renderer->setPlaying(false);
+  renderer->post(request::SetPlaying{false});
   settle();
   EXPECT_FALSE(window.statusLine()->showsBadge());
   EXPECT_EQ(window.findChild<Timeline*>()->frame(), 61);

@@ -24,10 +24,10 @@ using ProbePages = test::FakeWindow;
 TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   session.setPick(glm::ivec2(12, 7));
   settle();
-  EXPECT_FALSE(renderer->pinWish.whatIf);
+  EXPECT_FALSE(renderer->probes.whatIf);
   key(Qt::Key_F4);
   EXPECT_EQ(window.probe()->tab(), ProbeTab::WhatIf);
-  EXPECT_TRUE(renderer->pinWish.whatIf);
+  EXPECT_TRUE(renderer->probes.whatIf);
   settle();
   const auto& rows = window.probe()->whatIf()->table()->rows();
   EXPECT_EQ(rows.size(), variantsOf(session.settings()).size() + 4) << "with a heading for each group";
@@ -49,7 +49,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   key(Qt::Key_Home, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(window.probe()->colorSpace()->view()->turn(), Turn{});
   key(Qt::Key_F2);
-  EXPECT_FALSE(renderer->pinWish.whatIf) << "nothing is worked out that nobody looks at";
+  EXPECT_FALSE(renderer->probes.whatIf) << "nothing is worked out that nobody looks at";
   EXPECT_TRUE(window.probe()->table()->isVisible());
 }
 

@@ -140,7 +140,7 @@ TEST_F(ProbeTable, GoesAwayWithEscape) {
   EXPECT_TRUE(window.probe()->table()->isVisible());
   key(Qt::Key_Escape);
   EXPECT_FALSE(session.pick());
-  EXPECT_TRUE(renderer->pins.empty());
+  EXPECT_TRUE(renderer->probes.pins.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 

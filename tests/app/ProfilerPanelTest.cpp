@@ -129,10 +129,10 @@ TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
   QTest::mouseClick(panel->measureButton(), Qt::LeftButton);
   settle();
   EXPECT_EQ(cell(stages, 4, 0), "All");
-  renderer->listener().onWork({"Measuring stages", 1, 99});
+  renderer->tell(Work{WorkKind::Stages, "Measuring stages", 1, 99});
   settle();
   EXPECT_FALSE(panel->measureButton()->isEnabled());
-  renderer->listener().onWork({});
+  renderer->tell(Work{});
   settle();
   EXPECT_TRUE(panel->measureButton()->isEnabled());
 }

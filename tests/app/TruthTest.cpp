@@ -69,7 +69,7 @@ TEST_F(Truth, TheBadgeWaitsForTheFirstPictureOfAScene) {
   settle();
   ASSERT_EQ(session.status().source, "builtin:fence");
   EXPECT_EQ(window.statusLine()->badge(), "no picture yet");
-  renderer->setViews(views);
+  renderer->post(request::SetViews{views});
   settle();
   EXPECT_EQ(window.statusLine()->badge(), "history from these settings");
 }
@@ -83,14 +83,14 @@ TEST_F(Truth, StagePicturesOfTheSceneBeforeAreNotShown) {
   ASSERT_EQ(session.status().source, "builtin:fence");
   EXPECT_EQ(thumbnailCount(), 0);
   Thumbnail late{mainRows().front(), 0, {1, 1, {9, 9, 9, 255}}, before};
-  renderer->listener().onThumbnail(late);
+  renderer->tell(late);
   settle();
   EXPECT_EQ(thumbnailCount(), 0) << "it is of the scene before";
   late.subject = session.status().subject;
-  renderer->listener().onThumbnail(late);
+  renderer->tell(late);
   settle();
   EXPECT_EQ(thumbnailCount(), 1);
-  renderer->setThumbnails(size.x, size.y);
+  renderer->post(request::SetThumbnails{size.x, size.y});
   settle();
   EXPECT_GT(thumbnailCount(), 5);
 }
@@ -104,7 +104,7 @@ TEST_F(Truth, ARecordingSaysHowMuchOfItThereIs) {
   EXPECT_TRUE(window.flightBar()->isVisible());
   EXPECT_TRUE(window.flightBar()->text().contains("Recording: 91 frames, 1.50 s"))
       << window.flightBar()->text().toStdString();
-  renderer->addCameraTrack({"Recorded 1", 7, std::vector<CameraPose>(241)});
+  renderer->post(request::AddCameraTrack{{"Recorded 1", 7, std::vector<CameraPose>(241)}});
   renderer->status.recordedFrames = 0;
   key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(window.flightBar()->text().contains("Recording"));

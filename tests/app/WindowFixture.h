@@ -43,7 +43,7 @@ class FakeWindow : public testing::Test {
   }
 
   FakeRenderer* renderer = nullptr; ///< owned by the session
-  Session session{[this](RenderListener listener) {
+  Session session{[this](Listener listener) {
     auto made = std::make_unique<FakeRenderer>(std::move(listener));
     renderer = made.get();
     return made;

@@ -40,9 +40,9 @@ class RecordingThread : public taa::test::onThread::RenderThreadTest {
     RenderThreadTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     thread = std::make_unique<taa::RenderThread>(recorder.listener(), [this] { return now(); });
-    thread->setSize(taa::test::onThread::kWidth, taa::test::onThread::kHeight);
-    thread->open("builtin:fan");
-    thread->setCamera("still");
+    thread->post(taa::request::SetSize{taa::test::onThread::kWidth, taa::test::onThread::kHeight});
+    thread->post(taa::request::Open{"builtin:fan"});
+    thread->post(taa::request::SetCamera{"still"});
   }
   Clock::time_point now() const { return Clock::time_point(Clock::duration(ticks)); }
   void setClock(double seconds) {
@@ -50,13 +50,14 @@ class RecordingThread : public taa::test::onThread::RenderThreadTest {
   }
   void startAt(int frame) {
     setClock(0.0);
-    thread->seek(frame);
+    thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
     first = recorder.read([&] { return recorder.statuses.back().pose; });
   }
   void flyAt(double seconds, const CameraPose& pose, double took) {
     setClock(seconds);
-    thread->fly(pose, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(took)));
+    thread->post(taa::request::Fly{
+        pose, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(took))});
   }
   std::atomic<Clock::rep> ticks = 0;
   CameraPose first; ///< at the frame that was started at
@@ -165,10 +166,10 @@ TEST_F(SceneChoices, OfFramesKeptToCompareWithThoseThatItChangesGo) {
 }
 
 TEST_F(FlightThread, RestsWhereItWasFlownTo) {
-  thread->seek(3);
+  thread->post(taa::request::Seek{3});
   thread->waitUntilIdle();
   const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
-  for (int step = 1; step < 5; ++step) thread->fly(shifted(start, step));
+  for (int step = 1; step < 5; ++step) thread->post(taa::request::Fly{shifted(start, step)});
   thread->waitUntilIdle();
   const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
   EXPECT_EQ(status.camera, taa::kFreeCamera);
@@ -176,7 +177,7 @@ TEST_F(FlightThread, RestsWhereItWasFlownTo) {
   EXPECT_TRUE(status.exact);
   ASSERT_EQ(status.tracks.size(), 1u);
   EXPECT_EQ(status.tracks[0]->poses.size(), 1u);
-  thread->setCamera("orbit");
+  thread->post(taa::request::SetCamera{"orbit"});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().camera; }), "orbit");
 }
@@ -184,13 +185,13 @@ TEST_F(FlightThread, RestsWhereItWasFlownTo) {
 // Three seconds on the clock of whoever flies, of which this machine shows as many frames as it can.
 TEST_F(RecordingThread, HasAPoseForEachFrameOfTheShotsClock) {
   startAt(20);
-  thread->setRecording(true);
+  thread->post(taa::request::SetRecording{true});
   for (int told = 1; told <= 10; ++told) flyAt(0.1 * told, shifted(first, told), 0.1); // then it waits
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
   EXPECT_TRUE(recorder.read([&] { return recorder.statuses.back().playing; }));
   flyAt(3.0, shifted(first, 20), 0.5);
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recordedFrames == 181; }));
-  thread->setRecording(false);
+  thread->post(taa::request::SetRecording{false});
   thread->waitUntilIdle();
   const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
   EXPECT_FALSE(status.recording);
@@ -213,25 +214,25 @@ TEST_F(RecordingThread, HasAPoseForEachFrameOfTheShotsClock) {
 
 TEST_F(RecordingThread, WhatItShowsAtItsEndIsWhatSeekingShows) {
   startAt(3);
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->setRecording(true);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::SetRecording{true});
   for (int told = 1; told <= 5; ++told) flyAt(0.1 * told, shifted(first, told * told), 0.1);
-  thread->setRecording(false);
+  thread->post(taa::request::SetRecording{false});
   thread->waitUntilIdle();
   const auto shown = recorder.read([&] { return recorder.pictures.back(); });
   EXPECT_EQ(shown.frame, 33);
   EXPECT_TRUE(shown.exact);
-  thread->seek(0);
-  thread->reloadShaders(); // nothing is kept after it
-  thread->seek(33);
+  thread->post(taa::request::Seek{0});
+  thread->post(taa::request::ReloadShaders{}); // nothing is kept after it
+  thread->post(taa::request::Seek{33});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().picture.rgba; }), shown.picture.rgba);
 }
 
 TEST_F(RecordingThread, EndsWithTheShotAndGoesOnPlayingWhereItPlayed) {
   startAt(200);
-  thread->setLooping(false);
-  thread->setRecording(true);
+  thread->post(taa::request::SetLooping{false});
+  thread->post(taa::request::SetRecording{true});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().recording; }));
   flyAt(5.0, shifted(first, 4), 5.0);
   // It ends by the clock, which no wish waits for.
@@ -243,26 +244,27 @@ TEST_F(RecordingThread, EndsWithTheShotAndGoesOnPlayingWhereItPlayed) {
   EXPECT_EQ(status.tracks[0]->poses.size(), 40u) << "frames 200 to 239";
   EXPECT_EQ(status.info.frame, 239);
   EXPECT_FALSE(status.playing);
-  thread->setRecording(true);
+  thread->post(taa::request::SetRecording{true});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.errors.size(), 1u) << "there is no frame after it";
   EXPECT_EQ(recorder.failures.back().kind, taa::RequestKind::Recording);
 }
 
 TEST_F(RecordingThread, APauseAStepAndAJumpEndIt) {
-  const std::function<void()> ends[] = {[&] { thread->setPlaying(false); }, [&] { thread->step(2); },
-                                        [&] { thread->seek(5); }};
+  const std::function<void()> ends[] = {[&] { thread->post(taa::request::SetPlaying{false}); },
+                                        [&] { thread->post(taa::request::Step{2}); },
+                                        [&] { thread->post(taa::request::Seek{5}); }};
   const int shown[] = {40, 42, 5};
   for (int way = 0; way < 3; ++way) {
     startAt(10);
-    thread->setRecording(true);
+    thread->post(taa::request::SetRecording{true});
     flyAt(0.5, shifted(first, 3), 0.25);
     ends[way]();
     thread->waitUntilIdle();
     const taa::Status status = recorder.read([&] { return recorder.statuses.back(); });
     EXPECT_FALSE(status.recording) << way;
     EXPECT_FALSE(way < 2 && status.playing) << way;
-    if (status.playing) thread->setPlaying(false);
+    if (status.playing) thread->post(taa::request::SetPlaying{false});
     EXPECT_EQ(status.info.frame, shown[way]) << way;
     EXPECT_EQ(status.camera, "Recorded " + std::to_string(way + 1));
     EXPECT_EQ(status.tracks.back()->poses.size(), 31u) << way;
@@ -272,23 +274,23 @@ TEST_F(RecordingThread, APauseAStepAndAJumpEndIt) {
 TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
   for (const bool isRecorded : {false, true}) {
     recorder.clear();
-    thread->seek(0);
-    if (isRecorded) thread->setRecording(true);
+    thread->post(taa::request::Seek{0});
+    if (isRecorded) thread->post(taa::request::SetRecording{true});
     thread->waitUntilIdle();
     const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
-    thread->setPlaying(true);
+    thread->post(taa::request::SetPlaying{true});
     ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
     std::vector<std::uint64_t> subjects;
     for (int step = 1; step < 6; ++step) {
-      thread->fly(shifted(start, step));
+      thread->post(taa::request::Fly{shifted(start, step)});
       ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
       subjects.push_back(recorder.read([&] { return recorder.statuses.back().subject; }));
     }
     EXPECT_EQ(std::ranges::count(subjects, subjects.front()), 5) << "dropped once, when it began";
-    thread->setPlaying(false);
-    thread->setRecording(false);
+    thread->post(taa::request::SetPlaying{false});
+    thread->post(taa::request::SetRecording{false});
     thread->waitUntilIdle();
-    thread->setCamera("orbit");
+    thread->post(taa::request::SetCamera{"orbit"});
     thread->waitUntilIdle();
     EXPECT_GT(recorder.read([&] { return recorder.statuses.back().subject; }), subjects.back());
   }
@@ -320,16 +322,14 @@ TEST_F(SceneChoices, ARenamedCameraShowsTheSameAndARemovedOneNothing) {
 }
 
 TEST_F(FlightThread, SaysWhereObjectsAreSeen) {
-  std::vector<taa::ObjectArea> areas;
+  const std::vector<taa::ObjectArea>& areas = recorder.areas;
   const auto outline = recorder.read([&] { return recorder.statuses.back().outline; });
   ASSERT_TRUE(outline);
-  taa::RenderListener listener = recorder.listener();
-  listener.onObjectArea = [&](taa::ObjectArea area) { recorder.add(areas, std::move(area)); };
-  taa::RenderThread other(listener);
-  other.setSize(64, 36);
-  other.open("builtin:fan");
+  taa::RenderThread other(recorder.listener());
+  other.post(taa::request::SetSize{64, 36});
+  other.post(taa::request::Open{"builtin:fan"});
   const auto wall = std::ranges::find(outline->nodes, "wall", &taa::OutlineNode::key);
-  other.locate(outline->objectsBelow(static_cast<int>(wall - outline->nodes.begin())));
+  other.post(taa::request::Locate{outline->objectsBelow(static_cast<int>(wall - outline->nodes.begin()))});
   other.waitUntilIdle();
   ASSERT_EQ(areas.size(), 1u);
   EXPECT_GT(areas[0].pixels, 100);
@@ -338,7 +338,7 @@ TEST_F(FlightThread, SaysWhereObjectsAreSeen) {
   EXPECT_LE(areas[0].pixels, areas[0].box.width * areas[0].box.height);
   taa::ObjectFilter filter;
   filter.hidden = {"wall"};
-  other.setObjectFilter(filter);
+  other.post(taa::request::SetObjectFilter{filter});
   other.waitUntilIdle();
   EXPECT_EQ(areas.back().pixels, 0);
 }

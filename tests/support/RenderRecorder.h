@@ -13,6 +13,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace taa::test::onThread {
@@ -34,7 +35,10 @@ struct Recorder {
   std::vector<Thumbnail> thumbnails;
   std::vector<FrameFigures> figures;
   std::vector<TraceDelivery> traces;
-  std::function<void(const Work&)> onWork; ///< also called, without the lock
+  std::vector<ObjectArea> areas;
+  // Also called, without the lock
+  std::function<void(const Work&)> onWork;
+  std::function<void(const ShadersRead&)> onShaders;
 
   template <typename T>
   void add(std::vector<T>& list, T value) {
@@ -44,28 +48,35 @@ struct Recorder {
     }
     changed.notify_all();
   }
-  RenderListener listener() {
-    return {.onPicture = [this](ViewResult result) { add(pictures, std::move(result)); },
-            .onProbe = [this](ProbeResult result) { add(probes, std::move(result)); },
-            .onStatus = [this](Status status) { add(statuses, std::move(status)); },
-            .onWork =
-                [this](Work work) {
-                  if (onWork) onWork(work);
-                  add(works, std::move(work));
-                },
-            .onError =
-                [this](Failure failure) {
-                  {
-                    const std::lock_guard lock(mutex);
-                    failures.push_back(failure);
-                  }
-                  add(errors, std::move(failure.sentence));
-                },
-            .onProfile = [this](FrameProfile profile) { add(profiles, std::move(profile)); },
-            .onStageCosts = [this](StageCosts cost) { add(costs, std::move(cost)); },
-            .onThumbnail = [this](Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); },
-            .onFigures = [this](FrameFigures result) { add(figures, result); },
-            .onTrace = [this](TraceDelivery trace) { add(traces, std::move(trace)); }};
+  void take(ViewResult result) { add(pictures, std::move(result)); }
+  void take(ProbeResult result) { add(probes, std::move(result)); }
+  void take(Status status) { add(statuses, std::move(status)); }
+  void take(Work work) {
+    if (onWork) onWork(work);
+    add(works, std::move(work));
+  }
+  void take(Failure failure) {
+    {
+      const std::lock_guard lock(mutex);
+      failures.push_back(failure);
+    }
+    add(errors, std::move(failure.sentence));
+  }
+  void take(FrameProfile profile) { add(profiles, std::move(profile)); }
+  void take(StageCosts cost) { add(costs, std::move(cost)); }
+  void take(Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); }
+  void take(FrameFigures result) { add(figures, std::move(result)); }
+  void take(TraceDelivery trace) { add(traces, std::move(trace)); }
+  void take(ObjectArea area) { add(areas, std::move(area)); }
+  void take(ShadersRead read) {
+    if (onShaders) onShaders(read);
+  }
+  void take(ExportResult) {}
+  void take(StageShares) {}
+  Listener listener() {
+    return [this](Answer answer) {
+      std::visit([this](auto& result) { take(std::move(result)); }, answer.result);
+    };
   }
   /// Until `holds` is true of what was said; false after a minute.
   template <typename Condition>
@@ -105,8 +116,8 @@ class RenderThreadTest : public GlTest {
     GlTest::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     thread = std::make_unique<RenderThread>(recorder.listener());
-    thread->setSize(kWidth, kHeight);
-    thread->open("builtin:fan");
+    thread->post(request::SetSize{kWidth, kHeight});
+    thread->post(request::Open{"builtin:fan"});
     thread->waitUntilIdle();
   }
   void TearDown() override {

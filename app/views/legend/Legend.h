@@ -3,7 +3,7 @@
 
 #include "app/views/legend/LegendFlow.h"
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 #include "core/settings/Settings.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // What a view of the reference says about it besides its legend.
 #pragma once
 
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QString>
 

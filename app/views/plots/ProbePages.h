@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/views/plots/ColorSpaceMath.h"
-#include "core/RenderThread.h"
+#include "core/requests/Results.h"
 
 #include <QWidget>
 

@@ -62,7 +62,7 @@ TEST_F(PinWindow, AreSetWithShiftAndChosenByNumber) {
   rightClick({10, 5});
   rightClick({20, 6}, Qt::ShiftModifier);
   rightClick({30, 7}, Qt::ShiftModifier);
-  ASSERT_EQ(renderer->pins.size(), 3u);
+  ASSERT_EQ(renderer->probes.pins.size(), 3u);
   EXPECT_EQ(session.activePin(), 2);
   key(Qt::Key_N, Qt::ControlModifier);
   EXPECT_EQ(session.pick(), glm::ivec2(10, 5));
@@ -71,12 +71,12 @@ TEST_F(PinWindow, AreSetWithShiftAndChosenByNumber) {
   QTest::mouseClick(window.probe()->pins()->button(1), Qt::LeftButton);
   EXPECT_EQ(session.pick(), glm::ivec2(20, 6));
   rightClick({21, 8});
-  EXPECT_EQ(renderer->pins[1].pixel, glm::ivec2(21, 8)) << "without Shift the active one moves";
+  EXPECT_EQ(renderer->probes.pins[1].pixel, glm::ivec2(21, 8)) << "without Shift the active one moves";
   key(Qt::Key_Escape);
   EXPECT_EQ(session.pins().size(), 2u);
   EXPECT_EQ(session.pick(), glm::ivec2(30, 7)) << "the next one takes its number";
   key(Qt::Key_Escape, Qt::ShiftModifier);
-  EXPECT_TRUE(renderer->pins.empty());
+  EXPECT_TRUE(renderer->probes.pins.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 

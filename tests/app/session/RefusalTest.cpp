@@ -37,8 +37,8 @@ class Refusals : public taa::app::test::FakeWindow {
   }
   /// As the render thread does: an error, then what is in force.
   void fail(const char* sentence, RequestKind kind, RequestId request) {
-    renderer->listener().onError({sentence, kind, request});
-    renderer->listener().onStatus(before);
+    renderer->tell(Failure{sentence, kind, request});
+    renderer->tell(before);
     settle();
   }
   void SetUp() override {
@@ -106,7 +106,7 @@ TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
   QApplication::sendEvent(&window, &event);
   settle();
   EXPECT_TRUE(window.messages()->text().contains("missing.glb"));
-  renderer->listener().onStatus(before);
+  renderer->tell(before);
   settle();
   EXPECT_EQ(session.motionModes().size(), 1u);
   EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});

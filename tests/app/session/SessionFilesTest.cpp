@@ -240,7 +240,7 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   EXPECT_EQ(renderer->exported->first, 3);
   EXPECT_EQ(renderer->exported->last, 8);
   EXPECT_EQ(renderer->exported->picture.width, 64);
-  renderer->listener().onExported({path("out.gif").toStdString(), 6});
+  renderer->tell(ExportResult{path("out.gif").toStdString(), 6});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
 }
@@ -323,10 +323,10 @@ TEST_F(SessionFiles, SaveDialogsAskBeforeTheyReplaceAFile) {
 }
 
 TEST_F(SessionFiles, AShaderErrorStaysUntilItIsMended) {
-  renderer->listener().onShaders("cannot compile shaders/taa/resolve.frag:\ntaa/blend.glsl:17: error: no");
+  renderer->tell(ShadersRead{"cannot compile shaders/taa/resolve.frag:\ntaa/blend.glsl:17: error: no"});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("taa/blend.glsl:17: error: no"));
-  renderer->listener().onShaders("");
+  renderer->tell(ShadersRead{""});
   settle();
   EXPECT_FALSE(own->messages()->text().contains("taa/blend.glsl:17"));
   EXPECT_TRUE(own->messages()->text().contains("compile again"));

@@ -28,25 +28,24 @@ std::optional<EarlyEnd> parse(std::vector<const char*> words, Arguments& argumen
 TEST(Mailbox, PostsOnceForAnyNumberOfResultsAndKeepsTheNewest) {
   int posts = 0;
   Mailbox mailbox([&] { ++posts; });
-  const RenderListener listener = listenerOf(mailbox);
   for (int frame = 0; frame < 5; ++frame) {
     ViewResult result;
     result.view = 1;
     result.frame = frame;
-    listener.onPicture(result);
-    listener.onError({"error " + std::to_string(frame)});
+    mailbox.put({0, result});
+    mailbox.put({0, Failure{"error " + std::to_string(frame)}});
   }
   EXPECT_EQ(posts, 1);
   const Delivery delivery = mailbox.take();
   EXPECT_FALSE(delivery.pictures[0]);
   EXPECT_EQ(delivery.pictures[1]->frame, 4);
   EXPECT_EQ(delivery.errors.size(), 5u) << "no error is lost";
-  listener.onWork({});
+  mailbox.put({0, Work{}});
   EXPECT_EQ(posts, 2);
 }
 
 TEST(Session, TellsWhyThereIsNoRendererAndStaysUsable) {
-  Session session([](const RenderListener&) -> std::unique_ptr<Renderer> { throw Error("no GL 4.5 here"); });
+  Session session([](const Listener&) -> std::unique_ptr<Renderer> { throw Error("no GL 4.5 here"); });
   QString told;
   QObject::connect(&session, &Session::errorOccurred, [&](const QString& sentence) { told = sentence; });
   session.open("builtin:fan");

@@ -112,10 +112,10 @@ TEST_F(Plots, AllFramesAreFilledInByKey) {
   EXPECT_EQ(runsOf(chart()->curves()[0].points).size(), 1u);
   EXPECT_EQ(chart()->curves()[0].points.size(), 240u);
   EXPECT_TRUE(plots()->summary().contains("240 of 240")) << plots()->summary().toStdString();
-  renderer->listener().onWork({"Tracing the probes", 3, 240});
+  renderer->tell(Work{WorkKind::Traces, "Tracing the probes", 3, 240});
   settle();
   EXPECT_FALSE(plots()->findChild<QPushButton*>("fillTraces")->isEnabled());
-  renderer->listener().onWork({});
+  renderer->tell(Work{});
   settle();
   EXPECT_TRUE(plots()->findChild<QPushButton*>("fillTraces")->isEnabled());
 }

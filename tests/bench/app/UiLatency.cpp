@@ -29,6 +29,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -44,104 +45,49 @@ constexpr std::chrono::milliseconds kFrame{500};
 /// Does on a thread of its own what it is asked for, half a second of work before each answer.
 class SlowRenderer final : public Renderer {
  public:
-  explicit SlowRenderer(RenderListener listener) : fake_(std::move(listener)), thread_([this] { run(); }) {}
+  explicit SlowRenderer(Listener listener) : fake_(std::move(listener)), thread_([this] { run(); }) {}
   ~SlowRenderer() override {
     {
       const std::lock_guard lock(mutex_);
       ends_ = true;
     }
-    wished_.notify_one();
+    posted_.notify_one();
     thread_.join();
   }
 
-  void open(const std::string& source) override {
-    post([this, source] {
-      fake_.open(source);
-      fake_.setSize(1280, 720);
-    });
+  RequestId post(Request request) override {
+    const std::lock_guard lock(mutex_);
+    const bool isSource = std::holds_alternative<request::Open>(request);
+    requests_.push_back(std::move(request));
+    if (isSource) requests_.emplace_back(request::SetSize{1280, 720});
+    posted_.notify_one();
+    return ++last_;
   }
-  void setSize(int width, int height) override {
-    post([this, width, height] { fake_.setSize(width, height); });
-  }
-  void setCamera(const std::string&) override {}
-  void setMotionModes(const std::vector<MotionOverride>&) override {}
-  void setSettings(const Settings& settings) override {
-    post([this, settings] { fake_.setSettings(settings); });
-  }
-  void prepare(const Settings&) override {}
-  void setPlaying(bool playing) override {
-    post([this, playing] { fake_.setPlaying(playing); });
-  }
-  void setLooping(bool) override {}
-  void seek(int frame) override {
-    post([this, frame] { fake_.seek(frame); });
-  }
-  void step(int frames) override {
-    post([this, frames] { fake_.step(frames); });
-  }
-  void setViews(const std::vector<ViewRequest>& views) override {
-    post([this, views] { fake_.setViews(views); });
-  }
-  void setPins(const PinWish& pins) override {
-    post([this, pins] { fake_.setPins(pins); });
-  }
-  void setCheckpointBudget(std::size_t) override {}
-  void setProfiling(bool) override {}
-  void measureStages() override {}
-  void setThumbnails(int width, int height) override {
-    post([this, width, height] { fake_.setThumbnails(width, height); });
-  }
-  void reloadShaders() override {}
-  void cancel() override {}
-  void setObjectFilter(const ObjectFilter&) override {}
-  void setObjectClasses(const std::vector<ClassOverride>&) override {}
-  void setRestarts(const std::vector<int>&) override {}
-  void fly(const CameraPose& pose, RenderThread::Clock::duration took) override {
-    post([this, pose, took] { fake_.fly(pose, took); });
-  }
-  void setPlayback(const Playback&) override {}
-  void setReferenceSamples(int) override {}
-  void setFigures(const std::vector<Figure>&) override {}
-  void setOtherLanes(const std::vector<Settings>&) override {}
-  void exportSequence(const SequenceRequest&) override {}
-  void setTracing(bool) override {}
-  void fillTraces(int, int) override {}
-  void setRecording(bool) override {}
-  void addCameraTrack(const CameraTrack&) override {}
-  void setFlownCameras(const FlownCameras&) override {}
-  void locate(const std::vector<int>&) override {}
-  RequestId lastRequest() override { return 0; }
 
  private:
-  void post(std::function<void()> wish) {
-    {
-      const std::lock_guard lock(mutex_);
-      wishes_.push_back(std::move(wish));
-    }
-    wished_.notify_one();
-  }
-  // The last wishes are enough: the real thread takes one of each kind.
+  // The last ones are enough: of each kind the real thread takes one.
   void run() {
     for (;;) {
-      std::vector<std::function<void()>> taken;
+      std::vector<Request> taken;
       {
         std::unique_lock lock(mutex_);
-        wished_.wait_for(lock, kFrame, [this] { return ends_ || !wishes_.empty(); });
+        posted_.wait_for(lock, kFrame, [this] { return ends_ || !requests_.empty(); });
         if (ends_) return;
-        taken = std::exchange(wishes_, {});
+        taken = std::exchange(requests_, {});
       }
       const auto until = Clock::now() + kFrame;
       while (Clock::now() < until) continue; // a software renderer keeps a core busy
       const std::size_t first = taken.size() > 8 ? taken.size() - 8 : 0;
-      for (std::size_t i = first; i < taken.size(); ++i) taken[i]();
-      fake_.seek((fake_.status.info.frame + 1) % 240);
+      for (std::size_t i = first; i < taken.size(); ++i) fake_.post(taken[i]);
+      fake_.post(request::Seek{(fake_.status.info.frame + 1) % 240});
     }
   }
 
   app::test::FakeRenderer fake_;
   std::mutex mutex_;
-  std::condition_variable wished_;
-  std::vector<std::function<void()>> wishes_;
+  std::condition_variable posted_;
+  std::vector<Request> requests_;
+  RequestId last_ = 0;
   bool ends_ = false;
   std::thread thread_; // last
 };
@@ -219,8 +165,7 @@ int main(int argc, char** argv) {
   qputenv("TAA_PROGRAM_CACHE", "");
   QApplication application(argc, argv);
   applyTheme(application, ThemeChoice::Dark);
-  Session session(
-      [](RenderListener listener) { return std::make_unique<SlowRenderer>(std::move(listener)); });
+  Session session([](Listener listener) { return std::make_unique<SlowRenderer>(std::move(listener)); });
   MainWindow window(session, nullptr);
   window.resize(1600, 900);
   window.show();

@@ -1,5 +1,5 @@
 // What the render thread's errors, works and pictures say they are about.
-#include "core/requests/RenderWishes.h"
+#include "core/requests/RequestQueue.h"
 #include "tests/support/RenderRecorder.h"
 #include "tests/support/ShaderFolder.h"
 #include "tests/support/frames/Variants.h"
@@ -9,6 +9,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -23,17 +25,15 @@ using RenderAnswersTest = taa::test::onThread::RenderThreadTest;
 
 // An error is an answer to one request; what else was asked for is done.
 TEST_F(RenderAnswersTest, AnErrorSaysWhatItAnswersAndNothingElseIsDropped) {
-  thread->setSettings(otherJitter());
-  const taa::RequestId settings = thread->lastRequest();
+  const taa::RequestId settings = thread->post(taa::request::SetSettings{otherJitter()});
   taa::SequenceRequest bad;
   bad.target = "/dev/null/at/all.png"; // no folder can be made there, not even by root
   bad.picture.width = 8;
   bad.picture.height = 8;
-  thread->exportSequence(bad);
-  const taa::RequestId exported = thread->lastRequest();
-  thread->setViews({viewOf(IntermediateId::alpha)});
-  thread->setMotionModes({{"nobody", taa::MotionMode::None}});
-  const taa::RequestId modes = thread->lastRequest();
+  const taa::RequestId exported = thread->post(taa::request::ExportSequence{bad});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::alpha)}});
+  const taa::RequestId modes =
+      thread->post(taa::request::SetMotionModes{{{"nobody", taa::MotionMode::None}}});
   thread->waitUntilIdle();
   EXPECT_LT(settings, exported);
   ASSERT_EQ(recorder.failures.size(), 2u);
@@ -53,9 +53,8 @@ TEST_F(RenderAnswersTest, AFailingShaderAnswersTheSettingsThatNeedIt) {
     const taa::test::ShaderFolder folder;
     folder.write("taa/resolve.frag", "#error no more\n");
     recorder.clear();
-    thread->setSettings(wanted);
-    const taa::RequestId refused = thread->lastRequest();
-    thread->setMotionModes({{"rotor", taa::MotionMode::None}});
+    const taa::RequestId refused = thread->post(taa::request::SetSettings{wanted});
+    thread->post(taa::request::SetMotionModes{{{"rotor", taa::MotionMode::None}}});
     thread->waitUntilIdle();
     ASSERT_FALSE(recorder.failures.empty());
     EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Settings);
@@ -64,32 +63,94 @@ TEST_F(RenderAnswersTest, AFailingShaderAnswersTheSettingsThatNeedIt) {
   EXPECT_EQ(recorder.statuses.back().settings, taa::Settings{}) << "says what is in force";
 }
 
+namespace {
+
+/// What waits of a type, in its order.
+template <typename Asked>
+std::vector<Asked> waitingOf(const taa::RequestQueue& queue) {
+  std::vector<Asked> found;
+  for (const taa::PostedRequest& posted : queue.waiting())
+    if (const Asked* asked = std::get_if<Asked>(&posted.request)) found.push_back(*asked);
+  return found;
+}
+
+} // namespace
+
 // What was asked of the scene before a missing file was asked for is still wanted of it.
-TEST(RenderWishesTest, WhatWasAskedBeforeASourceCountsWhereThatIsRefused) {
-  taa::Wishes wishes;
-  wishes.camera = "pan";
-  wishes.motionModes = std::vector<taa::MotionOverride>{{"rotor", taa::MotionMode::None}};
-  wishes.scene.filter = taa::ObjectFilter{{"wall"}, {}};
-  wishes.frame = 7;
-  wishes.steps = 2;
-  wishes.open("missing.glb");
-  EXPECT_FALSE(wishes.camera || wishes.motionModes || wishes.scene.filter || wishes.frame);
-  wishes.scene.filter = taa::ObjectFilter{{"floor"}, {}}; // newer
-  wishes.open("missing too.glb");
-  EXPECT_FALSE(wishes.scene.filter) << "it was of one that is never opened";
-  wishes.steps = 1;
-  wishes.refuseSource();
-  EXPECT_EQ(wishes.camera, "pan");
-  ASSERT_TRUE(wishes.motionModes);
-  EXPECT_EQ(wishes.scene.filter->hidden, std::vector<std::string>{"wall"});
-  EXPECT_EQ(wishes.frame, 7);
-  EXPECT_EQ(wishes.steps, 3);
+TEST(RequestQueueTest, WhatWasAskedBeforeASourceCountsWhereThatIsRefused) {
+  using namespace taa::request;
+  taa::RequestQueue queue;
+  taa::RequestId id = 0;
+  const auto post = [&](taa::Request request) { queue.post({++id, std::move(request)}); };
+  post(SetCamera{"pan"});
+  post(SetMotionModes{{{"rotor", taa::MotionMode::None}}});
+  post(SetObjectFilter{{{"wall"}, {}}});
+  post(Seek{7});
+  post(Step{2});
+  post(Open{"missing.glb"});
+  post(SetObjectFilter{{{"floor"}, {}}}); // newer
+  post(Open{"missing too.glb"});
+  EXPECT_EQ(waitingOf<SetObjectFilter>(queue).size(), 1u) << "the other was of one that is never opened";
+  post(Step{1});
+  const auto source = queue.takeSource();
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->source, "missing too.glb");
+  taa::RequestQueue opened = queue;
+  queue.settleSource(false);
+  ASSERT_EQ(waitingOf<SetCamera>(queue).size(), 1u);
+  EXPECT_EQ(waitingOf<SetCamera>(queue)[0].name, "pan");
+  EXPECT_EQ(waitingOf<SetMotionModes>(queue).size(), 1u);
+  EXPECT_EQ(waitingOf<SetObjectFilter>(queue)[0].filter.hidden, std::vector<std::string>{"wall"});
+  EXPECT_EQ(waitingOf<Seek>(queue)[0].frame, 7);
+  EXPECT_EQ(waitingOf<Step>(queue).size(), 2u) << "steps add up";
+  opened.settleSource(true);
+  EXPECT_TRUE(waitingOf<SetCamera>(opened).empty() && waitingOf<Seek>(opened).empty());
+  EXPECT_EQ(waitingOf<Step>(opened).size(), 1u) << "asked of the new one";
+}
+
+// The last one of a type wins, except where each counts; some make others void.
+TEST(RequestQueueTest, ANewerRequestMakesVoidWhatItsTypeSays) {
+  using namespace taa::request;
+  taa::RequestQueue queue;
+  taa::RequestId id = 0;
+  const auto post = [&](taa::Request request) { queue.post({++id, std::move(request)}); };
+  for (const int frame : {1, 2, 3}) post(Seek{frame});
+  for (const int frames : {1, 1}) post(Step{frames});
+  EXPECT_EQ(waitingOf<Seek>(queue).size(), 1u);
+  EXPECT_EQ(waitingOf<Step>(queue).size(), 2u);
+  post(Seek{9});
+  EXPECT_TRUE(waitingOf<Step>(queue).empty()) << "were relative to where it is not going";
+  post(SetPlaying{true});
+  post(Step{1});
+  EXPECT_TRUE(waitingOf<SetPlaying>(queue).empty()) << "a step pauses";
+  post(Fly{});
+  post(Fly{});
+  EXPECT_EQ(waitingOf<Fly>(queue).size(), 2u) << "a recording has all of them";
+  post(SetCamera{"pan"});
+  EXPECT_TRUE(waitingOf<Fly>(queue).empty());
+  post(SetFlownCameras{});
+  EXPECT_TRUE(waitingOf<SetCamera>(queue).empty());
+}
+
+// Requests come out turn by turn, as they were asked for within one.
+TEST(RequestQueueTest, TakesTurns) {
+  using namespace taa::request;
+  taa::RequestQueue queue;
+  queue.post({1, Seek{4}});
+  queue.post({2, SetSettings{}});
+  queue.post({3, SetViews{}});
+  queue.post({4, SetSize{8, 8}});
+  std::vector<taa::RequestId> order;
+  for (const taa::Turn turn : taa::kTurns)
+    for (const taa::PostedRequest& posted : queue.take(turn)) order.push_back(posted.id);
+  EXPECT_EQ(order, (std::vector<taa::RequestId>{3, 2, 4, 1}));
+  EXPECT_TRUE(queue.isEmpty());
 }
 
 // Each work says why it is done.
 TEST_F(RenderAnswersTest, SaysWhyItReplays) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(12);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{12});
   thread->waitUntilIdle();
   const auto saidAfter = [&](const std::function<void()>& wish) {
     recorder.clear();
@@ -99,22 +160,28 @@ TEST_F(RenderAnswersTest, SaysWhyItReplays) {
     EXPECT_TRUE(recorder.statuses.back().inexactSince.empty());
     return recorder.works.empty() ? std::string() : recorder.works.front().what;
   };
-  EXPECT_EQ(saidAfter([&] { thread->setCamera("orbit"); }), "Replaying with the new camera");
-  EXPECT_EQ(saidAfter([&] { thread->setSize(40, 24); }), "Replaying at the new size");
-  EXPECT_EQ(saidAfter([&] { thread->setSettings(otherJitter()); }), "Replaying with the new settings");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::SetCamera{"orbit"}); }),
+            "Replaying with the new camera");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::SetSize{40, 24}); }), "Replaying at the new size");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::SetSettings{otherJitter()}); }),
+            "Replaying with the new settings");
   EXPECT_EQ(saidAfter([&] {
-              thread->setMotionModes({{"rotor", taa::MotionMode::None}});
+              thread->post(taa::request::SetMotionModes{{{"rotor", taa::MotionMode::None}}});
             }),
             "Replaying with the new motion of objects");
   EXPECT_EQ(saidAfter([&] {
-              thread->setObjectFilter({{"rotor"}, {}});
+              thread->post(taa::request::SetObjectFilter{{{"rotor"}, {}}});
             }),
             "Replaying with the objects that are drawn now");
-  EXPECT_EQ(saidAfter([&] { thread->fly({{0, 1, 3}, 0, 0, 45}); }), "Replaying with the new camera");
-  EXPECT_EQ(saidAfter([&] { thread->setOtherLanes({otherJitter()}); }),
+  EXPECT_EQ(saidAfter([&] {
+              thread->post(taa::request::Fly{{{0, 1, 3}, 0, 0, 45}});
+            }),
+            "Replaying with the new camera");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::SetOtherLanes{{otherJitter()}}); }),
             "Replaying with the settings to compare with");
-  EXPECT_EQ(saidAfter([&] { thread->reloadShaders(); }), "Replaying with the new shaders");
-  EXPECT_EQ(saidAfter([&] { thread->seek(20); }), "Going to frame 20");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::ReloadShaders{}); }),
+            "Replaying with the new shaders");
+  EXPECT_EQ(saidAfter([&] { thread->post(taa::request::Seek{20}); }), "Going to frame 20");
   EXPECT_EQ(taa::replayText({taa::RequestKind::Camera, taa::RequestKind::Flight}),
             "Replaying with the new camera");
   EXPECT_EQ(taa::replayText({taa::RequestKind::Camera, taa::RequestKind::Settings}),
@@ -123,15 +190,14 @@ TEST_F(RenderAnswersTest, SaysWhyItReplays) {
 
 // The subject of a picture is that of its status: what is not there yet is not called exact.
 TEST_F(RenderAnswersTest, PicturesAndThumbnailsSayWhichSubjectTheyAreOf) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->setThumbnails(16, 9);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::SetThumbnails{16, 9});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.pictures.back().subject, recorder.statuses.back().subject);
   ASSERT_TRUE(recorder.waitFor([&] { return !recorder.thumbnails.empty(); }));
   const std::uint64_t before = recorder.read([&] { return recorder.statuses.back().subject; });
   EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().subject; }), before);
-  thread->open("builtin:fence");
-  const taa::RequestId request = thread->lastRequest();
+  const taa::RequestId request = thread->post(taa::request::Open{"builtin:fence"});
   thread->waitUntilIdle();
   EXPECT_GT(recorder.read([&] { return recorder.statuses.back().subject; }), before);
   EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().opened; }), request);

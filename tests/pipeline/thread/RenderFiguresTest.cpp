@@ -31,11 +31,11 @@ class RenderFiguresTest : public taa::test::onThread::RenderThreadTest {
     return figures;
   }
   void measure(int first, int last, int frame) {
-    thread->setReferenceSamples(kSamples);
-    thread->setPlayback({.range = std::pair(first, last)});
-    thread->seek(frame);
+    thread->post(taa::request::SetReferenceSamples{kSamples});
+    thread->post(taa::request::SetPlayback{{.range = std::pair(first, last)}});
+    thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
-    thread->setFigures(kWanted);
+    thread->post(taa::request::SetFigures{kWanted});
   }
 };
 
@@ -57,7 +57,7 @@ FrameFigures visited(const taa::Status& status, int frame) {
 
 TEST_F(RenderFiguresTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) {
   measure(6, 22, 15);
-  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
   const std::vector<FrameFigures> figures = whole();
   std::set<int> frames;
@@ -88,8 +88,8 @@ TEST_F(RenderFiguresTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 3 || asked) return;
     asked = true;
-    thread->setPins({.pins = {{.pixel = {3, 4}}}, .active = 0});
-    thread->cancel();
+    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 4}}}, .active = 0});
+    thread->post(taa::request::Cancel{});
   };
   measure(0, 60, 30);
   thread->waitUntilIdle();
@@ -97,20 +97,20 @@ TEST_F(RenderFiguresTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   EXPECT_EQ(recorder.probes.size(), 1u);
   EXPECT_LT(whole().size(), 6u);
   EXPECT_TRUE(recorder.works.back().what.empty());
-  thread->setFigures({Figure::MeanAlpha}); // asked again: from the beginning
+  thread->post(taa::request::SetFigures{{Figure::MeanAlpha}}); // asked again: from the beginning
   thread->waitUntilIdle();
   EXPECT_TRUE(std::ranges::any_of(recorder.figures, [](const FrameFigures& one) { return one.frame == 60; }));
 }
 
 TEST_F(RenderFiguresTest, NothingIsMeasuredWhileItPlays) {
-  thread->setPlayback({.range = std::pair(0, 40)});
-  thread->setPlaying(true);
-  thread->setFigures({Figure::MeanAlpha});
+  thread->post(taa::request::SetPlayback{{.range = std::pair(0, 40)}});
+  thread->post(taa::request::SetPlaying{true});
+  thread->post(taa::request::SetFigures{{Figure::MeanAlpha}});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.figures.size() > 6; }));
   recorder.read([&] {
     for (const taa::Work& work : recorder.works) EXPECT_NE(work.what, kWork);
   });
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   std::set<int> frames;
   for (const FrameFigures& one : recorder.figures) frames.insert(one.frame);

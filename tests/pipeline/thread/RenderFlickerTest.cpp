@@ -18,8 +18,8 @@ constexpr int kSamples = 4;
 class RenderFlickerTest : public taa::test::onThread::RenderThreadTest {
  protected:
   void goTo(int frame) {
-    thread->setReferenceSamples(kSamples);
-    thread->seek(frame);
+    thread->post(taa::request::SetReferenceSamples{kSamples});
+    thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
   }
   bool wasTold() const {
@@ -30,14 +30,14 @@ class RenderFlickerTest : public taa::test::onThread::RenderThreadTest {
 TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
   goTo(3);
   EXPECT_FALSE(wasTold()) << "nobody looks";
-  thread->setViews({viewOf(IntermediateId::deviationOverTime)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::deviationOverTime)}});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_FALSE(recorder.pictures.front().flickerSamples) << "at once, as far as it is known";
   EXPECT_EQ(recorder.pictures.back().flickerSamples, 0) << "no reference was drawn for it";
   const std::optional<double> deviation = recorder.pictures.back().flicker;
   ASSERT_TRUE(deviation);
-  thread->setViews({viewOf(IntermediateId::flicker)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples);
   ASSERT_TRUE(recorder.pictures.back().flicker);
@@ -50,23 +50,23 @@ TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
 TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
   goTo(8);
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == kWork && work.done == 2) thread->cancel();
+    if (work.what == kWork && work.done == 2) thread->post(taa::request::Cancel{});
   };
-  thread->setViews({viewOf(IntermediateId::flicker)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
   EXPECT_TRUE(wasTold());
   EXPECT_FALSE(recorder.pictures.back().flickerSamples);
   EXPECT_TRUE(recorder.works.back().what.empty());
   recorder.onWork = {};
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples) << "another frame starts again by itself";
 }
 
 TEST_F(RenderFlickerTest, FiguresOfAllPlayedFramesHaveIt) {
-  thread->setPlayback({.range = std::pair(0, 4)});
+  thread->post(taa::request::SetPlayback{{.range = std::pair(0, 4)}});
   goTo(2);
-  thread->setFigures({Figure::Flicker, Figure::Deviation});
+  thread->post(taa::request::SetFigures{{Figure::Flicker, Figure::Deviation}});
   thread->waitUntilIdle();
   std::vector<std::optional<double>> flicker(5);
   for (const taa::FrameFigures& figures : recorder.figures)

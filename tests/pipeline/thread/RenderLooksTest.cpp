@@ -12,17 +12,17 @@ using taa::test::onThread::viewOf;
 using RenderLooksTest = taa::test::onThread::RenderThreadTest;
 
 TEST_F(RenderLooksTest, ProfilesFramesWhileItIsAskedFor) {
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.profiles.empty());
-  thread->setProfiling(true);
-  thread->step(1);
+  thread->post(taa::request::SetProfiling{true});
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.profiles.size(), 1u);
   EXPECT_EQ(recorder.profiles[0].frame, 2);
   EXPECT_GT(recorder.profiles[0].totalMs, 0.0);
-  thread->setProfiling(false);
-  thread->step(1);
+  thread->post(taa::request::SetProfiling{false});
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.profiles.size(), 1u);
 }
@@ -32,9 +32,9 @@ TEST_F(RenderLooksTest, MeasuresStagesAndAnswersWishesMeanwhile) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != "Measuring stages" || asked) return;
     asked = true;
-    thread->setViews({viewOf(IntermediateId::alpha)});
+    thread->post(taa::request::SetViews{{viewOf(IntermediateId::alpha)}});
   };
-  thread->measureStages();
+  thread->post(taa::request::MeasureStages{});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.costs.size(), 1u);
   EXPECT_EQ(recorder.costs[0].frame, 0);
@@ -45,16 +45,16 @@ TEST_F(RenderLooksTest, MeasuresStagesAndAnswersWishesMeanwhile) {
 
 TEST_F(RenderLooksTest, StopsMeasuringStages) {
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == "Measuring stages") thread->cancel();
+    if (work.what == "Measuring stages") thread->post(taa::request::Cancel{});
   };
-  thread->measureStages();
+  thread->post(taa::request::MeasureStages{});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.costs.empty());
   EXPECT_TRUE(recorder.works.back().what.empty());
 }
 
 TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
-  thread->setThumbnails(16, 9);
+  thread->post(taa::request::SetThumbnails{16, 9});
   const std::size_t stages = taa::mainRows().size();
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
   const std::vector<taa::Thumbnail> first = recorder.read([&] { return recorder.thumbnails; });
@@ -64,11 +64,11 @@ TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
     EXPECT_EQ(first[place].picture.height, 9);
   }
   recorder.read([&] { recorder.thumbnails.clear(); });
-  thread->step(2);
+  thread->post(taa::request::Step{2});
   thread->waitUntilIdle();
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
   EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().frame; }), 2);
-  thread->setThumbnails(0, 0);
+  thread->post(taa::request::SetThumbnails{0, 0});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.errors.empty());
 }
@@ -77,21 +77,21 @@ TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
 TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->step(3);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Step{3});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->prepare(wanted);
+  thread->post(taa::request::Prepare{wanted});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.read([&] { return recorder.pictures.empty() && recorder.statuses.empty(); }));
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
-  thread->setSettings(wanted);
+  thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.errors.empty());
   EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().settings; }), wanted);
   taa::applyAssignment(wanted, "rectify.method=none");
-  thread->setSettings(wanted);
+  thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.errors.size(), 1u);
 }
@@ -99,16 +99,16 @@ TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
 TEST_F(RenderLooksTest, CompilesAheadBesideAPlayThatGoesOn) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
   const std::size_t told = recorder.read([&] { return recorder.statuses.size(); });
-  thread->prepare(wanted);
+  thread->post(taa::request::Prepare{wanted});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() >= told + 3; }));
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
-  thread->setSettings(wanted);
+  thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.errors.empty());
 }
@@ -117,17 +117,17 @@ TEST_F(RenderLooksTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
   taa::Settings wanted, chosen;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   taa::applyAssignment(chosen, "rectify.method=none");
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
-  thread->prepare(wanted);
-  thread->setSettings(chosen);
-  thread->setPlaying(false);
+  thread->post(taa::request::Prepare{wanted});
+  thread->post(taa::request::SetSettings{chosen});
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
-  thread->prepare(chosen); // after which the other one is no longer being compiled either
+  thread->post(taa::request::Prepare{chosen}); // after which the other one is no longer being compiled either
   thread->waitUntilIdle();
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
-  thread->setSettings(wanted);
+  thread->post(taa::request::SetSettings{wanted});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.errors.size(), 1u);
 }
@@ -137,7 +137,7 @@ TEST_F(RenderLooksTest, SaysNothingOfWhatCannotBeCompiledAhead) {
   taa::applyAssignment(wanted, "rectify.method=clamp");
   const taa::test::ShaderFolder folder;
   folder.write("taa/resolve.frag", "#error no more\n");
-  thread->prepare(wanted);
+  thread->post(taa::request::Prepare{wanted});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.errors.empty());
 }

@@ -24,11 +24,11 @@ class RenderReferenceTest : public taa::test::onThread::RenderThreadTest {
 };
 
 TEST_F(RenderReferenceTest, IsRefinedWhileAViewShowsIt) {
-  thread->setReferenceSamples(48);
+  thread->post(taa::request::SetReferenceSamples{48});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.statuses.back().referenceGoal, 48);
   EXPECT_TRUE(recorder.works.empty() || recorder.works.back().what != kWork) << "nobody looks";
-  thread->setViews({viewOf(IntermediateId::reference), viewOf(IntermediateId::resolved)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::reference), viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
   EXPECT_EQ(samplesShown(), (std::vector{0, 4, 16, 48}));
   EXPECT_FALSE(recorder.pictures.front().error);
@@ -52,43 +52,43 @@ TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 20 || asked) return;
     asked = true;
-    thread->setPins({.pins = {{.pixel = {3, 4}}}, .active = 0});
-    thread->cancel();
+    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 4}}}, .active = 0});
+    thread->post(taa::request::Cancel{});
   };
-  thread->setReferenceSamples(1024);
-  thread->setViews({viewOf(IntermediateId::referenceError)});
+  thread->post(taa::request::SetReferenceSamples{1024});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::referenceError)}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 1u);
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_EQ(samplesShown().back(), 16);
-  thread->setReferenceSamples(16); // fewer than there are: anew
+  thread->post(taa::request::SetReferenceSamples{16}); // fewer than there are: anew
   thread->waitUntilIdle();
   EXPECT_EQ(samplesShown().back(), 16);
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.pictures.back().frame, 1);
   EXPECT_EQ(samplesShown().back(), 16) << "another frame starts again by itself";
 }
 
 TEST_F(RenderReferenceTest, IsNotDrawnWhilePlaying) {
-  thread->setReferenceSamples(4);
-  thread->setPlaying(true);
-  thread->setViews({viewOf(IntermediateId::reference)});
+  thread->post(taa::request::SetReferenceSamples{4});
+  thread->post(taa::request::SetPlaying{true});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::reference)}});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.pictures.size() > 3; }));
   recorder.read([&] {
     for (const int samples : samplesShown()) EXPECT_EQ(samples, 0);
   });
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   EXPECT_EQ(samplesShown().back(), 4);
 }
 
 TEST_F(RenderReferenceTest, FiguresComeWithEachFrameThatIsShown) {
-  thread->setPlayback({.range = std::pair(0, 4)});
-  thread->setFigures({Figure::MeanAlpha, Figure::HistoryLength});
-  thread->step(1);
+  thread->post(taa::request::SetPlayback{{.range = std::pair(0, 4)}});
+  thread->post(taa::request::SetFigures{{Figure::MeanAlpha, Figure::HistoryLength}});
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   const auto found = std::ranges::find(recorder.figures, 2, &taa::FrameFigures::frame);
   ASSERT_NE(found, recorder.figures.end());
@@ -98,18 +98,18 @@ TEST_F(RenderReferenceTest, FiguresComeWithEachFrameThatIsShown) {
   ASSERT_TRUE(last.at(Figure::MeanAlpha) && last.at(Figure::HistoryLength));
   EXPECT_GT(*last.at(Figure::HistoryLength), 1.0);
   EXPECT_FALSE(last.at(Figure::Rmse));
-  thread->setFigures({});
+  thread->post(taa::request::SetFigures{{}});
   thread->waitUntilIdle();
   const std::size_t before = recorder.figures.size();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.figures.size(), before);
 }
 
 TEST_F(RenderReferenceTest, AFigureAgainstTheReferenceHasItDrawn) {
-  thread->setReferenceSamples(8);
-  thread->setPlayback({.range = std::pair(0, 2)});
-  thread->setFigures({Figure::Rmse});
+  thread->post(taa::request::SetReferenceSamples{8});
+  thread->post(taa::request::SetPlayback{{.range = std::pair(0, 2)}});
+  thread->post(taa::request::SetFigures{{Figure::Rmse}});
   thread->waitUntilIdle();
   ASSERT_FALSE(recorder.figures.empty());
   EXPECT_FALSE(recorder.figures.front().at(Figure::Rmse)) << "at once, as far as it is known";

@@ -73,9 +73,9 @@ class RenderSidesTest : public taa::test::onThread::RenderThreadTest {
 } // namespace
 
 TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) {
-  thread->seek(5);
-  thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing(ofLane(1))});
+  thread->post(taa::request::Seek{5});
+  thread->post(taa::request::SetOtherLanes{{otherSettings()}});
+  thread->post(taa::request::SetViews{{comparing(ofLane(1))}});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_TRUE(result.exact && result.other->exact);
@@ -88,12 +88,12 @@ TEST_F(RenderSidesTest, BothSidesOfALaneAreThePicturesThatEachPresetGivesAlone) 
 }
 
 TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
-  thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing(ofLane(1))});
-  thread->step(3);
+  thread->post(taa::request::SetOtherLanes{{otherSettings()}});
+  thread->post(taa::request::SetViews{{comparing(ofLane(1))}});
+  thread->post(taa::request::Step{3});
   thread->waitUntilIdle();
-  thread->setSettings(otherSettings());
-  thread->setOtherLanes({Settings{}});
+  thread->post(taa::request::SetSettings{otherSettings()});
+  thread->post(taa::request::SetOtherLanes{{Settings{}}});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_EQ(result.picture.rgba, alone(otherSettings(), IntermediateId::resolved, 3).rgba);
@@ -101,24 +101,24 @@ TEST_F(RenderSidesTest, ALaneFollowsItsSettingsAndTheFirstFollowsThose) {
 }
 
 TEST_F(RenderSidesTest, ALaneThatGoesTakesItsSideWithIt) {
-  thread->setOtherLanes({otherSettings()});
-  thread->setViews({comparing(ofLane(1))});
+  thread->post(taa::request::SetOtherLanes{{otherSettings()}});
+  thread->post(taa::request::SetViews{{comparing(ofLane(1))}});
   ASSERT_TRUE(last().other);
-  thread->setOtherLanes({});
+  thread->post(taa::request::SetOtherLanes{{}});
   EXPECT_FALSE(last().other);
   EXPECT_TRUE(recorder.errors.empty());
 }
 
 TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
-  thread->seek(8);
-  thread->setViews({comparing(ofFrame(3, IntermediateId::alpha))});
+  thread->post(taa::request::Seek{8});
+  thread->post(taa::request::SetViews{{comparing(ofFrame(3, IntermediateId::alpha))}});
   ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_EQ(result.frame, 8);
   EXPECT_EQ(result.other->frame, 3);
   EXPECT_EQ(result.other->picture.rgba, alone(Settings{}, IntermediateId::alpha, 3).rgba);
   EXPECT_EQ(result.picture.rgba, alone(Settings{}, IntermediateId::resolved, 8).rgba);
-  thread->setSettings(otherSettings());
+  thread->post(taa::request::SetSettings{otherSettings()});
   result = last();
   ASSERT_TRUE(result.other);
   EXPECT_TRUE(result.other->exact);
@@ -127,32 +127,32 @@ TEST_F(RenderSidesTest, AnotherFrameIsThatFrameAndFollowsChanges) {
 }
 
 TEST_F(RenderSidesTest, TheFrameBeforeStaysOneBehind) {
-  thread->setViews({comparing(framesBefore(1))});
+  thread->post(taa::request::SetViews{{comparing(framesBefore(1))}});
   EXPECT_EQ(last().other->frame, 0) << "there is none before the first";
-  thread->step(2);
+  thread->post(taa::request::Step{2});
   EXPECT_EQ(last().other->frame, 1);
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   const ViewResult result = last();
   EXPECT_EQ(result.other->frame, 2);
   EXPECT_EQ(result.other->picture.rgba, alone(Settings{}, IntermediateId::resolved, 2).rgba);
 }
 
 TEST_F(RenderSidesTest, AFrameBeyondTheEndIsTheLast) {
-  thread->setViews({comparing(ofFrame(1000000))});
+  thread->post(taa::request::SetViews{{comparing(ofFrame(1000000))}});
   const ViewResult result = last();
   ASSERT_TRUE(result.other);
   EXPECT_EQ(result.other->frame, recorder.read([&] { return recorder.statuses.back().frameCount; }) - 1);
 }
 
 TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
-  thread->seek(4);
-  thread->setOtherLanes({otherSettings()});
+  thread->post(taa::request::Seek{4});
+  thread->post(taa::request::SetOtherLanes{{otherSettings()}});
   ViewRequest view = comparing(ofLane(1));
   view.withValues = true;
-  thread->setViews({view});
+  thread->post(taa::request::SetViews{{view}});
   const ViewResult sides = last();
   view.asDifference = true;
-  thread->setViews({view});
+  thread->post(taa::request::SetViews{{view}});
   const ViewResult difference = last();
   ASSERT_TRUE(sides.other && difference.other);
   ASSERT_EQ(difference.values.pixels.size(), sides.values.pixels.size());
@@ -167,17 +167,18 @@ TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
 
 TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == "Drawing the frame to compare with" && work.done > 2) thread->cancel();
+    if (work.what == "Drawing the frame to compare with" && work.done > 2)
+      thread->post(taa::request::Cancel{});
   };
   const ViewRequest view = comparing(ofFrame(200));
-  thread->setViews({view});
+  thread->post(taa::request::SetViews{{view}});
   EXPECT_FALSE(last().other);
   recorder.onWork = nullptr;
   recorder.clear();
-  thread->setViews({view, viewOf(IntermediateId::alpha)});
+  thread->post(taa::request::SetViews{{view, viewOf(IntermediateId::alpha)}});
   EXPECT_FALSE(last().other);
   for (const taa::Work& work : recorder.works) EXPECT_TRUE(work.what.empty()) << work.what;
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.read([&] {
     for (const ViewResult& picture : recorder.pictures)

@@ -1,4 +1,4 @@
-// Wishes in, results out: what the window can rely on.
+// Requests in, answers out: what the window can rely on.
 #include "tests/support/RenderRecorder.h"
 #include "tests/support/frames/Variants.h"
 
@@ -37,7 +37,7 @@ TEST_F(RenderThreadTest, TellsWhatItHasOpened) {
 
 TEST_F(RenderThreadTest, DeliversViewsAndWhatChangesInThem) {
   ViewRequest alpha = viewOf(IntermediateId::alpha);
-  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved), alpha}});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_EQ(recorder.pictures[0].view, 0);
@@ -46,23 +46,23 @@ TEST_F(RenderThreadTest, DeliversViewsAndWhatChangesInThem) {
   EXPECT_EQ(recorder.pictures[1].picture.width, kWidth);
   EXPECT_TRUE(recorder.pictures[1].values.empty());
   recorder.clear();
-  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved), alpha}});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.pictures.empty()) << "nothing has changed";
   alpha.transform.zoom = 2.0f;
-  thread->setViews({viewOf(IntermediateId::resolved), alpha});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved), alpha}});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 1u) << "only what has changed";
   EXPECT_EQ(recorder.pictures[0].view, 1);
   recorder.clear();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_EQ(recorder.pictures[0].frame, 1);
   recorder.clear();
-  thread->seek(1);
-  thread->setSettings({});
-  thread->setSize(kWidth, kHeight);
+  thread->post(taa::request::Seek{1});
+  thread->post(taa::request::SetSettings{{}});
+  thread->post(taa::request::SetSize{kWidth, kHeight});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.pictures.empty()) << "it was all so already";
 }
@@ -71,7 +71,7 @@ TEST_F(RenderThreadTest, DeliversTheValuesOfVisibleTexels) {
   ViewRequest view = viewOf(IntermediateId::alpha);
   view.withValues = true;
   view.transform = {.origin = {4.5f, 15.0f}, .zoom = 8.0f};
-  thread->setViews({view});
+  thread->post(taa::request::SetViews{{view}});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 1u);
   EXPECT_EQ(recorder.pictures[0].region, (taa::gl::Rect{4, 15, 5, 3}));
@@ -81,32 +81,32 @@ TEST_F(RenderThreadTest, DeliversTheValuesOfVisibleTexels) {
 }
 
 TEST_F(RenderThreadTest, GoesWhereTheLastWishSays) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
   recorder.clear();
-  for (int frame = 10; frame < 60; ++frame) thread->seek(frame);
-  thread->seek(20);
-  for (int count = 0; count < 5; ++count) thread->step(1);
-  thread->step(-2);
+  for (int frame = 10; frame < 60; ++frame) thread->post(taa::request::Seek{frame});
+  thread->post(taa::request::Seek{20});
+  for (int count = 0; count < 5; ++count) thread->post(taa::request::Step{1});
+  thread->post(taa::request::Step{-2});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 23);
   // Wishes that came while it worked may have shown a frame each, but never one for every wish.
   EXPECT_LE(recorder.pictures.size(), 5u);
   EXPECT_EQ(recorder.pictures.back().frame, 23);
-  thread->seek(100000);
+  thread->post(taa::request::Seek{100000});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), recorder.statuses.back().frameCount - 1);
-  thread->step(-100000);
+  thread->post(taa::request::Step{-100000});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 0);
 }
 
 TEST_F(RenderThreadTest, ShowsEveryFrameInOrderWhenPlaying) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   EXPECT_TRUE(recorder.waitFor([&] { return recorder.pictures.size() >= 12; }));
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   for (std::size_t index = 0; index < recorder.pictures.size(); ++index) {
     EXPECT_EQ(recorder.pictures[index].frame, static_cast<int>(index));
@@ -119,7 +119,7 @@ TEST_F(RenderThreadTest, ShowsEveryFrameInOrderWhenPlaying) {
 TEST_F(RenderThreadTest, PlaysNoFasterThanTheShot) {
   const auto start = std::chrono::steady_clock::now();
   const int first = recorder.frame();
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   EXPECT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().info.frame >= first + 7; }));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_GE(seconds, 6.0 / recorder.read([&] { return recorder.statuses.back().framesPerSecond; }));
@@ -127,32 +127,32 @@ TEST_F(RenderThreadTest, PlaysNoFasterThanTheShot) {
 
 TEST_F(RenderThreadTest, StartsAgainAtTheEndOrPausesThere) {
   const int last = recorder.statuses.back().frameCount - 1;
-  thread->seek(last - 2);
+  thread->post(taa::request::Seek{last - 2});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   EXPECT_TRUE(recorder.waitFor([&] {
     return std::ranges::any_of(recorder.statuses, [](const auto& status) { return status.info.frame == 2; });
   }));
-  thread->setLooping(false);
-  thread->seek(last - 2);
+  thread->post(taa::request::SetLooping{false});
+  thread->post(taa::request::Seek{last - 2});
   EXPECT_TRUE(
       recorder.waitFor([&] { return !recorder.statuses.empty() && !recorder.statuses.back().playing; }));
   EXPECT_EQ(recorder.frame(), last);
-  thread->setPlaying(true);
+  thread->post(taa::request::SetPlaying{true});
   EXPECT_TRUE(recorder.waitFor(
       [&] { return recorder.statuses.back().playing && recorder.statuses.back().info.frame < last; }));
 }
 
 TEST_F(RenderThreadTest, PlaysOnAfterNewSettingsAndIsExactWhenPaused) {
-  thread->seek(3);
-  thread->setPlaying(true);
+  thread->post(taa::request::Seek{3});
+  thread->post(taa::request::SetPlaying{true});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->setSettings(otherJitter());
+  thread->post(taa::request::SetSettings{otherJitter()});
   EXPECT_TRUE(recorder.waitFor([&] { return recorder.statuses.size() > 5; }));
   EXPECT_FALSE(recorder.read([&] { return recorder.statuses[4].exact; }));
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.statuses.back().exact);
 }
@@ -162,10 +162,10 @@ TEST_F(RenderThreadTest, AnswersViewsAndProbesWhileItReplays) {
   recorder.onWork = [&](const taa::Work& work) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
-    thread->setViews({viewOf(IntermediateId::motion)});
-    thread->setPins({.pins = {{.pixel = {3, 3}}}});
+    thread->post(taa::request::SetViews{{viewOf(IntermediateId::motion)}});
+    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 3}}}});
   };
-  thread->seek(40);
+  thread->post(taa::request::Seek{40});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_EQ(recorder.pictures[0].frame, 0) << "the frame that was on show";
@@ -175,29 +175,29 @@ TEST_F(RenderThreadTest, AnswersViewsAndProbesWhileItReplays) {
 }
 
 TEST_F(RenderThreadTest, TellsErrorsAndKeepsWhatItShows) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(2);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{2});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->open("no/such/file.glb");
-  thread->setCamera("sideways");
-  thread->setSize(1, 1);
+  thread->post(taa::request::Open{"no/such/file.glb"});
+  thread->post(taa::request::SetCamera{"sideways"});
+  thread->post(taa::request::SetSize{1, 1});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.errors.size(), 3u);
   EXPECT_NE(recorder.errors[0].find("file.glb"), std::string::npos) << recorder.errors[0];
   EXPECT_TRUE(recorder.pictures.empty());
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 3);
   EXPECT_EQ(recorder.statuses.back().source, "builtin:fan");
 }
 
 TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
-  thread->setPins({.pins = {{.pixel = {5, 6}}}});
+  thread->post(taa::request::SetPins{.pins = {{.pixel = {5, 6}}}});
   thread->waitUntilIdle();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.probes.size(), 3u);
   for (int frame = 0; frame < 3; ++frame) {
@@ -206,11 +206,11 @@ TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
     EXPECT_EQ(probe.x, 5);
     EXPECT_EQ(probe.around.size(), 9u);
   }
-  thread->setPins({});
-  thread->step(1);
+  thread->post(taa::request::SetPins{});
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "taken back";
-  thread->setPins({.pins = {{.pixel = {kWidth, 0}}}});
+  thread->post(taa::request::SetPins{.pins = {{.pixel = {kWidth, 0}}}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "outside the picture";
   EXPECT_TRUE(recorder.errors.empty());
@@ -219,22 +219,21 @@ TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
 // Who hears that shaders were read anew may look at once: the picture on show is not theirs yet.
 TEST_F(RenderThreadTest, TellsThatThePictureIsNotExactBeforeNewShadersAreInUse) {
   std::vector<bool> wereExact;
-  taa::RenderListener listener = recorder.listener();
-  listener.onShaders = [&](const std::string& error) {
+  recorder.onShaders = [&](const taa::ShadersRead& read) {
     recorder.read([&] {
       wereExact.push_back(recorder.statuses.back().exact);
       return wereExact.size();
     });
-    EXPECT_EQ(error, "");
+    EXPECT_EQ(read.error, "");
   };
-  thread = std::make_unique<RenderThread>(listener);
-  thread->setSize(kWidth, kHeight);
-  thread->open("builtin:fan");
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(4);
+  thread = std::make_unique<RenderThread>(recorder.listener());
+  thread->post(taa::request::SetSize{kWidth, kHeight});
+  thread->post(taa::request::Open{"builtin:fan"});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{4});
   thread->waitUntilIdle();
   ASSERT_TRUE(recorder.statuses.back().exact);
-  thread->reloadShaders();
+  thread->post(taa::request::ReloadShaders{});
   thread->waitUntilIdle();
   EXPECT_EQ(wereExact, std::vector<bool>{false});
   EXPECT_TRUE(recorder.statuses.back().exact) << "replayed with them";
@@ -246,7 +245,7 @@ TEST_F(RenderThreadTest, EndsAtOnceInTheMiddleOfWork) {
     const std::lock_guard lock(recorder.mutex);
     isWorking = isWorking || work.done > 1;
   };
-  thread->seek(239);
+  thread->post(taa::request::Seek{239});
   EXPECT_TRUE(recorder.waitFor([&] { return isWorking; }));
   thread.reset();
   EXPECT_LT(recorder.works.back().done, 200) << "it did not go on to the end";
@@ -254,7 +253,7 @@ TEST_F(RenderThreadTest, EndsAtOnceInTheMiddleOfWork) {
 
 TEST_F(RenderThreadTest, EndsAtOnceBeforeItHasBegun) {
   for (int count = 0; count < 3; ++count) {
-    RenderThread brief(taa::RenderListener{});
-    brief.open("builtin:fence");
+    RenderThread brief(taa::Listener{});
+    brief.post(taa::request::Open{"builtin:fence"});
   }
 }

@@ -24,11 +24,11 @@ class RenderThreadTimeTest : public taa::test::onThread::RenderThreadTest {};
 } // namespace
 
 TEST_F(RenderThreadTimeTest, AnswersNewSettingsAtOnceAndThenExactly) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(8);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{8});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->setSettings(otherJitter());
+  thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_FALSE(recorder.pictures[0].exact);
@@ -53,29 +53,29 @@ TEST_F(RenderThreadTimeTest, StopsLongWorkWhenToldTo) {
   recorder.onWork = [&](const taa::Work& work) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
-    thread->cancel();
+    thread->post(taa::request::Cancel{});
   };
-  thread->seek(100);
+  thread->post(taa::request::Seek{100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   EXPECT_EQ(recorder.frame(), 0);
   EXPECT_TRUE(recorder.works.back().what.empty()) << "nothing is under way";
   EXPECT_TRUE(recorder.errors.empty());
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 1);
 }
 
 TEST_F(RenderThreadTimeTest, StopsRefiningWhenToldToAndKeepsTheBadge) {
-  thread->seek(30);
+  thread->post(taa::request::Seek{30});
   thread->waitUntilIdle();
   bool isAsked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
-    thread->cancel();
+    thread->post(taa::request::Cancel{});
   };
-  thread->setSettings(otherJitter());
+  thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   EXPECT_FALSE(recorder.statuses.back().exact);
@@ -89,19 +89,19 @@ TEST_F(RenderThreadTimeTest, LeavesASeekThatANewerOneMakesUseless) {
     furthest = std::max(furthest, work.done);
     if (isAsked || work.done < 3) return;
     isAsked = true;
-    thread->seek(2);
+    thread->post(taa::request::Seek{2});
   };
-  thread->seek(200);
+  thread->post(taa::request::Seek{200});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 2);
   EXPECT_EQ(furthest, 3);
 }
 
 TEST_F(RenderThreadTimeTest, ShowsTheNearestFrameAtHandBeforeTheWishedOne) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(60);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{60});
   thread->waitUntilIdle();
-  thread->seek(2);
+  thread->post(taa::request::Seek{2});
   thread->waitUntilIdle();
   recorder.clear();
   bool isMixed = false;
@@ -109,7 +109,7 @@ TEST_F(RenderThreadTimeTest, ShowsTheNearestFrameAtHandBeforeTheWishedOne) {
     if (work.what.empty() || work.done < 1) return;
     isMixed = isMixed || recorder.read([&] { return recorder.statuses.back().goal != 75; });
   };
-  thread->seek(75);
+  thread->post(taa::request::Seek{75});
   thread->waitUntilIdle();
   EXPECT_FALSE(isMixed);
   ASSERT_EQ(recorder.pictures.size(), 2u);
@@ -128,11 +128,11 @@ TEST_F(RenderThreadTimeTest, ShowsTheNearestFrameAtHandBeforeTheWishedOne) {
 }
 
 TEST_F(RenderThreadTimeTest, ShowsFramesThatAreKeptWithoutAnotherBefore) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(60);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{60});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->seek(20);
+  thread->post(taa::request::Seek{20});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 1u);
   EXPECT_EQ(recorder.pictures[0].frame, 20);
@@ -140,10 +140,10 @@ TEST_F(RenderThreadTimeTest, ShowsFramesThatAreKeptWithoutAnotherBefore) {
 }
 
 TEST_F(RenderThreadTimeTest, RefinesWhereTheScrubbingEnds) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
-  thread->setCheckpointBudget(20 * kWidth * kHeight * 16);
-  thread->seek(239);
+  thread->post(taa::request::SetCheckpointBudget{20 * kWidth * kHeight * 16});
+  thread->post(taa::request::Seek{239});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.statuses.back().checkpointBudget, std::size_t{20 * kWidth * kHeight * 16});
   recorder.clear();
@@ -151,10 +151,10 @@ TEST_F(RenderThreadTimeTest, RefinesWhereTheScrubbingEnds) {
   // As a mouse that is dragged while it replays: each time the first frame of the way is done.
   recorder.onWork = [&](const taa::Work& work) {
     if (work.done != 1 || next < 70) return;
-    thread->seek(next);
+    thread->post(taa::request::Seek{next});
     next -= 31;
   };
-  thread->seek(235 - 31);
+  thread->post(taa::request::Seek{235 - 31});
   thread->waitUntilIdle();
   EXPECT_LT(next, 70);
   EXPECT_EQ(recorder.frame(), next + 31);
@@ -168,9 +168,9 @@ TEST_F(RenderThreadTimeTest, TakesBackTheGoalWhenToldToStop) {
   bool isAsked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (std::exchange(isAsked, isAsked || work.done >= 2) || !isAsked) return;
-    thread->cancel();
+    thread->post(taa::request::Cancel{});
   };
-  thread->seek(100);
+  thread->post(taa::request::Seek{100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   const auto told = [](const taa::Status& status) { return status.goal == 100; };
@@ -180,8 +180,8 @@ TEST_F(RenderThreadTimeTest, TakesBackTheGoalWhenToldToStop) {
 }
 
 TEST_F(RenderThreadTimeTest, StartsAgainWhenSettingsChangeWhileItReplays) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(200);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{200});
   thread->waitUntilIdle();
   recorder.clear();
   Settings third = otherJitter();
@@ -192,9 +192,9 @@ TEST_F(RenderThreadTimeTest, StartsAgainWhenSettingsChangeWhileItReplays) {
     if (!isAsked) furthest = std::max(furthest, work.done);
     if (isAsked || work.done < 20) return;
     isAsked = true;
-    thread->setSettings(third);
+    thread->post(taa::request::SetSettings{third});
   };
-  thread->setSettings(otherJitter());
+  thread->post(taa::request::SetSettings{otherJitter()});
   thread->waitUntilIdle();
   EXPECT_EQ(furthest, 20);
   const auto isWholeWay = [](const taa::Work& work) { return work.done == 200 && work.total == 201; };
@@ -213,22 +213,23 @@ TEST_F(RenderThreadTimeTest, SaysThatAPictureIsNotExactBeforeItCanBeSeen) {
   // Statuses and pictures in the order they came, as a window without any patience would show them.
   std::optional<taa::Status> status;
   int seen = 0;
-  taa::RenderListener listener;
-  listener.onStatus = [&](taa::Status next) { status = std::move(next); };
-  listener.onPicture = [&](taa::ViewResult result) {
+  const auto listener = [&](const taa::Answer& answer) {
+    if (const auto* next = std::get_if<taa::Status>(&answer.result)) status = *next;
+    const auto* result = std::get_if<taa::ViewResult>(&answer.result);
+    if (!result) return;
     ++seen;
     ASSERT_TRUE(status);
-    EXPECT_TRUE(result.exact || !status->exact);
-    EXPECT_TRUE(result.frame == status->info.frame || !status->goal || status->goal == result.frame);
+    EXPECT_TRUE(result->exact || !status->exact);
+    EXPECT_TRUE(result->frame == status->info.frame || !status->goal || status->goal == result->frame);
   };
   thread = std::make_unique<RenderThread>(listener);
-  thread->setSize(kWidth, kHeight);
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->open("builtin:fan");
+  thread->post(taa::request::SetSize{kWidth, kHeight});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Open{"builtin:fan"});
   for (const int frame : {60, 2, 75, 200}) {
-    thread->seek(frame);
+    thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
-    thread->setSettings(frame % 4 == 0 ? otherJitter() : Settings());
+    thread->post(taa::request::SetSettings{frame % 4 == 0 ? otherJitter() : Settings()});
     thread->waitUntilIdle();
   }
   EXPECT_GE(seen, 9);

@@ -28,8 +28,8 @@ class TraceTest : public taa::test::onThread::RenderThreadTest {
   void SetUp() override {
     RenderThreadTest::SetUp();
     if (!thread) return;
-    thread->setPins({{pin}, 0});
-    thread->setTracing(true);
+    thread->post(taa::request::SetPins{{pin}, 0});
+    thread->post(taa::request::SetTracing{true});
     thread->waitUntilIdle();
   }
   std::vector<int> frames() {
@@ -52,24 +52,24 @@ class TraceTest : public taa::test::onThread::RenderThreadTest {
 } // namespace
 
 TEST_F(TraceTest, EveryExactFrameOnShowAddsWhatItsProbeSays) {
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  thread->step(1);
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(frames(), (std::vector{0, 1, 2}));
   EXPECT_TRUE(isSame(recorder.traces.back().sample.record, recorder.probes.back().around[4]));
-  thread->setTracing(false);
-  thread->step(1);
+  thread->post(taa::request::SetTracing{false});
+  thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(frames().size(), 3u) << "nobody looks any more";
 }
 
 TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
-  thread->setViews({viewOf(IntermediateId::resolved)});
-  thread->seek(12);
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->post(taa::request::Seek{12});
   thread->waitUntilIdle();
   recorder.clear();
-  thread->fillTraces(3, 14);
+  thread->post(taa::request::FillTraces{3, 14});
   thread->waitUntilIdle();
   const std::vector<int> filled = frames();
   EXPECT_EQ(filled, (std::vector{3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14})) << "12 was known";
@@ -79,26 +79,26 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
                                   [](const Work& work) { return work.what == "Tracing the probes"; }));
   const PinTrace traced = trace();
   for (const int frame : {3, 8, 14}) {
-    thread->seek(frame);
+    thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
     EXPECT_EQ(recorder.probes.back().frame, frame);
     EXPECT_TRUE(isSame(recorder.probes.back().around[4], traced.trace.at(frame)->record)) << frame;
   }
   recorder.clear();
-  thread->fillTraces(3, 14);
+  thread->post(taa::request::FillTraces{3, 14});
   thread->waitUntilIdle();
   EXPECT_TRUE(frames().empty()) << "all is known";
 }
 
 TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
-  thread->fillTraces(0, 3);
+  thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
   const std::uint64_t before = recorder.statuses.back().subject;
   recorder.clear();
-  thread->setSettings(test::otherJitter());
+  thread->post(taa::request::SetSettings{test::otherJitter()});
   thread->waitUntilIdle();
   EXPECT_GT(recorder.statuses.back().subject, before);
-  thread->fillTraces(0, 3);
+  thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
   EXPECT_EQ(frames(), (std::vector{0, 1, 2, 3}));
   for (const TraceDelivery& each : recorder.traces) EXPECT_EQ(each.subject, recorder.statuses.back().subject);
@@ -109,9 +109,9 @@ TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
   recorder.onWork = [&](const Work& work) {
     if (work.what != "Tracing the probes" || work.done < 5 || isAsked) return;
     isAsked = true;
-    thread->cancel();
+    thread->post(taa::request::Cancel{});
   };
-  thread->fillTraces(0, 100);
+  thread->post(taa::request::FillTraces{0, 100});
   thread->waitUntilIdle();
   EXPECT_TRUE(isAsked);
   EXPECT_LT(frames().size(), 20u);
@@ -120,9 +120,9 @@ TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
   recorder.onWork = [&](const Work& work) {
     if (work.what != "Tracing the probes" || isAsked) return;
     isAsked = true;
-    thread->step(1);
+    thread->post(taa::request::Step{1});
   };
-  thread->fillTraces(0, 20);
+  thread->post(taa::request::FillTraces{0, 20});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 1);
   std::map<int, int> times;
@@ -131,7 +131,7 @@ TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
 }
 
 TEST_F(TraceTest, IsWhatTaaBatchPrints) {
-  thread->fillTraces(2, 9);
+  thread->post(taa::request::FillTraces{2, 9});
   thread->waitUntilIdle();
   PinTrace traced = trace();
   PinTrace range{pin, {}};
@@ -150,8 +150,9 @@ TEST_F(TraceTest, IsWhatTaaBatchPrints) {
 }
 
 TEST_F(TraceTest, APartOfTheShotRepeats) {
-  thread->setPlayback({.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(4, 7)});
-  thread->setPlaying(true);
+  thread->post(
+      taa::request::SetPlayback{{.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(4, 7)}});
+  thread->post(taa::request::SetPlaying{true});
   std::vector<int> shown;
   const bool repeats = recorder.waitFor([&] {
     shown.clear();
@@ -159,7 +160,7 @@ TEST_F(TraceTest, APartOfTheShotRepeats) {
       if (shown.empty() || shown.back() != status.info.frame) shown.push_back(status.info.frame);
     return std::ranges::count(shown, 4) >= 3;
   });
-  thread->setPlaying(false);
+  thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   ASSERT_TRUE(repeats);
   const auto start = std::ranges::find(shown, 4);
@@ -175,9 +176,10 @@ TEST_F(TraceTest, APartOfTheShotRepeats) {
 }
 
 TEST_F(TraceTest, ThePartIsPlayedOnceWithoutRepeating) {
-  thread->setLooping(false);
-  thread->setPlayback({.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(0, 3)});
-  thread->setPlaying(true);
+  thread->post(taa::request::SetLooping{false});
+  thread->post(
+      taa::request::SetPlayback{{.framesPerSecond = 1000.0, .speed = 1.0, .range = std::pair(0, 3)}});
+  thread->post(taa::request::SetPlaying{true});
   ASSERT_TRUE(recorder.waitFor([&] {
     return !recorder.statuses.empty() && !recorder.statuses.back().playing &&
            recorder.statuses.back().info.frame == 3;

@@ -1,6 +1,6 @@
 // When thumbnails may be drawn: in a fixed order, at most four times a second each, and only where time is
 // left.
-#include "core/jobs/RenderIdle.h"
+#include "core/jobs/idle/ThumbnailSchedule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,68 @@
+#include "core/jobs/Desk.h"
+
+#include <algorithm>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+namespace taa {
+
+Desk::Desk(const Listener& listener, const WaitingRequests& waiting, ClockNow now)
+    : listener_(listener), waiting_(waiting), now_(std::move(now)) {}
+
+void Desk::noteFrame() {
+  ++version_;
+  isStatusOld = true;
+}
+
+void Desk::noteChange(RequestKind kind) {
+  noteFrame();
+  noteSubject();
+  if (std::ranges::find(inexactSince_, kind) == inexactSince_.end()) inexactSince_.push_back(kind);
+}
+
+void Desk::tell(RequestKind kind, Result result) const {
+  if (!listener_) return;
+  listener_({kind == RequestKind::None ? latest_.last() : latest_.of(kind), std::move(result)});
+}
+
+void Desk::tellWork(WorkKind kind, std::string what, int done, int total) const {
+  tell(RequestKind::None, Work{kind, std::move(what), done, total});
+}
+
+Progress Desk::progressUntilAny(WorkKind kind, std::string what) const {
+  return [this, kind, what = std::move(what)](std::string_view, int done, int total) {
+    if (total > 0) tellWork(kind, what, done, total);
+    return !waiting_.any();
+  };
+}
+
+Progress Desk::progressOfReplay(WorkKind kind, std::string what) const {
+  return [this, kind, what = std::move(what)](std::string_view, int done, int total) {
+    if (waiting_.endReplay()) return false;
+    if (total > 1) tellWork(kind, what, done, total);
+    return done == 0 || !waiting_.any();
+  };
+}
+
+bool Desk::attempt(RequestKind kind, const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+    return false; // whoever asked for it knows
+  } catch (const std::exception& error) {
+    tell(kind, Failure{error.what(), kind, latest_.of(kind)});
+    isStatusOld = true;
+    return false;
+  }
+}
+
+bool Desk::change(RequestKind kind, const std::function<void()>& action) {
+  if (!attempt(kind, action)) return false;
+  noteChange(kind);
+  isReplayStopped = false;
+  return true;
+}
+
+} // namespace taa

@@ -1,0 +1,84 @@
+// What the jobs of the render thread share: the inspector, what is known of the frame on show, whom answers
+// go to.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/inspect/Inspector.h"
+#include "core/requests/Results.h"
+#include "core/requests/WaitingRequests.h"
+#include "core/scene/camera/FlightRecording.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// Lives on the render thread. Versions are those of the frame on show: they change with everything that it
+/// depends on.
+class Desk {
+ public:
+  using Clock = FlightRecording::Clock;
+  using ClockNow = std::function<Clock::time_point()>;
+
+  /// `now` is the clock of whoever flies the camera. Throws Error when there is no GL.
+  Desk(const Listener& listener, const WaitingRequests& waiting, ClockNow now);
+
+  Inspector inspector;
+
+  bool isOpen() const { return !inspector.shot().source().empty(); }
+  Clock::time_point now() const { return now_(); }
+
+  // The frame on show
+  std::uint64_t version() const { return version_; }
+  std::uint64_t subject() const { return subject_; } ///< see Status
+  /// Another frame, or the same one nearer to what it is to be.
+  void noteFrame();
+  /// Something that all frames depend on is another: what was delivered is of another subject now.
+  void noteChange(RequestKind kind);
+  /// What is known of frames that are not on show is no longer true.
+  void noteSubject() { ++subject_; }
+  /// Kinds of requests since which the frame on show is not exact.
+  const std::vector<RequestKind>& inexactSince() const { return inexactSince_; }
+  void noteExact() { inexactSince_.clear(); }
+  /// Replaying was cancelled or failed: not again until something changes.
+  bool isReplayStopped = false;
+  /// Something that the status says has changed.
+  bool isStatusOld = true;
+  // What lies beside it: these change when other frames are at hand, and with each picture of a reference or
+  // of flicker
+  std::uint64_t asideVersion = 1, referenceVersion = 1;
+
+  // Requests
+  const WaitingRequests& waiting() const { return waiting_; }
+  void noteTaken(RequestKind kind, RequestId id) { latest_.note(kind, id); }
+  RequestId latest(RequestKind kind) const { return latest_.of(kind); }
+
+  // Answers
+  void tell(RequestKind kind, Result result) const;
+  void tellWork(WorkKind kind, std::string what, int done, int total) const;
+  void endWork() const { tell(RequestKind::None, Work{}); }
+  /// Reports `what` and stops as soon as anything waits.
+  Progress progressUntilAny(WorkKind kind, std::string what) const;
+  /// Reports it, and stops for what ends a replay: at once, or, for what a replay only pauses for, after the
+  /// first step, so that it comes on however fast requests arrive: what was replayed until then is kept, and
+  /// the replay goes on.
+  Progress progressOfReplay(WorkKind kind, std::string what) const;
+  /// Does it; an error is told, as an answer to the latest request of that kind, and changes nothing. Returns
+  /// whether it was done. Whoever asked for something that failed shows what it asked for: the status says
+  /// what is in force.
+  bool attempt(RequestKind kind, const std::function<void()>& action);
+  /// The same, of something that all frames depend on.
+  bool change(RequestKind kind, const std::function<void()>& action);
+
+ private:
+  const Listener& listener_;
+  const WaitingRequests& waiting_;
+  ClockNow now_;
+  LatestRequests latest_; // that were taken up
+  std::vector<RequestKind> inexactSince_;
+  std::uint64_t version_ = 1, subject_ = 0;
+};
+
+} // namespace taa

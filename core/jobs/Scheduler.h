@@ -1,0 +1,95 @@
+// What the render thread does: requests are taken up, jobs are done in the order of their importance, and
+// what has changed is delivered.
+#pragma once
+
+#include "core/jobs/Desk.h"
+#include "core/jobs/Job.h"
+#include "core/jobs/Transport.h"
+#include "core/jobs/Wanted.h"
+#include "core/jobs/idle/Comparing.h"
+#include "core/jobs/idle/CompilingAhead.h"
+#include "core/jobs/idle/Exporting.h"
+#include "core/jobs/idle/FigureMeasuring.h"
+#include "core/jobs/idle/FlickerMeasuring.h"
+#include "core/jobs/idle/ReferenceDrawing.h"
+#include "core/jobs/idle/StageCosting.h"
+#include "core/jobs/idle/ThumbnailDrawing.h"
+#include "core/jobs/idle/Traces.h"
+#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/Goal.h"
+#include "core/jobs/shot/Play.h"
+#include "core/jobs/shot/Replay.h"
+#include "core/jobs/shot/Shaders.h"
+#include "core/jobs/shot/ShotChanges.h"
+#include "core/jobs/shown/ShownObjects.h"
+#include "core/jobs/shown/ShownProbes.h"
+#include "core/jobs/shown/ShownStatus.h"
+#include "core/jobs/shown/ShownViews.h"
+#include "core/requests/RequestQueue.h"
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <tuple>
+
+namespace taa {
+
+/// Lives on the render thread.
+class Scheduler {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// What is to be done next, as far as nothing is asked for.
+  struct Agenda {
+    Job* next = nullptr;                      ///< that is due
+    bool isAwaited = false;                   ///< one is due that whoever waits until all is done waits for
+    std::optional<Clock::time_point> wakesAt; ///< when something will be due; nothing: never
+  };
+
+  /// `now` is the clock of whoever flies the camera. Throws Error when there is no GL.
+  Scheduler(const Listener& listener, const WaitingRequests& waiting, Desk::ClockNow now);
+
+  void takeUp(RequestQueue requests);
+  Agenda agenda();
+  /// Tells what has changed since it was last called.
+  void deliver();
+
+ private:
+  void takeTurn(RequestQueue& requests, Turn turn);
+
+  // Everything a request may concern; a request is heard by each that has a member take() for its type.
+  auto parts() {
+    return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, exporting_,
+                    comparing_, costing_, traces_, compiling_, thumbnails_, reference_, flicker_, figures_);
+  }
+  // The first one that is due comes first.
+  auto jobs() {
+    return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &compiling_,
+                                &thumbnails_, &reference_, &flicker_, &figures_});
+  }
+
+  Desk desk_;
+  Transport transport_{desk_};
+  Goal goal_;
+  Wanted wanted_;
+  Flight flight_{desk_, transport_, goal_};
+  ShotChanges changes_{desk_, flight_, goal_};
+  Replay replay_{desk_, transport_, goal_, flight_};
+  Play play_{desk_, transport_, goal_, flight_};
+  Shaders shaders_{desk_};
+  Exporting exporting_{desk_};
+  StageCosting costing_{desk_};
+  CompilingAhead compiling_{desk_, transport_};
+  ThumbnailDrawing thumbnails_{desk_, transport_};
+  Traces traces_{desk_, transport_, wanted_};
+  ReferenceDrawing reference_{desk_, transport_, wanted_};
+  FlickerMeasuring flicker_{desk_, transport_, wanted_};
+  FigureMeasuring figures_{desk_, transport_, wanted_, thumbnails_};
+  ShownViews views_{desk_, wanted_};
+  Comparing comparing_{desk_, transport_, wanted_};
+  ShownProbes probes_{desk_, wanted_, traces_};
+  ShownObjects objects_{desk_, transport_, goal_};
+  ShownStatus status_{desk_, transport_, goal_, flight_, changes_, wanted_};
+};
+
+} // namespace taa

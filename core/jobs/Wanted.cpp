@@ -1,0 +1,54 @@
+#include "core/jobs/Wanted.h"
+
+#include <algorithm>
+
+namespace taa {
+
+namespace {
+
+void addRows(std::vector<IntermediateId>& ids, IntermediateId id, const ViewStyle& style) {
+  ids.push_back(id);
+  if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
+  if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
+}
+
+} // namespace
+
+std::vector<IntermediateId> Wanted::rows() const {
+  std::vector<IntermediateId> ids;
+  for (const ViewRequest& view : views) {
+    if (!isShown(view)) continue;
+    addRows(ids, view.id, view.style);
+    if (view.other) addRows(ids, view.other->id, view.other->style);
+  }
+  return ids;
+}
+
+bool Wanted::needsReferenceOf(int lane) const {
+  const auto needsIt = [lane](const auto& side) {
+    return side.lane == lane && needsReference(side.id) && !isOverTime(side.id);
+  };
+  const auto isOfIt = [&](const ViewRequest& view) {
+    return isShown(view) && (needsIt(view) || (view.other && needsIt(*view.other)));
+  };
+  return std::ranges::any_of(views, isOfIt) ||
+         std::ranges::any_of(figures, [](Figure figure) { return figureInfo(figure).needsReference; });
+}
+
+int Wanted::flickerSamplesOf(int lane) const {
+  int samples = -1;
+  const auto want = [&](bool isCompared) { samples = std::max(samples, isCompared ? referenceSamples : 0); };
+  for (const Figure figure : figures)
+    if (figureInfo(figure).isOverTime) want(figureInfo(figure).needsReference);
+  const auto wantSide = [&](const auto& side) {
+    if (side.lane == lane && isOverTime(side.id)) want(needsReference(side.id));
+  };
+  for (const ViewRequest& view : views) {
+    if (!isShown(view)) continue;
+    wantSide(view);
+    if (view.other) wantSide(*view.other);
+  }
+  return samples;
+}
+
+} // namespace taa

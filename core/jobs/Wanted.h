@@ -1,0 +1,32 @@
+// What somebody looks at: views, probes, figures, and how fine a reference is to be.
+#pragma once
+
+#include "core/measure/Metrics.h"
+#include "core/measure/References.h"
+#include "core/picture/ViewRequest.h"
+#include "core/requests/Requests.h"
+
+#include <vector>
+
+namespace taa {
+
+struct Wanted {
+  std::vector<ViewRequest> views;
+  request::SetPins probes; ///< with the surfaces that were found for them
+  std::vector<Figure> figures;
+  int referenceSamples = kReferenceSamples;
+
+  /// The rows that the views show, with those that lie over them.
+  std::vector<IntermediateId> rows() const;
+  /// Whether a view shows a row of the lane's reference, or a figure is taken against it.
+  bool needsReferenceOf(int lane) const;
+  /// Samples of the references that the flicker of a lane is wanted against, 0: without any; −1: nobody wants
+  /// it.
+  int flickerSamplesOf(int lane) const;
+};
+
+inline bool isShown(const ViewRequest& view) {
+  return view.width > 0 && view.height > 0;
+}
+
+} // namespace taa

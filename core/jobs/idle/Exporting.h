@@ -1,0 +1,26 @@
+// Writes ranges of frames into files; everything else waits for it.
+#pragma once
+
+#include "core/jobs/Desk.h"
+#include "core/jobs/Job.h"
+#include "core/requests/Requests.h"
+
+#include <optional>
+
+namespace taa {
+
+class Exporting final : public Job {
+ public:
+  explicit Exporting(Desk& desk) : desk_(desk) {}
+
+  void take(const request::ExportSequence& wanted) { sequence_ = wanted.sequence; }
+
+  bool isDue() override { return sequence_ && desk_.isOpen(); }
+  void step() override;
+
+ private:
+  Desk& desk_;
+  std::optional<SequenceRequest> sequence_;
+};
+
+} // namespace taa

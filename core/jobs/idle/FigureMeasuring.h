@@ -1,0 +1,58 @@
+// Delivers figures of each frame on show, and measures those of the other frames while nothing else is to be
+// done.
+#pragma once
+
+#include "core/jobs/Job.h"
+#include "core/jobs/Transport.h"
+#include "core/jobs/Wanted.h"
+#include "core/jobs/idle/ThumbnailDrawing.h"
+#include "core/measure/FigureCursor.h"
+#include "core/requests/Requests.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace taa {
+
+class FigureMeasuring final : public Job {
+ public:
+  FigureMeasuring(Desk& desk, const Transport& transport, Wanted& wanted, ThumbnailDrawing& thumbnails)
+      : desk_(desk), transport_(transport), wanted_(wanted), thumbnails_(thumbnails) {}
+
+  void take(const request::SetFigures& wanted);
+  void take(const request::SetReferenceSamples&) { forget(); }
+  void take(const request::Cancel&) { isStopped_ = true; }
+  void settle() override;
+
+  bool isDue() override { return frame().has_value(); }
+  /// One frame; any request is answered first, and what is there of its reference is kept.
+  void step() override;
+  /// Those of the frame on show.
+  void deliver();
+
+ private:
+  void forget();
+  std::optional<int> frame() const;
+  bool isMissing(int frame) const;
+  int firstOfRow(int frame) const;
+  void tell(FrameFigures figures);
+  bool isWhole(const FrameFigures& figures) const;
+  void endIfDone();
+
+  Desk& desk_;
+  const Transport& transport_;
+  Wanted& wanted_;
+  ThumbnailDrawing& thumbnails_;
+  std::pair<std::uint64_t, std::uint64_t> deliveredOf_; // versions of frame and reference
+  std::uint64_t subject_ = 0;                           // what follows is of this one
+  std::set<int> known_;                                 // frames whose figures are whole
+  std::optional<std::pair<int, int>> row_;              // frames that are measured one after the other
+  int around_ = 0;                                      // the frame on show when that was decided
+  FigureCursor cursor_;
+  bool isStopped_ = false; // cancelled or failed
+  bool isTold_ = false;    // somebody was told that it is under way
+};
+
+} // namespace taa

@@ -1,0 +1,41 @@
+#include "core/jobs/idle/StageCosting.h"
+
+#include "core/base/Error.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace taa {
+
+void StageCosting::take(const request::Cancel&) {
+  if (std::exchange(isMeasuring_, false)) desk_.endWork();
+}
+
+// Any request is answered between two draws; then it goes on, or starts anew where the frame is another one.
+void StageCosting::step() {
+  bool goesOn = false;
+  desk_.attempt(RequestKind::Profile, [&] {
+    try {
+      StageCosts costs =
+          desk_.inspector.profiler().measureStages([this](std::string_view what, int done, int total) {
+            if (total > 1) desk_.tellWork(WorkKind::Stages, std::string(what), done, total);
+            return !desk_.waiting().any();
+          });
+      desk_.tell(RequestKind::Profile, std::move(costs));
+    } catch (const Cancelled&) {
+      goesOn = true;
+    }
+  });
+  isMeasuring_ = goesOn;
+  if (!goesOn) desk_.endWork();
+}
+
+void StageCosting::deliver() {
+  desk_.attempt(RequestKind::Profile, [&] {
+    if (auto profile = desk_.inspector.profiler().takeProfile())
+      desk_.tell(RequestKind::Profile, std::move(*profile));
+  });
+}
+
+} // namespace taa

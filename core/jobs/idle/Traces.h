@@ -1,0 +1,55 @@
+// What is at the pins over frames: every exact frame on show adds to it; the others are filled in on demand,
+// beside what is shown.
+#pragma once
+
+#include "core/jobs/Job.h"
+#include "core/jobs/Transport.h"
+#include "core/jobs/Wanted.h"
+#include "core/probe/PixelTrace.h"
+#include "core/replay/TraceCursor.h"
+#include "core/requests/Requests.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+class Traces final : public Job {
+ public:
+  Traces(Desk& desk, const Transport& transport, Wanted& wanted)
+      : desk_(desk), transport_(transport), wanted_(wanted) {}
+
+  void take(const request::SetTracing& wanted);
+  void take(const request::FillTraces& wanted) { filling_ = {wanted.first, wanted.last}; }
+  void take(const request::Cancel&) { end(); }
+  void settle() override;
+
+  bool isDue() override {
+    return filling_ && desk_.isOpen() && !transport_.isPlaying() && !wanted_.probes.pins.empty();
+  }
+  void step() override;
+
+  /// A probe of the frame on show has seen it anyway.
+  void noteShown(const ProbeResult& result);
+
+ private:
+  void end();
+  void fill();
+  std::vector<ProbePin> missingAt(int frame);
+  std::set<int>& framesOf(const ProbePin& pin);
+  void deliver(const ProbePin& pin, int frame, const std::optional<TraceSample>& sample);
+
+  Desk& desk_;
+  const Transport& transport_;
+  Wanted& wanted_;
+  bool isWanted_ = false;
+  std::uint64_t subject_ = 0;                             // what follows is of this one
+  std::vector<std::pair<ProbePin, std::set<int>>> known_; // frames
+  std::optional<std::pair<int, int>> filling_;            // first and last frame
+  TraceCursor cursor_;
+};
+
+} // namespace taa

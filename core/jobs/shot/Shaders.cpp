@@ -1,0 +1,23 @@
+#include "core/jobs/shot/Shaders.h"
+
+#include <exception>
+#include <utility>
+
+namespace taa {
+
+void Shaders::take(const request::ReloadShaders&) {
+  read_.emplace();
+  try {
+    desk_.inspector.shot().reloadShaders();
+    desk_.noteChange(RequestKind::Shaders);
+    desk_.isReplayStopped = false;
+  } catch (const std::exception& failed) {
+    read_->error = failed.what();
+  }
+}
+
+void Shaders::deliver() {
+  if (read_) desk_.tell(RequestKind::Shaders, *std::exchange(read_, {}));
+}
+
+} // namespace taa

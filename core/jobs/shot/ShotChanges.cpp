@@ -1,0 +1,106 @@
+#include "core/jobs/shot/ShotChanges.h"
+
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace taa {
+
+bool ShotChanges::open(const std::string& source) {
+  flight_.end(); // of the old one, which stays where the new one is refused
+  goal_.frame.reset();
+  InspectedShot& shot = desk_.inspector.shot();
+  const Progress told = [this](std::string_view doing, int done, int total) {
+    if (desk_.waiting().stopOpening()) return false;
+    desk_.tellWork(WorkKind::Opening, std::string(doing), done, total);
+    return true;
+  };
+  const bool isOpened = desk_.change(RequestKind::Source, [&] {
+    shot.open(source, told);
+    objects_ = objectNames(shot.scene());
+    objects_.resize(std::min(objects_.size(), kMostObjects));
+    outline_ = std::make_shared<const SceneOutline>(outlineOf(shot.scene(), shot.source()));
+  });
+  if (isOpened) opened_ = desk_.latest(RequestKind::Source);
+  desk_.endWork();
+  return isOpened;
+}
+
+// Once something is open, where it is not so already.
+void ShotChanges::changeScene(RequestKind kind, bool isOther, const std::function<void()>& action) {
+  if (isOther) desk_.change(kind, action);
+}
+
+void ShotChanges::take(const request::SetSize& size) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Size, size.width != shot.width() || size.height != shot.height(),
+              [&] { shot.setSize(size.width, size.height); });
+}
+
+void ShotChanges::take(const request::SetFlownCameras& flown) {
+  flight_.end();
+  changeScene(RequestKind::FlownCameras, desk_.isOpen(),
+              [&] { desk_.inspector.shot().setFlownCameras(flown.cameras); });
+}
+
+void ShotChanges::take(const request::AddCameraTrack& added) {
+  flight_.end();
+  changeScene(RequestKind::FlownCameras, desk_.isOpen(),
+              [&] { desk_.inspector.shot().setCameraTrack(added.track); });
+}
+
+void ShotChanges::take(const request::SetCamera& camera) {
+  flight_.end();
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Camera, desk_.isOpen() && camera.name != shot.camera(),
+              [&] { shot.setCamera(camera.name); });
+}
+
+void ShotChanges::take(const request::SetMotionModes& modes) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::MotionModes, desk_.isOpen() && modes.modes != shot.motionModes(),
+              [&] { shot.setMotionModes(modes.modes); });
+}
+
+void ShotChanges::take(const request::SetSettings& settings) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Settings, !(settings.settings == shot.settings()),
+              [&] { shot.setSettings(settings.settings); });
+}
+
+// Lane 0 is the one of the settings.
+void ShotChanges::take(const request::SetOtherLanes& others) {
+  InspectedShot& shot = desk_.inspector.shot();
+  desk_.change(RequestKind::Lanes, [&] {
+    std::vector<Settings> lanes{shot.settings()};
+    lanes.insert(lanes.end(), others.lanes.begin(), others.lanes.end());
+    shot.changeLanes(lanes);
+  });
+}
+
+void ShotChanges::take(const request::SetObjectFilter& filter) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Objects, desk_.isOpen() && !(filter.filter == shot.objectFilter()),
+              [&] { shot.setObjectFilter(filter.filter); });
+}
+
+void ShotChanges::take(const request::SetObjectClasses& classes) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Classes, desk_.isOpen() && classes.classes != shot.objectClasses(),
+              [&] { shot.setObjectClasses(classes.classes); });
+}
+
+void ShotChanges::take(const request::SetRestarts& restarts) {
+  InspectedShot& shot = desk_.inspector.shot();
+  changeScene(RequestKind::Restarts, desk_.isOpen() && restarts.frames != shot.restarts(),
+              [&] { shot.setRestarts(restarts.frames); });
+}
+
+void ShotChanges::take(const request::SetCheckpointBudget& budget) {
+  desk_.inspector.shot().setCheckpointBudget(budget.bytes);
+  desk_.isStatusOld = true;
+}
+
+} // namespace taa

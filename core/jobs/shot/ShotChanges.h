@@ -1,0 +1,51 @@
+// What the frames are a function of: source, size, camera, settings, objects. Changed as requests say.
+#pragma once
+
+#include "core/jobs/Desk.h"
+#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/Goal.h"
+#include "core/requests/Requests.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+class ShotChanges {
+ public:
+  ShotChanges(Desk& desk, Flight& flight, Goal& goal) : desk_(desk), flight_(flight), goal_(goal) {}
+
+  /// Whether it could be opened.
+  bool open(const std::string& source);
+
+  void take(const request::SetSize& size);
+  void take(const request::SetFlownCameras& flown);
+  void take(const request::AddCameraTrack& added);
+  void take(const request::SetCamera& camera);
+  void take(const request::SetMotionModes& modes);
+  void take(const request::SetSettings& settings);
+  void take(const request::SetOtherLanes& others);
+  void take(const request::SetObjectFilter& filter);
+  void take(const request::SetObjectClasses& classes);
+  void take(const request::SetRestarts& restarts);
+  void take(const request::SetCheckpointBudget& budget);
+
+  // Of the scene that is open
+  const std::vector<std::string>& objects() const { return objects_; } ///< see Status
+  const std::shared_ptr<const SceneOutline>& outline() const { return outline_; }
+  RequestId opened() const { return opened_; } ///< the request that opened it
+
+ private:
+  void changeScene(RequestKind kind, bool isOther, const std::function<void()>& action);
+
+  Desk& desk_;
+  Flight& flight_;
+  Goal& goal_;
+  std::vector<std::string> objects_;
+  std::shared_ptr<const SceneOutline> outline_;
+  RequestId opened_ = 0;
+};
+
+} // namespace taa

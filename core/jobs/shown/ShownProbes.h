@@ -1,0 +1,32 @@
+// Delivers what is at the pinned probes of each frame on show.
+#pragma once
+
+#include "core/jobs/Desk.h"
+#include "core/jobs/Wanted.h"
+#include "core/jobs/idle/Traces.h"
+#include "core/requests/Requests.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace taa {
+
+class ShownProbes {
+ public:
+  ShownProbes(Desk& desk, Wanted& wanted, Traces& traces) : desk_(desk), wanted_(wanted), traces_(traces) {}
+
+  void take(const request::SetPins& pins);
+  void take(const request::SetTracing&) { delivered_ = {}; } // the frame on show is a part of it
+  void deliver();
+
+ private:
+  void deliverPin(int index);
+  ProbeResult probe(ProbePin& pin, bool isActive);
+
+  Desk& desk_;
+  Wanted& wanted_;
+  Traces& traces_;
+  std::pair<std::uint64_t, std::uint64_t> delivered_; // versions of frame and reference
+};
+
+} // namespace taa

@@ -1,0 +1,60 @@
+#include "core/jobs/shown/ShownStatus.h"
+
+#include "core/render/jitter/Jitter.h"
+
+#include <utility>
+
+namespace taa {
+
+void ShownStatus::deliverBefore() {
+  if (desk_.isOpen() && (goal_.frame || !desk_.inspector.shot().isExact())) deliver();
+}
+
+void ShownStatus::deliver() {
+  if (!std::exchange(desk_.isStatusOld, false)) return;
+  const InspectedShot& shot = desk_.inspector.shot();
+  if (desk_.isOpen() && shot.areAllExact()) desk_.noteExact();
+  Status status;
+  status.width = shot.width();
+  status.height = shot.height();
+  status.settings = shot.settings();
+  status.jitterPeriod = jitterPeriod(status.settings.jitter);
+  status.playing = transport_.isPlaying();
+  status.driver = shot.driver();
+  status.referenceGoal = wanted_.referenceSamples;
+  status.checkpointBudget = shot.checkpointBudget();
+  status.playback = transport_.playback();
+  status.subject = desk_.subject();
+  status.inexactSince = desk_.inexactSince();
+  if (desk_.isOpen()) addShot(status);
+  desk_.tell(RequestKind::None, std::move(status));
+}
+
+void ShownStatus::addShot(Status& status) const {
+  const InspectedShot& shot = desk_.inspector.shot();
+  status.source = shot.source();
+  status.camera = shot.camera();
+  status.cameras = shot.cameras();
+  status.warnings = shot.scene().warnings;
+  status.objects = changes_.objects();
+  status.motionModes = shot.motionModes();
+  status.frameCount = shot.frameCount();
+  status.framesPerSecond = shot.scene().shot.framesPerSecond;
+  status.info = shot.info();
+  status.exact = shot.isExact();
+  if (goal_.frame && goal_.isNear && *goal_.frame != shot.frame()) status.goal = goal_.frame;
+  status.times = shot.times();
+  status.cuts = shot.scene().shot.cuts;
+  status.restarts = shot.restarts();
+  status.keptFrames = shot.keptFrames();
+  status.outline = changes_.outline();
+  status.filter = shot.objectFilter();
+  status.objectClasses = shot.objectClasses();
+  status.tracks = shot.cameraTracks();
+  status.pose = shot.cameraPose();
+  status.recording = flight_.isRecording();
+  status.recordedFrames = flight_.isRecording() ? flight_.recording().frameCount(desk_.now()) : 0;
+  status.opened = changes_.opened();
+}
+
+} // namespace taa

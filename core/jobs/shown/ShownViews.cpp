@@ -1,0 +1,125 @@
+#include "core/jobs/shown/ShownViews.h"
+
+#include "core/inspect/ShownPicture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace taa {
+
+namespace {
+
+// The pixels of the picture that a view shows, whole ones.
+gl::Rect visiblePixels(const ViewRequest& view, int width, int height) {
+  const auto edge = [](float position, int size) {
+    return static_cast<int>(std::clamp(position, 0.0f, static_cast<float>(size)));
+  };
+  const glm::vec2 from = view.transform.origin;
+  const glm::vec2 to = from + glm::vec2(view.width, view.height) / view.transform.zoom;
+  const int left = edge(std::floor(from.x), width), top = edge(std::floor(from.y), height);
+  return {left, top, edge(std::ceil(to.x), width) - left, edge(std::ceil(to.y), height) - top};
+}
+
+bool showsReference(const ViewRequest& view) {
+  return isOfReference(view.id) || (view.other && isOfReference(view.other->id));
+}
+
+} // namespace
+
+ReasonCounts countReasons(const Image& reasons) {
+  ReasonCounts counts{};
+  for (const float value : reasons.pixels)
+    if (const int reason = static_cast<int>(value); reason >= 0 && reason < kReasonCount)
+      ++counts[static_cast<std::size_t>(reason)];
+  return counts;
+}
+
+void ShownViews::take(const request::SetViews& views) {
+  wanted_.views = views.views;
+  delivered_.resize(views.views.size());
+  desk_.inspector.views().watch(wanted_.rows());
+}
+
+void ShownViews::deliver() {
+  for (int index = 0; index < static_cast<int>(wanted_.views.size()); ++index) deliverView(index);
+}
+
+void ShownViews::deliverView(int index) {
+  const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
+  Delivered& last = delivered_[static_cast<std::size_t>(index)];
+  const Delivered now{view, desk_.version(), view.other ? desk_.asideVersion : 0,
+                      showsReference(view) ? desk_.referenceVersion : 0};
+  if (!isShown(view) || last == now) return;
+  const InspectedShot& shot = desk_.inspector.shot();
+  std::optional<Look> other;
+  if (view.other) other = otherLook(*view.other, shot.frame(), shot.frameCount());
+  if (other && !desk_.inspector.views().isAtHand(*other)) other.reset(); // on its way
+  if (view.lane >= shot.laneCount() || (view.asDifference && !other)) return;
+  last = now; // also when it fails: once is enough to tell
+  desk_.attempt(RequestKind::Views, [&] {
+    desk_.tell(RequestKind::Views, draw(index, {view.id, view.lane, {}}, other));
+  });
+}
+
+// Of the whole picture, once for each that it is of: panning asks again and again.
+ReasonCounts ShownViews::reasonsOf(const Look& look, IntermediateId id, const ViewStyle& style) {
+  if (!style.markRejected && id != IntermediateId::rejectReason) return {};
+  const std::pair now(desk_.version(), desk_.asideVersion);
+  if (reasons_.version != now) reasons_ = {now, {}};
+  const Look reasons{IntermediateId::rejectReason, look.lane, look.frame};
+  const auto known = std::ranges::find(reasons_.counts, reasons, &std::pair<Look, ReasonCounts>::first);
+  if (known != reasons_.counts.end()) return known->second;
+  const InspectedShot& shot = desk_.inspector.shot();
+  const gl::Rect whole{0, 0, shot.width(), shot.height()};
+  const ReasonCounts counts = countReasons(desk_.inspector.views().image(reasons, {}, whole));
+  reasons_.counts.emplace_back(reasons, counts);
+  return counts;
+}
+
+ViewResult ShownViews::draw(int index, const Look& look, const std::optional<Look>& other) {
+  const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
+  const InspectedShot& shot = desk_.inspector.shot();
+  Views& views = desk_.inspector.views();
+  ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
+  if (isOfReference(view.id)) addReference(result);
+  const gl::Rect region = visiblePixels(view, shot.width(), shot.height());
+  if (view.withValues && views.isAtHand(look) && region.width > 0 && region.height > 0)
+    result.region = region;
+  const std::optional<Look> minus = view.asDifference ? other : std::nullopt;
+  result.frame = shot.frame();
+  result.subject = desk_.subject();
+  result.exact = views.isExact(look) && (!minus || views.isExact(*minus));
+  result.picture = views.picture(look, minus, view.style, view.transform, view.width, view.height);
+  if (result.region.width > 0) result.values = views.image(look, minus, result.region);
+  result.reasons = reasonsOf(look, view.id, view.style);
+  if (other) drawOther(result, *other);
+  return result;
+}
+
+void ShownViews::drawOther(ViewResult& result, const Look& other) {
+  const ViewRequest& view = result.request;
+  Views& views = desk_.inspector.views();
+  ViewSide& side = result.other.emplace();
+  side.frame = other.frame.value_or(result.frame);
+  side.exact = views.isExact(other);
+  side.picture = views.picture(other, {}, view.other->style, view.transform, view.width, view.height);
+  if (result.region.width > 0) side.values = views.image(other, {}, result.region);
+  side.reasons = reasonsOf(other, view.other->id, view.other->style);
+}
+
+void ShownViews::addReference(ViewResult& result) {
+  const ViewRequest& view = result.request;
+  if (isOverTime(view.id)) {
+    const Figure figure = needsReference(view.id) ? Figure::Flicker : Figure::Deviation;
+    const FrameFigures figures = desk_.inspector.metrics().figures({figure}, view.lane);
+    result.flickerSamples = figures.flickerSamples;
+    result.flicker = figures.at(figure);
+    return;
+  }
+  ReferenceOfShot& reference = desk_.inspector.reference();
+  result.referenceSamples = reference.samples(view.lane);
+  if (result.referenceSamples > 0) result.error = reference.error(view.lane);
+}
+
+} // namespace taa

@@ -1,0 +1,45 @@
+// Delivers the pictures of the views, both of their sides, whenever what they show or how has changed.
+#pragma once
+
+#include "core/jobs/Desk.h"
+#include "core/jobs/Wanted.h"
+#include "core/requests/Requests.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taa {
+
+class ShownViews {
+ public:
+  ShownViews(Desk& desk, Wanted& wanted) : desk_(desk), wanted_(wanted) {}
+
+  void take(const request::SetViews& views);
+  void deliver();
+
+ private:
+  /// What a view was last delivered of: the same again is no news.
+  struct Delivered {
+    ViewRequest request;
+    std::uint64_t version = 0, asides = 0, reference = 0;
+    bool operator==(const Delivered&) const = default;
+  };
+  struct Reasons {
+    std::pair<std::uint64_t, std::uint64_t> version; ///< of the frame on show and those beside it
+    std::vector<std::pair<Look, ReasonCounts>> counts;
+  };
+  void deliverView(int index);
+  ViewResult draw(int index, const Look& look, const std::optional<Look>& other);
+  void drawOther(ViewResult& result, const Look& other);
+  void addReference(ViewResult& result);
+  ReasonCounts reasonsOf(const Look& look, IntermediateId id, const ViewStyle& style);
+
+  Desk& desk_;
+  Wanted& wanted_;
+  std::vector<Delivered> delivered_;
+  Reasons reasons_;
+};
+
+} // namespace taa
