@@ -5,12 +5,16 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 namespace taa::app {
@@ -19,6 +23,8 @@ namespace {
 
 constexpr IntermediateId kFirst[kViewCount] = {IntermediateId::resolved, IntermediateId::alpha,
                                                IntermediateId::color, IntermediateId::rejectReason};
+
+constexpr std::array<const char*, 3> kArrangementKeys = {"automatic", "beside", "stacked"};
 
 QSplitter* splitter(Qt::Orientation orientation) {
   auto* splitter = new QSplitter(orientation);
@@ -218,6 +224,30 @@ bool ViewArea::eventFilter(QObject* object, QEvent* event) {
       peek(event->type() == QEvent::KeyPress && !writes);
   }
   return QWidget::eventFilter(object, event);
+}
+
+QJsonObject ViewArea::state() const {
+  QJsonArray views;
+  for (const ViewPanel* view : views_) views.append(view->state());
+  return {{QStringLiteral("count"), count_},
+          {QStringLiteral("active"), active_},
+          {QStringLiteral("linked"), linked_},
+          {QStringLiteral("arrangement"),
+           QLatin1String(kArrangementKeys[static_cast<std::size_t>(arrangement_)])},
+          {QStringLiteral("views"), views}};
+}
+
+void ViewArea::setState(const QJsonObject& state) {
+  linked_ = state.value(QLatin1String("linked")).toBool(true);
+  const QString arrangement = state.value(QLatin1String("arrangement")).toString();
+  for (std::size_t index = 0; index < kArrangementKeys.size(); ++index)
+    if (arrangement == QLatin1String(kArrangementKeys[index]))
+      setArrangement(static_cast<Arrangement>(index));
+  const QJsonArray views = state.value(QLatin1String("views")).toArray();
+  for (int index = 0; index < kViewCount; ++index)
+    if (views.at(index).isObject()) view(index)->setState(views.at(index).toObject());
+  setViewCount(state.value(QLatin1String("count")).toInt(count_));
+  setActive(std::clamp(state.value(QLatin1String("active")).toInt(), 0, count_ - 1));
 }
 
 } // namespace taa::app

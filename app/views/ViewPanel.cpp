@@ -1,20 +1,32 @@
 #include "app/views/ViewPanel.h"
 
 #include "app/style/Theme.h"
+#include "app/views/ViewCameraJson.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
 #include "app/views/legend/RangeHistogram.h"
 #include "app/views/legend/ValueFinder.h"
 
+#include <QMenu>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace taa::app {
 
+namespace {
+
+/// The column of the whole picture that lies at a column of the screen.
+double pictureColumn(const ViewTransform& transform, int screen) {
+  return pictureFromScreen(transform, {screen, 0.0}).x;
+}
+
+} // namespace
+
 ViewPanel::ViewPanel(int index, IntermediateId id, QWidget* parent)
-    : QWidget(parent), index_(index), id_(id), style_(defaultStyle(intermediate(id))),
-      difference_(differenceStyle(intermediate(id))),
+    : QWidget(parent), index_(index), source_(id),
       header_(new ViewHeader(QChar(static_cast<char16_t>('A' + index)))), viewport_(new Viewport),
       histogram_(new RangeHistogram(viewport_)), finder_(new ValueFinder(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -55,20 +67,14 @@ void ViewPanel::connectParts() {
   connect(viewport_, &Viewport::hoverChanged, this, &ViewPanel::requestChanged);
 }
 
-const ViewStyle& ViewPanel::style() const {
-  return isDifference() ? difference_ : style_;
-}
-
 void ViewPanel::refresh() {
-  const Intermediate row = shownRow();
-  header_->setContent(row, style(), space_);
+  const Intermediate row = source_.row();
+  header_->setContent(row, style(), source_.space());
   header_->setAlwaysAuto(alwaysAuto_);
-  header_->setComparing(static_cast<bool>(comparison_), hasDifference(), showing_);
-  viewport_->setContent({row, drawn(style()), sideText(false), space_});
-  viewport_->setOther(comparison_ ? std::optional(ViewContent{intermediate(otherId()), otherStyle(),
-                                                              sideText(true), otherSpace_})
-                                  : std::nullopt);
-  viewport_->setShowing(showing_);
+  header_->setComparing(static_cast<bool>(comparison()), hasDifference(), showing());
+  viewport_->setContent(source_.content());
+  viewport_->setOther(source_.otherContent());
+  viewport_->setShowing(showing());
   viewport_->setShowsGrid(shows(Overlay::Grid));
   viewport_->setLegendWhole(shows(Overlay::WholeLegend));
   histogram_->setRange({style().low, style().high});
@@ -83,21 +89,16 @@ void ViewPanel::change() {
 }
 
 void ViewPanel::setIntermediate(IntermediateId id) {
-  if (id == id_) return;
-  remembered_[id_] = style_;
-  id_ = id;
-  const auto known = remembered_.find(id);
-  style_ = known != remembered_.end() ? known->second : defaultStyle(intermediate(id));
-  difference_ = differenceStyle(intermediate(id));
+  if (id == this->id()) return;
+  source_.setId(id);
   wantsRange_ = false;
   histogram_->setDistribution({});
-  if (showing_ == Showing::Difference && !hasDifference()) showing_ = Showing::Wipe;
   change();
 }
 
 void ViewPanel::setStyle(const ViewStyle& style) {
   if (style == this->style()) return;
-  (isDifference() ? difference_ : style_) = style;
+  source_.setStyle(style);
   change();
 }
 
@@ -111,8 +112,8 @@ void ViewPanel::measure() {
   const auto& result = viewport_->result();
   const bool fits = wantsRange_ || alwaysAuto_;
   if (!(fits || showsHistogram()) || !result || result->values.empty()) return;
-  if (result->request.id != id_ || result->request.asDifference != isDifference()) return;
-  ValueFinder::Wish wish{.result = result, .row = shownRow(), .style = style(), .range = {}};
+  if (result->request.id != id() || result->request.asDifference != isDifference()) return;
+  ValueFinder::Wish wish{.result = result, .row = source_.row(), .style = style(), .range = {}};
   if (!fits) wish.range = ValueRange{style().low, style().high};
   if (showsHistogram()) wish.bins = RangeHistogram::kBins;
   finder_->find(wish);
@@ -135,7 +136,7 @@ void ViewPanel::setActive(bool active) {
 }
 
 void ViewPanel::changeExposure(float stops) {
-  if (!hasExposure(shownRow())) return;
+  if (!hasExposure(source_.row())) return;
   ViewStyle style = this->style();
   style.exposure += stops;
   setStyle(style);
@@ -143,7 +144,7 @@ void ViewPanel::changeExposure(float stops) {
 
 void ViewPanel::normalize() {
   refresh(); // a click has checked the button
-  if (!hasRange(shownRow())) return;
+  if (!hasRange(source_.row())) return;
   wantsRange_ = true;
   measure();
   if (wantsRange_) Q_EMIT requestChanged();
@@ -158,11 +159,11 @@ void ViewPanel::setAlwaysAuto(bool always) {
 
 void ViewPanel::resetStyle() {
   if (alwaysAuto_) setAlwaysAuto(false);
-  setStyle(isDifference() ? differenceStyle(intermediate(id_)) : defaultStyle(intermediate(id_)));
+  setStyle(source_.firstStyle());
 }
 
 void ViewPanel::nextColorMap() {
-  if (!usesColorMap(shownRow(), style())) return;
+  if (!usesColorMap(source_.row(), style())) return;
   ViewStyle style = this->style();
   constexpr int kMapCount = static_cast<int>(ColorMap::Categorical) + 1;
   style.map = static_cast<ColorMap>((static_cast<int>(style.map) + 1) % kMapCount);
@@ -176,7 +177,7 @@ void ViewPanel::toggleMarks() {
 }
 
 void ViewPanel::toggleChannel(int channel) {
-  if (channel >= intermediate(id_).channels) return;
+  if (channel >= intermediate(id()).channels) return;
   ViewStyle style = this->style();
   setShown(style, channel, !isShown(style, channel));
   setStyle(style);
@@ -194,7 +195,7 @@ void ViewPanel::makeHistogram() {
     setStyle(style);
   });
   connect(finder_, &ValueFinder::found, this, [this](const ValueFinder::Wish& of, const Distribution& found) {
-    if (of.row.id != id_ || of.result->request.asDifference != isDifference()) return;
+    if (of.row.id != id() || of.result->request.asDifference != isDifference()) return;
     for (int channel = 0; channel < 3; ++channel)
       if (isShown(of.style, channel) != isShown(style(), channel)) return; // a picture of these is on its way
     if (wantsRange_ || alwaysAuto_) fitRange(found.values);
@@ -211,13 +212,182 @@ bool ViewPanel::showsHistogram() const {
 }
 
 void ViewPanel::setHistogramShown(bool shown) {
-  shown = shown && hasRange(shownRow());
+  shown = shown && hasRange(source_.row());
   if (shown == showsHistogram()) return header_->setHistogramShown(shown); // a click has checked the button
   histogram_->setVisible(shown);
   header_->setHistogramShown(showsHistogram());
   measure();
   Q_EMIT contentChanged();
   Q_EMIT requestChanged();
+}
+
+void ViewPanel::connectComparing() {
+  connect(header_, &ViewHeader::comparisonRequested, this, [this] {
+    Q_EMIT activated();
+    refresh(); // the click has checked the button
+    Q_EMIT comparisonRequested();
+  });
+  connect(header_, &ViewHeader::showingChosen, this, &ViewPanel::setShowing);
+  connect(header_, &ViewHeader::overlaysRequested, this, [this] {
+    Q_EMIT activated();
+    openOverlayMenu();
+  });
+  connect(viewport_, &Viewport::dividerMoved, this, &ViewPanel::contentChanged);
+}
+
+ViewRequest ViewPanel::request(const QStringList& presets) const {
+  const ViewGeometry geometry = viewport_->viewGeometry();
+  const bool isShown = isVisible() && !geometry.isEmpty();
+  ViewRequest request;
+  request.id = id();
+  request.style = source_.drawnStyle();
+  request.transform = viewport_->transform();
+  request.width = isShown ? geometry.viewport.x : 0;
+  request.height = isShown ? geometry.viewport.y : 0;
+  request.withValues = wantsRange_ || alwaysAuto_ || showsHistogram() || viewport_->showsValues() ||
+                       viewport_->hovered().has_value();
+  request.other = source_.otherSide(presets);
+  request.asDifference = request.other && isDifference();
+  return request;
+}
+
+void ViewPanel::setComparison(const Comparison& comparison) {
+  if (comparison == this->comparison()) return;
+  source_.setComparison(comparison);
+  change();
+}
+
+void ViewPanel::setShowing(Showing showing) {
+  if (source_.possible(showing) == this->showing()) return refresh();
+  source_.setShowing(showing);
+  wantsRange_ = false;
+  change();
+}
+
+void ViewPanel::cycleShowing() {
+  if (!comparison()) return comparisonRequested();
+  switch (showing()) {
+  case Showing::First:
+    return setShowing(Showing::Other);
+  case Showing::Other:
+    return setShowing(Showing::Difference);
+  default:
+    return setShowing(Showing::First);
+  }
+}
+
+void ViewPanel::toggleWipe() {
+  if (!comparison()) return comparisonRequested();
+  setShowing(showing() == Showing::Wipe ? Showing::First : Showing::Wipe);
+}
+
+void ViewPanel::setPeeking(bool peeking) {
+  viewport_->setPeeking(peeking && comparison());
+}
+
+void ViewPanel::setSettingsName(const QString& name) {
+  if (name == source_.settingsName()) return;
+  source_.setSettingsName(name);
+  refresh();
+}
+
+void ViewPanel::setSpaces(const SpaceSettings& own, const SpaceSettings& other) {
+  if (own.color == source_.space().color && other.color == source_.otherSpace().color) return;
+  source_.setSpaces(own, other);
+  refresh();
+}
+
+void ViewPanel::setOverlay(Overlay overlay, bool on) {
+  if (shows(overlay) == on) return;
+  source_.setOverlay(overlay, on);
+  change();
+}
+
+QString ViewPanel::overlayText(Overlay overlay) {
+  switch (overlay) {
+  case Overlay::Clipped:
+    return tr("Hatch what lies outside the range");
+  case Overlay::Rejected:
+    return tr("Tint by the reason of rejection");
+  case Overlay::Outlines:
+    return tr("Outline objects");
+  case Overlay::Arrows:
+    return tr("Arrows over vectors");
+  case Overlay::Grid:
+    return tr("Grid between large pixels");
+  case Overlay::WholeLegend:
+    return tr("Whole legend also where the picture is low");
+  }
+  return {};
+}
+
+void ViewPanel::openOverlayMenu() {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QAction* marks =
+      menu->addAction(tr("Mark NaN red, infinite green, negative blue"), this, &ViewPanel::toggleMarks);
+  marks->setCheckable(true);
+  marks->setChecked(style().markInvalid);
+  for (int index = 0; index < kOverlayCount; ++index) {
+    const auto overlay = static_cast<Overlay>(index);
+    QAction* action = menu->addAction(overlayText(overlay), this,
+                                      [this, overlay] { setOverlay(overlay, !shows(overlay)); });
+    action->setCheckable(true);
+    action->setChecked(shows(overlay));
+  }
+  menu->popup(header_->mapToGlobal(header_->overlaysPlace()));
+}
+
+PictureRequest ViewPanel::pictureRequest(const QStringList& presets, PictureExtent extent) const {
+  const ViewRequest shown = request(presets);
+  PictureRequest picture{.id = id(),
+                         .style = shown.style,
+                         .transform = {},
+                         .width = viewport_->viewGeometry().picture.x,
+                         .height = viewport_->viewGeometry().picture.y,
+                         .lane = shown.lane,
+                         .other = shown.other,
+                         .showing = shown.other ? showing() : Showing::First};
+  if (extent == PictureExtent::Viewport) {
+    picture.transform = viewport_->transform();
+    picture.width = viewport_->viewGeometry().viewport.x;
+    picture.height = viewport_->viewGeometry().viewport.y;
+    picture.divider = viewport_->dividerColumn();
+  } else {
+    const double column = pictureColumn(viewport_->transform(), viewport_->dividerColumn());
+    picture.divider = static_cast<int>(std::lround(std::clamp(column, 0.0, 1.0 * picture.width)));
+  }
+  return picture;
+}
+
+CommandView ViewPanel::commandView() const {
+  const int width = std::max(1, viewport_->viewGeometry().picture.x);
+  const double column = pictureColumn(viewport_->transform(), viewport_->dividerColumn());
+  return {.id = id(),
+          .style = source_.drawnStyle(),
+          .comparison = comparison(),
+          .showing = showing(),
+          .otherStyle = comparison() ? source_.otherStyle() : ViewStyle{},
+          .divider = std::clamp(std::round(column) / width, 0.0, 1.0)};
+}
+
+QJsonObject ViewPanel::state() const {
+  QJsonObject state = source_.state();
+  state[QStringLiteral("alwaysFits")] = alwaysAuto_;
+  state[QStringLiteral("divider")] = viewport_->divider();
+  state[QStringLiteral("histogram")] = showsHistogram();
+  state[QStringLiteral("camera")] = cameraJson(viewport_->camera());
+  return state;
+}
+
+void ViewPanel::setState(const QJsonObject& state) {
+  source_.setState(state);
+  wantsRange_ = false;
+  alwaysAuto_ = state.value(QLatin1String("alwaysFits")).toBool();
+  viewport_->setDivider(state.value(QLatin1String("divider")).toDouble(0.5));
+  viewport_->setCamera(cameraFromJson(state.value(QLatin1String("camera")).toObject()));
+  change();
+  setHistogramShown(state.value(QLatin1String("histogram")).toBool());
 }
 
 } // namespace taa::app

@@ -1,8 +1,7 @@
-// One view: header and viewport, what it shows, what it is compared with, and its memory of how each
-// intermediate was last shown.
+// One view: header and viewport, and the keys and buttons that change what it shows.
 #pragma once
 
-#include "app/views/Overlays.h"
+#include "app/views/ViewSource.h"
 #include "app/views/ViewportMath.h"
 #include "app/views/legend/RangeMath.h"
 
@@ -16,8 +15,6 @@
 #include <QStringList>
 #include <QWidget>
 
-#include <array>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -40,9 +37,9 @@ class ViewPanel : public QWidget {
   ViewPanel(int index, IntermediateId id, QWidget* parent = nullptr);
 
   int index() const { return index_; }
-  IntermediateId id() const { return id_; }
+  IntermediateId id() const { return source_.id(); }
   /// Of what is shown: the row, or the difference.
-  const ViewStyle& style() const;
+  const ViewStyle& style() const { return source_.style(); }
   Viewport* viewport() const { return viewport_; }
   ViewHeader* header() const { return header_; }
   /// What the render thread shall deliver. `presets`: those of the lanes after the first.
@@ -58,19 +55,19 @@ class ViewPanel : public QWidget {
   void setActive(bool active);
 
   // Comparing
-  const Comparison& comparison() const { return comparison_; }
+  const Comparison& comparison() const { return source_.comparison(); }
   /// At first both are shown with a divider between them.
   void setComparison(const Comparison& comparison);
-  Showing showing() const { return showing_; }
+  Showing showing() const { return source_.showing(); }
   void setShowing(Showing showing);
   /// One side, the other, their difference; asks for something to compare with when there is nothing.
   void cycleShowing();
   void toggleWipe();
   /// Whether both sides have as many channels.
-  bool hasDifference() const;
-  bool isDifference() const { return comparison_ && showing_ == Showing::Difference; }
+  bool hasDifference() const { return source_.hasDifference(); }
+  bool isDifference() const { return source_.isDifference(); }
   /// Row and settings of a side.
-  QString sideText(bool other) const;
+  QString sideText(bool other) const { return source_.sideText(other); }
   /// Shows the other side for as long as it lasts.
   void setPeeking(bool peeking);
   /// What the settings in force are called: "balanced*".
@@ -85,7 +82,7 @@ class ViewPanel : public QWidget {
   bool isMeasuring() const;
 
   // Overlays
-  bool shows(Overlay overlay) const { return overlays_[static_cast<std::size_t>(overlay)]; }
+  bool shows(Overlay overlay) const { return source_.shows(overlay); }
   void setOverlay(Overlay overlay, bool on);
   static QString overlayText(Overlay overlay);
 
@@ -118,20 +115,9 @@ class ViewPanel : public QWidget {
   void refresh();
   void change();
   void openOverlayMenu();
-  Intermediate shownRow() const;
-  IntermediateId otherId() const;
-  ViewStyle drawn(const ViewStyle& style) const;
-  ViewStyle otherStyle() const;
 
   int index_;
-  IntermediateId id_;
-  ViewStyle style_, difference_;
-  std::map<IntermediateId, ViewStyle> remembered_;
-  Comparison comparison_;
-  Showing showing_ = Showing::First;
-  std::array<bool, kOverlayCount> overlays_{false, false, false, false, true, false};
-  QString settingsName_;
-  SpaceSettings space_, otherSpace_;
+  ViewSource source_;
   bool wantsRange_ = false, alwaysAuto_ = false;
   ViewHeader* header_;
   Viewport* viewport_;

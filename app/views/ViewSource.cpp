@@ -1,19 +1,18 @@
-// What views keep in a session file: what they show and how.
-#include "app/views/ViewArea.h"
-#include "app/views/Viewport.h"
+#include "app/views/ViewSource.h"
+
+#include "app/style/Text.h"
 #include "app/views/legend/RangeMath.h"
 
 #include "core/base/Error.h"
 
+#include <QFileInfo>
 #include <QJsonArray>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace taa::app {
 
@@ -21,7 +20,6 @@ namespace {
 
 constexpr std::array<const char*, kOverlayCount> kOverlayKeys = {"clipped", "rejected", "outlines",
                                                                  "arrows",  "grid",     "wholeLegend"};
-constexpr std::array<const char*, 3> kArrangementKeys = {"automatic", "beside", "stacked"};
 constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
                               ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
 
@@ -57,23 +55,6 @@ ViewStyle styleOf(const QJsonObject& json, ViewStyle style) {
   return style;
 }
 
-QJsonObject jsonOf(const ViewCamera& camera) {
-  return {{QStringLiteral("fit"), camera.fit},
-          {QStringLiteral("zoom"), camera.zoom},
-          {QStringLiteral("center"), QJsonArray{camera.center.x, camera.center.y}}};
-}
-
-ViewCamera cameraOf(const QJsonObject& json) {
-  ViewCamera camera;
-  camera.fit = json.value(QLatin1String("fit")).toBool(true);
-  camera.zoom = json.value(QLatin1String("zoom")).toDouble(1.0);
-  const QJsonArray center = json.value(QLatin1String("center")).toArray();
-  camera.center = {center.at(0).toDouble(), center.at(1).toDouble()};
-  const bool isUsable = std::isfinite(camera.zoom) && camera.zoom > 0.0 && std::isfinite(camera.center.x) &&
-                        std::isfinite(camera.center.y);
-  return isUsable ? camera : ViewCamera{};
-}
-
 /// What a text means, or nothing where it means nothing.
 template <typename Read>
 auto read(const QJsonValue& text, Read meaning) -> std::optional<decltype(meaning(std::string()))> {
@@ -87,7 +68,102 @@ auto read(const QJsonValue& text, Read meaning) -> std::optional<decltype(meanin
 
 } // namespace
 
-QJsonObject ViewPanel::state() const {
+ViewSource::ViewSource(IntermediateId id)
+    : id_(id), style_(defaultStyle(intermediate(id))), difference_(differenceStyle(intermediate(id))) {}
+
+ViewStyle ViewSource::rememberedStyle(IntermediateId id) const {
+  const auto known = remembered_.find(id);
+  return known != remembered_.end() ? known->second : defaultStyle(intermediate(id));
+}
+
+void ViewSource::setId(IntermediateId id) {
+  remembered_[id_] = style_;
+  id_ = id;
+  style_ = rememberedStyle(id);
+  difference_ = differenceStyle(intermediate(id));
+  if (showing_ == Showing::Difference && !hasDifference()) showing_ = Showing::Wipe;
+}
+
+ViewStyle ViewSource::firstStyle() const {
+  return isDifference() ? differenceStyle(intermediate(id_)) : defaultStyle(intermediate(id_));
+}
+
+Intermediate ViewSource::row() const {
+  Intermediate row = intermediate(id_);
+  if (isDifference()) row.visual = Visual::Signed;
+  return row;
+}
+
+void ViewSource::setComparison(const Comparison& comparison) {
+  const bool isFirst = !comparison_;
+  comparison_ = comparison;
+  if (!comparison_) showing_ = Showing::First;
+  if (comparison_ && (isFirst || (isDifference() && !hasDifference()))) showing_ = Showing::Wipe;
+}
+
+Showing ViewSource::possible(Showing showing) const {
+  const bool isPossible = comparison_ && (showing != Showing::Difference || hasDifference());
+  return isPossible ? showing : Showing::First;
+}
+
+void ViewSource::setShowing(Showing showing) {
+  showing_ = possible(showing);
+}
+
+bool ViewSource::hasDifference() const {
+  return comparison_ && intermediate(otherId()).channels == intermediate(id_).channels;
+}
+
+void ViewSource::setSpaces(const SpaceSettings& own, const SpaceSettings& other) {
+  space_ = own;
+  otherSpace_ = other;
+}
+
+ViewStyle ViewSource::drawn(const ViewStyle& style) const {
+  ViewStyle whole = style;
+  whole.markClipped = shows(Overlay::Clipped);
+  whole.markRejected = shows(Overlay::Rejected);
+  whole.outlineObjects = shows(Overlay::Outlines);
+  whole.arrows = shows(Overlay::Arrows);
+  return whole;
+}
+
+ViewStyle ViewSource::otherStyle() const {
+  return drawn(otherId() == id_ ? style_ : rememberedStyle(otherId()));
+}
+
+ViewContent ViewSource::content() const {
+  return {row(), drawnStyle(), sideText(false), space_};
+}
+
+std::optional<ViewContent> ViewSource::otherContent() const {
+  if (!comparison_) return {};
+  return ViewContent{intermediate(otherId()), otherStyle(), sideText(true), otherSpace_};
+}
+
+QString ViewSource::sideText(bool other) const {
+  QString settings = settingsName_;
+  if (other && comparison_.kind == OtherKind::Preset) {
+    const QString preset = QString::fromStdString(comparison_.preset);
+    settings = preset.endsWith(QStringLiteral(".json")) ? QFileInfo(preset).completeBaseName() : preset;
+  }
+  const QString row = tableText(intermediate(other ? otherId() : id_).label);
+  return settings.isEmpty() ? row : QStringLiteral("%1 · %2").arg(row, settings);
+}
+
+std::optional<OtherSide> ViewSource::otherSide(const QStringList& presets) const {
+  const auto preset = presets.indexOf(QString::fromStdString(comparison_.preset));
+  if (!comparison_ || (comparison_.kind == OtherKind::Preset && preset < 0)) return {};
+  OtherSide other;
+  other.id = otherId();
+  other.style = otherStyle();
+  if (comparison_.kind == OtherKind::Preset) other.lane = static_cast<int>(preset) + 1;
+  if (comparison_.kind == OtherKind::Frame) other.frame = comparison_.frame;
+  if (comparison_.kind == OtherKind::FramesBefore) other.framesBefore = comparison_.frame;
+  return other;
+}
+
+QJsonObject ViewSource::state() const {
   QJsonObject styles;
   for (const auto& [id, style] : remembered_)
     if (!(style == defaultStyle(intermediate(id)))) styles[textOf(intermediate(id).name)] = jsonOf(style);
@@ -99,63 +175,27 @@ QJsonObject ViewPanel::state() const {
   return {{QStringLiteral("intermediate"), textOf(intermediate(id_).name)},
           {QStringLiteral("styles"), styles},
           {QStringLiteral("difference"), jsonOf(difference_)},
-          {QStringLiteral("alwaysFits"), alwaysAuto_},
           {QStringLiteral("comparedWith"), QString::fromStdString(comparisonText(comparison_))},
           {QStringLiteral("shows"), textOf(showingName(showing_))},
-          {QStringLiteral("divider"), viewport_->divider()},
-          {QStringLiteral("histogram"), showsHistogram()},
-          {QStringLiteral("overlays"), overlays},
-          {QStringLiteral("camera"), jsonOf(viewport_->camera())}};
+          {QStringLiteral("overlays"), overlays}};
 }
 
-void ViewPanel::setState(const QJsonObject& state) {
+void ViewSource::setState(const QJsonObject& state) {
   const QJsonObject styles = state.value(QLatin1String("styles")).toObject();
   remembered_.clear();
   for (const Intermediate& row : kIntermediates)
     if (const QJsonValue style = styles.value(textOf(row.name)); style.isObject())
       remembered_[row.id] = styleOf(style.toObject(), defaultStyle(row));
   id_ = read(state.value(QLatin1String("intermediate")), intermediateNamed).value_or(id_);
-  const auto known = remembered_.find(id_);
-  style_ = known != remembered_.end() ? known->second : defaultStyle(intermediate(id_));
+  style_ = rememberedStyle(id_);
   difference_ =
       styleOf(state.value(QLatin1String("difference")).toObject(), differenceStyle(intermediate(id_)));
-  wantsRange_ = false;
-  alwaysAuto_ = state.value(QLatin1String("alwaysFits")).toBool();
   comparison_ = read(state.value(QLatin1String("comparedWith")), parseComparison).value_or(Comparison{});
-  showing_ = read(state.value(QLatin1String("shows")), showingNamed).value_or(Showing::Wipe);
-  if (!comparison_ || (showing_ == Showing::Difference && !hasDifference())) showing_ = Showing::First;
+  setShowing(read(state.value(QLatin1String("shows")), showingNamed).value_or(Showing::Wipe));
   const QJsonObject overlays = state.value(QLatin1String("overlays")).toObject();
   for (std::size_t index = 0; index < kOverlayCount; ++index)
     overlays_[index] = overlays.value(QLatin1String(kOverlayKeys[index]))
                            .toBool(static_cast<Overlay>(index) == Overlay::Grid);
-  viewport_->setDivider(state.value(QLatin1String("divider")).toDouble(0.5));
-  viewport_->setCamera(cameraOf(state.value(QLatin1String("camera")).toObject()));
-  change();
-  setHistogramShown(state.value(QLatin1String("histogram")).toBool());
-}
-
-QJsonObject ViewArea::state() const {
-  QJsonArray views;
-  for (const ViewPanel* view : views_) views.append(view->state());
-  return {{QStringLiteral("count"), count_},
-          {QStringLiteral("active"), active_},
-          {QStringLiteral("linked"), linked_},
-          {QStringLiteral("arrangement"),
-           QLatin1String(kArrangementKeys[static_cast<std::size_t>(arrangement_)])},
-          {QStringLiteral("views"), views}};
-}
-
-void ViewArea::setState(const QJsonObject& state) {
-  linked_ = state.value(QLatin1String("linked")).toBool(true);
-  const QString arrangement = state.value(QLatin1String("arrangement")).toString();
-  for (std::size_t index = 0; index < kArrangementKeys.size(); ++index)
-    if (arrangement == QLatin1String(kArrangementKeys[index]))
-      setArrangement(static_cast<Arrangement>(index));
-  const QJsonArray views = state.value(QLatin1String("views")).toArray();
-  for (int index = 0; index < kViewCount; ++index)
-    if (views.at(index).isObject()) view(index)->setState(views.at(index).toObject());
-  setViewCount(state.value(QLatin1String("count")).toInt(count_));
-  setActive(std::clamp(state.value(QLatin1String("active")).toInt(), 0, count_ - 1));
 }
 
 } // namespace taa::app
