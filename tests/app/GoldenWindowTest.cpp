@@ -1,4 +1,5 @@
 // Each page of the window looks as it did: a golden picture of each, scaled down.
+#include "app/panels/LeftArea.h"
 #include "tests/app/WindowFixture.h"
 #include "tests/support/pictures/Golden.h"
 
@@ -96,7 +97,7 @@ class GoldenWindow : public taa::app::test::FakeWindow {
 
   void open(const Page& page) {
     if (page.name == "light") window.setTheme(ThemeChoice::Light);
-    if (page.name == "scene") window.showScene(true);
+    if (page.name == "scene") window.left()->openPage(LeftPage::Scene);
     if (page.key != Qt::Key_unknown) key(page.key, page.modifiers);
     if (page.name == "plots") key(Qt::Key_F6, Qt::ControlModifier); // all frames
     QTest::qWait(400);                                              // charts follow a few times a second
