@@ -11,11 +11,11 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace taa::app {
 
-Viewport::Viewport(QWidget* parent)
-    : QWidget(parent), content_{intermediate(IntermediateId::resolved), {}, {}} {
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setCursor(Qt::CrossCursor);
@@ -52,7 +52,7 @@ void Viewport::setPictureSize(glm::ivec2 size) {
 }
 
 void Viewport::setContent(const ViewContent& content) {
-  content_ = content;
+  sides_.setContent(content);
   update();
 }
 
@@ -205,6 +205,190 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 
 void Viewport::focusInEvent(QFocusEvent*) {
   Q_EMIT activated();
+}
+
+void Viewport::setResult(std::shared_ptr<const ViewResult> result) {
+  sides_.setResult(std::move(result));
+  update();
+  if (hovered_) Q_EMIT hoverChanged();
+}
+
+void Viewport::setPlaying(bool playing) {
+  if (playing == sides_.isPlaying()) return;
+  sides_.setPlaying(playing);
+  update();
+}
+
+void Viewport::setOther(const std::optional<ViewContent>& other) {
+  sides_.setOther(other);
+  update();
+}
+
+void Viewport::setShowing(Showing showing) {
+  sides_.setShowing(showing);
+  update();
+}
+
+void Viewport::setPeeking(bool peeking) {
+  if (peeking == sides_.isPeeking()) return;
+  sides_.setPeeking(peeking);
+  update();
+}
+
+void Viewport::setShowsGrid(bool shows) {
+  showsGrid_ = shows;
+  update();
+}
+
+void Viewport::setDivider(double share) {
+  share = wipeShare(share, 1);
+  if (share == divider_) return;
+  divider_ = share;
+  update();
+  Q_EMIT dividerMoved();
+}
+
+bool Viewport::isOnDivider(QPointF position) const {
+  return shown() == Showing::Wipe && std::abs(position.x() - wipePosition(divider_, width())) <= kWipeReach;
+}
+
+std::vector<Viewport::SidePart> Viewport::parts(Showing showing) const {
+  if (showing == Showing::Other) return {{true, rect()}};
+  if (showing != Showing::Wipe) return {{false, rect()}};
+  const int line = wipePosition(divider_, width());
+  return {{false, QRect(0, 0, line, height())}, {true, QRect(line, 0, width() - line, height())}};
+}
+
+void Viewport::paintSide(QPainter& painter, const SidePart& side) const {
+  const QImage& image = sides_.image(side.other);
+  if (image.isNull() || !result()) return;
+  const ScreenRect place =
+      movedPicture(result()->request.transform, {image.width(), image.height()}, transform());
+  const double ratio = devicePixelRatioF();
+  painter.setClipRect(side.part);
+  painter.drawImage(QRectF(place.x / ratio, place.y / ratio, place.width / ratio, place.height / ratio),
+                    image);
+  painter.setClipping(false);
+}
+
+void Viewport::paintGridAndValues(QPainter& painter, const SidePart& side) const {
+  painter.setClipRect(side.part);
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  if (size_.x > 0 && showsGrid_ && overlay.texelSize() >= kGridZoom) overlay.paintGrid(painter);
+  if (showsValues() && side.other && sides_.otherSide())
+    overlay.paintValues(painter, otherContent()->row, sides_.otherSide()->values, sides_.otherRegion());
+  else if (showsValues() && !side.other && sides_.isResultOfContent())
+    overlay.paintValues(painter, shownContent().row, result()->values, result()->region);
+  painter.setClipping(false);
+}
+
+void Viewport::paintLabels(QPainter& painter, Showing showing) const {
+  if (!otherContent()) return;
+  const ThemeColors& colors = themeColors(this);
+  if (showing == Showing::Wipe) {
+    paintWipe(painter, rect(), wipePosition(divider_, width()));
+    const QRect half(0, 0, width() / 2, height());
+    paintSideLabel(painter, half, label(false), false, colors);
+    paintSideLabel(painter, half.translated(width() - half.width(), 0), label(true), true, colors);
+  } else if (showing == Showing::Difference) {
+    paintSideLabel(painter, rect(), tr("%1  −  %2").arg(label(false), label(true)), false, colors);
+  } else {
+    const bool isOther = showing == Showing::Other;
+    paintSideLabel(painter, rect(), label(isOther), isOther, colors);
+  }
+}
+
+void Viewport::paintOver(QPainter& painter, Showing showing) const {
+  for (const SidePart& side : parts(showing)) paintGridAndValues(painter, side);
+  paintLabels(painter, showing);
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
+}
+
+LegendFlow Viewport::legend(Showing showing, bool isFolded) const {
+  return sides_.legend(showing, isFolded, transform(), themeColors(this));
+}
+
+// At the lower edge; it gives way to the picked pixel.
+int Viewport::legendTop(int height) const {
+  const int top = this->height() - height;
+  if (marks_.empty() || !marks_.back().isActive) return top;
+  const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  const ScreenRect cell = overlay.pixelRect(marks_.back().pixel);
+  const bool isBelow = cell.y + cell.height > top - 2 * kUnit && cell.y < this->height();
+  return isBelow ? (otherContent() ? 7 * kUnit : 0) : top;
+}
+
+// Unfolded it stays at the edge where it was folded, under the mouse.
+ShownLegend Viewport::shownLegend() const {
+  constexpr int kShare = 6; // of the height is what a legend of more than a line may cover
+  LegendFlow whole = legend(shown());
+  const int height = whole.lines(width()) * kLegendHeight;
+  if (!isLegendWhole_ && height * kShare > this->height()) {
+    LegendFlow folded = legend(shown(), true);
+    const int least = folded.lines(width()) * kLegendHeight, top = legendTop(least);
+    const QRect sign = folded.lastPlace(width()).translated(0, top);
+    if (least < height && !isLegendOpen_) return {std::move(folded), {0, top, width(), least}, sign};
+    if (least < height) {
+      const bool isAtBottom = top + least == this->height();
+      return {std::move(whole), {0, isAtBottom ? this->height() - height : top, width(), height}, sign};
+    }
+  }
+  return {std::move(whole), {0, legendTop(height), width(), height}, {}};
+}
+
+void Viewport::paintLegend(QPainter& painter) const {
+  const ShownLegend legend = shownLegend();
+  legend.flow.paint(painter, legend.place.topLeft(), width(), themeColors(this));
+}
+
+void Viewport::setLegendWhole(bool whole) {
+  isLegendWhole_ = whole;
+  isLegendOpen_ = false;
+  update();
+}
+
+// On its sign, and for as long as the mouse stays on what was unfolded.
+void Viewport::openLegend(bool mayOpen) {
+  const ShownLegend legend = shownLegend();
+  const bool isOn = (isLegendOpen_ ? legend.place : legend.sign).contains(cursor_.toPoint());
+  const bool opens = mayOpen && !legend.sign.isEmpty() && isOn;
+  if (opens == isLegendOpen_) return;
+  isLegendOpen_ = opens;
+  update();
+}
+
+int Viewport::dividerColumn() const {
+  return static_cast<int>(std::lround(wipePosition(divider_, width()) * devicePixelRatioF()));
+}
+
+QImage Viewport::picture(bool withLegend) const {
+  const Picture sides = sides_.picture(dividerColumn());
+  if (sides.width == 0) return {};
+  const QImage shown(sides.rgba.data(), sides.width, sides.height, 4 * sides.width, QImage::Format_RGBA8888);
+  if (!withLegend) return shown.copy();
+  const double ratio = devicePixelRatioF();
+  const Showing now = sides_.showing();
+  const LegendFlow flow = legend(now);
+  const int strips = flow.lines(width()) * kLegendHeight;
+  // Of the format that the window is painted in: texts are then mixed with the picture to the same bits.
+  QImage image(sides.width, sides.height + static_cast<int>(std::lround(strips * ratio)),
+               QImage::Format_ARGB32_Premultiplied);
+  image.fill(themeColors(this).panel);
+  QPainter painter(&image);
+  painter.setCompositionMode(QPainter::CompositionMode_Source);
+  painter.drawImage(0, 0, shown);
+  painter.end();
+  image.setDevicePixelRatio(ratio);
+  painter.begin(&image);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  const int height = static_cast<int>(sides.height / ratio);
+  painter.setClipRect(QRectF(0, 0, sides.width / ratio, sides.height / ratio));
+  paintOver(painter, now);
+  painter.setClipping(false);
+  flow.paint(painter, {0, height}, static_cast<int>(std::ceil(sides.width / ratio)), themeColors(this));
+  painter.end();
+  return image.convertToFormat(QImage::Format_RGBA8888);
 }
 
 } // namespace taa::app

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/session/Pins.h"
+#include "app/views/ViewSides.h"
 #include "app/views/ViewportMath.h"
-#include "app/views/legend/Legend.h"
 #include "app/widgets/Drags.h"
 
 #include "core/inspect/Comparison.h"
@@ -28,8 +28,8 @@ class Viewport : public QWidget, public Draggable {
   void setPictureSize(glm::ivec2 size);
   /// What legend and overlays speak of.
   void setContent(const ViewContent& content);
-  const ViewContent& shownContent() const { return content_; }
-  const std::optional<ViewContent>& otherContent() const { return other_; }
+  const ViewContent& shownContent() const { return sides_.content(); }
+  const std::optional<ViewContent>& otherContent() const { return sides_.other(); }
   /// The other side, when there is one.
   void setOther(const std::optional<ViewContent>& other);
   void setShowing(Showing showing);
@@ -56,19 +56,21 @@ class Viewport : public QWidget, public Draggable {
   bool showsValues() const;
   std::optional<glm::ivec2> hovered() const { return hovered_; }
   /// The value at a pixel, when the last result brought it.
-  std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const;
-  std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const;
+  std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const { return sides_.valueAt(pixel); }
+  std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const {
+    return sides_.otherValueAt(pixel);
+  }
   double divider() const { return divider_; }
   /// The first column of the picture that a divider leaves to the other side.
   int dividerColumn() const;
   /// What is on the screen now, peeking included.
-  Showing shown() const;
+  Showing shown() const { return sides_.shown(); }
   /// What it shows, pixel for pixel of the screen, without what is only held for a moment; `withLegend`: with
   /// all that lies over it, and below it what that means. Null while a part of it is on its way.
   QImage picture(bool withLegend) const;
   /// Who is on a side: row, settings, frame.
-  QString label(bool other) const;
-  const std::shared_ptr<const ViewResult>& result() const { return result_; }
+  QString label(bool other) const { return sides_.label(other); }
+  const std::shared_ptr<const ViewResult>& result() const { return sides_.result(); }
   ShownLegend shownLegend() const;
 
   void cancelDrag() override;
@@ -104,7 +106,6 @@ class Viewport : public QWidget, public Draggable {
   void moveCamera(const ViewCamera& camera);
   void setHovered(std::optional<glm::ivec2> pixel);
   bool isOnDivider(QPointF position) const;
-  bool isResultOfContent() const;
   /// A side and the part of the widget that it is seen in.
   struct SidePart {
     bool other = false;
@@ -120,23 +121,13 @@ class Viewport : public QWidget, public Draggable {
   int legendTop(int height) const;
   void paintLegend(QPainter& painter) const;
   void openLegend(bool mayOpen);
-  bool isPictureComplete() const;
-  Picture sidesPicture() const;
-  bool isBesideAnotherFrame() const;
-  const ViewSide* otherSide() const; ///< that is there; null: none
 
   glm::ivec2 size_{0};
   ViewCamera camera_, pressCamera_; ///< now, and when a drag began
-  ViewContent content_;
-  std::optional<ViewContent> other_;
-  Showing showing_ = Showing::First;
-  bool peeks_ = false, showsGrid_ = true, dragsDivider_ = false;
+  ViewSides sides_;
+  bool showsGrid_ = true, dragsDivider_ = false;
   bool isLegendWhole_ = false, isLegendOpen_ = false;
   double divider_ = 0.5;
-  std::shared_ptr<const ViewResult> result_;
-  QImage image_, otherImage_;
-  std::shared_ptr<const ViewResult> kept_; ///< an earlier one, whose other side stays meanwhile; else null
-  bool playing_ = false;
   std::vector<PinMark> marks_; ///< the active one last
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;

@@ -1,0 +1,134 @@
+#include "app/views/ViewSides.h"
+
+#include "app/style/Theme.h"
+#include "app/views/legend/ReferenceNote.h"
+
+#include "core/inspect/ShownPicture.h"
+
+#include <memory>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+QImage imageOf(const Picture& picture) {
+  const QImage raw(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
+                   QImage::Format_RGBA8888);
+  return raw.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+std::optional<std::vector<float>> valueOf(const Image& values, const gl::Rect& region, glm::ivec2 pixel) {
+  const glm::ivec2 at = pixel - glm::ivec2(region.x, region.y);
+  if (at.x < 0 || at.y < 0 || at.x >= values.width || at.y >= values.height) return {};
+  const float* first = values.at(at.x, at.y);
+  return std::vector<float>(first, first + values.channels);
+}
+
+} // namespace
+
+ViewSides::ViewSides() : content_{intermediate(IntermediateId::resolved), {}, {}} {}
+
+void ViewSides::setResult(std::shared_ptr<const ViewResult> result) {
+  const std::shared_ptr<const ViewResult> before = kept_ ? kept_ : result_;
+  const bool keeps = !result->other && before && before->other && result->request.other &&
+                     result->request.other == before->request.other &&
+                     result->request.transform == before->request.transform &&
+                     result->picture.width == before->other->picture.width;
+  kept_ = keeps ? before : nullptr;
+  result_ = std::move(result);
+  image_ = imageOf(result_->picture);
+  if (!keeps) otherImage_ = result_->other ? imageOf(result_->other->picture) : QImage();
+}
+
+const ViewSide* ViewSides::otherSide() const {
+  const ViewResult* holder = kept_ ? kept_.get() : result_.get();
+  return holder && holder->other ? &*holder->other : nullptr;
+}
+
+Showing ViewSides::shown() const {
+  if (!other_) return Showing::First;
+  if (!peeks_) return showing_;
+  return showing_ == Showing::Other ? Showing::First : Showing::Other;
+}
+
+bool ViewSides::isResultOfContent() const {
+  return result_ && result_->request.id == content_.row.id &&
+         result_->request.asDifference == (other_ && showing_ == Showing::Difference);
+}
+
+std::optional<std::vector<float>> ViewSides::valueAt(glm::ivec2 pixel) const {
+  if (!isResultOfContent()) return {};
+  return valueOf(result_->values, result_->region, pixel);
+}
+
+std::optional<std::vector<float>> ViewSides::otherValueAt(glm::ivec2 pixel) const {
+  if (!other_ || !otherSide() || !result_->request.other) return {};
+  if (result_->request.other->id != other_->row.id) return {};
+  return valueOf(otherSide()->values, otherRegion(), pixel);
+}
+
+bool ViewSides::isBesideAnotherFrame() const {
+  return result_ && result_->request.other && result_->request.other->isOfAnotherFrame();
+}
+
+QString ViewSides::label(bool other) const {
+  const QString& text = other && other_ ? other_->text : content_.text;
+  if (!result_ || (other && !otherSide())) {
+    if (other && isBesideAnotherFrame() && isOfReference(other_->row.id))
+      return tr("%1 · only the frame on show has a reference: go to that frame to see its own").arg(text);
+    if (other && isBesideAnotherFrame() && playing_) return tr("%1 · comes when it is paused").arg(text);
+    return tr("%1 · on its way").arg(text);
+  }
+  const int frame = other ? otherSide()->frame : result_->frame;
+  const bool exact = other ? otherSide()->exact : result_->exact;
+  const QString framed = tr("%1 · frame %2").arg(text).arg(frame);
+  const bool waits = playing_ && (kept_ || result_->request.asDifference) && isBesideAnotherFrame();
+  if (other && waits) return tr("%1 · stays until it is paused").arg(framed);
+  return exact ? framed : tr("%1 · not exact yet").arg(framed);
+}
+
+bool ViewSides::isPictureComplete() const {
+  if (!isResultOfContent() || result_->picture.width == 0) return false;
+  const bool needsOther = other_ && (showing_ == Showing::Other || showing_ == Showing::Wipe);
+  if (!needsOther) return true;
+  return result_->other && !kept_ && result_->request.other && result_->request.other->id == other_->row.id &&
+         result_->other->picture.width == result_->picture.width;
+}
+
+Picture ViewSides::picture(int dividerColumn) const {
+  if (!isPictureComplete()) return {};
+  if (!other_ || showing_ == Showing::First || showing_ == Showing::Difference) return result_->picture;
+  if (showing_ == Showing::Other) return result_->other->picture;
+  return wiped(result_->picture, result_->other->picture, dividerColumn);
+}
+
+LegendSubject ViewSides::legendSubject(bool other, Showing showing) const {
+  const ViewContent& content = other ? *other_ : content_;
+  LegendSubject subject{content.row, content.style, !other && showing == Showing::Difference, {}};
+  const bool isOfOther =
+      other && otherSide() && result_->request.other && result_->request.other->id == content.row.id;
+  const bool isOfResult = !other && isResultOfContent();
+  if (isOfResult && totalOf(result_->reasons) > 0) subject.reasons = &result_->reasons;
+  if (isOfOther && totalOf(otherSide()->reasons) > 0) subject.reasons = &otherSide()->reasons;
+  if (isOfResult) subject.note = referenceNote(*result_);
+  subject.space = content.space;
+  return subject;
+}
+
+LegendFlow ViewSides::legend(Showing showing, bool isFolded, const ViewTransform& transform,
+                             const ThemeColors& colors) const {
+  const LegendSubject main = legendSubject(showing == Showing::Other, showing);
+  LegendFlow flow;
+  const ReasonCounts* beside = nullptr;
+  if (showing == Showing::Wipe) beside = legendSubject(true, showing).reasons;
+  if (beside && main.reasons && *beside == *main.reasons) beside = nullptr;
+  if (!isFolded) addOverlayLegend(flow, main, beside, transform, colors);
+  if (showing == Showing::Wipe && other_->row.id != main.row.id)
+    addRowLegend(flow, legendSubject(true, showing), colors);
+  addRowLegend(flow, main, colors);
+  if (isFolded) flow.text(tr("⋯ overlays"), secondaryFont(), colors.accent);
+  return flow;
+}
+
+} // namespace taa::app
