@@ -121,9 +121,9 @@ bool opensBeforeWindow(const Arguments& arguments) {
 }
 
 void begin(MainWindow& window, Session& session, const Arguments& arguments) {
-  if (!arguments.preset.empty()) session.setPreset(QString::fromStdString(arguments.preset));
+  if (!arguments.preset.empty()) session.presets().setPreset(QString::fromStdString(arguments.preset));
   showViews(window.views(), arguments);
-  if (arguments.pixel) session.setPick(*arguments.pixel);
+  if (arguments.pixel) session.probes().setPick(*arguments.pixel);
   if (arguments.reopens)
     window.keeper().reopen();
   else if (taa::isSessionName(arguments.source))
@@ -136,9 +136,9 @@ void begin(MainWindow& window, Session& session, const Arguments& arguments) {
       window.views().view(view)->viewport()->setCamera({false, *arguments.zoom, center});
   }
   window.openPage(arguments.panel);
-  if (!arguments.camera.empty()) session.setCamera(QString::fromStdString(arguments.camera));
-  if (arguments.track) session.addCameraTrack(*arguments.track);
-  if (!(arguments.filter == taa::ObjectFilter{})) session.setObjectFilter(arguments.filter);
+  if (!arguments.camera.empty()) session.scene().setCamera(QString::fromStdString(arguments.camera));
+  if (arguments.track) session.scene().addCameraTrack(*arguments.track);
+  if (!(arguments.filter == taa::ObjectFilter{})) session.scene().setObjectFilter(arguments.filter);
 }
 
 void endScreenshot(int code, const QString& text) {

@@ -44,7 +44,7 @@ void CameraFiles::askForFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     try {
-      session_.addCameraTrack(readCameraTrack(file.toStdString()));
+      session_.scene().addCameraTrack(readCameraTrack(file.toStdString()));
     } catch (const Error& error) {
       Q_EMIT failed(QString::fromUtf8(error.what()));
     }
@@ -58,14 +58,14 @@ void CameraFiles::askForName() {
   auto* prompt = new Prompt(
       tr("Name of the flown camera"), QString::fromStdString(track->name),
       [this, name = track->name](const QString& text) {
-        return session_.renameCamera(name, text.trimmed().toStdString());
+        return session_.scene().renameCamera(name, text.trimmed().toStdString());
       },
       window_);
   prompt->open();
 }
 
 void CameraFiles::remove() {
-  if (const CameraTrackHandle track = flown()) session_.removeCamera(track->name);
+  if (const CameraTrackHandle track = flown()) session_.scene().removeCamera(track->name);
 }
 
 } // namespace taa::app

@@ -104,16 +104,17 @@ void Exports::writeRange(const SequenceRequest& request) {
 }
 
 void Exports::askForGlsl() {
-  const QString name = QStringLiteral("taa_resolve_%1.frag").arg(QString::fromStdString(session_.presetId()));
+  const QString name =
+      QStringLiteral("taa_resolve_%1.frag").arg(QString::fromStdString(session_.presets().presetId()));
   askForPlace(window_, tr("Export resolve and output as GLSL"), name, tr("GLSL (*.frag *.glsl)"),
               [this](const QString& path) { writeGlsl(path); });
 }
 
 void Exports::writeGlsl(const QString& path) {
   try {
-    const std::string title =
-        settingsTitle(session_.presetId(), session_.settings(), session_.presetSettings());
-    writeFile(path.toStdString(), exportedGlsl(session_.settings(), title));
+    const std::string title = settingsTitle(session_.presets().presetId(), session_.presets().settings(),
+                                            session_.presets().presetSettings());
+    writeFile(path.toStdString(), exportedGlsl(session_.presets().settings(), title));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -48,7 +48,7 @@ void Flight::setOn(bool on) {
   rest();
   takeStatus();
   if (on) views_->active()->viewport()->setFocus();
-  if (!on && isRecording()) session_.setRecording(false);
+  if (!on && isRecording()) session_.scene().setRecording(false);
   Q_EMIT changed();
 }
 
@@ -63,13 +63,13 @@ int Flight::recordedFrames() const {
 void Flight::toggleRecording() {
   if (!session_.isOpen()) return;
   if (!isRecording()) setOn(true);
-  session_.setRecording(!isRecording());
+  session_.scene().setRecording(!isRecording());
 }
 
 void Flight::reset() {
   rest();
   waits_ = false;
-  session_.backToSceneCamera();
+  session_.scene().backToSceneCamera();
 }
 
 // The camera may be moved by others: by time, a menu, another scene.
@@ -114,7 +114,7 @@ void Flight::send(const CameraPose& pose, double tookSeconds) {
   if (pose == pose_) return;
   pose_ = pose;
   waits_ = true;
-  session_.fly(pose_, std::chrono::duration<double>(tookSeconds));
+  session_.scene().fly(pose_, std::chrono::duration<double>(tookSeconds));
 }
 
 float Flight::sinceLast() {

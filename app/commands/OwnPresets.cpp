@@ -28,7 +28,7 @@ void OwnPresets::askForName() {
       [this](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
         confirmReplace(window_, {userPresetPath(folder_, text).toStdString()}, [this, text] {
-          session_.savePreset(folder_, text);
+          session_.presets().savePreset(folder_, text);
           list();
         });
         return true;
@@ -41,7 +41,7 @@ void OwnPresets::askForFile() {
   auto* dialog = new QFileDialog(window_, tr("Open a preset"), folder_, tr("Presets (*.json)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, &session_, &Session::setPreset);
+  connect(dialog, &QFileDialog::fileSelected, &session_.presets(), &PresetChoices::setPreset);
   dialog->open();
 }
 

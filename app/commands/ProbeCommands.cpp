@@ -22,14 +22,15 @@ ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& pane
 
 bool ProbeCommands::pinAnother() {
   const auto hovered = views_.active()->viewport()->hovered();
-  const auto pick = session_.pick();
+  const auto pick = session_.probes().pick();
   if (!hovered && !pick) return false;
   const auto isTaken = [this](const glm::ivec2& pixel) {
-    return std::ranges::any_of(session_.pins(), [&](const ProbePin& pin) { return pin.pixel == pixel; });
+    return std::ranges::any_of(session_.probes().pins(),
+                               [&](const ProbePin& pin) { return pin.pixel == pixel; });
   };
   glm::ivec2 pixel = hovered ? *hovered : *pick;
   while (isTaken(pixel)) ++pixel.x;
-  session_.addPin(pixel);
+  session_.probes().addPin(pixel);
   return true;
 }
 
@@ -39,14 +40,14 @@ void ProbeCommands::copyValue() {
 }
 
 void ProbeCommands::copy(ProbeFormat format) {
-  const ProbeResult* result = session_.probe();
+  const ProbeResult* result = session_.probes().probe();
   if (!result || result->around.empty()) return;
   const Status& status = session_.status();
   const ProbeReport report{{status.source, status.camera,
                             status.driver.renderer + ", " + status.driver.version, status.width,
                             status.height},
                            {result->x, result->y},
-                           {{{"", session_.presetId(), result->settings, result->info},
+                           {{{"", session_.presets().presetId(), result->settings, result->info},
                              result->around[result->around.size() / 2],
                              {},
                              result->details}}};

@@ -83,7 +83,7 @@ GlslWindow::GlslWindow(Session& session, QWidget* parent)
   connect(search_, &QLineEdit::returnPressed, this, [this] { find(true); });
   connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, search_,
           [this] { search_->setFocus(); });
-  connect(&session_, &Session::settingsChanged, this, &GlslWindow::refresh);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, this, &GlslWindow::refresh);
   connect(&session_, &Session::shadersReloaded, this, &GlslWindow::refresh);
   refresh();
 }
@@ -106,18 +106,18 @@ void GlslWindow::showStage(Stage stage) {
 // What is made of the settings takes longer than a key may.
 void GlslWindow::refresh() {
   const QString what = files_->currentData().toString();
-  const std::string title =
-      settingsTitle(session_.presetId(), session_.settings(), session_.presetSettings());
-  QThreadPool::globalInstance()->start(
-      [self = QPointer<GlslWindow>(this), what, title, settings = session_.settings(), asked = ++asked_] {
-        const QString text = textOf(what, settings, title);
-        QMetaObject::invokeMethod(
-            qApp,
-            [self, text, asked] {
-              if (self && self->asked_ == asked) self->text_->setText(text);
-            },
-            Qt::QueuedConnection);
-      });
+  const std::string title = settingsTitle(session_.presets().presetId(), session_.presets().settings(),
+                                          session_.presets().presetSettings());
+  QThreadPool::globalInstance()->start([self = QPointer<GlslWindow>(this), what, title,
+                                        settings = session_.presets().settings(), asked = ++asked_] {
+    const QString text = textOf(what, settings, title);
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, text, asked] {
+          if (self && self->asked_ == asked) self->text_->setText(text);
+        },
+        Qt::QueuedConnection);
+  });
   const QString folder = ShaderWatch::folder();
   const bool isFile = what != kProgram && what != kExport;
   if (!isFile)

@@ -72,7 +72,7 @@ PresetsDialog::PresetsDialog(Session& session, QString folder, QWidget* parent)
   connect(list_, &QListWidget::currentRowChanged, this, &PresetsDialog::compare);
   connect(list_, &QListWidget::itemActivated, this, &PresetsDialog::apply);
   connect(table_, &QTreeWidget::itemActivated, this, &PresetsDialog::applyValue);
-  connect(&session_, &Session::settingsChanged, this, &PresetsDialog::compare);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, this, &PresetsDialog::compare);
   connect(&session_, &Session::errorOccurred, this, [this](const QString& sentence) {
     error_->setText(sentence);
     error_->setVisible(true);
@@ -113,7 +113,7 @@ QWidget* PresetsDialog::makeButtons() {
 void PresetsDialog::readPresets(const QString& wanted) {
   const QString before = !wanted.isEmpty() ? wanted
                          : chosen()        ? chosen()->idOrPath
-                                           : QString::fromStdString(session_.presetId());
+                                           : QString::fromStdString(session_.presets().presetId());
   entries_.clear();
   for (const Preset& preset : builtinPresets())
     entries_.push_back({tableText(preset.label), QString::fromStdString(preset.id), preset.settings, false});
@@ -144,7 +144,7 @@ const PresetsDialog::Entry* PresetsDialog::chosen() const {
 void PresetsDialog::compare() {
   const Entry* entry = chosen();
   table_->clear();
-  const Settings& now = session_.settings();
+  const Settings& now = session_.presets().settings();
   if (entry)
     for (const Parameter& row : parameters()) {
       const double present = row.get(now), there = row.get(entry->settings);
@@ -169,13 +169,13 @@ void PresetsDialog::compare() {
 }
 
 void PresetsDialog::apply() {
-  if (const Entry* entry = chosen()) session_.setPreset(entry->idOrPath);
+  if (const Entry* entry = chosen()) session_.presets().setPreset(entry->idOrPath);
 }
 
 void PresetsDialog::applyValue() {
   if (const QTreeWidgetItem* item = table_->currentItem())
-    session_.setParameter(item->data(Setting, Qt::UserRole).toString(),
-                          item->data(InPreset, Qt::UserRole).toDouble());
+    session_.presets().setParameter(item->data(Setting, Qt::UserRole).toString(),
+                                    item->data(InPreset, Qt::UserRole).toDouble());
 }
 
 // `act` says which preset is chosen then. What fails is said below, and everything stays as it was.
@@ -199,8 +199,8 @@ void PresetsDialog::save() {
         if (text.trimmed().isEmpty()) return false;
         confirmReplace(this, {userPresetPath(folder_, text).toStdString()}, [this, text] {
           change([&] {
-            QString path = saveUserPreset(folder_, text, session_.settings());
-            session_.setPreset(path);
+            QString path = saveUserPreset(folder_, text, session_.presets().settings());
+            session_.presets().setPreset(path);
             return path;
           });
         });

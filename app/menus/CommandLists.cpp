@@ -69,14 +69,14 @@ void CommandLists::choose() {
                        {},
                        command.action->isEnabled()});
   const std::vector<ParameterValue> values = parameterValues(); // behind the commands
-  for (const ParameterValue& value : values) entries.push_back(entryOf(value, session_.settings()));
+  for (const ParameterValue& value : values) entries.push_back(entryOf(value, session_.presets().settings()));
   auto* chooser = new Chooser(
       tr("Search commands"), std::move(entries),
       [this, values](int index) {
         const auto commands = commands_.all().size(), at = static_cast<std::size_t>(index);
         if (at < commands) return commands_.all()[at].action->trigger();
         const ParameterValue& chosen = values[at - commands];
-        session_.setParameter(qtext(chosen.row->path), chosen.value);
+        session_.presets().setParameter(qtext(chosen.row->path), chosen.value);
       },
       window_);
   const int left = std::max(0, (window_->width() - 480) / 2);

@@ -54,7 +54,7 @@ CompareMenu::CompareMenu(Commands& commands, const Session& session, ViewArea& v
     views.active()->setComparison({OtherKind::FramesBefore, {}, {}, 1});
   });
   add(tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [&session, &views] {
-    views.active()->setComparison({OtherKind::Preset, {}, session.presetId()});
+    views.active()->setComparison({OtherKind::Preset, {}, session.presets().presetId()});
   });
   QAction* none = add(tr("With &nothing"), keys({"Alt+C"}), [&views] { views.active()->setComparison({}); });
   onRefresh([&views, none] { none->setEnabled(static_cast<bool>(views.active()->comparison())); });

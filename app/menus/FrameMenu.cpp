@@ -73,10 +73,10 @@ void FrameMenu::addLooping(TimelinePanel& timeline) {
 
 void FrameMenu::addRestarts(TimelinePanel& timeline) {
   add(tr("&Restart the history here, or no longer"), keys({"Shift+R"}), [this, &timeline] {
-    if (session_.isOpen()) session_.toggleRestart(timeline.frame());
+    if (session_.isOpen()) session_.scene().toggleRestart(timeline.frame());
   });
-  QAction* restarts = add(tr("Take all restarts awa&y"), {}, [this] { session_.removeRestarts(); });
-  onRefresh([this, restarts] { restarts->setEnabled(!session_.restarts().empty()); });
+  QAction* restarts = add(tr("Take all restarts awa&y"), {}, [this] { session_.scene().removeRestarts(); });
+  onRefresh([this, restarts] { restarts->setEnabled(!session_.scene().restarts().empty()); });
 }
 
 void FrameMenu::addSizes(GoToPrompts& prompts) {
@@ -117,7 +117,8 @@ void FrameMenu::refreshCameras(QMenu* menu) {
     menu->clear();
     for (const std::string& name : cameraNames_) {
       const QString text = QString::fromStdString(name);
-      menu->addAction(text, &session_, [this, text] { session_.setCamera(text); })->setCheckable(true);
+      menu->addAction(text, &session_, [this, text] { session_.scene().setCamera(text); })
+          ->setCheckable(true);
     }
   }
   for (QAction* action : menu->actions()) action->setChecked(action->text().toStdString() == status.camera);
@@ -138,8 +139,9 @@ void FrameMenu::refreshObjects(QMenu* menu) {
       QMenu* modes = menu->addMenu(QString::fromStdString(name).replace(u'&', QStringLiteral("&&")));
       for (std::size_t mode = 0; mode < kMotionModes.size(); ++mode)
         modes
-            ->addAction(tableText(kMotionModes[mode].label), &session_,
-                        [this, name, mode] { session_.setMotionMode(name, static_cast<MotionMode>(mode)); })
+            ->addAction(
+                tableText(kMotionModes[mode].label), &session_,
+                [this, name, mode] { session_.scene().setMotionMode(name, static_cast<MotionMode>(mode)); })
             ->setCheckable(true);
     }
   }

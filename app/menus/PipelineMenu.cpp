@@ -20,13 +20,14 @@ PipelineMenu::PipelineMenu(Commands& commands, const Targets& on, QWidget* paren
     : CommandMenu(tr("&Pipeline"), commands, parent) {
   setToolTipsVisible(true);
   Session& session = on.session;
-  QAction* taa = addCheck(
-      tr("&TAA, or the frames as they are drawn"), QKeySequence(QStringLiteral("Shift+T")),
-      [&session](bool isOn) { session.setParameter(QStringLiteral("taa.enabled"), isOn ? 1.0 : 0.0); });
-  onRefresh([&session, taa] { taa->setChecked(isTaaOn(session.settings())); });
+  QAction* taa = addCheck(tr("&TAA, or the frames as they are drawn"),
+                          QKeySequence(QStringLiteral("Shift+T")), [&session](bool isOn) {
+                            session.presets().setParameter(QStringLiteral("taa.enabled"), isOn ? 1.0 : 0.0);
+                          });
+  onRefresh([&session, taa] { taa->setChecked(isTaaOn(session.presets().settings())); });
   addPresets(session);
   addOwnPresets(session, on.presets);
-  add(tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.backToPreset(); });
+  add(tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.presets().backToPreset(); });
   addSeparator();
   add(tr("&Unfold all stages"), keys({"Ctrl+Down"}),
       [&pipeline = on.pipeline] { pipeline.setAllExpanded(true); });
@@ -51,7 +52,7 @@ void PipelineMenu::addPresets(Session& session) {
     const QList<QKeySequence> key =
         ++number <= 9 ? QList<QKeySequence>{QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number))}
                       : QList<QKeySequence>();
-    commands_.add(listed, tableText(preset.label), key, [&session, id] { session.setPreset(id); })
+    commands_.add(listed, tableText(preset.label), key, [&session, id] { session.presets().setPreset(id); })
         ->setToolTip(tableText(preset.description));
   }
 }
@@ -61,7 +62,8 @@ void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets) {
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &session, &presets] {
     menu->clear();
     for (const UserPreset& preset : userPresets(presets.folder()))
-      menu->addAction(preset.label, this, [&session, path = preset.path] { session.setPreset(path); });
+      menu->addAction(preset.label, this,
+                      [&session, path = preset.path] { session.presets().setPreset(path); });
     if (menu->isEmpty()) menu->addAction(tr("None saved yet"))->setEnabled(false);
   });
   add(tr("&Save as preset…"), keys({"Ctrl+Alt+S"}), [&presets] { presets.askForName(); });

@@ -32,10 +32,10 @@ void ProbeMenu::addPlaces(const Targets& on) {
     prompts.askForPixel();
   })->setIcon(themedIcon(QStringLiteral("probe")));
   add(tr("Go to the probe"), keys({"P"}), [&session, &views = on.views] {
-    if (const auto pick = session.pick()) views.active()->viewport()->reveal(*pick);
+    if (const auto pick = session.probes().pick()) views.active()->viewport()->reveal(*pick);
   });
-  add(tr("&Remove the probe"), keys({"Del"}), [&session] { session.setPick({}); });
-  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&session] { session.removeAllPins(); });
+  add(tr("&Remove the probe"), keys({"Del"}), [&session] { session.probes().setPick({}); });
+  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&session] { session.probes().removeAllPins(); });
 }
 
 void ProbeMenu::addPins(const Targets& on) {
@@ -45,19 +45,21 @@ void ProbeMenu::addPins(const Targets& on) {
         if (!probe.pinAnother()) prompts.askForPixel();
       });
   const auto choose = [&session](int step) {
-    const int count = static_cast<int>(session.pins().size());
-    if (count > 0) session.setActivePin((session.activePin() + step + count) % count);
+    const int count = static_cast<int>(session.probes().pins().size());
+    if (count > 0) session.probes().setActivePin((session.probes().activePin() + step + count) % count);
   };
   add(tr("Ne&xt probe"), keys({"Ctrl+N"}), [choose] { choose(1); });
   add(tr("Previo&us probe"), keys({"Ctrl+Shift+N"}), [choose] { choose(-1); });
-  QAction* follows = addCheck(
-      tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")), [&session](bool isOnSurface) {
-        session.setFollow(session.activePin(), isOnSurface ? Follow::Surface : Follow::Screen);
-      });
+  QAction* follows = addCheck(tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")),
+                              [&session](bool isOnSurface) {
+                                session.probes().setFollow(session.probes().activePin(),
+                                                           isOnSurface ? Follow::Surface : Follow::Screen);
+                              });
   onRefresh([&session, follows] {
-    const int pin = session.activePin();
+    const int pin = session.probes().activePin();
     follows->setEnabled(pin >= 0);
-    follows->setChecked(pin >= 0 && session.pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
+    follows->setChecked(pin >= 0 &&
+                        session.probes().pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
   });
 }
 

@@ -24,7 +24,8 @@ SceneMenu::SceneMenu(Commands& commands, const Targets& on, QWidget* parent)
   addSelection(on.scene);
   QAction* all =
       add(tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [&scene = on.scene] { scene.showAll(); });
-  onRefresh([all, &session = on.session] { all->setEnabled(!(session.objectFilter() == ObjectFilter{})); });
+  onRefresh(
+      [all, &session = on.session] { all->setEnabled(!(session.scene().objectFilter() == ObjectFilter{})); });
 }
 
 void SceneMenu::addFlight(Flight& flight) {

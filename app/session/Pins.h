@@ -1,4 +1,4 @@
-// The pinned probes of a session, in the order of their numbers, with what last arrived for each.
+// The list of pinned probes, in the order of their numbers, with what last arrived for each.
 #pragma once
 
 #include "core/requests/Results.h"

@@ -70,7 +70,7 @@ SessionKeeper::SessionKeeper(Session& session, StateAccess state, QSettings* set
   if (!settings_) return;
   const auto text = [this] { return session_.isOpen() ? sessionToText(wholeFile()) : std::string(); };
   autosave_ = new Autosave(autosaveFolder(*settings_), text, this);
-  connect(&session_, &Session::settingsChanged, autosave_, &Autosave::saveSoon);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, autosave_, &Autosave::saveSoon);
 }
 
 SessionFile SessionKeeper::file() const {
@@ -192,7 +192,7 @@ void SessionKeeper::openFirst() {
   toSay_ = tr("What was open last is not open again: %1.").arg(lastError_);
   if (kept) toSay_ += QLatin1Char(' ') + tr("It has been kept as %1.").arg(*kept);
   state_.apply(firstState_);
-  session_.setPreset(QString::fromStdString(builtinPresets().front().id));
+  session_.presets().setPreset(QString::fromStdString(builtinPresets().front().id));
   session_.open(QString::fromLatin1(kFirstSource));
 }
 
@@ -215,7 +215,7 @@ void SessionKeeper::startAnew() {
   const glm::ivec2 size = firstSize(session_.status().driver);
   session_.open(QString::fromLatin1(kFirstSource));
   session_.setSize(size.x, size.y);
-  session_.setPreset(QString::fromStdString(builtinPresets().front().id));
+  session_.presets().setPreset(QString::fromStdString(builtinPresets().front().id));
   session_.setCheckpointBudget(kDefaultCheckpointBudget);
   state_.apply(firstState_);
 }

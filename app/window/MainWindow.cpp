@@ -228,16 +228,17 @@ void MainWindow::connectMenus() {
   connect(flight_, &Flight::changed, all, &Commands::refresh);
   connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
-  connect(&session_, &Session::settingsChanged, all, &Commands::refresh);
-  connect(&session_, &Session::pickChanged, all, &Commands::refresh);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
+  connect(&session_.probes(), &PinnedProbes::pickChanged, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
 }
 
 void MainWindow::connectPanels() {
-  connect(pipeline_, &PipelinePanel::parameterEdited, &session_, &Session::setParameter);
-  connect(pipeline_, &PipelinePanel::presetChosen, &session_, &Session::setPreset);
-  connect(pipeline_, &PipelinePanel::parameterConsidered, &session_, &Session::prepareParameter);
-  connect(pipeline_, &PipelinePanel::presetConsidered, &session_, &Session::preparePreset);
+  connect(pipeline_, &PipelinePanel::parameterEdited, &session_.presets(), &PresetChoices::setParameter);
+  connect(pipeline_, &PipelinePanel::presetChosen, &session_.presets(), &PresetChoices::setPreset);
+  connect(pipeline_, &PipelinePanel::parameterConsidered, &session_.presets(),
+          &PresetChoices::prepareParameter);
+  connect(pipeline_, &PipelinePanel::presetConsidered, &session_.presets(), &PresetChoices::preparePreset);
   connect(&session_, &Session::stageSharesArrived, pipeline_, &PipelinePanel::setShares);
   connect(&session_, &Session::statusChanged, pipeline_,
           [this] { pipeline_->setFrame(session_.status().info.frame, session_.status().playing); });
@@ -262,7 +263,7 @@ void MainWindow::connectProfiler() {
 
 void MainWindow::connectSession() {
   connect(&session_, &Session::statusChanged, this, &MainWindow::showStatus);
-  connect(&session_, &Session::settingsChanged, this, &MainWindow::showSettings);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, this, &MainWindow::showSettings);
   connect(&session_, &Session::workChanged, this, [this] {
     const Work& work = session_.work();
     work_->setWork(QString::fromStdString(work.what), work.done, work.total);
@@ -316,10 +317,10 @@ void MainWindow::startSource(const Status& status) {
   for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
   messages_->setWarnings(warnings);
   // Nobody's change, so there is nothing to undo.
-  if (status.source == kFirstSource && !session_.pick() && !keeper_->isFromSession())
-    session_.setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
-                       .frame = status.info.frame}},
-                     0);
+  if (status.source == kFirstSource && !session_.probes().pick() && !keeper_->isFromSession())
+    session_.probes().setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
+                                .frame = status.info.frame}},
+                              0);
 }
 
 void MainWindow::showTitle() {
@@ -331,9 +332,10 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::showSettings() {
-  pipeline_->setSettings(session_.settings(), session_.presetSettings());
-  pipeline_->setPreset(QString::fromStdString(session_.presetId()), session_.isPresetChanged());
-  views_->setSpaces(session_.settings().space, session_.otherLanes());
+  pipeline_->setSettings(session_.presets().settings(), session_.presets().presetSettings());
+  pipeline_->setPreset(QString::fromStdString(session_.presets().presetId()),
+                       session_.presets().isPresetChanged());
+  views_->setSpaces(session_.presets().settings().space, session_.presets().otherLanes());
   showStatus();
 }
 

@@ -31,7 +31,7 @@ void PlotFeed::connectTraces() {
   connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
     if (trace.frame == session_.status().info.frame) showHistory();
   });
-  connect(&session_, &Session::pickChanged, this, &PlotFeed::showTraces);
+  connect(&session_.probes(), &PinnedProbes::pickChanged, this, &PlotFeed::showTraces);
   connect(&session_, &Session::workChanged, this,
           [this] { to_.plots.setFilling(session_.work().kind == WorkKind::Traces); });
 }
@@ -49,7 +49,7 @@ void PlotFeed::connectFigures() {
 // Probes are followed over frames as long as somebody looks.
 void PlotFeed::showTraces() {
   session_.setTracing(to_.plots.isVisible() || to_.jitter.isVisible() || to_.weights.isVisible());
-  to_.plots.setPins(session_.pins(), session_.activePin());
+  to_.plots.setPins(session_.probes().pins(), session_.probes().activePin());
   showHistory();
 }
 
@@ -60,18 +60,18 @@ void PlotFeed::showHistory() {
   if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
   const Status& status = session_.status();
   PixelHistory history;
-  history.settings = session_.settings();
+  history.settings = session_.presets().settings();
   history.frame = status.info.frame;
   if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
     history.jitterWay = status.info.jitterWay;
   for (const std::vector<int>* starts : {&status.cuts, &status.restarts})
     for (const int start : *starts)
       if (start <= history.frame) history.start = std::max(history.start, start);
-  if (const int active = session_.activePin(); active >= 0) {
-    const ProbePin& pin = session_.pins()[static_cast<std::size_t>(active)];
+  if (const int active = session_.probes().activePin(); active >= 0) {
+    const ProbePin& pin = session_.probes().pins()[static_cast<std::size_t>(active)];
     if (const PixelTrace* trace = to_.plots.store().traceOf(pin))
       history.measured = alphasUpTo(*trace, history.frame, kMostFramesBack);
-    if (const auto pixel = session_.pick())
+    if (const auto pixel = session_.probes().pick())
       history.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
   }
   to_.jitter.setHistory(history);

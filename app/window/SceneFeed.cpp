@@ -27,15 +27,15 @@ SceneFeed::SceneFeed(Session& session, ViewArea& views, ScenePanel& panel)
 }
 
 void SceneFeed::connectPanel() {
-  connect(&panel_, &ScenePanel::hiddenAsked, &session_, &Session::setHidden);
-  connect(&panel_, &ScenePanel::isolationAsked, &session_, &Session::setIsolated);
-  connect(&panel_, &ScenePanel::filterAsked, &session_, &Session::setObjectFilter);
-  connect(&panel_, &ScenePanel::motionAsked, &session_, &Session::setMotionMode);
-  connect(&panel_, &ScenePanel::classAsked, &session_, &Session::setObjectClass);
-  connect(&panel_, &ScenePanel::locationAsked, &session_, &Session::locate);
+  connect(&panel_, &ScenePanel::hiddenAsked, &session_.scene(), &SceneChoices::setHidden);
+  connect(&panel_, &ScenePanel::isolationAsked, &session_.scene(), &SceneChoices::setIsolated);
+  connect(&panel_, &ScenePanel::filterAsked, &session_.scene(), &SceneChoices::setObjectFilter);
+  connect(&panel_, &ScenePanel::motionAsked, &session_.scene(), &SceneChoices::setMotionMode);
+  connect(&panel_, &ScenePanel::classAsked, &session_.scene(), &SceneChoices::setObjectClass);
+  connect(&panel_, &ScenePanel::locationAsked, &session_.scene(), &SceneChoices::locate);
   connect(&panel_, &ScenePanel::revealAsked, this, [this](glm::ivec2 pixel) {
     reveals_ = true; // the object is selected already
-    session_.setPick(pixel);
+    session_.probes().setPick(pixel);
     reveals_ = false;
     views_.active()->viewport()->reveal(pixel);
   });
@@ -43,15 +43,15 @@ void SceneFeed::connectPanel() {
 
 // A new pick selects its object; while time runs on under the probe the selection stays.
 void SceneFeed::connectPick() {
-  connect(&session_, &Session::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
-  connect(&session_, &Session::probeArrived, this, &SceneFeed::selectPicked);
+  connect(&session_.probes(), &PinnedProbes::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
+  connect(&session_.probes(), &PinnedProbes::probeArrived, this, &SceneFeed::selectPicked);
 }
 
 void SceneFeed::selectPicked() {
-  const ProbeResult* probe = session_.probe();
+  const ProbeResult* probe = session_.probes().probe();
   // There is nothing around a pin that is off the screen or not there yet.
   if (!probe || probe->around.size() < 5 || !selectsPicked_ ||
-      session_.pick() != glm::ivec2(probe->x, probe->y))
+      session_.probes().pick() != glm::ivec2(probe->x, probe->y))
     return;
   selectsPicked_ = false;
   panel_.selectObject(objectAt(*probe));
@@ -59,7 +59,8 @@ void SceneFeed::selectPicked() {
 
 void SceneFeed::showStatus() {
   panel_.setStatus(session_.status());
-  panel_.setChoices(session_.objectFilter(), session_.motionModes(), session_.objectClasses());
+  panel_.setChoices(session_.scene().objectFilter(), session_.scene().motionModes(),
+                    session_.scene().objectClasses());
   showArea();
 }
 

@@ -60,9 +60,9 @@ bool Screenshot::isComplete() const {
   }
   const PipelinePanel& pipeline = of_.pipeline;
   if (pipeline.isVisible() && pipeline.showsThumbnails() && !pipeline.hasThumbnailsOf(frame_)) return false;
-  if (!session.pick()) return true;
-  const ProbeResult* probe = session.probe();
-  return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.pick();
+  if (!session.probes().pick()) return true;
+  const ProbeResult* probe = session.probes().probe();
+  return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.probes().pick();
 }
 
 // The profiler shows the stages, too, which are only measured when somebody asks.
@@ -78,12 +78,12 @@ bool Screenshot::areTracesComplete() {
   const PlotsPanel& plots = of_.plots;
   const Session& session = of_.session;
   const bool isShown = plots.isVisible() || of_.jitter.isVisible() || of_.weights.isVisible();
-  if (!isShown || session.pins().empty()) return true;
+  if (!isShown || session.probes().pins().empty()) return true;
   const int first = std::max(0, frame_ - kTracedFrames);
   if (!std::exchange(asksForTraces_, true)) of_.session.fillTraces(first, frame_);
   if (session.work().kind == WorkKind::Traces) sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
-  return std::ranges::all_of(session.pins(), [&](const ProbePin& pin) {
+  return std::ranges::all_of(session.probes().pins(), [&](const ProbePin& pin) {
     const PixelTrace* trace = plots.store().traceOf(pin);
     return trace && missingFrames(*trace, first, frame_).empty();
   });

@@ -24,8 +24,8 @@ ViewFeed::ViewFeed(Session& session, ViewArea& views, PipelinePanel& pipeline, S
 
 // Lanes first: what is asked of them waits until they are there.
 void ViewFeed::request() {
-  session_.setOtherPresets(views_.comparedPresets());
-  views_.setSpaces(session_.settings().space, session_.otherLanes());
+  session_.presets().setOtherPresets(views_.comparedPresets());
+  views_.setSpaces(session_.presets().settings().space, session_.presets().otherLanes());
   session_.setViews(views_.requests());
 }
 

@@ -61,10 +61,10 @@ QJsonObject WindowState::capture() const {
   state[QStringLiteral("plots")] = of_.plots.state();
   state[QStringLiteral("pipeline")] = of_.pipeline.state();
   state[QStringLiteral("probe")] = of_.probe.state();
-  state[QStringLiteral("scene")] = of_.session.sceneState();
+  state[QStringLiteral("scene")] = of_.session.scene().state();
   state[QStringLiteral("sceneTree")] = of_.scene.state();
-  state[QStringLiteral("pins")] = pinsJson(of_.session.pins());
-  state[QStringLiteral("activePin")] = of_.session.activePin();
+  state[QStringLiteral("pins")] = pinsJson(of_.session.probes().pins());
+  state[QStringLiteral("activePin")] = of_.session.probes().activePin();
   state[QStringLiteral("looping")] = of_.session.isLooping();
   state[QStringLiteral("referenceSamples")] = of_.session.status().referenceGoal;
   state[QStringLiteral("panels")] = panels();
@@ -116,10 +116,10 @@ void WindowState::applySession(const QJsonObject& state) const {
   if (const int samples = state[QStringLiteral("referenceSamples")].toInt(); samples > 0)
     of_.session.setReferenceSamples(samples);
   if (const QJsonValue scene = state[QStringLiteral("scene")]; scene.isObject())
-    of_.session.setSceneState(scene.toObject());
+    of_.session.scene().setState(scene.toObject());
   const std::vector<ProbePin> pins = pinsFrom(state[QStringLiteral("pins")].toArray());
   const int last = static_cast<int>(pins.size()) - 1;
-  of_.session.setPins(pins, std::clamp(state[QStringLiteral("activePin")].toInt(-1), -1, last));
+  of_.session.probes().setPins(pins, std::clamp(state[QStringLiteral("activePin")].toInt(-1), -1, last));
 }
 
 } // namespace taa::app

@@ -8,8 +8,8 @@
 namespace taa::app {
 
 QString settingsName(const Session& session) {
-  return QString::fromStdString(session.presetId()) +
-         (session.isPresetChanged() ? QStringLiteral("*") : QString());
+  return QString::fromStdString(session.presets().presetId()) +
+         (session.presets().isPresetChanged() ? QStringLiteral("*") : QString());
 }
 
 QString titleText(const Session& session) {

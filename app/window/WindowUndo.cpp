@@ -1,7 +1,7 @@
 #include "app/window/WindowUndo.h"
 
 #include "app/panels/TimelinePanel.h"
-#include "app/session/DocumentChanges.h"
+#include "app/undo/DocumentChanges.h"
 #include "app/views/ViewArea.h"
 
 namespace taa::app {

@@ -1,7 +1,7 @@
 // Makes steps of undo of what is changed in the views and on the timeline.
 #pragma once
 
-#include "app/session/StateWatch.h"
+#include "app/undo/StateWatch.h"
 
 #include <QObject>
 

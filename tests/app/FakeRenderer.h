@@ -35,9 +35,10 @@ class FakeRenderer final : public Renderer {
   std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
-  std::vector<int> located;           ///< objects
-  RequestId requests = 0;             ///< so far
-  std::optional<RequestKind> refused; ///< answers the next wish of this kind with an error and nothing else
+  std::vector<int> located; ///< objects
+  RequestId requests = 0;   ///< so far
+  std::optional<RequestKind>
+      refused; ///< answers the next request of this kind with an error and nothing else
   int reloads = 0, cancels = 0, settingsSent = 0;
   void deliver(); ///< all that there is
 

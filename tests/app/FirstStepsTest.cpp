@@ -127,7 +127,7 @@ TEST_F(FirstStepsWindow, PresetsStandInTheMenusOfTheirGroups) {
                                   static_cast<qsizetype>(kPresetGroups[i].label.size()));
   EXPECT_EQ(titles, expected);
   key(Qt::Key_7, kControl | Qt::AltModifier);
-  EXPECT_EQ(session.presetId(), "off");
+  EXPECT_EQ(session.presets().presetId(), "off");
 }
 
 // The list beside the stages has the same parts; a step is chosen by real clicks.
@@ -151,6 +151,6 @@ TEST_F(FirstStepsWindow, AStepOfALadderIsChosenInTheListBesideTheStages) {
   settle();
   QTest::mouseClick(ladder, Qt::LeftButton, {}, ladder->actionGeometry(wanted).center());
   settle();
-  EXPECT_EQ(session.presetId(), "source000-2");
+  EXPECT_EQ(session.presets().presetId(), "source000-2");
   EXPECT_TRUE(renderer->status.settings == preset("source000-2").settings);
 }

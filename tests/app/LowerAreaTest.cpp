@@ -31,7 +31,7 @@ class Lower : public test::FakeWindow {
   }
   /// Goes to a frame and opens a page, which shows it after a moment.
   void openAt(int frame, Qt::Key page, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    session.setPick({}); // the settings alone, nothing measured
+    session.probes().setPick({}); // the settings alone, nothing measured
     session.seek(frame);
     settle();
     key(page, modifiers);
@@ -39,9 +39,9 @@ class Lower : public test::FakeWindow {
   }
   /// Halton of 4 places and a constant α.
   void useSimpleSettings() {
-    session.setParameter("jitter.period", 4);
-    session.setParameter("weight.source", static_cast<double>(AlphaSource::Constant));
-    session.setParameter("weight.alpha", 0.1);
+    session.presets().setParameter("jitter.period", 4);
+    session.presets().setParameter("weight.source", static_cast<double>(AlphaSource::Constant));
+    session.presets().setParameter("weight.alpha", 0.1);
     settle();
   }
 };

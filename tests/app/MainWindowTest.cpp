@@ -149,15 +149,15 @@ TEST_F(Window, ALeftDragPans) {
 TEST_F(Window, ARightClickPicksAndArrowsMoveThePick) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
-  EXPECT_EQ(session.pick(), glm::ivec2(30, 12));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(30, 12));
   ASSERT_EQ(renderer->probes.pins.size(), 1u);
   EXPECT_EQ(renderer->probes.pins[0].pixel, glm::ivec2(30, 12));
   viewport->setFocus();
   QTest::keyClick(viewport, Qt::Key_Right);
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
-  EXPECT_EQ(session.pick(), glm::ivec2(31, 2));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(31, 2));
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
-  EXPECT_EQ(session.pick(), glm::ivec2(31, 0)) << "the border holds";
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(31, 0)) << "the border holds";
 }
 
 TEST_F(Window, HoverShowsPositionAndValue) {
@@ -174,7 +174,7 @@ TEST_F(Window, GoToPixelTakesTwoNumbers) {
   ASSERT_TRUE(prompt);
   prompt->field()->setText("41, 17");
   QTest::keyClick(prompt->field(), Qt::Key_Return);
-  EXPECT_EQ(session.pick(), glm::ivec2(41, 17));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(41, 17));
 }
 
 TEST_F(Window, SaysWhatASizeTakesWhereItIsChosen) {
@@ -381,7 +381,7 @@ TEST_F(Window, F5ReloadsShadersAndTypingDoesNotTriggerKeys) {
 }
 
 TEST_F(Window, UndoTakesBackAChangeOfSettings) {
-  session.setParameter("rectify.method", 0);
+  session.presets().setParameter("rectify.method", 0);
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::ClipToFiltered);
   key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);

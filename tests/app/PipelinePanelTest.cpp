@@ -69,7 +69,7 @@ TEST_F(ParameterPanel, HasOneControlForEveryRowOfTheTable) {
 TEST_F(ParameterPanel, EditingAnyControlSendsExactlyThatSetting) {
   window.pipeline()->setAllExpanded(true);
   for (ParameterRow* row : window.pipeline()->parameterRows()) {
-    const Settings before = session.settings();
+    const Settings before = session.presets().settings();
     const int sent = renderer->settingsSent;
     change(*row);
     EXPECT_EQ(renderer->settingsSent, sent + 1) << row->path().toStdString();
@@ -87,16 +87,16 @@ TEST_F(ParameterPanel, AChangedRowHasADotAndADoubleClickOnItsLabelResetsIt) {
   EXPECT_FALSE(row->isChanged());
   change(*row);
   EXPECT_TRUE(row->isChanged());
-  EXPECT_TRUE(session.isPresetChanged());
+  EXPECT_TRUE(session.presets().isPresetChanged());
   QTest::mouseDClick(row->findChild<ParameterLabel*>(), Qt::LeftButton);
   EXPECT_FALSE(row->isChanged());
-  EXPECT_FALSE(session.isPresetChanged());
+  EXPECT_FALSE(session.presets().isPresetChanged());
   EXPECT_EQ(row->value(), 1.0);
 }
 
 TEST_F(ParameterPanel, RowsWithoutEffectAreDimmed) {
   EXPECT_TRUE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
-  session.setParameter("weight.source", 0);
+  session.presets().setParameter("weight.source", 0);
   EXPECT_FALSE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
   EXPECT_TRUE(rowOf(window.pipeline(), "weight.most")->isDimmed());
 }
@@ -118,25 +118,25 @@ TEST_F(ParameterPanel, NumbersAreDraggedSteppedAndScrolled) {
   QTest::mousePress(field, Qt::LeftButton, {}, {20, 10});
   QTest::mouseMove(field, {45, 10});
   QTest::mouseRelease(field, Qt::LeftButton, {}, {45, 10});
-  EXPECT_NEAR(session.settings().neighborhood.gamma, 1.4f,
+  EXPECT_NEAR(session.presets().settings().neighborhood.gamma, 1.4f,
               0.021f); // 25 px of 250 across 0…4, one step of rounding
-  const float dragged = session.settings().neighborhood.gamma;
+  const float dragged = session.presets().settings().neighborhood.gamma;
   field->setFocus();
   QTest::keyClick(field, Qt::Key_Up);
-  EXPECT_GT(session.settings().neighborhood.gamma, dragged);
+  EXPECT_GT(session.presets().settings().neighborhood.gamma, dragged);
   session.undo();
-  EXPECT_EQ(session.settings().neighborhood.gamma, dragged) << "a step of the keys after the drag";
+  EXPECT_EQ(session.presets().settings().neighborhood.gamma, dragged) << "a step of the keys after the drag";
   session.undo();
-  EXPECT_EQ(session.settings().neighborhood.gamma, 1.0f) << "a drag is one change";
+  EXPECT_EQ(session.presets().settings().neighborhood.gamma, 1.0f) << "a drag is one change";
 }
 
 TEST_F(ParameterPanel, PresetsReplaceAllSettings) {
-  session.setPreset("minimal");
+  session.presets().setPreset("minimal");
   settle();
   EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::Clamp);
   EXPECT_TRUE(window.windowTitle().contains("minimal")) << window.windowTitle().toStdString();
   EXPECT_FALSE(window.windowTitle().contains('*'));
-  session.setParameter("rectify.method", 0);
+  session.presets().setParameter("rectify.method", 0);
   EXPECT_TRUE(window.windowTitle().contains("minimal*"));
 }
 
@@ -175,7 +175,7 @@ TEST_F(ParameterPanel, PreparesAChoiceTheMouseStaysOn) {
       qobject_cast<SegmentedButtons*>(rowOf(window.pipeline(), QStringLiteral("neighborhood.box"))->editor());
   ASSERT_TRUE(buttons);
   const int other = buttons->current() == 0 ? 1 : 0;
-  Settings expected = session.settings();
+  Settings expected = session.presets().settings();
   parameter("neighborhood.box").set(expected, other);
   QTest::mouseMove(buttons, buttons->segment(other).center());
   ASSERT_TRUE(test::waitFor([&] { return renderer->prepared.has_value(); }));
@@ -220,10 +220,10 @@ TEST_F(ParameterPanel, HeadingsSayTheFirstChoiceThatHasAnEffect) {
   const auto summary = [&](const char* stage) {
     return window.pipeline()->findChild<SectionHeader*>(QStringLiteral("stage.") + stage)->summary();
   };
-  session.setPreset("hdrp-high");
+  session.presets().setPreset("hdrp-high");
   settle();
   EXPECT_EQ(summary("filter_current"), "Gaussian");
-  session.setPreset("hdrp-taau"); // drawn smaller: the filter has no say
+  session.presets().setPreset("hdrp-taau"); // drawn smaller: the filter has no say
   settle();
   EXPECT_EQ(summary("filter_current"), "HDRP");
 }

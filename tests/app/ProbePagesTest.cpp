@@ -22,7 +22,7 @@ using namespace taa::app;
 using ProbePages = test::FakeWindow;
 
 TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
-  session.setPick(glm::ivec2(12, 7));
+  session.probes().setPick(glm::ivec2(12, 7));
   settle();
   EXPECT_FALSE(renderer->probes.whatIf);
   key(Qt::Key_F4);
@@ -30,7 +30,8 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   EXPECT_TRUE(renderer->probes.whatIf);
   settle();
   const auto& rows = window.probe()->whatIf()->table()->rows();
-  EXPECT_EQ(rows.size(), variantsOf(session.settings()).size() + 4) << "with a heading for each group";
+  EXPECT_EQ(rows.size(), variantsOf(session.presets().settings()).size() + 4)
+      << "with a heading for each group";
   EXPECT_TRUE(std::ranges::any_of(rows, [](const FigureTable::Row& row) {
     return row.cells[0].startsWith(QStringLiteral("▸ ")) && row.cells[2] == QStringLiteral("same");
   }));
@@ -39,7 +40,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   key(Qt::Key_F3);
   ASSERT_TRUE(window.probe()->colorSpace()->view()->scene());
   EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->variants.size(),
-            variantsOf(session.settings()).size());
+            variantsOf(session.presets().settings()).size());
   EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "Y");
   key(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(window.probe()->colorSpace()->view()->scene()->axes[0], "R");
@@ -54,7 +55,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
 }
 
 TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
-  session.setPick(glm::ivec2(12, 7));
+  session.probes().setPick(glm::ivec2(12, 7));
   settle();
   ProbePanel* probe = window.probe();
   probe->table()->setCurrentIndex(probe->model()->indexOf(IntermediateId::historyPosition));
@@ -67,7 +68,7 @@ TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
 }
 
 TEST_F(ProbePages, CopyAsMarkdownAndJson) {
-  session.setPick(glm::ivec2(3, 2));
+  session.probes().setPick(glm::ivec2(3, 2));
   settle();
   key(Qt::Key_M, Qt::ControlModifier | Qt::AltModifier);
   const QString markdown = QApplication::clipboard()->text();
@@ -87,10 +88,10 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   session.open(QStringLiteral("builtin:fan"), false);
   ASSERT_TRUE(test::waitFor([&] { return session.isOpen() && session.status().width == 64; }));
   session.seek(5);
-  session.setPick(glm::ivec2(40, 14));
+  session.probes().setPick(glm::ivec2(40, 14));
   ASSERT_TRUE(test::waitFor([&] {
-    return session.probe() && session.probe()->frame == 5 && session.probe()->exact &&
-           session.probe()->x == 40;
+    return session.probes().probe() && session.probes().probe()->frame == 5 &&
+           session.probes().probe()->exact && session.probes().probe()->x == 40;
   }));
   window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();

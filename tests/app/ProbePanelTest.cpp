@@ -100,9 +100,9 @@ TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
 }
 
 TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
-  session.setPick(glm::ivec2(12, 7));
+  session.probes().setPick(glm::ivec2(12, 7));
   settle();
-  const ProbeResult& result = *session.probe();
+  const ProbeResult& result = *session.probes().probe();
   QString lines;
   for (const std::string& line : probeHeadline(result.around[4], result.settings, result.info))
     lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QString::fromStdString(line);
@@ -110,7 +110,7 @@ TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
 }
 
 TEST_F(ProbeTable, ShowsTheValuesAtThePick) {
-  session.setPick(glm::ivec2(12, 7));
+  session.probes().setPick(glm::ivec2(12, 7));
   settle();
   const QString value = cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed();
   EXPECT_EQ(value.toFloat(), test::FakeRenderer::valueAt(12, 7, 0));
@@ -122,7 +122,7 @@ TEST_F(ProbeTable, ShowsTheValuesAtThePick) {
 }
 
 TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
-  session.setPick(glm::ivec2(3, 2));
+  session.probes().setPick(glm::ivec2(3, 2));
   settle();
   key(Qt::Key_C, Qt::ControlModifier);
   EXPECT_EQ(QApplication::clipboard()->text(), "203 203 203");
@@ -135,11 +135,11 @@ TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
 }
 
 TEST_F(ProbeTable, GoesAwayWithEscape) {
-  session.setPick(glm::ivec2(3, 2));
+  session.probes().setPick(glm::ivec2(3, 2));
   settle();
   EXPECT_TRUE(window.probe()->table()->isVisible());
   key(Qt::Key_Escape);
-  EXPECT_FALSE(session.pick());
+  EXPECT_FALSE(session.probes().pick());
   EXPECT_TRUE(renderer->probes.pins.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }

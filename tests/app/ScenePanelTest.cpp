@@ -102,7 +102,7 @@ TEST_F(SceneTreeTest, GivesAnObjectAnotherMotion) {
 }
 
 TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
-  session.setPick(glm::ivec2(2, 0)); // the fake's object 2
+  session.probes().setPick(glm::ivec2(2, 0)); // the fake's object 2
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
   EXPECT_EQ(renderer->located, std::vector<int>{2});
@@ -116,7 +116,7 @@ TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
   click(row("floor"));
   EXPECT_EQ(renderer->located, std::vector<int>{1});
   key(Qt::Key_J, Qt::ControlModifier);
-  EXPECT_EQ(session.pick(), glm::ivec2(11, 6));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(11, 6));
   EXPECT_EQ(tree()->currentIndex(), row("floor")) << "it was asked for";
   key(Qt::Key_F8);
   EXPECT_TRUE(renderer->located.empty()) << "nobody sees it";
@@ -130,7 +130,7 @@ TEST_F(SceneTreeTest, FindsObjectsByTheirNames) {
   EXPECT_TRUE(row("rotor & hub").isValid());
   EXPECT_TRUE(row("fan").isValid()) << "what it belongs to stays";
   EXPECT_FALSE(row("floor").isValid());
-  session.setPick(glm::ivec2(1, 0)); // the floor, which is filtered out
+  session.probes().setPick(glm::ivec2(1, 0)); // the floor, which is filtered out
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("floor"));
 }
@@ -149,7 +149,7 @@ class FlightWindow : public FakeWindow {
 
 TEST_F(FlightWindow, MovesByKeysWhileTheyAreHeld) {
   EXPECT_TRUE(window.flightBar()->isVisible());
-  const Settings before = session.settings();
+  const Settings before = session.presets().settings();
   QTest::keyPress(viewport(), Qt::Key_W);
   ASSERT_TRUE(waitFor([&] { return pose().position.z < -0.1f; }, 5000));
   EXPECT_EQ(renderer->status.camera, kFreeCamera);
@@ -161,7 +161,7 @@ TEST_F(FlightWindow, MovesByKeysWhileTheyAreHeld) {
   settle();
   EXPECT_GT(pose().position.y, 0.0f);
   EXPECT_EQ(window.views()->active()->style().exposure, ViewStyle{}.exposure);
-  EXPECT_EQ(session.settings(), before);
+  EXPECT_EQ(session.presets().settings(), before);
 }
 
 TEST_F(FlightWindow, LooksAroundByDraggingAndPicksAsEver) {
@@ -175,7 +175,7 @@ TEST_F(FlightWindow, LooksAroundByDraggingAndPicksAsEver) {
   EXPECT_GT(pose().pitch, 0.3f);
   EXPECT_EQ(viewport()->camera(), camera) << "the picture is not panned";
   QTest::mouseClick(viewport(), Qt::RightButton, {}, middle);
-  EXPECT_TRUE(session.pick().has_value());
+  EXPECT_TRUE(session.probes().pick().has_value());
 }
 
 TEST_F(FlightWindow, ChangesItsSpeedByTheWheelAndEndsByEscape) {
@@ -187,16 +187,16 @@ TEST_F(FlightWindow, ChangesItsSpeedByTheWheelAndEndsByEscape) {
   QApplication::sendEvent(viewport(), &wheel);
   EXPECT_GT(window.flight()->speed(), 1.4f * speed);
   EXPECT_TRUE(viewport()->camera().fit) << "it is not zoomed";
-  session.setPick(glm::ivec2(3, 3));
+  session.probes().setPick(glm::ivec2(3, 3));
   QTest::keyClick(viewport(), Qt::Key_Escape);
   settle();
   EXPECT_FALSE(window.flight()->isOn());
   EXPECT_FALSE(window.flightBar()->isVisible());
-  EXPECT_TRUE(session.pick().has_value()) << "escape ended the flight only";
+  EXPECT_TRUE(session.probes().pick().has_value()) << "escape ended the flight only";
 }
 
 TEST_F(FlightWindow, RecordsAndGoesBackToTheCameraItLeft) {
-  session.fly({{1, 2, 3}, 0, 0, 45});
+  session.scene().fly({{1, 2, 3}, 0, 0, 45});
   settle();
   EXPECT_EQ(session.status().camera, kFreeCamera);
   key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
@@ -212,8 +212,8 @@ TEST_F(FlightWindow, ARecordedCameraIsRenamedAndDeletedAndUndoTakesItBack) {
   key(Qt::Key_Escape);
   const CameraTrack first{"Recorded 1", 0, {CameraPose{}, CameraPose{.yaw = 10.0f}}};
   const CameraTrack second{"Recorded 2", 0, {CameraPose{.yaw = 50.0f}}};
-  session.addCameraTrack(first);
-  session.addCameraTrack(second);
+  session.scene().addCameraTrack(first);
+  session.scene().addCameraTrack(second);
   settle();
   const auto names = [&] {
     std::vector<std::string> all;
@@ -238,10 +238,10 @@ TEST_F(FlightWindow, ARecordedCameraIsRenamedAndDeletedAndUndoTakesItBack) {
   key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(names(), (Names{"Recorded 1"}));
   EXPECT_EQ(renderer->status.camera, "still") << "the scene's";
-  session.setCamera("Recorded 1");
+  session.scene().setCamera("Recorded 1");
   settle();
   const SessionFile file = session.file();
-  const QJsonObject state = session.sceneState();
+  const QJsonObject state = session.scene().state();
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(renderer->status.camera, "still") << "which camera is looked through is a step, too";
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -253,7 +253,7 @@ TEST_F(FlightWindow, ARecordedCameraIsRenamedAndDeletedAndUndoTakesItBack) {
   key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(names(), (Names{"Recorded 1", "By the wall"}));
   session.restore(file);
-  session.setSceneState(state);
+  session.scene().setState(state);
   settle();
   EXPECT_EQ(names(), (Names{"Recorded 1"})) << "a session has those that were there";
   EXPECT_EQ(renderer->status.camera, "Recorded 1");
@@ -277,24 +277,24 @@ TEST(FlightMath, MovesAlongWhereItLooks) {
 }
 
 TEST_F(FakeWindow, SceneStateComesBack) {
-  session.fly({{1, 2, 3}, 40.0f, -5.5f, 30.0f});
-  session.setHidden("floor", true);
-  session.setIsolated({"fan"});
-  session.setMotionMode("floor", MotionMode::None);
+  session.scene().fly({{1, 2, 3}, 40.0f, -5.5f, 30.0f});
+  session.scene().setHidden("floor", true);
+  session.scene().setIsolated({"fan"});
+  session.scene().setMotionMode("floor", MotionMode::None);
   settle();
   const SessionFile file = session.file();
-  const QJsonObject state = session.sceneState();
+  const QJsonObject state = session.scene().state();
   session.open("builtin:text");
   settle();
   EXPECT_EQ(renderer->status.filter, ObjectFilter{});
   session.restore(file);
-  session.setSceneState(state);
+  session.scene().setState(state);
   settle();
   EXPECT_EQ(renderer->status.camera, kFreeCamera);
   EXPECT_EQ(renderer->status.pose, (CameraPose{{1, 2, 3}, 40.0f, -5.5f, 30.0f}));
   EXPECT_EQ(renderer->status.filter, (ObjectFilter{{"floor"}, {"fan"}}));
-  EXPECT_EQ(session.motionModes(), (std::vector<MotionOverride>{{"floor", MotionMode::None}}));
-  session.setSceneState({{"tracks", 3}, {"camera", QJsonArray{}}});
+  EXPECT_EQ(session.scene().motionModes(), (std::vector<MotionOverride>{{"floor", MotionMode::None}}));
+  session.scene().setState({{"tracks", 3}, {"camera", QJsonArray{}}});
   settle();
   EXPECT_EQ(renderer->status.camera, kFreeCamera) << "what cannot be read is left out";
 }

@@ -112,15 +112,17 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   const glm::dvec2 place = screenFromPicture(viewport->transform(), glm::dvec2(pixel) + 0.5);
   QTest::mouseClick(viewport, Qt::RightButton, {},
                     QPoint(static_cast<int>(place.x), static_cast<int>(place.y)));
-  ASSERT_TRUE(taa::app::test::waitFor(
-      [&] { return session.probe() && session.probe()->frame == 6 && session.probe()->x == 60; }));
+  ASSERT_TRUE(taa::app::test::waitFor([&] {
+    return session.probes().probe() && session.probes().probe()->frame == 6 &&
+           session.probes().probe()->x == 60;
+  }));
 
   Inspector inspector;
   inspector.shot().open("builtin:fan");
   inspector.shot().setSize(96, 54);
   inspector.shot().seek(6);
   const PixelRecord record = inspector.probes().probe(pixel.x, pixel.y);
-  const ProbeResult& shown = *session.probe();
+  const ProbeResult& shown = *session.probes().probe();
   ASSERT_EQ(shown.around.size(), 9u);
   EXPECT_EQ(0, std::memcmp(shown.around[4].data(), record.data(), sizeof(record)));
   for (const IntermediateId id : allRows()) {

@@ -63,18 +63,18 @@ TEST_F(PinWindow, AreSetWithShiftAndChosenByNumber) {
   rightClick({20, 6}, Qt::ShiftModifier);
   rightClick({30, 7}, Qt::ShiftModifier);
   ASSERT_EQ(renderer->probes.pins.size(), 3u);
-  EXPECT_EQ(session.activePin(), 2);
+  EXPECT_EQ(session.probes().activePin(), 2);
   key(Qt::Key_N, Qt::ControlModifier);
-  EXPECT_EQ(session.pick(), glm::ivec2(10, 5));
-  ASSERT_TRUE(session.probe());
-  EXPECT_EQ(session.probe()->x, 10);
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(10, 5));
+  ASSERT_TRUE(session.probes().probe());
+  EXPECT_EQ(session.probes().probe()->x, 10);
   QTest::mouseClick(window.probe()->pins()->button(1), Qt::LeftButton);
-  EXPECT_EQ(session.pick(), glm::ivec2(20, 6));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(20, 6));
   rightClick({21, 8});
   EXPECT_EQ(renderer->probes.pins[1].pixel, glm::ivec2(21, 8)) << "without Shift the active one moves";
   key(Qt::Key_Escape);
-  EXPECT_EQ(session.pins().size(), 2u);
-  EXPECT_EQ(session.pick(), glm::ivec2(30, 7)) << "the next one takes its number";
+  EXPECT_EQ(session.probes().pins().size(), 2u);
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(30, 7)) << "the next one takes its number";
   key(Qt::Key_Escape, Qt::ShiftModifier);
   EXPECT_TRUE(renderer->probes.pins.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
@@ -86,28 +86,28 @@ TEST_F(PinWindow, FollowsASurfaceOutOfThePicture) {
   EXPECT_EQ(window.probe()->pins()->follow()->current(), 1);
   session.seek(3);
   settle();
-  EXPECT_EQ(session.pick(), glm::ivec2(63, 5));
-  ASSERT_EQ(session.pinMarks().size(), 1u);
-  EXPECT_EQ(session.pinMarks()[0].pixel, glm::ivec2(63, 5));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(63, 5));
+  ASSERT_EQ(session.probes().pinMarks().size(), 1u);
+  EXPECT_EQ(session.probes().pinMarks()[0].pixel, glm::ivec2(63, 5));
   session.seek(4);
   settle();
-  EXPECT_TRUE(session.pinMarks().empty());
+  EXPECT_TRUE(session.probes().pinMarks().empty());
   EXPECT_EQ(window.probe()->summary(), "The surface is off screen in this frame");
   session.seek(1);
   settle();
-  EXPECT_EQ(session.pick(), glm::ivec2(61, 5));
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(61, 5));
   QTest::mouseClick(window.probe()->pins()->follow(), Qt::LeftButton, {},
                     window.probe()->pins()->follow()->segment(0).center());
   session.seek(3);
   settle();
-  EXPECT_EQ(session.pick(), glm::ivec2(61, 5)) << "stays where it was when it was told to";
+  EXPECT_EQ(session.probes().pick(), glm::ivec2(61, 5)) << "stays where it was when it was told to";
 }
 
 TEST_F(PinWindow, AreNineAtMost) {
   for (int pin = 0; pin < kMostPins + 1; ++pin) {
     rightClick({2 * pin + 1, 3}, Qt::ShiftModifier);
   }
-  EXPECT_EQ(session.pins().size(), static_cast<std::size_t>(kMostPins));
+  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMostPins));
   key(Qt::Key_P, Qt::ShiftModifier);
-  EXPECT_EQ(session.pins().size(), static_cast<std::size_t>(kMostPins));
+  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMostPins));
 }

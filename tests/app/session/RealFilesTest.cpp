@@ -53,7 +53,7 @@ class RealFiles : public testing::Test {
       const ViewResult* result = session->picture(0).get();
       const Status& status = session->status();
       return session->isOpen() && result && result->frame == frame && result->exact && status.exact &&
-             status.settings == session->settings() && session->work().what.empty() &&
+             status.settings == session->presets().settings() && session->work().what.empty() &&
              result->request == window->views()->requests()[0] &&
              (!result->request.other || (result->other && result->other->exact));
     })) << window->messages()->text().toStdString();
@@ -121,16 +121,16 @@ class RealFiles : public testing::Test {
 
 TEST_F(RealFiles, AReopenedSessionShowsTheSamePicture) {
   open();
-  session->setPreset("sharp");
-  session->setParameter("weight.minimum", 0.3);
-  session->setCamera("orbit");
-  session->setMotionMode("rotor", MotionMode::None);
+  session->presets().setPreset("sharp");
+  session->presets().setParameter("weight.minimum", 0.3);
+  session->scene().setCamera("orbit");
+  session->scene().setMotionMode("rotor", MotionMode::None);
   session->setSize(120, 68);
   session->seek(9);
   settled(9);
   window->keeper()->saveTo(path("it.taa.json"));
   const auto before = settled(9);
-  session->setPreset("minimal");
+  session->presets().setPreset("minimal");
   session->setSize(64, 36);
   session->open("builtin:thin", false);
   session->seek(2);
@@ -146,8 +146,8 @@ TEST_F(RealFiles, AReopenedSessionShowsTheSamePicture) {
 
 TEST_F(RealFiles, TheCommandLineDrawsWhatIsExported) {
   open();
-  session->setPreset("fsr2");
-  session->setParameter("weight.minimum", 0.3);
+  session->presets().setPreset("fsr2");
+  session->presets().setParameter("weight.minimum", 0.3);
   window->views()->active()->setIntermediate(IntermediateId::alpha);
   window->views()->active()->changeExposure(1.0f);
   window->views()->active()->nextColorMap();
@@ -171,7 +171,7 @@ TEST_F(RealFiles, TheCopiedLineOfARecordedPathDrawsTheSameByItself) {
   CameraTrack track{"Recorded 1", 2, {}};
   for (int pose = 0; pose < 6; ++pose)
     track.poses.push_back({{0.2f * static_cast<float>(pose), 1.0f, 4.0f}, 3.0f * static_cast<float>(pose)});
-  session->addCameraTrack(track);
+  session->scene().addCameraTrack(track);
   ASSERT_TRUE(taa::app::test::waitFor([&] { return session->status().camera == "Recorded 1"; }));
   window->views()->active()->setIntermediate(IntermediateId::resolved);
   settled(6);
@@ -186,7 +186,7 @@ TEST_F(RealFiles, TheCopiedLineOfARecordedPathDrawsTheSameByItself) {
   window->exports()->copyCommandLine();
   const std::string line = QApplication::clipboard()->text().toStdString();
   EXPECT_NE(line.find("--camera-path " + window->keeper()->cameraFolder().toStdString()), line.npos) << line;
-  session->removeCamera("Recorded 1"); // the line does not need it
+  session->scene().removeCamera("Recorded 1"); // the line does not need it
   run(line);
   EXPECT_EQ(readFile(path("frame.0006.resolved.png").toStdString()),
             readFile(path("shot.0006.png").toStdString()));
@@ -195,7 +195,7 @@ TEST_F(RealFiles, TheCopiedLineOfARecordedPathDrawsTheSameByItself) {
 // The screen, the PNG of the view, the range of frames and the copied command line are one picture.
 TEST_F(RealFiles, AComparingViewIsWrittenAsItIsShown) {
   open();
-  session->removeAllPins();
+  session->probes().removeAllPins();
   window->messages()->showNote("a message takes room from the views");
   ViewPanel* view = window->views()->view(0);
   view->setComparison({OtherKind::Preset, {}, "minimal"});
@@ -226,16 +226,16 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
   const taa::test::ShaderFolder shaders;
   open();
   const glm::ivec2 pixel(20, 10);
-  session->setPick(pixel);
+  session->probes().setPick(pixel);
   // Of a few pixels: messages take room from the views, so that pictures differ in size.
   const auto values = [&] {
     settled(6);
     EXPECT_TRUE(taa::app::test::waitFor([&] {
-      const auto& probe = session->probe();
+      const auto& probe = session->probes().probe();
       return probe && glm::ivec2(probe->x, probe->y) == pixel && probe->frame == 6 && probe->exact;
     }));
     std::vector<glm::vec4> resolved;
-    for (const PixelRecord& record : session->probe()->around)
+    for (const PixelRecord& record : session->probes().probe()->around)
       resolved.push_back(twin::at(record, IntermediateId::resolved));
     return resolved;
   };

@@ -53,51 +53,51 @@ class Refusals : public taa::app::test::FakeWindow {
 TEST_F(Refusals, AnErrorOfAnExportLeavesWhatIsPendingInForceAndShown) {
   holdBack();
   type("rectify.method=none");
-  session.setHidden("floor", true);
-  session.setMotionMode("rotor & hub", MotionMode::None);
+  session.scene().setHidden("floor", true);
+  session.scene().setMotionMode("rotor & hub", MotionMode::None);
   fail("cannot write /nowhere", RequestKind::Export, renderer->requests + 1);
   EXPECT_TRUE(window.messages()->text().contains("/nowhere"));
-  EXPECT_EQ(session.settings().rectify.method, RectifyMethod::None);
-  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
-  ASSERT_EQ(session.motionModes().size(), 1u);
+  EXPECT_EQ(session.presets().settings().rectify.method, RectifyMethod::None);
+  EXPECT_EQ(session.scene().objectFilter().hidden, std::vector<std::string>{"floor"});
+  ASSERT_EQ(session.scene().motionModes().size(), 1u);
   EXPECT_TRUE(window.windowTitle().contains("balanced*")) << window.windowTitle().toStdString();
   goOn();
-  EXPECT_EQ(session.settings(), renderer->status.settings);
-  EXPECT_EQ(session.settings().rectify.method, RectifyMethod::None);
-  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
+  EXPECT_EQ(session.presets().settings(), renderer->status.settings);
+  EXPECT_EQ(session.presets().settings().rectify.method, RectifyMethod::None);
+  EXPECT_EQ(session.scene().objectFilter().hidden, std::vector<std::string>{"floor"});
 }
 
 TEST_F(Refusals, SettingsThatAreRefusedGiveWayToThoseInForce) {
   renderer->refused = RequestKind::Settings; // a shader that does not compile, memory that is not there
   type("rectify.method=none");
-  EXPECT_EQ(session.settings(), before.settings);
+  EXPECT_EQ(session.presets().settings(), before.settings);
   EXPECT_TRUE(window.messages()->text().contains("refused"));
   EXPECT_FALSE(window.windowTitle().contains("balanced*"));
   renderer->refused = RequestKind::Settings;
-  session.setPreset("fsr2");
+  session.presets().setPreset("fsr2");
   settle();
-  EXPECT_EQ(session.presetId(), "balanced") << "the name goes back with the values";
+  EXPECT_EQ(session.presets().presetId(), "balanced") << "the name goes back with the values";
   type("rectify.method=none");
   EXPECT_EQ(renderer->status.settings.rectify.method, RectifyMethod::None) << "the next one is taken";
 }
 
 TEST_F(Refusals, OnlyTheRefusedValueIsDroppedAndNotANewerOne) {
   holdBack();
-  session.setHidden("floor", true);
+  session.scene().setHidden("floor", true);
   const RequestId first = renderer->requests;
-  session.setHidden("rotor & hub", true);
-  session.setMotionMode("floor", MotionMode::None);
+  session.scene().setHidden("rotor & hub", true);
+  session.scene().setMotionMode("floor", MotionMode::None);
   fail("no such object", RequestKind::Objects, first);
-  EXPECT_EQ(session.objectFilter().hidden, (std::vector<std::string>{"floor", "rotor & hub"}));
+  EXPECT_EQ(session.scene().objectFilter().hidden, (std::vector<std::string>{"floor", "rotor & hub"}));
   fail("no such object", RequestKind::Objects, first + 1);
-  EXPECT_TRUE(session.objectFilter().hidden.empty()) << "that one was";
-  EXPECT_EQ(session.motionModes().size(), 1u);
+  EXPECT_TRUE(session.scene().objectFilter().hidden.empty()) << "that one was";
+  EXPECT_EQ(session.scene().motionModes().size(), 1u);
 }
 
 TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
   holdBack();
-  session.setMotionMode("floor", MotionMode::None);
-  session.setHidden("floor", true);
+  session.scene().setMotionMode("floor", MotionMode::None);
+  session.scene().setHidden("floor", true);
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile("/nowhere/missing.glb")});
   QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -108,18 +108,18 @@ TEST_F(Refusals, AMissingFileLeavesWhatWasAskedOfTheSceneThatIsOpen) {
   EXPECT_TRUE(window.messages()->text().contains("missing.glb"));
   renderer->tell(before);
   settle();
-  EXPECT_EQ(session.motionModes().size(), 1u);
-  EXPECT_EQ(session.objectFilter().hidden, std::vector<std::string>{"floor"});
+  EXPECT_EQ(session.scene().motionModes().size(), 1u);
+  EXPECT_EQ(session.scene().objectFilter().hidden, std::vector<std::string>{"floor"});
   goOn();
-  EXPECT_EQ(session.motionModes().size(), 1u);
+  EXPECT_EQ(session.scene().motionModes().size(), 1u);
   session.open("builtin:fence");
   settle();
-  EXPECT_TRUE(session.motionModes().empty()) << "another scene has none of it";
-  EXPECT_TRUE(session.objectFilter().hidden.empty());
+  EXPECT_TRUE(session.scene().motionModes().empty()) << "another scene has none of it";
+  EXPECT_TRUE(session.scene().objectFilter().hidden.empty());
 }
 
 TEST_F(Refusals, ASessionWhoseSceneCannotBeReadLeavesEverythingAsItWas) {
-  session.setPreset("fsr2");
+  session.presets().setPreset("fsr2");
   session.setSize(96, 54);
   session.seek(7);
   settle();
@@ -130,8 +130,8 @@ TEST_F(Refusals, ASessionWhoseSceneCannotBeReadLeavesEverythingAsItWas) {
   other.frame = 30;
   session.restore(other);
   settle();
-  EXPECT_EQ(session.presetId(), "fsr2");
-  EXPECT_EQ(renderer->status.settings, session.settings());
+  EXPECT_EQ(session.presets().presetId(), "fsr2");
+  EXPECT_EQ(renderer->status.settings, session.presets().settings());
   EXPECT_EQ(renderer->status.width, 96);
   EXPECT_EQ(renderer->status.info.frame, 7);
   EXPECT_EQ(renderer->status.source, "builtin:fan");

@@ -84,31 +84,31 @@ TEST_F(SessionFiles, CtrlSAsksOnceAndThenSavesThere) {
 }
 
 TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
-  session.setPreset("fsr2");
-  session.setParameter("weight.minimum", 0.25);
-  session.setCamera("pan");
+  session.presets().setPreset("fsr2");
+  session.presets().setParameter("weight.minimum", 0.25);
+  session.scene().setCamera("pan");
   session.setSize(96, 54);
-  session.setMotionMode("rotor & hub", MotionMode::None);
+  session.scene().setMotionMode("rotor & hub", MotionMode::None);
   session.seek(33);
   settle();
-  session.setPick(glm::ivec2(70, 40));
-  session.addPin(glm::ivec2(12, 9), Follow::Surface);
+  session.probes().setPick(glm::ivec2(70, 40));
+  session.probes().addPin(glm::ivec2(12, 9), Follow::Surface);
   own->probe()->setVisible(false);
   settle();
   own->keeper()->saveTo(path("it.taa.json"));
   const std::string saved = readFile(path("it.taa.json").toStdString());
 
-  session.setPreset("minimal");
-  session.setCamera("still");
+  session.presets().setPreset("minimal");
+  session.scene().setCamera("still");
   session.setSize(64, 36);
-  session.setMotionMode("rotor & hub", MotionMode::PerObject);
+  session.scene().setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
-  session.removeAllPins();
+  session.probes().removeAllPins();
   own->probe()->setVisible(true);
   settle();
   drop(path("it.taa.json"));
-  EXPECT_EQ(session.presetId(), "fsr2");
-  EXPECT_TRUE(session.isPresetChanged());
+  EXPECT_EQ(session.presets().presetId(), "fsr2");
+  EXPECT_TRUE(session.presets().isPresetChanged());
   EXPECT_EQ(renderer->status.settings.weight.minimum, 0.25f);
   EXPECT_EQ(renderer->status.camera, "pan");
   EXPECT_EQ(renderer->status.width, 96);
@@ -116,10 +116,10 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   EXPECT_FALSE(renderer->status.playing);
   ASSERT_EQ(renderer->status.motionModes.size(), 1u);
   EXPECT_EQ(renderer->status.motionModes[0].mode, MotionMode::None);
-  ASSERT_EQ(session.pins().size(), 2u);
-  EXPECT_EQ(session.pins()[0].pixel, glm::ivec2(70, 40));
-  EXPECT_EQ(session.pins()[1].follow, Follow::Surface);
-  EXPECT_EQ(session.activePin(), 1);
+  ASSERT_EQ(session.probes().pins().size(), 2u);
+  EXPECT_EQ(session.probes().pins()[0].pixel, glm::ivec2(70, 40));
+  EXPECT_EQ(session.probes().pins()[1].follow, Follow::Surface);
+  EXPECT_EQ(session.probes().activePin(), 1);
   own->keeper()->saveTo(path("again.taa.json"));
   EXPECT_EQ(readFile(path("again.taa.json").toStdString()), saved);
 }
@@ -181,7 +181,7 @@ TEST_F(SessionFiles, WhatIsRefusedIsGone) {
 }
 
 TEST_F(SessionFiles, ACommandLineIsCopied) {
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   session.seek(9);
   settle();
   QTest::keyClick(own.get(), Qt::Key_L, Qt::ControlModifier | Qt::AltModifier);
@@ -191,7 +191,7 @@ TEST_F(SessionFiles, ACommandLineIsCopied) {
 }
 
 TEST_F(SessionFiles, AViewIsWrittenAsItIsShown) {
-  session.removeAllPins(); // a legend's picture shows them
+  session.probes().removeAllPins(); // a legend's picture shows them
   settle();
   const std::shared_ptr<const ViewResult> shown = session.picture(0);
   ASSERT_TRUE(shown);
@@ -349,7 +349,7 @@ TEST_F(SessionFiles, TheGlslOfAStageIsRead) {
   EXPECT_GT(glsl->text()->textCursor().blockNumber(), line);
   glsl->files()->setCurrentIndex(1); // what is exported follows the settings
   EXPECT_TRUE(shows("kWeightMinimum = 0.1;"));
-  session.setParameter("weight.minimum", 0.3125);
+  session.presets().setParameter("weight.minimum", 0.3125);
   EXPECT_TRUE(shows("kWeightMinimum = 0.3125;"));
 }
 

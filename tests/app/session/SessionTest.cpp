@@ -50,7 +50,7 @@ TEST(Session, TellsWhyThereIsNoRendererAndStaysUsable) {
   QObject::connect(&session, &Session::errorOccurred, [&](const QString& sentence) { told = sentence; });
   session.open("builtin:fan");
   session.seek(3);
-  session.setParameter("no.such.row", 1);
+  session.presets().setParameter("no.such.row", 1);
   QCoreApplication::processEvents();
   EXPECT_FALSE(session.isOpen());
   EXPECT_TRUE(told.contains("no.such.row")) << told.toStdString();

@@ -1,8 +1,8 @@
 // The stack of undo by itself, and the names of changes.
-#include "app/session/UndoStack.h"
+#include "app/undo/UndoStack.h"
 
 #include "app/commands/EscapeKey.h"
-#include "app/session/DocumentChanges.h"
+#include "app/undo/DocumentChanges.h"
 
 #include <QApplication>
 #include <QJsonArray>

@@ -28,7 +28,7 @@ class UndoTest : public test::FakeViews {
  protected:
   void SetUp() override {
     FakeViews::SetUp();
-    session.setPins({{.pixel = {10, 5}}}, 0);
+    session.probes().setPins({{.pixel = {10, 5}}}, 0);
     session.undoStack().clear();
     viewport()->setFocus();
     settle();
@@ -65,7 +65,7 @@ class UndoTest : public test::FakeViews {
 } // namespace
 
 TEST_F(UndoTest, ASearchDoesNotKeepItFromTheSetting) {
-  session.setParameter("rectify.method", 0);
+  session.presets().setParameter("rectify.method", 0);
   press(Qt::Key_F, Qt::ControlModifier);
   QTest::keyClicks(QApplication::focusWidget(), "gamma");
   undo();
@@ -95,8 +95,8 @@ TEST_F(UndoTest, ATypedNumberIsTakenBackOnceItIsSet) {
 }
 
 TEST_F(UndoTest, WhatIsBeingTypedIsTakenBackFirst) {
-  session.setParameter("rectify.method", 0);
-  session.setParameter("neighborhood.gamma", 2.5);
+  session.presets().setParameter("rectify.method", 0);
+  session.presets().setParameter("neighborhood.gamma", 2.5);
   NumberField* field = gamma();
   field->setFocus();
   press(Qt::Key_3);
@@ -115,22 +115,22 @@ TEST_F(UndoTest, WhatIsBeingTypedIsTakenBackFirst) {
 }
 
 TEST_F(UndoTest, APresetComesBackWithItsNameAndIsGoneBackTo) {
-  const Settings balanced = session.settings();
-  session.setPreset("minimal");
+  const Settings balanced = session.presets().settings();
+  session.presets().setPreset("minimal");
   EXPECT_EQ(command("Undo")->text().remove(u'&'), "Undo: choice of preset Minimal");
   undo();
-  EXPECT_EQ(session.presetId(), "balanced");
+  EXPECT_EQ(session.presets().presetId(), "balanced");
   EXPECT_TRUE(window.windowTitle().contains("balanced")) << window.windowTitle().toStdString();
-  EXPECT_FALSE(session.isPresetChanged());
-  session.setPreset("balanced");
+  EXPECT_FALSE(session.presets().isPresetChanged());
+  session.presets().setPreset("balanced");
   EXPECT_FALSE(session.undoStack().canUndo()) << "it is chosen already";
   EXPECT_EQ(session.undoStack().redoText(), "choice of preset Minimal");
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   press(Qt::Key_R, Qt::ControlModifier);
   EXPECT_EQ(renderer->status.settings, balanced);
   undo();
   EXPECT_EQ(renderer->status.settings.weight.minimum, 0.25f);
-  session.setPreset("balanced");
+  session.presets().setPreset("balanced");
   EXPECT_EQ(renderer->status.settings, balanced) << "the same preset, without the change";
   undo();
   EXPECT_EQ(renderer->status.settings.weight.minimum, 0.25f);
@@ -154,7 +154,7 @@ TEST_F(UndoTest, ProbesComeBack) {
   undo();
   ASSERT_EQ(renderer->probes.pins.size(), 2u);
   EXPECT_EQ(renderer->probes.pins[1].follow, Follow::Surface);
-  EXPECT_EQ(session.activePin(), 1);
+  EXPECT_EQ(session.probes().activePin(), 1);
   undo();
   EXPECT_EQ(renderer->probes.pins[1].follow, Follow::Screen);
   undo();
@@ -240,12 +240,12 @@ TEST_F(UndoTest, FlightsCamerasAndObjectsComeBack) {
   settle();
   ASSERT_EQ(renderer->status.camera, kFreeCamera);
   press(Qt::Key_Escape);
-  session.setCamera("pan");
+  session.scene().setCamera("pan");
   settle();
-  session.setHidden("floor", true);
+  session.scene().setHidden("floor", true);
   settle();
   ASSERT_EQ(renderer->status.filter.hidden, std::vector<std::string>{"floor"});
-  session.setMotionMode("floor", MotionMode::None);
+  session.scene().setMotionMode("floor", MotionMode::None);
   settle();
   undo();
   EXPECT_TRUE(renderer->status.motionModes.empty());
@@ -263,8 +263,8 @@ TEST_F(UndoTest, FlightsCamerasAndObjectsComeBack) {
 }
 
 TEST_F(UndoTest, AnotherSceneForgetsWhatIsOfTheFirst) {
-  session.setParameter("rectify.method", 0);
-  session.setCamera("pan");
+  session.presets().setParameter("rectify.method", 0);
+  session.scene().setCamera("pan");
   settle();
   window.openSource("builtin:fence");
   settle();
@@ -275,7 +275,7 @@ TEST_F(UndoTest, AnotherSceneForgetsWhatIsOfTheFirst) {
 }
 
 TEST_F(UndoTest, EscapeTakesADragBack) {
-  session.setParameter("neighborhood.gamma", 2.0);
+  session.presets().setParameter("neighborhood.gamma", 2.0);
   undo();
   NumberField* field = gamma();
   QTest::mousePress(field, Qt::LeftButton, {}, {20, 10});

@@ -58,25 +58,25 @@ class UserPresetsTest : public test::FakeWindow {
 };
 
 TEST_F(UserPresetsTest, AreSavedByAKeyAndOpenAgain) {
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   saveAs("My calm one");
   const QString path = folder.filePath("presets/my-calm-one.json");
   EXPECT_EQ(preset(path.toStdString()).settings.weight.minimum, 0.25f);
-  EXPECT_EQ(session.presetId(), "my-calm-one");
-  EXPECT_FALSE(session.isPresetChanged());
+  EXPECT_EQ(session.presets().presetId(), "my-calm-one");
+  EXPECT_FALSE(session.presets().isPresetChanged());
   const std::vector<UserPreset> found = userPresets(own.presets()->folder());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].label, "My calm one");
-  session.setPreset("minimal");
-  session.setPreset(found[0].path);
-  EXPECT_EQ(session.settings().weight.minimum, 0.25f);
+  session.presets().setPreset("minimal");
+  session.presets().setPreset(found[0].path);
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
 }
 
 TEST_F(UserPresetsTest, OneOfTheSameNameIsReplacedOnlyWhenTheUserSaysSo) {
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   saveAs("Mine");
   const std::string path = folder.filePath("presets/mine.json").toStdString();
-  session.setParameter("weight.minimum", 0.5);
+  session.presets().setParameter("weight.minimum", 0.5);
   const auto answer = [&](const QString& text) {
     auto* box = own.findChild<QMessageBox*>();
     ASSERT_TRUE(box && box->isVisible());
@@ -89,34 +89,34 @@ TEST_F(UserPresetsTest, OneOfTheSameNameIsReplacedOnlyWhenTheUserSaysSo) {
   answer("Cancel");
   settle();
   EXPECT_EQ(preset(path).settings.weight.minimum, 0.25f);
-  EXPECT_TRUE(session.isPresetChanged());
+  EXPECT_TRUE(session.presets().isPresetChanged());
   ask("mine");
   answer("Replace");
   settle();
   EXPECT_EQ(preset(path).settings.weight.minimum, 0.5f);
-  EXPECT_FALSE(session.isPresetChanged());
+  EXPECT_FALSE(session.presets().isPresetChanged());
 }
 
 TEST_F(UserPresetsTest, AreGoneBackToLikeAnyOther) {
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   saveAs("Mine");
-  session.setParameter("weight.minimum", 0.5);
-  EXPECT_TRUE(session.isPresetChanged());
+  session.presets().setParameter("weight.minimum", 0.5);
+  EXPECT_TRUE(session.presets().isPresetChanged());
   QTest::keyClick(&own, Qt::Key_R, Qt::ControlModifier);
-  EXPECT_EQ(session.settings().weight.minimum, 0.25f);
-  EXPECT_FALSE(session.isPresetChanged());
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
+  EXPECT_FALSE(session.presets().isPresetChanged());
   session.undo();
-  EXPECT_EQ(session.settings().weight.minimum, 0.5f);
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.5f);
 }
 
 TEST_F(UserPresetsTest, ANameOfABuiltInOneIsRefusedAndNothingIsLost) {
-  session.setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("weight.minimum", 0.25);
   QString said;
   QObject::connect(&session, &Session::errorOccurred, [&said](const QString& sentence) { said = sentence; });
   saveAs("Balanced");
   EXPECT_TRUE(said.contains("built-in")) << said.toStdString();
   EXPECT_TRUE(userPresets(own.presets()->folder()).empty());
-  EXPECT_EQ(session.settings().weight.minimum, 0.25f);
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
   EXPECT_THROW(saveUserPreset(own.presets()->folder(), "…", {}), Error);
 }
 
@@ -141,8 +141,8 @@ TEST_F(UserPresetsTest, RowsBeginAtTheSamePlaceChosenOrNot) {
 
 TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   saveAs("Mine");
-  session.setParameter("weight.minimum", 0.25);
-  session.setParameter("rectify.method", 0);
+  session.presets().setParameter("weight.minimum", 0.25);
+  session.presets().setParameter("rectify.method", 0);
   QTest::keyClick(&own, Qt::Key_D, Qt::ControlModifier);
   auto* dialog = own.findChild<PresetsDialog*>();
   ASSERT_TRUE(dialog);
@@ -158,7 +158,7 @@ TEST_F(UserPresetsTest, AreComparedRenamedAndDeleted) {
   };
   dialog->table()->setCurrentItem(dialog->table()->topLevelItem(1));
   press("Apply this value");
-  EXPECT_EQ(session.settings().weight.minimum, 0.1f);
+  EXPECT_EQ(session.presets().settings().weight.minimum, 0.1f);
   EXPECT_EQ(dialog->table()->topLevelItemCount(), 1) << "the other one still differs";
   press("Apply preset");
   EXPECT_EQ(dialog->table()->topLevelItemCount(), 0);

@@ -29,7 +29,7 @@ class Plots : public test::FakeWindow {
  protected:
   void SetUp() override {
     FakeWindow::SetUp();
-    session.setPick(glm::ivec2(3, 2));
+    session.probes().setPick(glm::ivec2(3, 2));
     settle();
     key(Qt::Key_F6);
     refresh();
@@ -144,7 +144,7 @@ TEST_F(Plots, SayTheValuesUnderTheMouse) {
 }
 
 TEST_F(Plots, SeveralProbesAndChannelsAreToldApartWithoutColor) {
-  session.addPin(glm::ivec2(9, 9));
+  session.probes().addPin(glm::ivec2(9, 9));
   plots()->addRow(IntermediateId::resolved);
   settle();
   refresh();
@@ -161,7 +161,7 @@ TEST_F(Plots, SeveralProbesAndChannelsAreToldApartWithoutColor) {
 TEST_F(Plots, NameChannelsByTheSettingsOfTheValues) {
   plots()->setRows({{IntermediateId::boxMin}});
   const auto first = [&](ColorSpace space) {
-    session.setParameter("space.color", static_cast<double>(space));
+    session.presets().setParameter("space.color", static_cast<double>(space));
     goTo(session.status().info.frame == 1 ? 2 : 1);
     refresh();
     EXPECT_FALSE(plots()->charts().back()->curves().empty());
@@ -176,7 +176,7 @@ TEST_F(Plots, NameChannelsByTheSettingsOfTheValues) {
 TEST_F(Plots, ForgetWhatIsNoLongerTrue) {
   goTo(5);
   goTo(6);
-  session.setParameter("jitter.period", 4);
+  session.presets().setParameter("jitter.period", 4);
   settle();
   refresh();
   const std::vector<QPointF>& points = chart()->curves()[0].points;

@@ -219,7 +219,7 @@ TEST_F(TimelineTest, AChosenFigureIsAskedForAndDrawnUnderTheRuler) {
   EXPECT_EQ(strip.values[40], 0.4);
   EXPECT_EQ(strip.values[50], 0.5);
   EXPECT_FALSE(strip.values[45]);
-  session.setParameter("jitter.period", 4);
+  session.presets().setParameter("jitter.period", 4);
   settle();
   EXPECT_FALSE(timeline()->strip().values[40]) << "no longer true";
   EXPECT_EQ(window.timeline()->state()["figure"].toString(), "meanAlpha");

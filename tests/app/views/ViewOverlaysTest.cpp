@@ -46,7 +46,7 @@ TEST_F(ViewOverlays, ChannelsOfABoxAreNamedByTheSettings) {
     return view()->header()->findChild<ChannelButtons*>()->names().join(QLatin1Char(' '));
   };
   EXPECT_EQ(names(), "Y Co Cg");
-  session.setParameter("space.color", static_cast<double>(ColorSpace::Rgb));
+  session.presets().setParameter("space.color", static_cast<double>(ColorSpace::Rgb));
   settle();
   EXPECT_EQ(names(), "R G B");
   EXPECT_EQ(viewport()->shownContent().space.color, ColorSpace::Rgb) << "of which the legend is made";

@@ -112,7 +112,7 @@ class Hand {
     case 5:
       return QTest::keyClick(viewport, number % 16 < 8 ? Qt::Key_Period : Qt::Key_Comma);
     case 6:
-      return session_.setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
+      return session_.presets().setParameter(QStringLiteral("weight.minimum"), 0.05 + 0.001 * (number % 100));
     default:
       return wheel(window_.findChild<PipelinePanel*>()->findChild<QScrollArea*>()->viewport(), {50, 50},
                    number % 400 < 200 ? -120 : 120);
@@ -174,7 +174,7 @@ int main(int argc, char** argv) {
     std::fputs("taa_ui_latency: no picture arrived\n", stderr);
     return 1;
   }
-  session.setPick(glm::ivec2(200, 200));
+  session.probes().setPick(glm::ivec2(200, 200));
   QTest::qWait(1500); // layouts and first paints are over
   const std::vector<double> waits = measure(window, session);
   const auto at = [&](double share) {

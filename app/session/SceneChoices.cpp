@@ -1,6 +1,7 @@
-// What the session asks of the scene: hidden objects, motion modes, the camera that is flown.
-#include "app/session/Session.h"
+#include "app/session/SceneChoices.h"
 
+#include "app/session/Outbox.h"
+#include "app/undo/UndoStack.h"
 #include "core/io/CameraTrackJson.h"
 
 #include <QJsonArray>
@@ -26,7 +27,27 @@ std::optional<CameraTrack> trackNamed(const FlownCameras& cameras, const std::st
 
 } // namespace
 
-void Session::takeSceneStatus() {
+SceneChoices::SceneChoices(Outbox& outbox, UndoStack& undo, const Status& status)
+    : outbox_(outbox), undo_(undo), status_(status) {}
+
+template <class Act>
+void SceneChoices::forEachPending(const Act& act) {
+  act(motionModes_);
+  act(filter_);
+  act(classes_);
+  act(restarts_);
+  act(flown_);
+}
+
+void SceneChoices::refused(RequestId request) {
+  forEachPending([request](auto& pending) { pending.refused(request); });
+}
+
+void SceneChoices::giveUpBefore(RequestId opened) {
+  forEachPending([opened](auto& pending) { pending.giveUpBefore(opened); });
+}
+
+void SceneChoices::takeStatus() {
   motionModes_.arrived(status_.motionModes);
   filter_.arrived(status_.filter);
   classes_.arrived(status_.objectClasses);
@@ -39,134 +60,140 @@ void Session::takeSceneStatus() {
   if (!isFlown) sceneCamera_ = status_.camera;
 }
 
-void Session::setMotionMode(const std::string& object, MotionMode mode) {
+void SceneChoices::setMotionMode(const std::string& object, MotionMode mode) {
   std::vector<MotionOverride> modes = motionModes_.value();
   std::erase_if(modes, [&](const MotionOverride& known) { return known.node == object; });
   modes.push_back({object, mode});
   setMotionModes(modes);
 }
 
-void Session::noteScene(UndoStep step, const QString& what) {
+void SceneChoices::note(UndoStep step, const QString& what) {
   step.what = what;
-  step.isVoid = nullptr; // what was asked for may not be there yet
+  step.isVoid = nullptr; // what was posted may not be there yet
   step.ofScene = true;
-  if (isOpen()) undo_.push(std::move(step));
+  if (status_.frameCount > 0) undo_.push(std::move(step));
 }
 
-// To be called before something is asked of the scene that undo is to take back.
+// To be called before a change is posted that undo is to take back.
 template <class Value>
-void Session::noteAsked(const Asked<Value>& asked, const Value& value, void (Session::*set)(const Value&),
-                        const QString& what) {
-  if (value == asked.value()) return;
-  noteScene(stepBackTo<Value>(
-                asked.value(), [&asked] { return asked.value(); },
-                [this, set](const Value& before) { (this->*set)(before); }),
-            what);
+void SceneChoices::noteChange(const Pending<Value>& pending, const Value& value,
+                              void (SceneChoices::*set)(const Value&), const QString& what) {
+  if (value == pending.value()) return;
+  note(stepBackTo<Value>(
+           pending.value(), [&pending] { return pending.value(); },
+           [this, set](const Value& before) { (this->*set)(before); }),
+       what);
 }
 
-void Session::setMotionModes(const std::vector<MotionOverride>& modes) {
-  noteAsked(motionModes_, modes, &Session::setMotionModes, tr("change of how objects move"));
-  motionModes_.ask(modes, ask(request::SetMotionModes{modes}));
+void SceneChoices::setMotionModes(const std::vector<MotionOverride>& modes) {
+  noteChange(motionModes_, modes, &SceneChoices::setMotionModes, tr("change of how objects move"));
+  motionModes_.sent(modes, outbox_.post(request::SetMotionModes{modes}));
 }
 
-void Session::setObjectFilter(const ObjectFilter& filter) {
-  noteAsked(filter_, filter, &Session::setObjectFilter, tr("change of what is drawn"));
+void SceneChoices::setObjectFilter(const ObjectFilter& filter) {
+  noteChange(filter_, filter, &SceneChoices::setObjectFilter, tr("change of what is drawn"));
   // Also where it is the same: what was just opened has none.
-  filter_.ask(filter, ask(request::SetObjectFilter{filter}));
+  filter_.sent(filter, outbox_.post(request::SetObjectFilter{filter}));
 }
 
-void Session::setHidden(const std::string& object, bool hidden) {
+void SceneChoices::setHidden(const std::string& object, bool hidden) {
   ObjectFilter filter = filter_.value();
   std::erase(filter.hidden, object);
   if (hidden) filter.hidden.push_back(object);
   setObjectFilter(filter);
 }
 
-void Session::setIsolated(const std::vector<std::string>& objects) {
+void SceneChoices::setIsolated(const std::vector<std::string>& objects) {
   ObjectFilter filter = filter_.value();
   filter.isolated = objects;
   setObjectFilter(filter);
 }
 
-void Session::setObjectClass(const std::string& object, std::optional<ObjectClass> objectClass) {
+void SceneChoices::setObjectClass(const std::string& object, std::optional<ObjectClass> objectClass) {
   std::vector<ClassOverride> classes = classes_.value();
   std::erase_if(classes, [&](const ClassOverride& known) { return known.object == object; });
   if (objectClass) classes.push_back({object, *objectClass});
   setObjectClasses(classes);
 }
 
-void Session::setObjectClasses(const std::vector<ClassOverride>& classes) {
-  noteAsked(classes_, classes, &Session::setObjectClasses, tr("change of what class objects are of"));
-  classes_.ask(classes, ask(request::SetObjectClasses{classes}));
+void SceneChoices::setObjectClasses(const std::vector<ClassOverride>& classes) {
+  noteChange(classes_, classes, &SceneChoices::setObjectClasses, tr("change of what class objects are of"));
+  classes_.sent(classes, outbox_.post(request::SetObjectClasses{classes}));
 }
 
-void Session::toggleRestart(int frame) {
+void SceneChoices::toggleRestart(int frame) {
   std::vector<int> frames = restarts_.value();
   if (std::erase(frames, frame) == 0) frames.push_back(frame);
   std::ranges::sort(frames);
   setRestarts(frames);
 }
 
-void Session::removeRestarts() {
+void SceneChoices::removeRestarts() {
   setRestarts({});
 }
 
-void Session::setRestarts(const std::vector<int>& frames) {
-  noteAsked(restarts_, frames, &Session::setRestarts, tr("change of where history restarts"));
-  restarts_.ask(frames, ask(request::SetRestarts{frames}));
+void SceneChoices::setRestarts(const std::vector<int>& frames) {
+  noteChange(restarts_, frames, &SceneChoices::setRestarts, tr("change of where history restarts"));
+  restarts_.sent(frames, outbox_.post(request::SetRestarts{frames}));
 }
 
-void Session::useCameras(const FlownCameras& cameras) {
-  flown_.ask(cameras, ask(request::SetFlownCameras{cameras}));
+void SceneChoices::useCameras(const FlownCameras& cameras) {
+  flown_.sent(cameras, outbox_.post(request::SetFlownCameras{cameras}));
 }
 
 // To be called before the cameras change.
-void Session::noteCameras(const QString& what, const std::string& key) {
+void SceneChoices::noteCameras(const QString& what, const std::string& key) {
   UndoStep step = stepBackTo<FlownCameras>(
       flown_.value(), [this] { return flown_.value(); },
       [this](const FlownCameras& before) { useCameras(before); });
   step.key = key;
-  noteScene(std::move(step), what);
+  note(std::move(step), what);
+}
+
+void SceneChoices::setCamera(const QString& name) {
+  if (name.toStdString() != status_.camera) noteCameras(tr("choice of camera %1").arg(name));
+  flown_.giveUp();
+  outbox_.post(request::SetCamera{name.toStdString()});
 }
 
 // A flight is a part of its recording.
-void Session::fly(const CameraPose& pose, std::chrono::duration<double> took) {
+void SceneChoices::fly(const CameraPose& pose, std::chrono::duration<double> took) {
   if (!status_.recording) noteCameras(tr("flight"), kFlight);
   flown_.giveUp();
   const auto ticks = std::chrono::duration_cast<FlightRecording::Clock::duration>(took);
-  ask(request::Fly{pose, ticks});
+  outbox_.post(request::Fly{pose, ticks});
 }
 
-void Session::setRecording(bool recording) {
+void SceneChoices::setRecording(bool recording) {
   if (recording && !status_.recording) {
     undo_.endGesture();
     noteCameras(tr("recording of a flight"), kFlight);
   }
   flown_.giveUp();
-  ask(request::SetRecording{recording});
+  outbox_.post(request::SetRecording{recording});
 }
 
-void Session::addCameraTrack(const CameraTrack& track) {
+void SceneChoices::addCameraTrack(const CameraTrack& track) {
   noteCameras(tr("opening of camera %1").arg(QString::fromStdString(track.name)));
   flown_.giveUp();
-  ask(request::AddCameraTrack{track});
+  outbox_.post(request::AddCameraTrack{track});
 }
 
-void Session::replaceCamera(const std::optional<CameraTrack>& before,
-                            const std::optional<CameraTrack>& after) {
+void SceneChoices::replaceCamera(const std::optional<CameraTrack>& before,
+                                 const std::optional<CameraTrack>& after) {
   std::string scenes = sceneCamera_;
   if (scenes.empty() && !status_.cameras.empty()) scenes = status_.cameras.front(); // the scene's come first
   useCameras(replaced(flown_.value(), before, after, scenes));
 }
 
-void Session::removeCamera(const std::string& name) {
+void SceneChoices::removeCamera(const std::string& name) {
   const auto track = trackNamed(flown_.value(), name);
   if (!track) return;
   noteCameras(tr("removal of camera %1").arg(QString::fromStdString(name)));
   replaceCamera(track, {});
 }
 
-bool Session::renameCamera(const std::string& name, const std::string& newName) {
+bool SceneChoices::renameCamera(const std::string& name, const std::string& newName) {
   const auto track = trackNamed(flown_.value(), name);
   if (!track || name == newName) return track.has_value();
   const bool isTaken =
@@ -179,15 +206,15 @@ bool Session::renameCamera(const std::string& name, const std::string& newName) 
   return true;
 }
 
-void Session::backToSceneCamera() {
+void SceneChoices::backToSceneCamera() {
   if (!sceneCamera_.empty()) setCamera(QString::fromStdString(sceneCamera_));
 }
 
-void Session::locate(const std::vector<int>& objects) {
-  ask(request::Locate{objects});
+void SceneChoices::locate(const std::vector<int>& objects) {
+  outbox_.post(request::Locate{objects});
 }
 
-QJsonObject Session::sceneState() const {
+QJsonObject SceneChoices::state() const {
   QJsonArray tracks;
   for (const CameraTrackHandle& track : status_.tracks)
     tracks << QJsonDocument::fromJson(QByteArray::fromStdString(cameraTrackJson(*track).dump())).object();
@@ -195,8 +222,8 @@ QJsonObject Session::sceneState() const {
           {QStringLiteral("tracks"), tracks}};
 }
 
-void Session::setSceneState(const QJsonObject& state) {
-  guarded([&] {
+void SceneChoices::setState(const QJsonObject& state) {
+  outbox_.guarded([&] {
     for (const QJsonValue& track : state[QStringLiteral("tracks")].toArray()) {
       const QByteArray text = QJsonDocument(track.toObject()).toJson();
       addCameraTrack(cameraTrackFrom(nlohmann::ordered_json::parse(text.toStdString())));

@@ -1,7 +1,7 @@
 // What a change of views or timeline is called in the menu, by their states before and after it.
 #pragma once
 
-#include "app/session/StateWatch.h"
+#include "app/undo/StateWatch.h"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "app/session/UndoStack.h"
+#include "app/undo/UndoStack.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -1,4 +1,5 @@
-// A value that is asked of the render thread: what was asked for until the answer is there, then the answer.
+// A value that has been sent to the render thread: what was sent until it has arrived there, then what is
+// there.
 #pragma once
 
 #include "core/requests/RequestKinds.h"
@@ -8,28 +9,28 @@
 namespace taa::app {
 
 template <class Value>
-class Asked {
+class Pending {
  public:
-  Asked() = default;
-  explicit Asked(Value value) : value_(std::move(value)) {}
+  Pending() = default;
+  explicit Pending(Value value) : value_(std::move(value)) {}
 
   const Value& value() const { return value_; }
   bool waits() const { return waits_; }
-  void ask(Value value, RequestId request) {
+  void sent(Value value, RequestId request) {
     value_ = std::move(value);
     request_ = request;
     waits_ = true;
   }
-  /// The present value on the render thread, which may be from before it was asked.
+  /// The present value on the render thread, which may be from before the request.
   void arrived(const Value& value) {
     if (waits_ && !(value == value_)) return;
     waits_ = false;
     value_ = value;
   }
-  /// An answer that this request cannot be met: then the next value that arrives counts. True: it was this
-  /// one.
+  /// The render thread cannot meet this request: then the next value that arrives counts. True: it was this
+  /// one's.
   bool refused(RequestId request) { return waits_ && request == request_ && std::exchange(waits_, false); }
-  /// What was asked for before `request` does not count any more.
+  /// What was sent before `request` does not count any more.
   void giveUpBefore(RequestId request) {
     if (request_ < request) waits_ = false;
   }

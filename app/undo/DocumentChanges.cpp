@@ -1,4 +1,4 @@
-#include "app/session/DocumentChanges.h"
+#include "app/undo/DocumentChanges.h"
 
 #include <QJsonArray>
 #include <QJsonValue>

@@ -1,4 +1,4 @@
-#include "app/session/StateWatch.h"
+#include "app/undo/StateWatch.h"
 
 #include <QPointer>
 

@@ -1,7 +1,7 @@
 // Makes undo of a part of the window that says its state as JSON: each change of it becomes a step.
 #pragma once
 
-#include "app/session/UndoStack.h"
+#include "app/undo/UndoStack.h"
 
 #include <QJsonObject>
 #include <QObject>

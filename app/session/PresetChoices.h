@@ -1,0 +1,74 @@
+// The settings that are chosen, the preset they come from, and the presets they are compared with.
+#pragma once
+
+#include "app/session/Pending.h"
+#include "core/settings/Settings.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+
+#include <string>
+#include <vector>
+
+namespace taa::app {
+
+class Outbox;
+class UndoStack;
+
+/// The settings in force and the preset they come from, which is gone back to.
+struct PresetChoice {
+  Settings settings, presetSettings;
+  std::string presetId;
+  bool operator==(const PresetChoice&) const = default;
+};
+
+/// Begins with the first built-in preset.
+class PresetChoices : public QObject {
+  Q_OBJECT
+ public:
+  PresetChoices(Outbox& outbox, UndoStack& undo);
+
+  /// What was chosen, which the picture may not show yet.
+  const Settings& settings() const { return chosen_.settings; }
+  const std::string& presetId() const { return chosen_.presetId; }
+  const Settings& presetSettings() const { return chosen_.presetSettings; }
+  bool isPresetChanged() const;
+  void setParameter(const QString& path, double value);
+  void setPreset(const QString& idOrPath);
+  /// Somebody looks at this choice and may take it: when they stay, what it needs is compiled ahead.
+  void prepareParameter(const QString& path, double value);
+  void preparePreset(const QString& idOrPath);
+  void backToPreset();
+  /// Saves the present settings in `folder` and goes on from them.
+  void savePreset(const QString& folder, const QString& label);
+  /// Presets that views are compared with: lanes 1, 2 … next to that of the settings.
+  void setOtherPresets(const QStringList& idsOrPaths);
+  const std::vector<Settings>& otherLanes() const { return otherLanes_; } ///< their settings
+
+  // For the session
+  /// Is no step of undo.
+  void use(const PresetChoice& choice);
+  /// The settings of the frame on show. Settings that were refused give way to them.
+  void arrived(const Settings& inForce);
+  void refused(RequestId request) { settings_.refused(request); }
+
+ Q_SIGNALS:
+  void settingsChanged();
+
+ private:
+  void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
+  void consider(const Settings& settings);
+
+  Outbox& outbox_;
+  UndoStack& undo_;
+  PresetChoice chosen_, chosenInForce_; ///< what was chosen; what has arrived of it
+  Pending<Settings> settings_;
+  Settings considered_;
+  QTimer stays_; ///< runs out when somebody has looked at `considered_` for long enough
+  QStringList otherPresets_;
+  std::vector<Settings> otherLanes_;
+};
+
+} // namespace taa::app
