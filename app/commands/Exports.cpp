@@ -112,9 +112,9 @@ void Exports::askForGlsl() {
 
 void Exports::writeGlsl(const QString& path) {
   try {
-    const std::string title = settingsTitle(session_.presets().presetId(), session_.presets().settings(),
-                                            session_.presets().presetSettings());
-    writeFile(path.toStdString(), exportedGlsl(session_.presets().settings(), title));
+    const PresetChoices& presets = session_.presets();
+    const std::string title = settingsTitle(presets.presetId(), presets.settings(), presets.presetSettings());
+    writeFile(path.toStdString(), exportedGlsl(presets.settings(), title));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -106,18 +106,18 @@ void GlslWindow::showStage(Stage stage) {
 // What is made of the settings takes longer than a key may.
 void GlslWindow::refresh() {
   const QString what = files_->currentData().toString();
-  const std::string title = settingsTitle(session_.presets().presetId(), session_.presets().settings(),
-                                          session_.presets().presetSettings());
-  QThreadPool::globalInstance()->start([self = QPointer<GlslWindow>(this), what, title,
-                                        settings = session_.presets().settings(), asked = ++asked_] {
-    const QString text = textOf(what, settings, title);
-    QMetaObject::invokeMethod(
-        qApp,
-        [self, text, asked] {
-          if (self && self->asked_ == asked) self->text_->setText(text);
-        },
-        Qt::QueuedConnection);
-  });
+  const PresetChoices& presets = session_.presets();
+  const std::string title = settingsTitle(presets.presetId(), presets.settings(), presets.presetSettings());
+  QThreadPool::globalInstance()->start(
+      [self = QPointer<GlslWindow>(this), what, title, settings = presets.settings(), asked = ++asked_] {
+        const QString text = textOf(what, settings, title);
+        QMetaObject::invokeMethod(
+            qApp,
+            [self, text, asked] {
+              if (self && self->asked_ == asked) self->text_->setText(text);
+            },
+            Qt::QueuedConnection);
+      });
   const QString folder = ShaderWatch::folder();
   const bool isFile = what != kProgram && what != kExport;
   if (!isFile)

@@ -2,7 +2,7 @@
 
 #include "app/dialogs/KeysDialog.h"
 #include "app/menus/Commands.h"
-#include "app/session/Session.h"
+#include "app/session/PresetChoices.h"
 #include "app/style/Text.h"
 #include "app/widgets/Chooser.h"
 #include "core/settings/Parameters.h"
@@ -57,8 +57,8 @@ ChooserEntry entryOf(const ParameterValue& of, const Settings& settings) {
 
 } // namespace
 
-CommandLists::CommandLists(const Commands& commands, Session& session, QWidget* window)
-    : QObject(window), commands_(commands), session_(session), window_(window) {}
+CommandLists::CommandLists(const Commands& commands, PresetChoices& presets, QWidget* window)
+    : QObject(window), commands_(commands), presets_(presets), window_(window) {}
 
 void CommandLists::choose() {
   std::vector<ChooserEntry> entries;
@@ -69,14 +69,14 @@ void CommandLists::choose() {
                        {},
                        command.action->isEnabled()});
   const std::vector<ParameterValue> values = parameterValues(); // behind the commands
-  for (const ParameterValue& value : values) entries.push_back(entryOf(value, session_.presets().settings()));
+  for (const ParameterValue& value : values) entries.push_back(entryOf(value, presets_.settings()));
   auto* chooser = new Chooser(
       tr("Search commands"), std::move(entries),
       [this, values](int index) {
         const auto commands = commands_.all().size(), at = static_cast<std::size_t>(index);
         if (at < commands) return commands_.all()[at].action->trigger();
         const ParameterValue& chosen = values[at - commands];
-        session_.presets().setParameter(qtext(chosen.row->path), chosen.value);
+        presets_.setParameter(qtext(chosen.row->path), chosen.value);
       },
       window_);
   const int left = std::max(0, (window_->width() - 480) / 2);

@@ -8,13 +8,13 @@ class QWidget;
 namespace taa::app {
 
 class Commands;
-class Session;
+class PresetChoices;
 
 class CommandLists : public QObject {
   Q_OBJECT
  public:
   /// They open over `window`.
-  CommandLists(const Commands& commands, Session& session, QWidget* window);
+  CommandLists(const Commands& commands, PresetChoices& presets, QWidget* window);
 
   /// Commands, and behind them the choices of the settings.
   void choose();
@@ -22,7 +22,7 @@ class CommandLists : public QObject {
 
  private:
   const Commands& commands_;
-  Session& session_;
+  PresetChoices& presets_;
   QWidget* window_;
 };
 

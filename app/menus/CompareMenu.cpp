@@ -1,7 +1,7 @@
 #include "app/menus/CompareMenu.h"
 
 #include "app/commands/ViewChoices.h"
-#include "app/session/Session.h"
+#include "app/session/PresetChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -44,8 +44,8 @@ ViewCountMenu::ViewCountMenu(Commands& commands, ViewArea& views, QWidget* paren
         {QKeySequence(QStringLiteral("Ctrl+%1").arg(index + 1))}, [&views, index] { views.activate(index); });
 }
 
-CompareMenu::CompareMenu(Commands& commands, const Session& session, ViewArea& views, ViewChoices& choices,
-                         QWidget* parent)
+CompareMenu::CompareMenu(Commands& commands, const PresetChoices& presets, ViewArea& views,
+                         ViewChoices& choices, QWidget* parent)
     : CommandMenu(tr("&Compare"), commands, parent) {
   add(tr("&Compare with…"), keys({"C"}), [&views, &choices] {
     choices.chooseComparison(views.activeIndex());
@@ -53,8 +53,8 @@ CompareMenu::CompareMenu(Commands& commands, const Session& session, ViewArea& v
   add(tr("With the frame &before"), keys({"Shift+C"}), [&views] {
     views.active()->setComparison({OtherKind::FramesBefore, {}, {}, 1});
   });
-  add(tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [&session, &views] {
-    views.active()->setComparison({OtherKind::Preset, {}, session.presets().presetId()});
+  add(tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [&presets, &views] {
+    views.active()->setComparison({OtherKind::Preset, {}, presets.presetId()});
   });
   QAction* none = add(tr("With &nothing"), keys({"Alt+C"}), [&views] { views.active()->setComparison({}); });
   onRefresh([&views, none] { none->setEnabled(static_cast<bool>(views.active()->comparison())); });

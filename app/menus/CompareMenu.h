@@ -5,7 +5,7 @@
 
 namespace taa::app {
 
-class Session;
+class PresetChoices;
 class ViewArea;
 class ViewChoices;
 
@@ -18,7 +18,7 @@ class ViewCountMenu : public CommandMenu {
 class CompareMenu : public CommandMenu {
   Q_OBJECT
  public:
-  CompareMenu(Commands& commands, const Session& session, ViewArea& views, ViewChoices& choices,
+  CompareMenu(Commands& commands, const PresetChoices& presets, ViewArea& views, ViewChoices& choices,
               QWidget* parent);
 
  private:

@@ -3,7 +3,7 @@
 #include "app/commands/GoToPrompts.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/panels/ProbePanel.h"
-#include "app/session/Session.h"
+#include "app/session/PinnedProbes.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -27,39 +27,37 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
 }
 
 void ProbeMenu::addPlaces(const Targets& on) {
-  Session& session = on.session;
+  PinnedProbes& probes = on.probes;
   add(tr("&Go to pixel…"), keys({"Ctrl+G"}), [&prompts = on.prompts] {
     prompts.askForPixel();
   })->setIcon(themedIcon(QStringLiteral("probe")));
-  add(tr("Go to the probe"), keys({"P"}), [&session, &views = on.views] {
-    if (const auto pick = session.probes().pick()) views.active()->viewport()->reveal(*pick);
+  add(tr("Go to the probe"), keys({"P"}), [&probes, &views = on.views] {
+    if (const auto pick = probes.pick()) views.active()->viewport()->reveal(*pick);
   });
-  add(tr("&Remove the probe"), keys({"Del"}), [&session] { session.probes().setPick({}); });
-  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&session] { session.probes().removeAllPins(); });
+  add(tr("&Remove the probe"), keys({"Del"}), [&probes] { probes.setPick({}); });
+  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&probes] { probes.removeAllPins(); });
 }
 
 void ProbeMenu::addPins(const Targets& on) {
-  Session& session = on.session;
+  PinnedProbes& probes = on.probes;
   add(tr("&Pin another under the mouse or beside"), keys({"Shift+P"}),
       [&probe = on.probe, &prompts = on.prompts] {
         if (!probe.pinAnother()) prompts.askForPixel();
       });
-  const auto choose = [&session](int step) {
-    const int count = static_cast<int>(session.probes().pins().size());
-    if (count > 0) session.probes().setActivePin((session.probes().activePin() + step + count) % count);
+  const auto choose = [&probes](int step) {
+    const int count = static_cast<int>(probes.pins().size());
+    if (count > 0) probes.setActivePin((probes.activePin() + step + count) % count);
   };
   add(tr("Ne&xt probe"), keys({"Ctrl+N"}), [choose] { choose(1); });
   add(tr("Previo&us probe"), keys({"Ctrl+Shift+N"}), [choose] { choose(-1); });
-  QAction* follows = addCheck(tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")),
-                              [&session](bool isOnSurface) {
-                                session.probes().setFollow(session.probes().activePin(),
-                                                           isOnSurface ? Follow::Surface : Follow::Screen);
-                              });
-  onRefresh([&session, follows] {
-    const int pin = session.probes().activePin();
+  QAction* follows = addCheck(
+      tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")), [&probes](bool isOnSurface) {
+        probes.setFollow(probes.activePin(), isOnSurface ? Follow::Surface : Follow::Screen);
+      });
+  onRefresh([&probes, follows] {
+    const int pin = probes.activePin();
     follows->setEnabled(pin >= 0);
-    follows->setChecked(pin >= 0 &&
-                        session.probes().pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
+    follows->setChecked(pin >= 0 && probes.pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
   });
 }
 

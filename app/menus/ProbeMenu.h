@@ -6,16 +6,16 @@
 namespace taa::app {
 
 class GoToPrompts;
+class PinnedProbes;
 class ProbeCommands;
 class ProbePanel;
-class Session;
 class ViewArea;
 
 class ProbeMenu : public CommandMenu {
   Q_OBJECT
  public:
   struct Targets {
-    Session& session;
+    PinnedProbes& probes;
     ViewArea& views;
     ProbePanel& panel;
     ProbeCommands& probe;

@@ -4,7 +4,7 @@
 #include "app/commands/Flight.h"
 #include "app/panels/LeftArea.h"
 #include "app/panels/ScenePanel.h"
-#include "app/session/Session.h"
+#include "app/session/SceneChoices.h"
 #include "app/style/Text.h"
 
 #include <QAction>
@@ -24,8 +24,7 @@ SceneMenu::SceneMenu(Commands& commands, const Targets& on, QWidget* parent)
   addSelection(on.scene);
   QAction* all =
       add(tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [&scene = on.scene] { scene.showAll(); });
-  onRefresh(
-      [all, &session = on.session] { all->setEnabled(!(session.scene().objectFilter() == ObjectFilter{})); });
+  onRefresh([all, &choices = on.choices] { all->setEnabled(!(choices.objectFilter() == ObjectFilter{})); });
 }
 
 void SceneMenu::addFlight(Flight& flight) {

@@ -8,14 +8,14 @@ namespace taa::app {
 class CameraFiles;
 class Flight;
 class LeftArea;
+class SceneChoices;
 class ScenePanel;
-class Session;
 
 class SceneMenu : public CommandMenu {
   Q_OBJECT
  public:
   struct Targets {
-    const Session& session;
+    const SceneChoices& choices;
     Flight& flight;
     CameraFiles& cameras;
     LeftArea& left;

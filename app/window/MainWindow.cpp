@@ -188,7 +188,7 @@ void MainWindow::makeCommands() {
   prompts_ = new GoToPrompts(session_, *views_, *timeline_, this);
   choices_ = new ViewChoices(session_, *views_, presets_->folder(), this);
   commands_ = std::make_unique<Commands>();
-  lists_ = new CommandLists(*commands_, session_, this);
+  lists_ = new CommandLists(*commands_, session_.presets(), this);
 }
 
 void MainWindow::makeMenus() {
@@ -200,14 +200,14 @@ void MainWindow::makeMenus() {
   bar->addMenu(new ViewMenu(
       all, {session_, *views_, *choices_, *left_, *pipeline_, *probe_, *lower_, *plots_, *theme_}, bar));
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
-  bar->addMenu(new SceneMenu(all, {session_, *flight_, *cameras_, *left_, *scene_}, bar));
+  bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
-  bar->addMenu(new ProbeMenu(all, {session_, *views_, *probe_, *probeCommands_, *prompts_}, bar));
+  bar->addMenu(new ProbeMenu(all, {session_.probes(), *views_, *probe_, *probeCommands_, *prompts_}, bar));
   bar->addMenu(new HelpMenu(all, session_, *lists_, bar));
 }
 
 void MainWindow::makeFeeds() {
-  probeFeed_ = std::make_unique<ProbeFeed>(session_, *views_, *probe_);
+  probeFeed_ = std::make_unique<ProbeFeed>(session_.probes(), *views_, *probe_);
   plotFeed_ =
       std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
   sceneFeed_ = std::make_unique<SceneFeed>(session_, *views_, *scene_);

@@ -5,20 +5,20 @@
 
 namespace taa::app {
 
+class PinnedProbes;
 class ProbePanel;
-class Session;
 class ViewArea;
 
 class ProbeFeed : public QObject {
   Q_OBJECT
  public:
-  ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel);
+  ProbeFeed(PinnedProbes& probes, ViewArea& views, ProbePanel& panel);
 
  private:
   void showPick();
   void showProbe();
 
-  Session& session_;
+  PinnedProbes& probes_;
   ViewArea& views_;
   ProbePanel& panel_;
 };
