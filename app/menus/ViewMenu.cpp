@@ -38,7 +38,7 @@ void ViewMenu::addViews(const Targets& on) {
       [&views, &choices = on.choices] { choices.chooseIntermediate(views.activeIndex()); });
   add(tr("&Next number of views: one, two, four"), keys({"V"}), [&views] { views.showNextCount(); });
   addMenu(new ViewCountMenu(commands_, views, this));
-  addMenu(new CompareMenu(commands_, on.session.presets(), views, on.choices, this));
+  addMenu(new CompareMenu(commands_, on.presets, views, on.choices, this));
   QAction* linked = addCheck(tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
                              [&views](bool isLinked) { views.setLinked(isLinked); });
   onRefresh([&views, linked] { linked->setChecked(views.areLinked()); });

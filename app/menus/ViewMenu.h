@@ -9,8 +9,8 @@ class LeftArea;
 class LowerArea;
 class PipelinePanel;
 class PlotsPanel;
+class PresetChoices;
 class ProbePanel;
-class Session;
 class ThemeSetting;
 class ViewArea;
 class ViewChoices;
@@ -19,7 +19,7 @@ class ViewMenu : public CommandMenu {
   Q_OBJECT
  public:
   struct Targets {
-    const Session& session;
+    const PresetChoices& presets;
     ViewArea& views;
     ViewChoices& choices;
     LeftArea& left;

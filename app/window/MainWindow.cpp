@@ -198,7 +198,8 @@ void MainWindow::makeMenus() {
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
   bar->addMenu(new ViewMenu(
-      all, {session_, *views_, *choices_, *left_, *pipeline_, *probe_, *lower_, *plots_, *theme_}, bar));
+      all, {session_.presets(), *views_, *choices_, *left_, *pipeline_, *probe_, *lower_, *plots_, *theme_},
+      bar));
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));

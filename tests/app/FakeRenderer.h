@@ -37,8 +37,8 @@ class FakeRenderer final : public Renderer {
   std::optional<SequenceRequest> exported;
   std::vector<int> located; ///< objects
   RequestId requests = 0;   ///< so far
-  std::optional<RequestKind>
-      refused; ///< answers the next request of this kind with an error and nothing else
+  /// The next request of this kind is answered with an error and nothing else.
+  std::optional<RequestKind> refused;
   int reloads = 0, cancels = 0, settingsSent = 0;
   void deliver(); ///< all that there is
 
