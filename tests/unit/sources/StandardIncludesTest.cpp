@@ -32,7 +32,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::copy_if ranges::count ranges::count_if ranges::equal ranges::fill ranges::find ranges::find_if "
      "ranges::find_if_not ranges::for_each ranges::is_sorted ranges::lower_bound ranges::max "
      "ranges::max_element ranges::min ranges::min_element ranges::none_of ranges::nth_element "
-     "ranges::remove_copy_if ranges::reverse ranges::sort ranges::stable_partition ranges::stable_sort "
+     "remove_if stable_partition ranges::remove_copy_if ranges::reverse ranges::sort "
+     "ranges::stable_partition ranges::stable_sort "
      "ranges::set_symmetric_difference ranges::transform ranges::unique ranges::upper_bound ranges::contains "
      "ranges::replace "
      "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax"},
@@ -88,7 +89,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "minstd_rand mt19937 normal_distribution uniform_int_distribution uniform_real_distribution mt19937_64"},
     {"ranges", "ranges::subrange views ranges::iota_view"},
     {"ratio", "milli"},
-    {"regex", "regex regex_match regex_replace regex_search smatch sregex_iterator regex_error"},
+    {"regex",
+     "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator regex_error"},
     {"set", "begin end erase erase_if multiset ptrdiff_t set size size_t initializer_list"},
     {"span", "as_bytes begin end ptrdiff_t size size_t span initializer_list"},
     {"sstream", "fixed ios istringstream ostream ostringstream streamsize stringstream"},
@@ -103,7 +105,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"type_traits",
      "conditional_t decay_t enable_if_t false_type invoke_result_t is_enum_v is_floating_point_v "
      "is_integral_v "
-     "is_same_v is_trivially_copyable_v remove_cvref_t remove_pointer_t remove_reference_t true_type "
+     "is_same_v is_copy_constructible_v is_move_constructible_v is_trivially_copyable_v remove_cvref_t "
+     "remove_pointer_t remove_reference_t true_type "
      "underlying_type_t is_constructible_v is_base_of_v void_t is_arithmetic_v is_signed_v is_void_v"},
     {"unordered_map", "begin end erase erase_if ptrdiff_t size size_t unordered_map"},
     {"unordered_set", "begin end erase erase_if ptrdiff_t size size_t unordered_set"},
