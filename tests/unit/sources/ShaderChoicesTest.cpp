@@ -34,6 +34,7 @@ const std::set<std::string>& choicesThatNoShaderNames() {
       "kValidateDepthFootprint_square3x3",
       "kValidateVelocity_vector",
       "kValidateAction_restart",
+      "kWeightSource_constant",
       "kWeightFlickerScale_relative",
       "kWeightSampleDistance_gaussian",
       "kWeightMotionSpeedIn_px",

@@ -89,8 +89,8 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "minstd_rand mt19937 normal_distribution uniform_int_distribution uniform_real_distribution mt19937_64"},
     {"ranges", "ranges::subrange views ranges::iota_view"},
     {"ratio", "milli"},
-    {"regex",
-     "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator regex_error"},
+    {"regex", "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator "
+              "cregex_iterator regex_error"},
     {"set", "begin end erase erase_if multiset ptrdiff_t set size size_t initializer_list"},
     {"span", "as_bytes begin end ptrdiff_t size size_t span initializer_list"},
     {"sstream", "fixed ios istringstream ostream ostringstream streamsize stringstream"},
