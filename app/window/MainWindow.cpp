@@ -101,7 +101,10 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
 
 MainWindow::~MainWindow() {
   // The panels are destroyed after this; what they say on the way is of no interest.
-  disconnect(&session_, nullptr, this, nullptr);
+  const QObject* const parts[] = {&session_, &session_.presets(), &session_.probes(), &session_.scene(),
+                                  &session_.undoStack()};
+  for (const QObject* part : parts) disconnect(part, nullptr, this, nullptr);
+  disconnect(views_, nullptr, this, nullptr);
 }
 
 void MainWindow::makePanels() {

@@ -341,7 +341,7 @@ TEST_F(SessionFiles, TheGlslOfAStageIsRead) {
   const auto shows = [&](const char* words) {
     return taa::app::test::waitFor([&] { return glsl->text()->toPlainText().contains(words); }, 20000);
   };
-  EXPECT_TRUE(shows("Weight blendWeight("));
+  EXPECT_TRUE(shows("Weights blendWeight("));
   QTest::keyClicks(glsl->search(), "leastWeight");
   EXPECT_EQ(glsl->text()->textCursor().selectedText(), "leastWeight");
   const int line = glsl->text()->textCursor().blockNumber();
