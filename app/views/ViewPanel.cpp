@@ -113,10 +113,10 @@ void ViewPanel::measure() {
   const bool fits = wantsRange_ || alwaysAuto_;
   if (!(fits || showsHistogram()) || !result || result->values.empty()) return;
   if (result->request.id != id() || result->request.asDifference != isDifference()) return;
-  ValueFinder::Wish wish{.result = result, .row = source_.row(), .style = style(), .range = {}};
-  if (!fits) wish.range = ValueRange{style().low, style().high};
-  if (showsHistogram()) wish.bins = RangeHistogram::kBins;
-  finder_->find(wish);
+  ValueFinder::Question question{.result = result, .row = source_.row(), .style = style(), .range = {}};
+  if (!fits) question.range = ValueRange{style().low, style().high};
+  if (showsHistogram()) question.bins = RangeHistogram::kBins;
+  finder_->find(question);
 }
 
 void ViewPanel::fitRange(const std::optional<ValueRange>& range) {
@@ -194,13 +194,15 @@ void ViewPanel::makeHistogram() {
     style.high = range.high;
     setStyle(style);
   });
-  connect(finder_, &ValueFinder::found, this, [this](const ValueFinder::Wish& of, const Distribution& found) {
-    if (of.row.id != id() || of.result->request.asDifference != isDifference()) return;
-    for (int channel = 0; channel < 3; ++channel)
-      if (isShown(of.style, channel) != isShown(style(), channel)) return; // a picture of these is on its way
-    if (wantsRange_ || alwaysAuto_) fitRange(found.values);
-    if (showsHistogram() && !found.counts.empty()) histogram_->setDistribution(found);
-  });
+  connect(finder_, &ValueFinder::found, this,
+          [this](const ValueFinder::Question& of, const Distribution& found) {
+            if (of.row.id != id() || of.result->request.asDifference != isDifference()) return;
+            for (int channel = 0; channel < 3; ++channel)
+              if (isShown(of.style, channel) != isShown(style(), channel))
+                return; // a picture of these is on its way
+            if (wantsRange_ || alwaysAuto_) fitRange(found.values);
+            if (showsHistogram() && !found.counts.empty()) histogram_->setDistribution(found);
+          });
 }
 
 bool ViewPanel::isMeasuring() const {

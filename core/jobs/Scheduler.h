@@ -8,14 +8,14 @@
 #include "core/jobs/Wanted.h"
 #include "core/jobs/idle/Comparing.h"
 #include "core/jobs/idle/CompilingAhead.h"
-#include "core/jobs/idle/Exporting.h"
 #include "core/jobs/idle/FigureMeasuring.h"
 #include "core/jobs/idle/FlickerMeasuring.h"
 #include "core/jobs/idle/ReferenceDrawing.h"
 #include "core/jobs/idle/StageCosting.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
 #include "core/jobs/idle/Traces.h"
-#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/CameraFlight.h"
+#include "core/jobs/shot/Exporting.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/Play.h"
 #include "core/jobs/shot/Replay.h"
@@ -72,7 +72,7 @@ class Scheduler {
   Transport transport_{desk_};
   Goal goal_;
   Wanted wanted_;
-  Flight flight_{desk_, transport_, goal_};
+  CameraFlight flight_{desk_, transport_, goal_};
   ShotChanges changes_{desk_, flight_, goal_};
   Replay replay_{desk_, transport_, goal_, flight_};
   Play play_{desk_, transport_, goal_, flight_};

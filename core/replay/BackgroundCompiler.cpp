@@ -17,7 +17,7 @@ namespace taa {
 namespace {
 
 struct Job {
-  CompileWish wish;
+  CompileRequest request;
   std::shared_ptr<const ShaderTexts> shaders;
 };
 
@@ -33,8 +33,8 @@ class Compiler {
   void compile(const Job& job) {
     if (job.shaders != shaders_) pass_ = TaaPass();
     useShaders(shaders_ = job.shaders);
-    const Settings& settings = job.wish.settings;
-    const gl::Rect region{0, 0, smallSide(job.wish.picturePx.x), smallSide(job.wish.picturePx.y)};
+    const Settings& settings = job.request.settings;
+    const gl::Rect region{0, 0, smallSide(job.request.picturePx.x), smallSide(job.request.picturePx.y)};
     FrameRequest request;
     request.width = region.width;
     request.height = region.height;
@@ -43,7 +43,7 @@ class Compiler {
     fitInputs(request, inputs);
     History previous, out;
     fitHistory(previous, region.width, region.height, settings);
-    for (const auto& rows : {job.wish.exposed, std::vector<IntermediateId>()}) {
+    for (const auto& rows : {job.request.exposed, std::vector<IntermediateId>()}) {
       if (pass_.isPrepared(settings, rows)) continue;
       Exposure exposure(ExposureLayout(rows, rowSources(settings)), region);
       pass_.resolve(inputs, &previous, settings, out, rows.empty() ? nullptr : &exposure);
@@ -100,10 +100,10 @@ BackgroundCompiler::~BackgroundCompiler() {
   if (parts_->thread.joinable()) parts_->thread.join();
 }
 
-void BackgroundCompiler::want(CompileWish wish) {
+void BackgroundCompiler::want(CompileRequest request) {
   {
     const std::lock_guard lock(parts_->mutex);
-    parts_->next = Job{std::move(wish), shadersInUse()};
+    parts_->next = Job{std::move(request), shadersInUse()};
   }
   parts_->changed.notify_all();
   if (!parts_->thread.joinable()) parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });

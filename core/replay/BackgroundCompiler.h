@@ -14,7 +14,7 @@
 namespace taa {
 
 /// Something that may be resolved soon.
-struct CompileWish {
+struct CompileRequest {
   Settings settings;
   glm::ivec2 picturePx{0};
   std::vector<IntermediateId> exposed; ///< in the run that is shown; none in those that are only replayed
@@ -34,7 +34,7 @@ class BackgroundCompiler {
   BackgroundCompiler& operator=(const BackgroundCompiler&) = delete;
 
   /// With the shaders in use on the calling thread. One that has not begun gives way to the next.
-  void want(CompileWish wish);
+  void want(CompileRequest request);
   /// Whether all is done by then.
   bool waitFor(std::chrono::milliseconds duration);
 

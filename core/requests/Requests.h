@@ -260,15 +260,16 @@ struct ReloadShaders {
   static constexpr RequestRule kRule{.kind = RequestKind::Shaders, .turn = Turn::Views, .endsReplay = true};
 };
 
-/// Stops the long work under way.
-struct Cancel {
-  static constexpr RequestRule kRule{.kind = RequestKind::None, .turn = Turn::First, .endsReplay = true};
-};
-
 /// Other requests wait until it is done; Cancel stops it.
 struct ExportSequence {
   SequenceRequest sequence;
   static constexpr RequestRule kRule{.kind = RequestKind::Export};
+};
+
+/// Stops the long work under way, and what waits to be begun.
+struct Cancel {
+  using Overrides = std::tuple<MeasureStages, FillTraces, ExportSequence>;
+  static constexpr RequestRule kRule{.kind = RequestKind::None, .turn = Turn::First, .endsReplay = true};
 };
 
 } // namespace request

@@ -1,4 +1,5 @@
 // Runs the tests of the desktop program without a display, in the repository root.
+#include "app/style/Theme.h"
 #include "tests/support/Paths.h"
 
 #include <QApplication>
@@ -13,6 +14,9 @@ int main(int argc, char** argv) {
   // QT_QPA_PLATFORM=xcb runs them on a screen, for example below xvfb-run.
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   qputenv("TAA_PROGRAM_CACHE", ""); // nothing is left behind
-  const QApplication application(argc, argv);
+  QApplication application(argc, argv);
+  // Before the first window, as the program does: what is made in another font is not laid out as later
+  // windows are.
+  taa::app::applyTheme(application, taa::app::ThemeChoice::Dark);
   return RUN_ALL_TESTS();
 }

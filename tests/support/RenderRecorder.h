@@ -36,6 +36,7 @@ struct Recorder {
   std::vector<FrameFigures> figures;
   std::vector<TraceDelivery> traces;
   std::vector<ObjectArea> areas;
+  std::vector<ExportResult> exports;
   // Also called, without the lock
   std::function<void(const Work&)> onWork;
   std::function<void(const ShadersRead&)> onShaders;
@@ -71,7 +72,7 @@ struct Recorder {
   void take(ShadersRead read) {
     if (onShaders) onShaders(read);
   }
-  void take(ExportResult) {}
+  void take(ExportResult result) { add(exports, std::move(result)); }
   void take(StageShares) {}
   Listener listener() {
     return [this](Answer answer) {

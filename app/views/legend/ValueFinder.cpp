@@ -10,38 +10,38 @@ namespace taa::app {
 
 namespace {
 
-Distribution answer(const ValueFinder::Wish& wish) {
-  return distributionOf(wish.result->values, wish.row, wish.style, wish.range, wish.bins);
+Distribution answer(const ValueFinder::Question& question) {
+  return distributionOf(question.result->values, question.row, question.style, question.range, question.bins);
 }
 
 } // namespace
 
-void ValueFinder::find(const Wish& wish) {
+void ValueFinder::find(const Question& question) {
   if (isBusy_)
-    next_ = wish;
-  else if (wish.result->values.pixels.size() <= kFew)
-    Q_EMIT found(wish, answer(wish));
+    next_ = question;
+  else if (question.result->values.pixels.size() <= kFew)
+    Q_EMIT found(question, answer(question));
   else
-    start(wish);
+    start(question);
 }
 
-void ValueFinder::start(const Wish& wish) {
+void ValueFinder::start(const Question& question) {
   isBusy_ = true;
-  QThreadPool::globalInstance()->start([self = QPointer<ValueFinder>(this), wish] {
-    const Distribution distribution = answer(wish);
+  QThreadPool::globalInstance()->start([self = QPointer<ValueFinder>(this), question] {
+    const Distribution distribution = answer(question);
     QMetaObject::invokeMethod(
         qApp,
-        [self, wish, distribution] {
-          if (self) self->finish(wish, distribution);
+        [self, question, distribution] {
+          if (self) self->finish(question, distribution);
         },
         Qt::QueuedConnection);
   });
 }
 
-void ValueFinder::finish(const Wish& of, const Distribution& distribution) {
-  Q_EMIT found(of, distribution); // what is wished for then waits, too
+void ValueFinder::finish(const Question& of, const Distribution& distribution) {
+  Q_EMIT found(of, distribution); // what is asked then waits, too
   isBusy_ = false;
-  if (const std::optional<Wish> next = std::exchange(next_, std::nullopt)) find(*next);
+  if (const std::optional<Question> next = std::exchange(next_, std::nullopt)) find(*next);
 }
 
 } // namespace taa::app

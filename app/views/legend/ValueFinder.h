@@ -19,7 +19,7 @@ class ValueFinder : public QObject {
   /// So many values are counted at once: in less than a millisecond.
   static constexpr std::size_t kFew = std::size_t(1) << 16;
 
-  struct Wish {
+  struct Question {
     std::shared_ptr<const ViewResult> result;
     Intermediate row;
     ViewStyle style;
@@ -29,18 +29,18 @@ class ValueFinder : public QObject {
 
   using QObject::QObject;
 
-  /// Of the wishes that come while one is looked after only the last is answered.
-  void find(const Wish& wish);
+  /// Of the questions that come while one is looked after only the last is answered.
+  void find(const Question& question);
   bool isBusy() const { return isBusy_; }
 
  Q_SIGNALS:
-  void found(const Wish& of, const Distribution& distribution);
+  void found(const Question& of, const Distribution& distribution);
 
  private:
-  void start(const Wish& wish);
-  void finish(const Wish& of, const Distribution& distribution);
+  void start(const Question& question);
+  void finish(const Question& of, const Distribution& distribution);
 
-  std::optional<Wish> next_;
+  std::optional<Question> next_;
   bool isBusy_ = false;
 };
 

@@ -3,7 +3,7 @@
 
 #include "core/jobs/Job.h"
 #include "core/jobs/Transport.h"
-#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"
 
@@ -13,7 +13,7 @@ namespace taa {
 
 class Replay final : public Job {
  public:
-  Replay(Desk& desk, Transport& transport, Goal& goal, Flight& flight)
+  Replay(Desk& desk, Transport& transport, Goal& goal, CameraFlight& flight)
       : desk_(desk), transport_(transport), goal_(goal), flight_(flight) {}
 
   void take(const request::Seek& seek);
@@ -32,7 +32,7 @@ class Replay final : public Job {
   Desk& desk_;
   Transport& transport_;
   Goal& goal_;
-  Flight& flight_;
+  CameraFlight& flight_;
 };
 
 } // namespace taa

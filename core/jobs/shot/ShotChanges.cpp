@@ -28,46 +28,45 @@ bool ShotChanges::open(const std::string& source) {
   return isOpened;
 }
 
-// Once something is open, where it is not so already.
-void ShotChanges::changeScene(RequestKind kind, bool isOther, const std::function<void()>& action) {
+void ShotChanges::changeIf(bool isOther, RequestKind kind, const std::function<void()>& action) {
   if (isOther) desk_.change(kind, action);
 }
 
 void ShotChanges::take(const request::SetSize& size) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Size, size.width != shot.width() || size.height != shot.height(),
-              [&] { shot.setSize(size.width, size.height); });
+  changeIf(size.width != shot.width() || size.height != shot.height(), RequestKind::Size,
+           [&] { shot.setSize(size.width, size.height); });
 }
 
 void ShotChanges::take(const request::SetFlownCameras& flown) {
   flight_.end();
-  changeScene(RequestKind::FlownCameras, desk_.isOpen(),
-              [&] { desk_.inspector.shot().setFlownCameras(flown.cameras); });
+  changeIf(desk_.isOpen(), RequestKind::FlownCameras,
+           [&] { desk_.inspector.shot().setFlownCameras(flown.cameras); });
 }
 
 void ShotChanges::take(const request::AddCameraTrack& added) {
   flight_.end();
-  changeScene(RequestKind::FlownCameras, desk_.isOpen(),
-              [&] { desk_.inspector.shot().setCameraTrack(added.track); });
+  changeIf(desk_.isOpen(), RequestKind::FlownCameras,
+           [&] { desk_.inspector.shot().setCameraTrack(added.track); });
 }
 
 void ShotChanges::take(const request::SetCamera& camera) {
   flight_.end();
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Camera, desk_.isOpen() && camera.name != shot.camera(),
-              [&] { shot.setCamera(camera.name); });
+  changeIf(desk_.isOpen() && camera.name != shot.camera(), RequestKind::Camera,
+           [&] { shot.setCamera(camera.name); });
 }
 
 void ShotChanges::take(const request::SetMotionModes& modes) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::MotionModes, desk_.isOpen() && modes.modes != shot.motionModes(),
-              [&] { shot.setMotionModes(modes.modes); });
+  changeIf(desk_.isOpen() && modes.modes != shot.motionModes(), RequestKind::MotionModes,
+           [&] { shot.setMotionModes(modes.modes); });
 }
 
 void ShotChanges::take(const request::SetSettings& settings) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Settings, !(settings.settings == shot.settings()),
-              [&] { shot.setSettings(settings.settings); });
+  changeIf(!(settings.settings == shot.settings()), RequestKind::Settings,
+           [&] { shot.setSettings(settings.settings); });
 }
 
 // Lane 0 is the one of the settings.
@@ -82,20 +81,20 @@ void ShotChanges::take(const request::SetOtherLanes& others) {
 
 void ShotChanges::take(const request::SetObjectFilter& filter) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Objects, desk_.isOpen() && !(filter.filter == shot.objectFilter()),
-              [&] { shot.setObjectFilter(filter.filter); });
+  changeIf(desk_.isOpen() && !(filter.filter == shot.objectFilter()), RequestKind::Objects,
+           [&] { shot.setObjectFilter(filter.filter); });
 }
 
 void ShotChanges::take(const request::SetObjectClasses& classes) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Classes, desk_.isOpen() && classes.classes != shot.objectClasses(),
-              [&] { shot.setObjectClasses(classes.classes); });
+  changeIf(desk_.isOpen() && classes.classes != shot.objectClasses(), RequestKind::Classes,
+           [&] { shot.setObjectClasses(classes.classes); });
 }
 
 void ShotChanges::take(const request::SetRestarts& restarts) {
   InspectedShot& shot = desk_.inspector.shot();
-  changeScene(RequestKind::Restarts, desk_.isOpen() && restarts.frames != shot.restarts(),
-              [&] { shot.setRestarts(restarts.frames); });
+  changeIf(desk_.isOpen() && restarts.frames != shot.restarts(), RequestKind::Restarts,
+           [&] { shot.setRestarts(restarts.frames); });
 }
 
 void ShotChanges::take(const request::SetCheckpointBudget& budget) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/jobs/Desk.h"
-#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/requests/Requests.h"
 
@@ -15,7 +15,7 @@ namespace taa {
 
 class ShotChanges {
  public:
-  ShotChanges(Desk& desk, Flight& flight, Goal& goal) : desk_(desk), flight_(flight), goal_(goal) {}
+  ShotChanges(Desk& desk, CameraFlight& flight, Goal& goal) : desk_(desk), flight_(flight), goal_(goal) {}
 
   /// Whether it could be opened.
   bool open(const std::string& source);
@@ -38,10 +38,11 @@ class ShotChanges {
   RequestId opened() const { return opened_; } ///< the request that opened it
 
  private:
-  void changeScene(RequestKind kind, bool isOther, const std::function<void()>& action);
+  /// What is so already is no change.
+  void changeIf(bool isOther, RequestKind kind, const std::function<void()>& action);
 
   Desk& desk_;
-  Flight& flight_;
+  CameraFlight& flight_;
   Goal& goal_;
   std::vector<std::string> objects_;
   std::shared_ptr<const SceneOutline> outline_;

@@ -3,7 +3,7 @@
 
 #include "core/jobs/Transport.h"
 #include "core/jobs/Wanted.h"
-#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/CameraFlight.h"
 #include "core/jobs/shot/Goal.h"
 #include "core/jobs/shot/ShotChanges.h"
 
@@ -11,7 +11,7 @@ namespace taa {
 
 class ShownStatus {
  public:
-  ShownStatus(Desk& desk, const Transport& transport, const Goal& goal, const Flight& flight,
+  ShownStatus(Desk& desk, const Transport& transport, const Goal& goal, const CameraFlight& flight,
               const ShotChanges& changes, const Wanted& wanted)
       : desk_(desk), transport_(transport), goal_(goal), flight_(flight), changes_(changes), wanted_(wanted) {
   }
@@ -27,7 +27,7 @@ class ShownStatus {
   Desk& desk_;
   const Transport& transport_;
   const Goal& goal_;
-  const Flight& flight_;
+  const CameraFlight& flight_;
   const ShotChanges& changes_;
   const Wanted& wanted_;
 };

@@ -13,7 +13,7 @@ namespace {
 constexpr int kBins = 8;
 
 /// A row of values 0, 1, 2 …
-ValueFinder::Wish wishOf(int count) {
+ValueFinder::Question wishOf(int count) {
   auto result = std::make_shared<ViewResult>();
   result->values = Image(count, 1, 1);
   for (int x = 0; x < count; ++x) *result->values.at(x, 0) = static_cast<float>(x);
@@ -45,7 +45,7 @@ TEST_F(ValueFinderTest, AnswersAtOnceWhereThereAreFew) {
 }
 
 TEST_F(ValueFinderTest, CountsAllOfManyWithoutHoldingWhoAsks) {
-  const ValueFinder::Wish wish = wishOf(kMany);
+  const ValueFinder::Question wish = wishOf(kMany);
   finder.find(wish);
   EXPECT_TRUE(answered.empty());
   ASSERT_TRUE(taa::app::test::waitFor([&] { return !answered.empty(); }));

@@ -1,5 +1,6 @@
 // What the render thread's errors, works and pictures say they are about.
 #include "core/requests/RequestQueue.h"
+#include "tests/support/Paths.h"
 #include "tests/support/RenderRecorder.h"
 #include "tests/support/ShaderFolder.h"
 #include "tests/support/frames/Variants.h"
@@ -130,6 +131,36 @@ TEST(RequestQueueTest, ANewerRequestMakesVoidWhatItsTypeSays) {
   EXPECT_TRUE(waitingOf<Fly>(queue).empty());
   post(SetFlownCameras{});
   EXPECT_TRUE(waitingOf<SetCamera>(queue).empty());
+}
+
+// What is cancelled before it was begun is not begun; what is asked for after that is.
+TEST(RequestQueueTest, CancellingMakesVoidTheLongWorkThatWaits) {
+  using namespace taa::request;
+  taa::RequestQueue queue;
+  queue.post({1, ExportSequence{}});
+  queue.post({2, MeasureStages{}});
+  queue.post({3, FillTraces{0, 9}});
+  queue.post({4, SetSettings{}});
+  queue.post({5, Cancel{}});
+  queue.post({6, FillTraces{3, 5}});
+  EXPECT_TRUE(waitingOf<ExportSequence>(queue).empty() && waitingOf<MeasureStages>(queue).empty());
+  ASSERT_EQ(waitingOf<FillTraces>(queue).size(), 1u);
+  EXPECT_EQ(waitingOf<FillTraces>(queue)[0].first, 3);
+  EXPECT_EQ(waitingOf<SetSettings>(queue).size(), 1u);
+}
+
+// An export is of what is open when it is asked for.
+TEST_F(RenderAnswersTest, AnExportOfNothingIsNotDoneOfWhatIsOpenedLater) {
+  taa::SequenceRequest sequence;
+  sequence.target = taa::test::temporaryFolder() / "later.png";
+  sequence.picture.width = sequence.picture.height = 8;
+  recorder.clear();
+  taa::RenderThread other(recorder.listener());
+  other.post(taa::request::ExportSequence{sequence});
+  other.waitUntilIdle();
+  other.post(taa::request::Open{"builtin:fan"});
+  other.waitUntilIdle();
+  EXPECT_TRUE(recorder.exports.empty());
 }
 
 // Requests come out turn by turn, as they were asked for within one.

@@ -1,4 +1,4 @@
-#include "core/jobs/idle/Exporting.h"
+#include "core/jobs/shot/Exporting.h"
 
 #include <string>
 #include <string_view>

@@ -13,9 +13,12 @@ class Exporting final : public Job {
  public:
   explicit Exporting(Desk& desk) : desk_(desk) {}
 
-  void take(const request::ExportSequence& wanted) { sequence_ = wanted.sequence; }
+  void take(const request::ExportSequence& wanted) {
+    if (desk_.isOpen()) sequence_ = wanted.sequence;
+  }
+  void take(const request::Cancel&) { sequence_.reset(); } // it has not begun
 
-  bool isDue() override { return sequence_ && desk_.isOpen(); }
+  bool isDue() override { return sequence_.has_value(); }
   void step() override;
 
  private:

@@ -1,4 +1,4 @@
-#include "core/jobs/shot/Flight.h"
+#include "core/jobs/shot/CameraFlight.h"
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
@@ -20,16 +20,16 @@ std::string freeName(const std::vector<std::string>& cameras) {
 
 } // namespace
 
-void Flight::take(const request::SetPlayback&) {
+void CameraFlight::take(const request::SetPlayback&) {
   if (recording_) recording_->setRate(transport_.framesPerSecond(), desk_.now());
 }
 
-void Flight::record() {
+void CameraFlight::record() {
   for (const request::Fly& flown : poses_) recording_->moveTo(flown.pose, flown.at, flown.took);
 }
 
 // Whether the last pose belongs to a recording that is over: then it is not shown by itself.
-bool Flight::switchRecordings() {
+bool CameraFlight::switchRecordings() {
   bool isLastRecorded = false;
   for (const request::SetRecording& wanted : std::exchange(switches_, {})) {
     if (wanted.on && !recording_) {
@@ -42,7 +42,7 @@ bool Flight::switchRecordings() {
   return isLastRecorded;
 }
 
-void Flight::settle() {
+void CameraFlight::settle() {
   if (poses_.empty() && switches_.empty()) return;
   if (desk_.isOpen()) {
     if (recording_) record();
@@ -63,7 +63,7 @@ void Flight::settle() {
 }
 
 // What was flown up to here belongs to it, so that the frame on show stays what it is.
-void Flight::beginRecording(Clock::time_point at) {
+void CameraFlight::beginRecording(Clock::time_point at) {
   InspectedShot& shot = desk_.inspector.shot();
   const int frame = goal_.frame.value_or(shot.frame()), end = shot.frameCount() - 1;
   const auto [first, last] = transport_.frames();
@@ -82,7 +82,7 @@ void Flight::beginRecording(Clock::time_point at) {
   transport_.setPlaying(true);
 }
 
-void Flight::endRecording(Clock::time_point at) {
+void CameraFlight::endRecording(Clock::time_point at) {
   const FlightRecording recording = *std::exchange(recording_, {});
   CameraTrack track = std::move(recorded_);
   int frame = recording.firstFrame() - 1;
@@ -94,21 +94,21 @@ void Flight::endRecording(Clock::time_point at) {
   transport_.setPlaying(playsAfter_);
 }
 
-CameraTrackHandle Flight::currentTrack() const {
+CameraTrackHandle CameraFlight::currentTrack() const {
   const InspectedShot& shot = desk_.inspector.shot();
   for (const CameraTrackHandle& track : shot.cameraTracks())
     if (track->name == shot.camera()) return track;
   return nullptr;
 }
 
-void Flight::layPose(int frame) {
+void CameraFlight::layPose(int frame) {
   if (pose_) layTrack(frame, *pose_);
   pose_.reset();
 }
 
 // What is flown starts from where the camera is. Until a recording is done its camera has the poses that were
 // on show.
-void Flight::layTrack(int frame, const CameraPose& pose) {
+void CameraFlight::layTrack(int frame, const CameraPose& pose) {
   InspectedShot& shot = desk_.inspector.shot();
   const std::string name = recording_ ? recorded_.name : kFreeCamera;
   CameraTrack track{name, shot.frame(), {shot.cameraPose()}};
@@ -121,7 +121,7 @@ void Flight::layTrack(int frame, const CameraPose& pose) {
   if (!std::exchange(isLaying_, true)) desk_.noteSubject();
 }
 
-void Flight::end() {
+void CameraFlight::end() {
   if (recording_) return endRecording(desk_.now());
   isLaying_ = false;
   InspectedShot& shot = desk_.inspector.shot();

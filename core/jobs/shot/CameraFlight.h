@@ -11,11 +11,12 @@
 
 namespace taa {
 
-class Flight {
+class CameraFlight {
  public:
   using Clock = FlightRecording::Clock;
 
-  Flight(Desk& desk, Transport& transport, Goal& goal) : desk_(desk), transport_(transport), goal_(goal) {}
+  CameraFlight(Desk& desk, Transport& transport, Goal& goal)
+      : desk_(desk), transport_(transport), goal_(goal) {}
 
   // Poses and recordings that are taken up together are dealt with together, by settle().
   void take(const request::Fly& fly) { poses_.push_back(fly); }
