@@ -58,8 +58,8 @@ ReferenceDialog::ReferenceDialog(QWidget* parent) : QDialog(parent), pages_(manu
   list_->setAccessibleName(tr("Pages of the manual"));
   list_->addItem(tr("Settings and intermediates"));
   for (const ManualPage& page : pages_) list_->addItem(QString::fromStdString(page.title));
-  list_->setFixedWidth(58 * kUnit);
-  list_->setTextElideMode(Qt::ElideRight);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setFixedWidth(list_->sizeHintForColumn(0) + 4 * kUnit); // every title is whole
   search_ = new QLineEdit;
   search_->setPlaceholderText(tr("Find in this page; Enter goes on"));
   search_->setAccessibleName(tr("Find in this page"));

@@ -93,7 +93,7 @@ std::string stageHtml(const StageInfo& stage) {
 
 std::string referencePageHtml() {
   std::string text =
-      "<h1>" + escaped(say<"Reference">()) + "</h1>\n<p>" +
+      "<h1>" + escaped(say<"Settings and intermediates">()) + "</h1>\n<p>" +
       say<"Each frame goes through these stages from top to bottom. Parameters can be set in the pipeline "
           "panel, in presets, and by %1; intermediates can be viewed, probed and exported.">(
           "<code>--set path=value</code>") +

@@ -2585,6 +2585,10 @@
         <source>Tracing the probes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Settings and intermediates</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>taa::app::CameraFiles</name>

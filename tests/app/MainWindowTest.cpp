@@ -335,6 +335,7 @@ TEST_F(Window, TheManualStandsBesideTheReferencePage) {
   auto* list = dialog->findChild<QListWidget*>();
   auto* page = dialog->findChild<QTextBrowser*>();
   EXPECT_EQ(list->currentRow(), 0) << "it opens on the reference";
+  EXPECT_LE(list->sizeHintForColumn(0), list->viewport()->width()) << "every title is whole";
   const QList<QListWidgetItem*> found = list->findItems("Techniques", Qt::MatchExactly);
   ASSERT_EQ(found.size(), 1);
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found[0]).center());
