@@ -7,16 +7,16 @@
 
 namespace taa::app {
 
-bool FigureHistory::setSubject(std::uint64_t subject) {
-  if (subject == subject_) return false;
-  subject_ = subject;
+bool FigureHistory::setShotVersion(std::uint64_t shotVersion) {
+  if (shotVersion == shotVersion_) return false;
+  shotVersion_ = shotVersion;
   known_.clear();
   return true;
 }
 
 bool FigureHistory::add(const FrameFigures& figures) {
-  if (figures.lane != 0 || !figures.exact || figures.subject < subject_) return false;
-  setSubject(figures.subject);
+  if (figures.lane != 0 || !figures.exact || figures.shotVersion < shotVersion_) return false;
+  setShotVersion(figures.shotVersion);
   // What a delivery leaves out, because nobody asked for it or a reference is missing, stays known.
   FrameFigures& known = known_[figures.frame];
   for (std::size_t index = 0; index < figures.values.size(); ++index)

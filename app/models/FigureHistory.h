@@ -11,15 +11,15 @@ namespace taa::app {
 
 class FigureHistory {
  public:
-  /// Drops all that is known when frames are a function of something else now (Status::subject); true: so it
-  /// was.
-  bool setSubject(std::uint64_t subject);
+  /// Drops all that is known when frames are a function of something else now (Status::shotVersion); true: so
+  /// it was.
+  bool setShotVersion(std::uint64_t shotVersion);
   /// Takes what is exact, of the first lane; false: nothing of it.
   bool add(const FrameFigures& figures);
   TimelineStrip strip(Figure figure, int frameCount) const;
 
  private:
-  std::uint64_t subject_ = 0;
+  std::uint64_t shotVersion_ = 0;
   std::map<int, FrameFigures> known_;
 };
 

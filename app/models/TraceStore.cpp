@@ -5,16 +5,16 @@
 
 namespace taa::app {
 
-bool TraceStore::setSubject(std::uint64_t subject) {
-  if (subject == subject_) return false;
-  subject_ = subject;
+bool TraceStore::setShotVersion(std::uint64_t shotVersion) {
+  if (shotVersion == shotVersion_) return false;
+  shotVersion_ = shotVersion;
   traces_.clear();
   return true;
 }
 
 bool TraceStore::add(const TraceDelivery& delivery) {
-  if (delivery.subject < subject_) return false;
-  setSubject(delivery.subject);
+  if (delivery.shotVersion < shotVersion_) return false;
+  setShotVersion(delivery.shotVersion);
   auto found = std::ranges::find_if(
       traces_, [&](const PinTrace& known) { return isSamePlace(known.pin, delivery.pin); });
   if (found == traces_.end()) found = traces_.insert(traces_.end(), PinTrace{delivery.pin, {}});

@@ -10,9 +10,9 @@ namespace taa::app {
 
 class TraceStore {
  public:
-  /// Drops all that is known when frames are a function of something else now (Status::subject); true: so it
-  /// was.
-  bool setSubject(std::uint64_t subject);
+  /// Drops all that is known when frames are a function of something else now (Status::shotVersion); true: so
+  /// it was.
+  bool setShotVersion(std::uint64_t shotVersion);
   /// False: it came too late.
   bool add(const TraceDelivery& delivery);
 
@@ -22,7 +22,7 @@ class TraceStore {
   std::vector<PinTrace> tracesOf(const std::vector<ProbePin>& pins) const;
 
  private:
-  std::uint64_t subject_ = 0;
+  std::uint64_t shotVersion_ = 0;
   std::vector<PinTrace> traces_; ///< also of pins that were moved: they may come back
 };
 

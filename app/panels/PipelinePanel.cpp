@@ -282,7 +282,7 @@ void PipelinePanel::wantThumbnails(bool visible) {
 
 void PipelinePanel::setThumbnail(const Thumbnail& thumbnail) {
   const Picture& picture = thumbnail.picture;
-  if (!showsThumbnails_ || picture.width <= 0 || thumbnail.subject < firstSubject_) return;
+  if (!showsThumbnails_ || picture.width <= 0 || thumbnail.shotVersion < firstShotVersion_) return;
   for (Section& section : sections_) {
     if (section.main != thumbnail.id) continue;
     section.frame = thumbnail.frame;
@@ -292,8 +292,8 @@ void PipelinePanel::setThumbnail(const Thumbnail& thumbnail) {
   }
 }
 
-void PipelinePanel::startAnew(std::uint64_t subject) {
-  firstSubject_ = subject;
+void PipelinePanel::startAnew(std::uint64_t shotVersion) {
+  firstShotVersion_ = shotVersion;
   sharesFrame_ = -1;
   for (Section& section : sections_) {
     section.frame = -1;

@@ -41,8 +41,8 @@ class PipelinePanel : public QWidget {
   void setShowsThumbnails(bool shows);
   bool showsThumbnails() const { return showsThumbnails_; }
   void setThumbnail(const Thumbnail& thumbnail);
-  /// Another scene is open: what is known of subjects before this one is not shown any more.
-  void startAnew(std::uint64_t subject);
+  /// Another scene is open: what is known of shot versions before this one is not shown any more.
+  void startAnew(std::uint64_t shotVersion);
   /// What the stages did to a frame; it is said in their headings until another frame is on show.
   void setShares(const StageShares& shares);
   void setFrame(int frame, bool playing);
@@ -104,7 +104,7 @@ class PipelinePanel : public QWidget {
   std::vector<ParameterRow*> parameterRows_;
   std::vector<IntermediateRow*> intermediateRows_;
   bool showsThumbnails_ = true;
-  std::uint64_t firstSubject_ = 0; ///< of thumbnails to show
+  std::uint64_t firstShotVersion_ = 0; ///< of thumbnails to show
   QSize pictureSize_{16, 9}, wanted_{0, 0};
 };
 

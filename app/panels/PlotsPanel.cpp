@@ -101,7 +101,7 @@ void PlotsPanel::makeTop() {
 }
 
 void PlotsPanel::setStatus(const Status& status) {
-  if (store_.setSubject(status.subject)) refreshSoon();
+  if (store_.setShotVersion(status.shotVersion)) refreshSoon();
   frame_ = status.info.frame;
   if (status.settings.space.color != space_.color) {
     space_ = status.settings.space;

@@ -98,9 +98,9 @@ void StatusLine::setStatus(const Status& status) {
   refreshBadge();
 }
 
-void StatusLine::setPicture(std::uint64_t subject) {
-  if (subject <= subject_) return;
-  subject_ = subject;
+void StatusLine::setPicture(std::uint64_t shotVersion) {
+  if (shotVersion <= shotVersion_) return;
+  shotVersion_ = shotVersion;
   refreshBadge();
 }
 
@@ -108,7 +108,7 @@ void StatusLine::setPicture(std::uint64_t subject) {
 void StatusLine::refreshBadge() {
   if (status_.frameCount == 0) return show(Badge::None, {});
   if (const QString caution = cautionText(status_); !caution.isEmpty()) return show(Badge::Caution, caution);
-  if (subject_ < status_.subject) return show(Badge::None, tr("no picture yet"));
+  if (shotVersion_ < status_.shotVersion) return show(Badge::None, tr("no picture yet"));
   show(Badge::Exact, tr("history from these settings"));
 }
 

@@ -20,8 +20,8 @@ class StatusLine : public QWidget {
   /// Position and value under the mouse; empty: nothing there.
   void setHover(const QString& text);
   void setStatus(const Status& status);
-  /// Of which subject there is a picture; see Status.
-  void setPicture(std::uint64_t subject);
+  /// Of which shot version there is a picture; see Status.
+  void setPicture(std::uint64_t shotVersion);
   QString hover() const;
   QString badge() const; ///< empty: there is nothing to be said of a picture yet
   /// Whether the badge says that the picture is not what is wished for.
@@ -35,7 +35,7 @@ class StatusLine : public QWidget {
   QLabel *hover_, *driver_, *times_, *badgeIcon_, *badge_;
   Badge shown_ = Badge::None;
   Status status_;
-  std::uint64_t subject_ = 0; ///< of the newest picture
+  std::uint64_t shotVersion_ = 0; ///< of the newest picture
 };
 
 } // namespace taa::app

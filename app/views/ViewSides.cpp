@@ -103,29 +103,29 @@ Picture ViewSides::picture(int dividerColumn) const {
   return wiped(result_->picture, result_->other->picture, dividerColumn);
 }
 
-LegendSubject ViewSides::legendSubject(bool other, Showing showing) const {
+LegendSide ViewSides::legendSide(bool other, Showing showing) const {
   const ViewContent& content = other ? *other_ : content_;
-  LegendSubject subject{content.row, content.style, !other && showing == Showing::Difference, {}};
+  LegendSide side{content.row, content.style, !other && showing == Showing::Difference, {}};
   const bool isOfOther =
       other && otherSide() && result_->request.other && result_->request.other->id == content.row.id;
   const bool isOfResult = !other && isResultOfContent();
-  if (isOfResult && totalOf(result_->reasons) > 0) subject.reasons = &result_->reasons;
-  if (isOfOther && totalOf(otherSide()->reasons) > 0) subject.reasons = &otherSide()->reasons;
-  if (isOfResult) subject.note = referenceNote(*result_);
-  subject.space = content.space;
-  return subject;
+  if (isOfResult && totalOf(result_->reasons) > 0) side.reasons = &result_->reasons;
+  if (isOfOther && totalOf(otherSide()->reasons) > 0) side.reasons = &otherSide()->reasons;
+  if (isOfResult) side.note = referenceNote(*result_);
+  side.space = content.space;
+  return side;
 }
 
 LegendFlow ViewSides::legend(Showing showing, bool isFolded, const ViewTransform& transform,
                              const ThemeColors& colors) const {
-  const LegendSubject main = legendSubject(showing == Showing::Other, showing);
+  const LegendSide main = legendSide(showing == Showing::Other, showing);
   LegendFlow flow;
   const ReasonCounts* beside = nullptr;
-  if (showing == Showing::Wipe) beside = legendSubject(true, showing).reasons;
+  if (showing == Showing::Wipe) beside = legendSide(true, showing).reasons;
   if (beside && main.reasons && *beside == *main.reasons) beside = nullptr;
   if (!isFolded) addOverlayLegend(flow, main, beside, transform, colors);
   if (showing == Showing::Wipe && other_->row.id != main.row.id)
-    addRowLegend(flow, legendSubject(true, showing), colors);
+    addRowLegend(flow, legendSide(true, showing), colors);
   addRowLegend(flow, main, colors);
   if (isFolded) flow.text(tr("⋯ overlays"), secondaryFont(), colors.accent);
   return flow;

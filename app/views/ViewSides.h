@@ -63,7 +63,7 @@ class ViewSides {
  private:
   bool isPictureComplete() const;
   bool isBesideAnotherFrame() const;
-  LegendSubject legendSubject(bool other, Showing showing) const;
+  LegendSide legendSide(bool other, Showing showing) const;
 
   ViewContent content_;
   std::optional<ViewContent> other_;

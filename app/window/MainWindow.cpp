@@ -315,7 +315,7 @@ void MainWindow::showStatus() {
 
 void MainWindow::startSource(const Status& status) {
   shownSource_ = status.source;
-  pipeline_->startAnew(status.subject);
+  pipeline_->startAnew(status.shotVersion);
   messages_->clear();
   QStringList warnings;
   for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);

@@ -56,7 +56,7 @@ void PlotFeed::showTraces() {
 // What jitter and weights are drawn from.
 void PlotFeed::showHistory() {
   to_.plots.setStatus(session_.status());
-  if (figures_.setSubject(session_.status().subject)) showFigure();
+  if (figures_.setShotVersion(session_.status().shotVersion)) showFigure();
   if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
   const Status& status = session_.status();
   PixelHistory history;

@@ -25,7 +25,7 @@ constexpr int kTracedFrames = 48;
 constexpr int kLimit = 5 * 60 * 1000; ///< ms; a software renderer on a busy machine is slow, not stuck
 } // namespace
 
-Screenshot::Screenshot(ScreenshotSubject of, const QString& file, int frame, Done done)
+Screenshot::Screenshot(ScreenshotPanels of, const QString& file, int frame, Done done)
     : QObject(&of.window), of_(std::move(of)), file_(file), frame_(frame), done_(std::move(done)) {
   connect(&of_.session, &Session::errorOccurred, this, [this](const QString& sentence) {
     lastError_ = sentence;

@@ -18,7 +18,7 @@ class ViewArea;
 class WeightsPanel;
 
 /// The window and what of it a picture waits for.
-struct ScreenshotSubject {
+struct ScreenshotPanels {
   QWidget& window;
   Session& session;
   ViewArea& views;
@@ -36,7 +36,7 @@ class Screenshot : public QObject {
  public:
   using Done = std::function<void(int code, const QString& text)>;
   /// `frame` is clamped to the shot.
-  Screenshot(ScreenshotSubject of, const QString& file, int frame, Done done);
+  Screenshot(ScreenshotPanels of, const QString& file, int frame, Done done);
 
  private:
   /// Asks for the frame once the source is open, and takes the picture once all is there.
@@ -47,7 +47,7 @@ class Screenshot : public QObject {
   void take();
   void finish(int code, const QString& text);
 
-  ScreenshotSubject of_;
+  ScreenshotPanels of_;
   QString file_;
   int frame_;
   Done done_;

@@ -33,7 +33,7 @@ void ViewFeed::showPicture(int view) {
   const std::shared_ptr<const ViewResult>& picture = session_.picture(view);
   if (!picture) return;
   views_.view(view)->setResult(picture);
-  statusLine_.setPicture(picture->subject);
+  statusLine_.setPicture(picture->shotVersion);
 }
 
 void ViewFeed::markShown() {

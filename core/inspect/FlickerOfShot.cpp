@@ -46,14 +46,14 @@ Image drawSteps(SceneRenderer& renderer, const FrameRequest& ofLane, int frame, 
 FlickerOfShot::FlickerOfShot(ShotPlayer& player, References& references, const gl::Driver& driver)
     : player_(player), references_(references), driver_(driver) {}
 
-FlickerSubject FlickerOfShot::subjectOf(int lane) const {
-  return {player_.subject().request(static_cast<std::size_t>(lane)), player_.settings(lane)};
+FlickerKey FlickerOfShot::keyOf(int lane) const {
+  return {player_.state().request(static_cast<std::size_t>(lane)), player_.settings(lane)};
 }
 
 // The first frame that flicker of `last` is taken over.
 int FlickerOfShot::firstFrame(int last) const {
   int first = last;
-  while (last - first + 1 < frames_ && !startsHistory(player_.subject(), first)) --first;
+  while (last - first + 1 < frames_ && !startsHistory(player_.state(), first)) --first;
   return first;
 }
 
@@ -77,7 +77,7 @@ Image FlickerOfShot::shownNow(TraceCursor& cursor, const Progress& progress, int
 
 void FlickerOfShot::fill(FlickerWindow& window, References& drawn, const FlickerNeed& need,
                          const Progress& progress) {
-  const Subject only = player_.onlyLane(need.lane);
+  const ShotState only = player_.onlyLane(need.lane);
   const int first = firstFrame(need.last);
   keepOnly(window, first, need.last);
   for (int frame = first; frame <= need.last; ++frame) {
@@ -90,7 +90,7 @@ void FlickerOfShot::fill(FlickerWindow& window, References& drawn, const Flicker
       entry.shown = shownBeside(frame, window.cursor, told, need.lane);
     const gl::PassGroup group(pass_group::kReference);
     if (need.samples > 0 && entry.referenceSamples != need.samples) {
-      const ReferenceSubject wanted{referenceRequest(only.request(0)), frame};
+      const ReferenceKey wanted{referenceRequest(only.request(0)), frame};
       entry.reference =
           shownColors(drawn.foundOrDrawn(*only.renderer, wanted, need.samples, references_, told).mean());
       entry.referenceSamples = need.samples;
@@ -124,7 +124,7 @@ void FlickerOfShot::refine(int samples, const Progress& progress, int lane) {
                    player_.picturePx());
   const int frame = player_.shown().frame;
   FlickerRows& rows = rows_.at(static_cast<std::size_t>(lane));
-  FlickerWindow& window = rows.windowOf(subjectOf(lane));
+  FlickerWindow& window = rows.windowOf(keyOf(lane));
   fill(window, references_, {lane, frame, samples}, progress);
   FlickerFrame& last = window.frames.at(frame);
   if (last.shown.empty()) last.shown = shownNow(window.cursor, progress, lane);
@@ -132,7 +132,7 @@ void FlickerOfShot::refine(int samples, const Progress& progress, int lane) {
 }
 
 std::optional<int> FlickerOfShot::samples(int lane) const {
-  return rows_.at(static_cast<std::size_t>(lane)).samples(subjectOf(lane), player_.shown().frame, frames_);
+  return rows_.at(static_cast<std::size_t>(lane)).samples(keyOf(lane), player_.shown().frame, frames_);
 }
 
 void FlickerOfShot::setFrames(int frames) {

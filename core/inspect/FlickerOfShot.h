@@ -51,7 +51,7 @@ class FlickerOfShot {
   void forget();
 
  private:
-  FlickerSubject subjectOf(int lane) const;
+  FlickerKey keyOf(int lane) const;
   int firstFrame(int last) const;
   Image shownBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane);
   Image shownNow(TraceCursor& cursor, const Progress& progress, int lane);

@@ -85,7 +85,7 @@ FrameFigures FrameMetrics::figures(const std::vector<Figure>& wanted, int lane) 
 
 FrameFigures FrameMetrics::figuresBeside(int frame, const std::vector<Figure>& wanted, int samples,
                                          FigureCursor& cursor, const Progress& progress) {
-  const Subject subject = player_.onlyLane(0);
+  const ShotState state = player_.onlyLane(0);
   FrameMaker& maker = player_.maker();
   FrameFigures figures{.frame = frame, .values = {}};
   const bool isCompared = std::ranges::any_of(wanted, isAgainstReference);
@@ -95,23 +95,22 @@ FrameFigures FrameMetrics::figuresBeside(int frame, const std::vector<Figure>& w
   const FlickerNeed need{0, frame, std::ranges::count(wanted, Figure::Flicker) > 0 ? samples : 0};
   // First: it is what takes long, and what is there of it stays.
   if (isOverTime) flicker_.fill(cursor.flicker, cursor.references, need, progress);
-  const ReferenceSubject compared{referenceRequest(subject.request(0)), frame};
+  const ReferenceKey compared{referenceRequest(state.request(0)), frame};
   const ReferencePicture* reference =
-      isCompared
-          ? &cursor.references.foundOrDrawn(*subject.renderer, compared, samples, references_, progress)
-          : nullptr;
+      isCompared ? &cursor.references.foundOrDrawn(*state.renderer, compared, samples, references_, progress)
+                 : nullptr;
   const gl::PassGroup group(pass_group::kExposure);
   ShownFrame made = player_.makeBeside(frame, cursor.trace, progress);
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   std::vector<Image> rows;
   if (!ids.empty()) {
-    const Exposure exposure = maker.expose(subject, made, ids, 0);
+    const Exposure exposure = maker.expose(state, made, ids, 0);
     for (const IntermediateId id : ids) rows.push_back(exposure.image(id));
   }
   addRows(figures, wanted, ids, rows);
   Image output;
   if (reference || isOverTime)
-    output = maker.expose(subject, made, {IntermediateId::output}, 0).image(IntermediateId::output);
+    output = maker.expose(state, made, {IntermediateId::output}, 0).image(IntermediateId::output);
   maker.recycle(std::move(made));
   if (reference) {
     figures.referenceSamples = samples;

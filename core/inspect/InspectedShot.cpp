@@ -28,7 +28,7 @@ InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visua
     : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
 void InspectedShot::open(const std::string& source, const Progress& progress) {
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.source = source;
   next.scene = std::make_shared<const Scene>(openScene(source, progress));
   next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
@@ -44,18 +44,18 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
 }
 
 const std::string& InspectedShot::source() const {
-  return player_.subject().source;
+  return player_.state().source;
 }
 
 const Scene& InspectedShot::scene() const {
   assert(player_.isOpen());
-  return *player_.subject().scene;
+  return *player_.state().scene;
 }
 
 void InspectedShot::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
-  requirePicture(driver_, player_.subject().lanes, {width, height}, player_.watched(), player_.hasFog());
-  Subject next = player_.subject();
+  requirePicture(driver_, player_.state().lanes, {width, height}, player_.watched(), player_.hasFog());
+  ShotState next = player_.state();
   next.width = width;
   next.height = height;
   player_.redrawAll(std::move(next), false);
@@ -63,11 +63,11 @@ void InspectedShot::setSize(int width, int height) {
 }
 
 int InspectedShot::width() const {
-  return player_.subject().width;
+  return player_.state().width;
 }
 
 int InspectedShot::height() const {
-  return player_.subject().height;
+  return player_.state().height;
 }
 
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
@@ -90,7 +90,7 @@ void InspectedShot::changeLanes(const std::vector<Settings>& lanes) {
 }
 
 int InspectedShot::laneCount() const {
-  return static_cast<int>(player_.subject().lanes.size());
+  return static_cast<int>(player_.state().lanes.size());
 }
 
 const Settings& InspectedShot::settings(int lane) const {
@@ -99,7 +99,7 @@ const Settings& InspectedShot::settings(int lane) const {
 
 void InspectedShot::setSettings(const Settings& settings, int lane) {
   if (settings == this->settings(lane)) return;
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.lanes[static_cast<std::size_t>(lane)] = settings;
   std::vector<bool> changed(next.lanes.size(), false);
   changed[static_cast<std::size_t>(lane)] = true;
@@ -115,7 +115,7 @@ int InspectedShot::frame() const {
 }
 
 FrameInfo InspectedShot::info(int lane) const {
-  return frameInfo(scene(), player_.subject().request(static_cast<std::size_t>(lane)), frame());
+  return frameInfo(scene(), player_.state().request(static_cast<std::size_t>(lane)), frame());
 }
 
 void InspectedShot::seek(int frame, const Progress& progress) {
@@ -143,11 +143,11 @@ FrameTimes InspectedShot::times() const {
 }
 
 int InspectedShot::replayLength(int frame) const {
-  return taa::replayLength(player_.subject(), player_.checkpoints(), frame);
+  return taa::replayLength(player_.state(), player_.checkpoints(), frame);
 }
 
 int InspectedShot::nearestAtHand(int frame) const {
-  return taa::nearestAtHand(player_.subject(), player_.checkpoints(), frame);
+  return taa::nearestAtHand(player_.state(), player_.checkpoints(), frame);
 }
 
 std::size_t InspectedShot::checkpointBudget() const {
@@ -173,63 +173,63 @@ std::vector<int> InspectedShot::keptFrames() const {
 
 std::vector<std::string> InspectedShot::cameras() const {
   std::vector<std::string> names = cameraNames(scene());
-  for (const CameraTrackHandle& track : player_.subject().tracks) names.push_back(track->name);
+  for (const CameraTrackHandle& track : player_.state().tracks) names.push_back(track->name);
   return names;
 }
 
 const std::string& InspectedShot::camera() const {
-  return player_.subject().camera;
+  return player_.state().camera;
 }
 
 void InspectedShot::setCamera(const std::string& name) {
   assert(player_.isOpen());
   if (name == camera()) return;
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.camera = name;
   player_.redrawAll(std::move(next), false);
 }
 
 const std::vector<MotionOverride>& InspectedShot::motionModes() const {
-  return player_.subject().motionModes;
+  return player_.state().motionModes;
 }
 
 void InspectedShot::setMotionModes(const std::vector<MotionOverride>& modes) {
   assert(player_.isOpen());
   if (modes == motionModes()) return;
   checkMotionOverrides(scene(), modes);
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.motionModes = modes;
   player_.redrawAll(std::move(next), true);
 }
 
 const ObjectFilter& InspectedShot::objectFilter() const {
-  return player_.subject().filter;
+  return player_.state().filter;
 }
 
 void InspectedShot::setObjectFilter(const ObjectFilter& filter) {
   assert(player_.isOpen());
   if (filter == objectFilter()) return;
   checkObjectFilter(scene(), filter);
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.filter = filter;
   player_.redrawAll(std::move(next), true);
 }
 
 const std::vector<ClassOverride>& InspectedShot::objectClasses() const {
-  return player_.subject().objectClasses;
+  return player_.state().objectClasses;
 }
 
 void InspectedShot::setObjectClasses(const std::vector<ClassOverride>& classes) {
   assert(player_.isOpen());
   if (classes == objectClasses()) return;
   checkClassOverrides(scene(), classes);
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.objectClasses = classes;
   player_.redrawAll(std::move(next), true);
 }
 
 const std::vector<int>& InspectedShot::restarts() const {
-  return player_.subject().restarts;
+  return player_.state().restarts;
 }
 
 void InspectedShot::setRestarts(std::vector<int> frames) {
@@ -244,13 +244,13 @@ void InspectedShot::setRestarts(std::vector<int> frames) {
   std::vector<int> changed;
   std::ranges::set_symmetric_difference(frames, restarts(), std::back_inserter(changed));
   if (changed.empty()) return;
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.restarts = std::move(frames);
   player_.follow(std::move(next), changed.front(), true);
 }
 
 const std::vector<CameraTrackHandle>& InspectedShot::cameraTracks() const {
-  return player_.subject().tracks;
+  return player_.state().tracks;
 }
 
 void InspectedShot::setCameraTrack(CameraTrack track) {
@@ -258,7 +258,7 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
   checkCameraTrack(track);
   if (std::ranges::count(cameraNames(scene()), track.name) > 0)
     throw Error(say<"the scene has a camera called \"%1\" already; give the path another name">(track.name));
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   const CameraTrackHandle old = next.track();
   const auto made = std::make_shared<const CameraTrack>(std::move(track));
   const auto known = std::ranges::find_if(
@@ -274,7 +274,7 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
 
 void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
   assert(player_.isOpen());
-  Subject next = player_.subject();
+  ShotState next = player_.state();
   next.tracks.clear();
   std::vector<std::string> names = cameraNames(scene());
   for (const CameraTrack& track : cameras.tracks) {
@@ -287,14 +287,14 @@ void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
   if (std::ranges::count(names, cameras.camera) == 0)
     throw Error(say<"there is no camera called \"%1\"">(cameras.camera));
   next.camera = cameras.camera;
-  const CameraTrackHandle now = next.track(), old = player_.subject().track();
+  const CameraTrackHandle now = next.track(), old = player_.state().track();
   const bool isSame = now && old ? now->firstFrame == old->firstFrame && now->poses == old->poses
                                  : !now && !old && next.camera == camera();
   player_.follow(std::move(next), isSame ? std::numeric_limits<int>::max() : 0);
 }
 
 CameraPose InspectedShot::cameraPose() const {
-  if (const CameraTrackHandle track = player_.subject().track()) return track->at(frame());
+  if (const CameraTrackHandle track = player_.state().track()) return track->at(frame());
   const float aspect = static_cast<float>(width()) / static_cast<float>(height());
   return poseOf(cameraAt(scene(), camera(), info().time, aspect));
 }

@@ -86,16 +86,16 @@ std::vector<WhatIfRow> Probes::whatIf(int x, int y, int lane) {
 ProbePin Probes::anchored(const ProbePin& pin) {
   if (pin.follow == Follow::Screen || pin.anchor) return pin;
   const gl::PassGroup group(pass_group::kProbe);
-  const Subject& subject = player_.subject();
-  const Scene& scene = *subject.scene;
-  const FrameRequest request = subject.request(0);
+  const ShotState& state = player_.state();
+  const Scene& scene = *state.scene;
+  const FrameRequest request = state.request(0);
   const int setIn = std::clamp(pin.frame, 0, scene.shot.frames - 1);
   FrameInputs other; // what a pin follows shows only in its own frame
   const FrameInputs* drawn = &other;
   if (setIn == player_.shown().frame)
     drawn = &player_.inputs(0);
   else
-    subject.renderer->draw(request, setIn, other);
+    state.renderer->draw(request, setIn, other);
   ProbePin found = pin;
   found.anchor = anchorAt(scene, viewAt(scene, request, setIn), player_.picturePx(), pin.pixel,
                           surfaceAt(*drawn, pin.pixel));
@@ -103,9 +103,9 @@ ProbePin Probes::anchored(const ProbePin& pin) {
 }
 
 PinSpot Probes::spot(const ProbePin& pin) {
-  const Scene& scene = *player_.subject().scene;
+  const Scene& scene = *player_.state().scene;
   if (pin.follow == Follow::Screen) return spotOf(scene, {}, player_.picturePx(), pin);
-  const View view = viewAt(scene, player_.subject().request(0), player_.shown().frame);
+  const View view = viewAt(scene, player_.state().request(0), player_.shown().frame);
   PinSpot spot = spotOf(scene, view, player_.picturePx(), pin);
   if (!pin.anchor || spot.state != PinState::Seen) return spot;
   const gl::PassGroup group(pass_group::kProbe);
@@ -118,11 +118,11 @@ PinSpot Probes::spot(const ProbePin& pin) {
 std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std::vector<ProbePin>& pins,
                                                            TraceCursor& cursor, const Progress& progress) {
   const gl::PassGroup group(pass_group::kProbe);
-  const Subject subject = player_.onlyLane(0);
-  const Scene& scene = *subject.scene;
+  const ShotState state = player_.onlyLane(0);
+  const Scene& scene = *state.scene;
   ShownFrame made = player_.makeBeside(frame, cursor, progress);
-  const View view = viewAt(scene, subject.request(0), frame);
-  const FrameInputs& inputs = player_.maker().inputs(subject, made, 0);
+  const View view = viewAt(scene, state.request(0), frame);
+  const FrameInputs& inputs = player_.maker().inputs(state, made, 0);
   const ShownLane& lane = made.lanes[0];
   std::vector<std::optional<TraceSample>> samples(pins.size());
   for (std::size_t index = 0; index < pins.size(); ++index) {
@@ -130,7 +130,7 @@ std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std:
     if (spot.state != PinState::Seen) continue;
     const gl::Rect pixel{spot.pixel.x, spot.pixel.y, 1, 1};
     const PixelRecord record = probeRegion(player_.maker().pass, inputs, lane.previous.get(), *lane.current,
-                                           subject.lanes[0], pixel)[0];
+                                           state.lanes[0], pixel)[0];
     if (!isCovered(pins[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
   }
   player_.maker().recycle(std::move(made));

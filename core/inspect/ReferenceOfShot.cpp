@@ -30,11 +30,11 @@ void ReferenceOfShot::refine(int samples, const Progress& progress, int lane) {
   const gl::PassGroup group(pass_group::kReference);
   const glm::ivec2 size = player_.picturePx();
   requireReference(driver_, referenceBytes(player_.settings(lane), size, player_.hasFog()), size);
-  references_.refine(*player_.subject().renderer, subjectOf(lane), samples, progress);
+  references_.refine(*player_.state().renderer, keyOf(lane), samples, progress);
 }
 
 int ReferenceOfShot::samples(int lane) const {
-  const ReferencePicture* picture = references_.find(subjectOf(lane));
+  const ReferencePicture* picture = references_.find(keyOf(lane));
   return picture ? picture->samples : 0;
 }
 
@@ -46,12 +46,12 @@ PictureError ReferenceOfShot::error(int lane) {
   return requiredRows(lane).error();
 }
 
-ReferenceSubject ReferenceOfShot::subjectOf(int lane) const {
-  return {referenceRequest(player_.subject().request(static_cast<std::size_t>(lane))), player_.shown().frame};
+ReferenceKey ReferenceOfShot::keyOf(int lane) const {
+  return {referenceRequest(player_.state().request(static_cast<std::size_t>(lane))), player_.shown().frame};
 }
 
 ReferenceRows* ReferenceOfShot::rows(int lane) {
-  const ReferenceSubject wanted = subjectOf(lane);
+  const ReferenceKey wanted = keyOf(lane);
   const ReferencePicture* picture = references_.find(wanted);
   if (!picture) return nullptr;
   ReferenceRows& rows = rows_.at(static_cast<std::size_t>(lane));

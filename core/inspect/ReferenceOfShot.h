@@ -59,7 +59,7 @@ class ReferenceOfShot {
   void forget();
 
  private:
-  ReferenceSubject subjectOf(int lane) const;
+  ReferenceKey keyOf(int lane) const;
   ReferenceRows& requiredRows(int lane);
 
   ShotPlayer& player_;

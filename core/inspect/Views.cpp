@@ -46,7 +46,7 @@ std::vector<Image> Views::images(const std::vector<IntermediateId>& ids, int lan
         std::ranges::find(missing, id) == missing.end())
       missing.push_back(id);
   Exposure exposure;
-  if (!missing.empty()) exposure = player_.maker().expose(player_.subject(), player_.shown(), missing, lane);
+  if (!missing.empty()) exposure = player_.maker().expose(player_.state(), player_.shown(), missing, lane);
   std::vector<Image> images;
   images.reserve(ids.size());
   for (IntermediateId id : ids)
@@ -92,8 +92,7 @@ void Views::keepAside(const std::vector<int>& frames, const Progress& progress) 
 }
 
 bool Views::isAtHand(const Look& look) const {
-  if (!player_.isOpen() || static_cast<std::size_t>(look.lane) >= player_.subject().lanes.size())
-    return false;
+  if (!player_.isOpen() || static_cast<std::size_t>(look.lane) >= player_.state().lanes.size()) return false;
   const ShownFrame* frame = player_.find(look.frame);
   if (!isOfReference(look.id) || !frame) return frame != nullptr;
   return frame == &player_.shown() && reference_.has(look.id, look.lane);
@@ -106,7 +105,7 @@ bool Views::isExact(const Look& look) const {
 // Rows of one lane's frame come out of one exposure.
 DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style) {
   const gl::PassGroup group(pass_group::kExposure);
-  const Subject& subject = player_.subject();
+  const ShotState& state = player_.state();
   FrameMaker& maker = player_.maker();
   ShownFrame& frame = *player_.find(look.frame);
   const bool isSameFrame = minus && minus->lane == look.lane && player_.find(minus->frame) == &frame;
@@ -121,7 +120,7 @@ DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, 
   DrawnLayers layers{.row = referenceOf(look), .minus = minus ? referenceOf(*minus) : Layer{}};
   std::erase_if(ids, isOfReference);
   if (!ids.empty()) {
-    const Exposure& exposure = maker.exposedAll(subject, frame, inTableOrder(ids), look.lane);
+    const Exposure& exposure = maker.exposedAll(state, frame, inTableOrder(ids), look.lane);
     if (!layers.row.texture) layers.row = layerOf(exposure, look.id);
     if (isSameFrame && !layers.minus.texture) layers.minus = layerOf(exposure, minus->id);
     if (style.markRejected) layers.rejectReason = layerOf(exposure, IntermediateId::rejectReason);
@@ -129,7 +128,7 @@ DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, 
   }
   if (minus && !layers.minus.texture)
     layers.minus =
-        layerOf(maker.exposed(subject, *player_.find(minus->frame), minus->id, minus->lane), minus->id);
+        layerOf(maker.exposed(state, *player_.find(minus->frame), minus->id, minus->lane), minus->id);
   return layers;
 }
 
@@ -149,7 +148,7 @@ Image Views::image(const Look& look, const std::optional<Look>& minus, const gl:
   const auto values = [&](const Look& of) {
     if (isOfReference(of.id)) return reference_.image(of.id, region, of.lane);
     return player_.maker()
-        .exposed(player_.subject(), *player_.find(of.frame), of.id, of.lane)
+        .exposed(player_.state(), *player_.find(of.frame), of.id, of.lane)
         .image(of.id, region);
   };
   Image image = values(look);

@@ -17,7 +17,7 @@ void Desk::noteFrame() {
 
 void Desk::noteChange(RequestKind kind) {
   noteFrame();
-  noteSubject();
+  noteShotChange();
   if (std::ranges::find(inexactSince_, kind) == inexactSince_.end()) inexactSince_.push_back(kind);
 }
 

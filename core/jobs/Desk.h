@@ -32,13 +32,13 @@ class Desk {
 
   // The frame on show
   std::uint64_t version() const { return version_; }
-  std::uint64_t subject() const { return subject_; } ///< see Status
+  std::uint64_t shotVersion() const { return shotVersion_; } ///< see Status
   /// Another frame, or the same one nearer to what it is to be.
   void noteFrame();
-  /// Something that all frames depend on is another: what was delivered is of another subject now.
+  /// Something that all frames depend on is another: what was delivered is of another version of the shot now.
   void noteChange(RequestKind kind);
   /// What is known of frames that are not on show is no longer true.
-  void noteSubject() { ++subject_; }
+  void noteShotChange() { ++shotVersion_; }
   /// Kinds of requests since which the frame on show is not exact.
   const std::vector<RequestKind>& inexactSince() const { return inexactSince_; }
   void noteExact() { inexactSince_.clear(); }
@@ -78,7 +78,7 @@ class Desk {
   ClockNow now_;
   LatestRequests latest_; // that were taken up
   std::vector<RequestKind> inexactSince_;
-  std::uint64_t version_ = 1, subject_ = 0;
+  std::uint64_t version_ = 1, shotVersion_ = 0;
 };
 
 } // namespace taa

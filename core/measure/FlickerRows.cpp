@@ -31,10 +31,10 @@ std::size_t flickerBytes(const glm::ivec2& picturePx, int frames) {
          static_cast<std::size_t>(picturePx.y) * static_cast<std::size_t>(frames);
 }
 
-FlickerWindow& FlickerRows::windowOf(const FlickerSubject& subject) {
-  if (!(subject_ == subject)) {
+FlickerWindow& FlickerRows::windowOf(const FlickerKey& key) {
+  if (!(key_ == key)) {
     forget();
-    subject_ = subject;
+    key_ = key;
   }
   return window_;
 }
@@ -47,8 +47,8 @@ void FlickerRows::set(int frame, int frames, int samples, FlickerMaps maps) {
   maps_ = std::move(maps);
 }
 
-std::optional<int> FlickerRows::samples(const FlickerSubject& subject, int frame, int frames) const {
-  if (frame_ != frame || frames_ != frames || !(subject_ == subject)) return {};
+std::optional<int> FlickerRows::samples(const FlickerKey& key, int frame, int frames) const {
+  if (frame_ != frame || frames_ != frames || !(key_ == key)) return {};
   return samples_;
 }
 

@@ -19,10 +19,10 @@
 namespace taa {
 
 /// All that these rows are a function of, besides the frame's number and how many frames there are.
-struct FlickerSubject {
+struct FlickerKey {
   FrameRequest request; ///< of the lane
   Settings settings;
-  bool operator==(const FlickerSubject&) const = default;
+  bool operator==(const FlickerKey&) const = default;
 };
 
 /// Frames in a row that flicker is taken over, as far as they are made. The next frame needs one more.
@@ -43,13 +43,13 @@ std::size_t flickerBytes(const glm::ivec2& picturePx, int frames);
 
 class FlickerRows {
  public:
-  /// Forgets what is of another subject, or of a scene or shaders that are gone (`forget`).
-  FlickerWindow& windowOf(const FlickerSubject& subject);
+  /// Forgets what is of another key, or of a scene or shaders that are gone (`forget`).
+  FlickerWindow& windowOf(const FlickerKey& key);
   void forget() { *this = {}; }
 
   void set(int frame, int frames, int samples, FlickerMaps maps);
   /// Samples of the reference that went into the maps of the frame, 0: none; nothing: there are no maps.
-  std::optional<int> samples(const FlickerSubject& subject, int frame, int frames) const;
+  std::optional<int> samples(const FlickerKey& key, int frame, int frames) const;
   const FlickerMaps& maps() const { return maps_; }
 
   /// Expects that it is there: isOverTime(id), and a reference where that is needed.
@@ -59,7 +59,7 @@ class FlickerRows {
   const gl::Texture& texture(IntermediateId id);
 
  private:
-  FlickerSubject subject_;
+  FlickerKey key_;
   FlickerWindow window_;
   int frame_ = -1, frames_ = 0, samples_ = 0; // of the maps; −1: there are none
   FlickerMaps maps_;

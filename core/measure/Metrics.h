@@ -98,7 +98,7 @@ struct FrameFigures {
   /// The same of flicker; 0: only the deviation is known; nothing: neither is.
   std::optional<int> flickerSamples{};
   std::array<std::optional<double>, kFigures.size()> values;
-  std::uint64_t subject = 0; ///< counts what frames were a function of (Status::subject)
+  std::uint64_t shotVersion = 0; ///< counts what frames were a function of (Status::shotVersion)
 
   const std::optional<double>& at(Figure figure) const { return values[static_cast<std::size_t>(figure)]; }
   std::optional<double>& at(Figure figure) { return values[static_cast<std::size_t>(figure)]; }

@@ -32,7 +32,7 @@ gl::Texture rowTexture(const Image& row, const std::string& label) {
 }
 
 bool ReferenceRows::isOf(const Origin& origin) const {
-  return samples_ == origin.samples && subject_ == origin.subject && settings_ == origin.settings &&
+  return samples_ == origin.samples && key_ == origin.key && settings_ == origin.settings &&
          current_.lock() == origin.current;
 }
 
@@ -40,7 +40,7 @@ void ReferenceRows::set(const Origin& origin, Image reference, Image output) {
   forget(); // the old pictures first: there may not be room for both
   current_ = origin.current;
   settings_ = origin.settings;
-  subject_ = origin.subject;
+  key_ = origin.key;
   samples_ = origin.samples;
   reference_ = std::move(reference);
   output_ = std::move(output);

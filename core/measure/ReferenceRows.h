@@ -28,7 +28,7 @@ class ReferenceRows {
   struct Origin {
     HistoryHandle current;
     Settings settings;
-    ReferenceSubject subject;
+    ReferenceKey key;
     int samples = 0;
   };
   bool isOf(const Origin& origin) const;
@@ -45,7 +45,7 @@ class ReferenceRows {
  private:
   std::weak_ptr<const History> current_; // whose output it is; it may end meanwhile
   Settings settings_;
-  ReferenceSubject subject_;
+  ReferenceKey key_;
   int samples_ = 0;
   Image reference_, output_;
   std::map<IntermediateId, gl::Texture> textures_; // made when first shown

@@ -42,42 +42,42 @@ FrameRequest referenceRequest(const FrameRequest& request) {
 }
 
 Image ReferencePicture::mean() const {
-  Image image(subject.request.width, subject.request.height, 3);
+  Image image(key.request.width, key.request.height, 3);
   std::ranges::transform(sums, image.pixels.begin(),
                          [this](double sum) { return static_cast<float>(sum / samples); });
   return image;
 }
 
-const ReferencePicture* References::find(const ReferenceSubject& subject) const {
-  const auto found = std::ranges::find(pictures_, subject, &ReferencePicture::subject);
+const ReferencePicture* References::find(const ReferenceKey& key) const {
+  const auto found = std::ranges::find(pictures_, key, &ReferencePicture::key);
   return found != pictures_.end() && found->samples > 0 ? &*found : nullptr;
 }
 
-ReferencePicture& References::use(const ReferenceSubject& subject) {
-  const auto found = std::ranges::find(pictures_, subject, &ReferencePicture::subject);
+ReferencePicture& References::use(const ReferenceKey& key) {
+  const auto found = std::ranges::find(pictures_, key, &ReferencePicture::key);
   if (found == pictures_.end())
-    pictures_.push_front({subject, 0, {}});
+    pictures_.push_front({key, 0, {}});
   else
     pictures_.splice(pictures_.begin(), pictures_, found);
   return pictures_.front();
 }
 
-void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
+void References::refine(SceneRenderer& renderer, const ReferenceKey& key, int samples,
                         const Progress& progress) {
   if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
     throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kLeastReferenceSamples,
                                                                            kMostReferenceSamples));
-  ReferencePicture& picture = use(subject);
-  if (picture.samples > samples) picture = {subject, 0, {}};
+  ReferencePicture& picture = use(key);
+  if (picture.samples > samples) picture = {key, 0, {}};
   if (picture.sums.empty()) {
-    picture.sums.resize(std::size_t(3) * subject.request.width * subject.request.height);
+    picture.sums.resize(std::size_t(3) * key.request.width * key.request.height);
     trim();
   }
-  FrameRequest request = subject.request;
+  FrameRequest request = key.request;
   while (picture.samples < samples) {
     request.jitterPx = referencePointPx(picture.samples);
-    renderer.draw(request, subject.frame, drawn_);
-    gl::checkErrors(say<"drawing the reference of frame %1">(subject.frame));
+    renderer.draw(request, key.frame, drawn_);
+    gl::checkErrors(say<"drawing the reference of frame %1">(key.frame));
     add(drawn_.color.download(), picture.sums);
     ++picture.samples;
     report(progress, say<"Reference">(), picture.samples, samples);
@@ -85,15 +85,15 @@ void References::refine(SceneRenderer& renderer, const ReferenceSubject& subject
   drawn_ = {};
 }
 
-const ReferencePicture& References::foundOrDrawn(SceneRenderer& renderer, const ReferenceSubject& subject,
+const ReferencePicture& References::foundOrDrawn(SceneRenderer& renderer, const ReferenceKey& key,
                                                  int samples, const References& known,
                                                  const Progress& progress) {
   const gl::PassGroup group(pass_group::kReference);
   for (const References* place : {&known, static_cast<const References*>(this)})
-    if (const ReferencePicture* picture = place->find(subject); picture && picture->samples == samples)
+    if (const ReferencePicture* picture = place->find(key); picture && picture->samples == samples)
       return *picture;
-  refine(renderer, subject, samples, progress);
-  return *find(subject);
+  refine(renderer, key, samples, progress);
+  return *find(key);
 }
 
 std::size_t References::bytes() const {

@@ -18,10 +18,10 @@ namespace taa {
 inline constexpr std::size_t kReferenceBudget = std::size_t(256) << 20;
 
 /// All that a reference is a function of, besides the number of its samples.
-struct ReferenceSubject {
+struct ReferenceKey {
   FrameRequest request; ///< see referenceRequest()
   int frame = 0;
-  bool operator==(const ReferenceSubject&) const = default;
+  bool operator==(const ReferenceKey&) const = default;
 };
 
 /// What is drawn for the reference of what `request` draws: at full size, in 32-bit floats, without jitter of
@@ -33,7 +33,7 @@ FrameRequest referenceRequest(const FrameRequest& request);
 /// steps it took, and exact, so that no order would matter, where the samples of a pixel lie within 2^19 of
 /// each other.
 struct ReferencePicture {
-  ReferenceSubject subject;
+  ReferenceKey key;
   int samples = 0;
   std::vector<double> sums; ///< red, green, blue of each pixel, row 0 the top
 
@@ -45,15 +45,14 @@ struct ReferencePicture {
 class References {
  public:
   /// The one there is, or null. Valid until the next call that is not const.
-  const ReferencePicture* find(const ReferenceSubject& subject) const;
+  const ReferencePicture* find(const ReferenceKey& key) const;
 
   /// Draws samples until there are `samples`; where there are more it starts anew, so that what is there
   /// depends on the last number only. Reports after each sample; Cancelled: keeps those it has. Throws Error.
-  void refine(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
-              const Progress& progress);
+  void refine(SceneRenderer& renderer, const ReferenceKey& key, int samples, const Progress& progress);
   /// One of so many samples: that of `known` or of these, else drawn as refine() does. Valid as long as
   /// find()'s.
-  const ReferencePicture& foundOrDrawn(SceneRenderer& renderer, const ReferenceSubject& subject, int samples,
+  const ReferencePicture& foundOrDrawn(SceneRenderer& renderer, const ReferenceKey& key, int samples,
                                        const References& known, const Progress& progress);
 
   /// Forgets those used longest ago; the latest always stays.
@@ -63,7 +62,7 @@ class References {
   void clear();
 
  private:
-  ReferencePicture& use(const ReferenceSubject& subject);
+  ReferencePicture& use(const ReferenceKey& key);
   void trim();
   std::list<ReferencePicture> pictures_; // the one used last in front
   std::size_t budget_ = kReferenceBudget;

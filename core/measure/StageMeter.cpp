@@ -29,7 +29,7 @@ constexpr auto kPrograms = [] {
 
 // First each program once, the whole one last, then the rounds, every other one backwards.
 void StageMeter::begin(const ResolvedFrame& frame) {
-  subject_ = frame.current;
+  measured_ = frame.current;
   draws_.clear();
   done_ = 0;
   repeats_ = 1;
@@ -52,7 +52,7 @@ double StageMeter::time(TaaPass& pass, const ResolvedFrame& frame, const Draw& d
 }
 
 StageCosts StageMeter::measure(TaaPass& pass, const ResolvedFrame& frame, const Progress& progress) {
-  if (subject_.lock() != frame.current) begin(frame);
+  if (measured_.lock() != frame.current) begin(frame);
   for (; done_ < draws_.size(); ++done_) {
     report(progress, "Measuring stages", static_cast<int>(done_), static_cast<int>(draws_.size()));
     const Draw& draw = draws_[done_];
@@ -70,7 +70,7 @@ StageCosts StageMeter::measure(TaaPass& pass, const ResolvedFrame& frame, const 
 }
 
 void StageMeter::forget(TaaPass& pass) {
-  subject_.reset();
+  measured_.reset();
   target_ = {};
   pass.forgetStageEnds();
 }

@@ -35,7 +35,7 @@ class StageMeter {
   StageCosts result(const ResolvedFrame& frame) const;
 
   gl::TimingMethod method_;
-  std::weak_ptr<const History> subject_; // of the frame that is measured; it may end meanwhile
+  std::weak_ptr<const History> measured_; // of the frame that is measured; it may end meanwhile
   History target_;
   std::vector<Draw> draws_;
   std::size_t done_ = 0;

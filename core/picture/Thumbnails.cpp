@@ -9,9 +9,9 @@ const Exposure& Thumbnails::exposed(TaaPass& pass, const ResolvedFrame& frame, c
     forget();
     exposure_ = Exposure(allRows(), whole, texels);
   }
-  if (subject_.lock() == frame.current) return exposure_;
+  if (shownHistory_.lock() == frame.current) return exposure_;
   pass.expose(frame.inputs, frame.previous.get(), *frame.current, frame.settings, exposure_);
-  subject_ = frame.current;
+  shownHistory_ = frame.current;
   return exposure_;
 }
 
@@ -25,7 +25,7 @@ Picture Thumbnails::draw(TaaPass& pass, Visualizer& visualizer, const ResolvedFr
 
 void Thumbnails::forget() {
   exposure_ = {};
-  subject_.reset();
+  shownHistory_.reset();
 }
 
 } // namespace taa

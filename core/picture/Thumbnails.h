@@ -21,7 +21,7 @@ class Thumbnails {
 
  private:
   Exposure exposure_;
-  std::weak_ptr<const History> subject_; // whose values they are; it may end meanwhile
+  std::weak_ptr<const History> shownHistory_; // whose values they are; it may end meanwhile
 };
 
 } // namespace taa

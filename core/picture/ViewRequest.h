@@ -75,7 +75,7 @@ struct ViewResult {
   bool exact = true;
   ReasonCounts reasons{};          ///< where they are shown
   std::optional<ViewSide> other{}; ///< delivered together; nothing while it is on its way
-  std::uint64_t subject = 0;       ///< see Status
+  std::uint64_t shotVersion = 0;   ///< see Status
 };
 
 } // namespace taa

@@ -51,7 +51,7 @@ struct TraceDelivery {
   ProbePin pin; ///< with its anchor
   int frame = 0;
   TraceSample sample;
-  std::uint64_t subject = 0; ///< counts what frames were a function of; true while it is the same
+  std::uint64_t shotVersion = 0; ///< see Status; the sample is true while it is the same
 };
 
 } // namespace taa

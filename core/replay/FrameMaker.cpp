@@ -19,25 +19,25 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-gl::Rect wholePicture(const Subject& subject) {
-  return {0, 0, subject.width, subject.height};
+gl::Rect wholePicture(const ShotState& state) {
+  return {0, 0, state.width, state.height};
 }
 
 // Gives every lane its inputs: those of the step, else those of the first lane that draws the same, else new
 // ones, not drawn, whose textures are used again unless another frame has them too.
-void arrange(const Subject& subject, const std::vector<InputsHandle>& given, ShownFrame& frame) {
+void arrange(const ShotState& state, const std::vector<InputsHandle>& given, ShownFrame& frame) {
   std::vector<InputsHandle> free;
   for (ShownLane& lane : frame.lanes) {
     InputsHandle inputs = std::exchange(lane.inputs, nullptr);
     if (inputs.use_count() == 1) free.push_back(std::move(inputs)); // its last lane
   }
-  frame.lanes.resize(subject.lanes.size());
+  frame.lanes.resize(state.lanes.size());
   std::size_t taken = 0;
-  for (std::size_t lane = 0; lane < subject.lanes.size(); ++lane) {
+  for (std::size_t lane = 0; lane < state.lanes.size(); ++lane) {
     InputsHandle& inputs = frame.lanes[lane].inputs;
     if (!given.empty()) inputs = given[lane];
     for (std::size_t other = 0; other < lane && !inputs; ++other)
-      if (sameInputs(subject.lanes[other], subject.lanes[lane])) inputs = frame.lanes[other].inputs;
+      if (sameInputs(state.lanes[other], state.lanes[lane])) inputs = frame.lanes[other].inputs;
     if (inputs) continue;
     inputs = taken < free.size() ? free[taken++] : std::make_shared<LazyInputs>();
     inputs->areDrawn = false;
@@ -51,40 +51,40 @@ void fitExposure(Exposure& exposure, const ExposureLayout& layout, const gl::Rec
 }
 
 /// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
-int firstToResolve(const Subject& subject, const Checkpoints& checkpoints, int frame) {
-  if (isKept(subject, checkpoints, frame)) return frame + 1;
-  while (!startsHistory(subject, frame) && !checkpoints.at(frame - 1)) --frame;
+int firstToResolve(const ShotState& state, const Checkpoints& checkpoints, int frame) {
+  if (isKept(state, checkpoints, frame)) return frame + 1;
+  while (!startsHistory(state, frame) && !checkpoints.at(frame - 1)) --frame;
   return frame;
 }
 
 // Gives a lane what was kept of the frame.
-void restore(const Subject& subject, const Checkpoints& checkpoints, int frame, ShownLane& lane) {
-  lane.previous = startsHistory(subject, frame) ? nullptr : checkpoints.at(frame - 1);
+void restore(const ShotState& state, const Checkpoints& checkpoints, int frame, ShownLane& lane) {
+  lane.previous = startsHistory(state, frame) ? nullptr : checkpoints.at(frame - 1);
   lane.current = checkpoints.at(frame);
   lane.exact = true;
   lane.isExposed = false;
   lane.asked.reset();
 }
 
-bool isAtHand(const Subject& subject, const Checkpoints& checkpoints, int frame) {
-  return startsHistory(subject, frame) || checkpoints.at(frame - 1);
+bool isAtHand(const ShotState& state, const Checkpoints& checkpoints, int frame) {
+  return startsHistory(state, frame) || checkpoints.at(frame - 1);
 }
 
 } // namespace
 
-CameraTrackHandle Subject::track() const {
+CameraTrackHandle ShotState::track() const {
   const auto found =
       std::ranges::find(tracks, camera, [](const CameraTrackHandle& handle) { return handle->name; });
   return found == tracks.end() ? nullptr : *found;
 }
 
-Shot Subject::shot() const {
+Shot ShotState::shot() const {
   Shot shot = scene->shot;
   shot.cuts.insert(shot.cuts.end(), restarts.begin(), restarts.end());
   return shot;
 }
 
-FrameRequest Subject::request(std::size_t lane) const {
+FrameRequest ShotState::request(std::size_t lane) const {
   return {.camera = camera,
           .width = width,
           .height = height,
@@ -97,36 +97,36 @@ FrameRequest Subject::request(std::size_t lane) const {
           .restarts = restarts};
 }
 
-bool startsHistory(const Subject& subject, int frame) {
-  return taa::startsHistory(*subject.scene, subject.restarts, frame);
+bool startsHistory(const ShotState& state, int frame) {
+  return taa::startsHistory(*state.scene, state.restarts, frame);
 }
 
-bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame) {
-  return checkpoints.at(frame) && isAtHand(subject, checkpoints, frame);
+bool isKept(const ShotState& state, const Checkpoints& checkpoints, int frame) {
+  return checkpoints.at(frame) && isAtHand(state, checkpoints, frame);
 }
 
-std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget) {
+std::size_t checkpointShare(const ShotState& state, std::size_t lane, std::size_t budget) {
   const auto bytesOf = [&](const Settings& settings) {
-    return historyBytes(subject.width, subject.height, settings);
+    return historyBytes(state.width, state.height, settings);
   };
   std::size_t frameOfAll = 0;
-  for (const Settings& settings : subject.lanes) frameOfAll += bytesOf(settings);
+  for (const Settings& settings : state.lanes) frameOfAll += bytesOf(settings);
   assert(frameOfAll > 0);
-  return budget / frameOfAll * bytesOf(subject.lanes[lane]);
+  return budget / frameOfAll * bytesOf(state.lanes[lane]);
 }
 
-int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+int replayLength(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame) {
   int most = 0;
   for (const Checkpoints& kept : checkpoints)
-    most = std::max(most, frame + 1 - firstToResolve(subject, kept, frame));
+    most = std::max(most, frame + 1 - firstToResolve(state, kept, frame));
   return most;
 }
 
-int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame) {
+int nearestAtHand(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame) {
   const auto isFound = [&](int candidate) {
-    return candidate >= 0 && candidate < subject.scene->shot.frames &&
+    return candidate >= 0 && candidate < state.scene->shot.frames &&
            std::ranges::all_of(checkpoints,
-                               [&](const Checkpoints& kept) { return isAtHand(subject, kept, candidate); });
+                               [&](const Checkpoints& kept) { return isAtHand(state, kept, candidate); });
   };
   int distance = 0; // frame 0 is always at hand
   while (!isFound(frame - distance) && !isFound(frame + distance)) ++distance;
@@ -153,11 +153,11 @@ void FrameMaker::freeTextures() {
   pool_.clear();
 }
 
-const FrameInputs& FrameMaker::inputs(const Subject& subject, ShownFrame& shown, std::size_t lane) {
+const FrameInputs& FrameMaker::inputs(const ShotState& state, ShownFrame& shown, std::size_t lane) {
   LazyInputs& inputs = *shown.lanes[lane].inputs;
   if (inputs.areDrawn) return inputs.textures;
   const auto start = std::chrono::steady_clock::now();
-  subject.renderer->draw(subject.request(lane), shown.frame, inputs.textures);
+  state.renderer->draw(state.request(lane), shown.frame, inputs.textures);
   gl::finish();
   shown.sceneMs += millisecondsSince(start);
   inputs.areDrawn = true;
@@ -168,13 +168,13 @@ std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) co
   return ExposureLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
 }
 
-void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame& next) {
+void FrameMaker::make(const ShotState& state, const FrameStep& step, ShownFrame& next) {
   gl::PassTimer::startFrame();
-  arrange(subject, step.inputs, next);
+  arrange(state, step.inputs, next);
   next.frame = step.frame;
   next.sceneMs = 0.0;
   for (std::size_t lane = 0; lane < next.lanes.size(); ++lane)
-    if (step.active[lane]) inputs(subject, next, lane);
+    if (step.active[lane]) inputs(state, next, lane);
   const auto drawn = std::chrono::steady_clock::now();
   for (std::size_t index = 0; index < next.lanes.size(); ++index) {
     if (!step.active[index]) continue;
@@ -182,12 +182,11 @@ void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame&
     const FrameInputs& inputs = lane.inputs->textures;
     lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
     lane.asked.reset();
-    lane.isExposed = step.exposes && !exposedRows(subject.lanes[index]).empty();
+    lane.isExposed = step.exposes && !exposedRows(state.lanes[index]).empty();
     if (lane.isExposed)
-      fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])),
-                  wholePicture(subject));
+      fitExposure(lane.watched, ExposureLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
     const std::shared_ptr<History> out = pool_.take();
-    pass.resolve(inputs, lane.previous.get(), subject.lanes[index], *out,
+    pass.resolve(inputs, lane.previous.get(), state.lanes[index], *out,
                  lane.isExposed ? &lane.watched : nullptr);
     lane.current = out;
   }
@@ -196,62 +195,61 @@ void FrameMaker::make(const Subject& subject, const FrameStep& step, ShownFrame&
   gl::checkErrors(say<"cannot make frame %1">(step.frame));
 }
 
-ShownFrame FrameMaker::replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
+ShownFrame FrameMaker::replay(const ShotState& state, std::vector<Checkpoints>& checkpoints, int frame,
                               std::size_t budget, const Progress& progress) {
-  const std::size_t lanes = subject.lanes.size();
+  const std::size_t lanes = state.lanes.size();
   std::vector<int> first(lanes);
   FrameStep step{
       .previous = std::vector<HistoryHandle>(lanes), .active = std::vector<bool>(lanes), .inputs = {}};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    first[lane] = firstToResolve(subject, checkpoints[lane], frame);
+    first[lane] = firstToResolve(state, checkpoints[lane], frame);
     step.previous[lane] = checkpoints[lane].at(first[lane] - 1);
   }
   const int begin = *std::ranges::min_element(first);
   ShownFrame next = take();
   next.frame = frame;
   next.sceneMs = next.resolveMs = 0.0;
-  arrange(subject, {}, next);
+  arrange(state, {}, next);
   for (step.frame = begin; step.frame <= frame; ++step.frame) {
     report(progress, say<"Replaying frames">(), step.frame - begin, frame - begin + 1);
     step.exposes = step.frame == frame;
     for (std::size_t lane = 0; lane < lanes; ++lane) step.active[lane] = step.frame >= first[lane];
-    make(subject, step, next);
+    make(state, step, next);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if (!step.active[lane]) continue;
       next.lanes[lane].exact = true;
       step.previous[lane] = next.lanes[lane].current;
       checkpoints[lane].keep(step.frame, next.lanes[lane].current);
-      checkpoints[lane].trim(checkpointShare(subject, lane, budget), step.frame, subject.shot());
+      checkpoints[lane].trim(checkpointShare(state, lane, budget), step.frame, state.shot());
     }
   }
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    if (first[lane] > frame) restore(subject, checkpoints[lane], frame, next.lanes[lane]);
+    if (first[lane] > frame) restore(state, checkpoints[lane], frame, next.lanes[lane]);
   return next;
 }
 
 // What the history holds is there at once; for all else the inputs are drawn.
-void FrameMaker::fill(const Subject& subject, ShownFrame& shown, std::size_t index, Exposure& exposure) {
+void FrameMaker::fill(const ShotState& state, ShownFrame& shown, std::size_t index, Exposure& exposure) {
   const ShownLane& lane = shown.lanes[index];
   if (!exposure.layout().needsInputs()) return exposure.readFrom(nullptr, *lane.current);
-  pass.expose(inputs(subject, shown, index), lane.previous.get(), *lane.current, subject.lanes[index],
-              exposure);
+  pass.expose(inputs(state, shown, index), lane.previous.get(), *lane.current, state.lanes[index], exposure);
 }
 
-Exposure FrameMaker::expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+Exposure FrameMaker::expose(const ShotState& state, ShownFrame& shown, const std::vector<IntermediateId>& ids,
                             int laneIndex) {
   const auto index = static_cast<std::size_t>(laneIndex);
-  Exposure exposure(ExposureLayout(ids, rowSources(subject.lanes[index])), wholePicture(subject));
-  fill(subject, shown, index, exposure);
+  Exposure exposure(ExposureLayout(ids, rowSources(state.lanes[index])), wholePicture(state));
+  fill(state, shown, index, exposure);
   return exposure;
 }
 
-const Exposure& FrameMaker::exposed(const Subject& subject, ShownFrame& shown, IntermediateId id,
+const Exposure& FrameMaker::exposed(const ShotState& state, ShownFrame& shown, IntermediateId id,
                                     int laneIndex) {
-  return exposedAll(subject, shown, {id}, laneIndex);
+  return exposedAll(state, shown, {id}, laneIndex);
 }
 
 // What is watched is exposed together.
-const Exposure& FrameMaker::exposedAll(const Subject& subject, ShownFrame& shown,
+const Exposure& FrameMaker::exposedAll(const ShotState& state, ShownFrame& shown,
                                        const std::vector<IntermediateId>& ids, int laneIndex) {
   const auto index = static_cast<std::size_t>(laneIndex);
   ShownLane& lane = shown.lanes[index];
@@ -261,10 +259,10 @@ const Exposure& FrameMaker::exposedAll(const Subject& subject, ShownFrame& shown
   if (lane.isExposed && hasAll(lane.watched)) return lane.watched;
   if (lane.asked && hasAll(*lane.asked)) return *lane.asked;
   const auto isWatched = [&](IntermediateId id) { return std::ranges::find(watched, id) != watched.end(); };
-  if (!std::ranges::all_of(ids, isWatched)) return lane.asked.emplace(expose(subject, shown, ids, laneIndex));
+  if (!std::ranges::all_of(ids, isWatched)) return lane.asked.emplace(expose(state, shown, ids, laneIndex));
   lane.isExposed = false;
-  fitExposure(lane.watched, ExposureLayout(watched, rowSources(subject.lanes[index])), wholePicture(subject));
-  fill(subject, shown, index, lane.watched);
+  fitExposure(lane.watched, ExposureLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
+  fill(state, shown, index, lane.watched);
   lane.isExposed = true;
   return lane.watched;
 }

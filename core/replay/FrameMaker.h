@@ -17,7 +17,7 @@
 namespace taa {
 
 /// All that frame n is a function of, besides n.
-struct Subject {
+struct ShotState {
   std::string source;
   std::shared_ptr<const Scene> scene;      // also owned by the renderer
   std::shared_ptr<SceneRenderer> renderer; // also owned by the copy that a change is tried on
@@ -89,42 +89,42 @@ class FrameMaker {
   void freeTextures();
 
   /// Resolves the active lanes and draws what inputs that takes. `next` is whole only when all are active.
-  void make(const Subject& subject, const FrameStep& step, ShownFrame& next);
+  void make(const ShotState& state, const FrameStep& step, ShownFrame& next);
 
   /// Frame `frame` of all lanes, exactly: from the nearest checkpoint of each lane, which new ones are added
   /// to, as many as `budget` bytes hold. Lanes that have kept it are given back as they were, and nothing is
   /// drawn for them. Throws Cancelled when `progress` says so; what was kept stays.
-  ShownFrame replay(const Subject& subject, std::vector<Checkpoints>& checkpoints, int frame,
+  ShownFrame replay(const ShotState& state, std::vector<Checkpoints>& checkpoints, int frame,
                     std::size_t budget, const Progress& progress);
 
   /// The exposure of the whole picture that holds `id`, made now when there is none.
-  const Exposure& exposed(const Subject& subject, ShownFrame& shown, IntermediateId id, int lane);
+  const Exposure& exposed(const ShotState& state, ShownFrame& shown, IntermediateId id, int lane);
   /// One exposure of the whole picture that holds all of `ids`, made now when there is none.
-  const Exposure& exposedAll(const Subject& subject, ShownFrame& shown,
+  const Exposure& exposedAll(const ShotState& state, ShownFrame& shown,
                              const std::vector<IntermediateId>& ids, int lane);
   /// The whole picture of several rows, made now.
-  Exposure expose(const Subject& subject, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+  Exposure expose(const ShotState& state, ShownFrame& shown, const std::vector<IntermediateId>& ids,
                   int lane);
   /// The inputs of a lane, drawn now when they are not.
-  const FrameInputs& inputs(const Subject& subject, ShownFrame& shown, std::size_t lane);
+  const FrameInputs& inputs(const ShotState& state, ShownFrame& shown, std::size_t lane);
 
  private:
-  void fill(const Subject& subject, ShownFrame& shown, std::size_t lane, Exposure& exposure);
+  void fill(const ShotState& state, ShownFrame& shown, std::size_t lane, Exposure& exposure);
   HistoryPool pool_;
   std::optional<ShownFrame> spare_;
 };
 
 /// Whether frame `frame` may use no history: the first, after cuts and at restarts.
-bool startsHistory(const Subject& subject, int frame);
+bool startsHistory(const ShotState& state, int frame);
 
 /// Whether all that the resolve of `frame` was given and left is kept: it need not be made again.
-bool isKept(const Subject& subject, const Checkpoints& checkpoints, int frame);
+bool isKept(const ShotState& state, const Checkpoints& checkpoints, int frame);
 /// What of `budget` bytes the checkpoints of a lane may use: as many frames as those of every other lane,
 /// because going to a frame takes as long as in the lane that has kept the least.
-std::size_t checkpointShare(const Subject& subject, std::size_t lane, std::size_t budget);
+std::size_t checkpointShare(const ShotState& state, std::size_t lane, std::size_t budget);
 /// How many frames replay() resolves to reach `frame`.
-int replayLength(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
+int replayLength(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame);
 /// The frame nearest to `frame` for which that is one at most.
-int nearestAtHand(const Subject& subject, const std::vector<Checkpoints>& checkpoints, int frame);
+int nearestAtHand(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame);
 
 } // namespace taa

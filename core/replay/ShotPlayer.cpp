@@ -22,12 +22,12 @@ bool changesOutputOnly(const Settings& settings, const Settings& old) {
 } // namespace
 
 ShotPlayer::ShotPlayer(const glm::ivec2& picturePx) {
-  subject_.width = picturePx.x;
-  subject_.height = picturePx.y;
+  state_.width = picturePx.x;
+  state_.height = picturePx.y;
 }
 
-Subject ShotPlayer::onlyLane(int lane) const {
-  Subject only = subject_;
+ShotState ShotPlayer::onlyLane(int lane) const {
+  ShotState only = state_;
   only.lanes = {settings(lane)};
   return only;
 }
@@ -53,7 +53,7 @@ bool ShotPlayer::isExact() const {
 }
 
 const FrameInputs& ShotPlayer::inputs(int lane) {
-  return maker_.inputs(subject_, shown_, static_cast<std::size_t>(lane));
+  return maker_.inputs(state_, shown_, static_cast<std::size_t>(lane));
 }
 
 ResolvedFrame ShotPlayer::resolved(int lane) {
@@ -62,7 +62,7 @@ ResolvedFrame ShotPlayer::resolved(int lane) {
 }
 
 const Exposure& ShotPlayer::exposed(IntermediateId id, int lane) {
-  return maker_.exposed(subject_, shown_, id, lane);
+  return maker_.exposed(state_, shown_, id, lane);
 }
 
 void ShotPlayer::show(ShownFrame&& next) {
@@ -82,12 +82,12 @@ void ShotPlayer::keepShown() {
 
 void ShotPlayer::trimCheckpoints() {
   for (std::size_t lane = 0; lane < checkpoints_.size(); ++lane)
-    checkpoints_[lane].trim(checkpointShare(subject_, lane, budget_), shown_.frame, subject_.shot());
+    checkpoints_[lane].trim(checkpointShare(state_, lane, budget_), shown_.frame, state_.shot());
 }
 
 void ShotPlayer::goTo(int frame, const Progress& progress) {
   try {
-    show(maker_.replay(subject_, checkpoints_, frame, budget_, progress));
+    show(maker_.replay(state_, checkpoints_, frame, budget_, progress));
   } catch (...) {
     keepShown();
     throw;
@@ -95,14 +95,14 @@ void ShotPlayer::goTo(int frame, const Progress& progress) {
 }
 
 void ShotPlayer::advance() {
-  const std::size_t lanes = subject_.lanes.size();
+  const std::size_t lanes = state_.lanes.size();
   FrameStep step{
       .frame = shown_.frame + 1, .previous = {}, .active = std::vector<bool>(lanes, true), .inputs = {}};
   for (const ShownLane& lane : shown_.lanes) step.previous.push_back(lane.current);
   ShownFrame next = maker_.take();
-  maker_.make(subject_, step, next);
+  maker_.make(state_, step, next);
   for (std::size_t lane = 0; lane < lanes; ++lane)
-    next.lanes[lane].exact = shown_.lanes[lane].exact || startsHistory(subject_, step.frame);
+    next.lanes[lane].exact = shown_.lanes[lane].exact || startsHistory(state_, step.frame);
   show(std::move(next));
   keepShown();
   trimCheckpoints();
@@ -117,10 +117,10 @@ void ShotPlayer::keepBeside(const std::vector<int>& frames, const Progress& prog
   std::erase_if(
       beside_, [&](const ShownFrame& kept) { return std::ranges::find(frames, kept.frame) == frames.end(); });
   for (const int frame : frames) {
-    assert(frame >= 0 && frame < subject_.scene->shot.frames);
+    assert(frame >= 0 && frame < state_.scene->shot.frames);
     if (find(frame)) continue;
     try {
-      beside_.push_back(maker_.replay(subject_, checkpoints_, frame, budget_, progress));
+      beside_.push_back(maker_.replay(state_, checkpoints_, frame, budget_, progress));
     } catch (...) {
       keepShown();
       throw;
@@ -154,37 +154,37 @@ ShownFrame ShotPlayer::makeBeside(int frame, TraceCursor& cursor, const Progress
   return std::move(*made);
 }
 
-void ShotPlayer::open(Subject next) {
-  startAnew(std::move(next), std::vector<Checkpoints>(subject_.lanes.size()), 0);
+void ShotPlayer::open(ShotState next) {
+  startAnew(std::move(next), std::vector<Checkpoints>(state_.lanes.size()), 0);
 }
 
 void ShotPlayer::setLanes(const std::vector<Settings>& lanes) {
-  Subject next = subject_;
+  ShotState next = state_;
   next.lanes = lanes;
   std::vector<Checkpoints> kept(lanes.size());
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    for (std::size_t old = 0; old < subject_.lanes.size(); ++old)
-      if (lanes[lane] == subject_.lanes[old]) kept[lane] = checkpoints_[old];
+    for (std::size_t old = 0; old < state_.lanes.size(); ++old)
+      if (lanes[lane] == state_.lanes[old]) kept[lane] = checkpoints_[old];
   if (isOpen()) return startAnew(std::move(next), std::move(kept), shown_.frame);
-  subject_ = std::move(next);
+  state_ = std::move(next);
   checkpoints_ = std::move(kept);
 }
 
 void ShotPlayer::changeLanes(const std::vector<Settings>& lanes) {
-  const std::size_t old = subject_.lanes.size();
+  const std::size_t old = state_.lanes.size();
   const auto resize = [&](std::size_t count) {
-    subject_.lanes.resize(count, lanes.back());
+    state_.lanes.resize(count, lanes.back());
     checkpoints_.resize(count);
     shown_.lanes.resize(count);
     beside_.clear();
   };
   std::vector<bool> changed(lanes.size(), false);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    changed[lane] = lane >= old || !(lanes[lane] == subject_.lanes[lane]);
+    changed[lane] = lane >= old || !(lanes[lane] == state_.lanes[lane]);
   resize(lanes.size());
   if (std::ranges::none_of(changed, [](bool is) { return is; })) return;
   try {
-    Subject next = subject_;
+    ShotState next = state_;
     next.lanes = lanes;
     redraw(std::move(next), changed, true);
   } catch (...) {
@@ -194,35 +194,35 @@ void ShotPlayer::changeLanes(const std::vector<Settings>& lanes) {
 }
 
 // Another source or other lanes: all is made first, then put in place of what there was.
-void ShotPlayer::startAnew(Subject next, std::vector<Checkpoints> kept, int frame) {
+void ShotPlayer::startAnew(ShotState next, std::vector<Checkpoints> kept, int frame) {
   ShownFrame made = maker_.replay(next, kept, frame, budget_, {});
-  subject_ = std::move(next);
+  state_ = std::move(next);
   checkpoints_ = std::move(kept);
   beside_.clear();
   show(std::move(made));
   trimCheckpoints(); // shares change with the lanes
 }
 
-FrameStep ShotPlayer::stepOfRedraw(const Subject& next, const std::vector<bool>& changed,
+FrameStep ShotPlayer::stepOfRedraw(const ShotState& next, const std::vector<bool>& changed,
                                    bool keepsHistory) const {
-  const bool isSameView = next.camera == subject_.camera && next.width == subject_.width &&
-                          next.height == subject_.height && next.motionModes == subject_.motionModes &&
-                          next.filter == subject_.filter && next.objectClasses == subject_.objectClasses &&
-                          next.restarts == subject_.restarts && next.track() == subject_.track();
+  const bool isSameView = next.camera == state_.camera && next.width == state_.width &&
+                          next.height == state_.height && next.motionModes == state_.motionModes &&
+                          next.filter == state_.filter && next.objectClasses == state_.objectClasses &&
+                          next.restarts == state_.restarts && next.track() == state_.track();
   FrameStep step{.frame = shown_.frame, .previous = {}, .active = changed, .inputs = {}};
   for (std::size_t index = 0; index < changed.size(); ++index) {
     const ShownLane& lane = shown_.lanes[index];
-    const bool drawsSame = isSameView && sameInputs(next.lanes[index], subject_.lanes[index]);
+    const bool drawsSame = isSameView && sameInputs(next.lanes[index], state_.lanes[index]);
     step.previous.push_back(keepsHistory ? lane.previous : nullptr);
     step.inputs.push_back(drawsSame ? lane.inputs : nullptr);
-    if (drawsSame && changesOutputOnly(next.lanes[index], subject_.lanes[index])) step.active[index] = false;
+    if (drawsSame && changesOutputOnly(next.lanes[index], state_.lanes[index])) step.active[index] = false;
   }
   return step;
 }
 
-void ShotPlayer::redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory) {
+void ShotPlayer::redraw(ShotState next, const std::vector<bool>& changed, bool keepsHistory) {
   if (!isOpen()) {
-    subject_ = std::move(next);
+    state_ = std::move(next);
     return;
   }
   ShownFrame made = maker_.take();
@@ -240,25 +240,25 @@ void ShotPlayer::redraw(Subject next, const std::vector<bool>& changed, bool kee
     lane.isExposed = false;
     lane.asked.reset();
   }
-  subject_ = std::move(next);
+  state_ = std::move(next);
   beside_.clear();
   show(std::move(made));
   keepShown();
   trimCheckpoints();
 }
 
-void ShotPlayer::redrawAll(Subject next, bool keepsHistory) {
+void ShotPlayer::redrawAll(ShotState next, bool keepsHistory) {
   const std::vector<bool> all(next.lanes.size(), true);
   redraw(std::move(next), all, keepsHistory);
 }
 
-void ShotPlayer::follow(Subject next, int from, bool keepsOld) {
+void ShotPlayer::follow(ShotState next, int from, bool keepsOld) {
   const auto drop = [&] {
     for (Checkpoints& kept : checkpoints_) kept.dropFrom(from);
     std::erase_if(beside_, [from](const ShownFrame& kept) { return kept.frame >= from; });
   };
   if (from > shown_.frame) { // nothing of it is on show
-    subject_ = std::move(next);
+    state_ = std::move(next);
     return drop();
   }
   const bool isPastSame = from == shown_.frame;
@@ -272,7 +272,7 @@ void ShotPlayer::follow(Subject next, int from, bool keepsOld) {
     made.lanes[lane].exact = startsHistory(next, made.frame) ||
                              (isPastSame && shown_.lanes[lane].exact && step.previous[lane] != nullptr);
   drop();
-  subject_ = std::move(next);
+  state_ = std::move(next);
   show(std::move(made));
   keepShown();
 }
@@ -281,7 +281,7 @@ void ShotPlayer::follow(Subject next, int from, bool keepsOld) {
 void ShotPlayer::prepare(const Settings& settings, int lane) {
   const auto index = static_cast<std::size_t>(lane);
   if (!sameInputs(settings, this->settings(lane))) return;
-  Subject next = subject_;
+  ShotState next = state_;
   next.lanes[index] = settings;
   std::vector<bool> changed(next.lanes.size(), false);
   changed[index] = true;
@@ -299,11 +299,11 @@ void ShotPlayer::prepare(const Settings& settings, int lane) {
 // A new pass is made beside the old; the renderer, which keeps its own old shaders on error, comes last.
 void ShotPlayer::reloadShaders() {
   TaaPass pass;
-  for (const Settings& settings : subject_.lanes) pass.prepare(settings, maker_.exposedRows(settings));
-  if (isOpen()) subject_.renderer->reloadShaders();
+  for (const Settings& settings : state_.lanes) pass.prepare(settings, maker_.exposedRows(settings));
+  if (isOpen()) state_.renderer->reloadShaders();
   maker_.pass = std::move(pass);
   for (ShownLane& lane : shown_.lanes) lane.inputs->areDrawn = false; // with the old ones
-  redrawAll(subject_, true);
+  redrawAll(state_, true);
 }
 
 } // namespace taa

@@ -24,13 +24,13 @@ class ShotPlayer {
   ShotPlayer(const ShotPlayer&) = delete;
   ShotPlayer& operator=(const ShotPlayer&) = delete;
 
-  const Subject& subject() const { return subject_; }
-  bool isOpen() const { return subject_.scene != nullptr; }
-  bool hasFog() const { return isOpen() && !subject_.scene->fog.empty(); }
-  glm::ivec2 picturePx() const { return {subject_.width, subject_.height}; }
-  const Settings& settings(int lane) const { return subject_.lanes.at(static_cast<std::size_t>(lane)); }
+  const ShotState& state() const { return state_; }
+  bool isOpen() const { return state_.scene != nullptr; }
+  bool hasFog() const { return isOpen() && !state_.scene->fog.empty(); }
+  glm::ivec2 picturePx() const { return {state_.width, state_.height}; }
+  const Settings& settings(int lane) const { return state_.lanes.at(static_cast<std::size_t>(lane)); }
   /// A lane as the only one.
-  Subject onlyLane(int lane) const;
+  ShotState onlyLane(int lane) const;
 
   /// Rows that each new frame exposes in its own resolve. Those of the reference are only remembered.
   void watch(const std::vector<IntermediateId>& ids);
@@ -63,7 +63,7 @@ class ShotPlayer {
 
   // Changing what it is a function of
   /// Another source, at frame 0.
-  void open(Subject next);
+  void open(ShotState next);
   /// Other lanes; the histories of those that there were already stay.
   void setLanes(const std::vector<Settings>& lanes);
   /// The first ones stay as they are; others come without a history, and go, at once. Expects that something
@@ -71,11 +71,11 @@ class ShotPlayer {
   void changeLanes(const std::vector<Settings>& lanes);
   /// The frame on show with other settings, at once: changed lanes on the history they had, or on none. What
   /// does not depend on what changed stays.
-  void redraw(Subject next, const std::vector<bool>& changed, bool keepsHistory);
-  void redrawAll(Subject next, bool keepsHistory);
+  void redraw(ShotState next, const std::vector<bool>& changed, bool keepsHistory);
+  void redrawAll(ShotState next, bool keepsHistory);
   /// Another camera track, or other restarts: what lies before frame `from`, the first that changes, stays.
   /// `keepsOld`: until it is exact the frame on show stands on the history it had, else on none.
-  void follow(Subject next, int from, bool keepsOld = false);
+  void follow(ShotState next, int from, bool keepsOld = false);
   /// Frees textures that are kept for the next frame: they have not the right size any more.
   void freeTextures() { maker_.freeTextures(); }
   /// Compiles what redraw() would need for these settings.
@@ -87,15 +87,15 @@ class ShotPlayer {
   void show(ShownFrame&& next);
   void keepShown();
   void trimCheckpoints();
-  void startAnew(Subject next, std::vector<Checkpoints> kept, int frame);
-  FrameStep stepOfRedraw(const Subject& next, const std::vector<bool>& changed, bool keepsHistory) const;
+  void startAnew(ShotState next, std::vector<Checkpoints> kept, int frame);
+  FrameStep stepOfRedraw(const ShotState& next, const std::vector<bool>& changed, bool keepsHistory) const;
 
-  Subject subject_;
+  ShotState state_;
   FrameMaker maker_;
   std::vector<IntermediateId> watchedOfReference_; // the others are the maker's
   std::vector<Checkpoints> checkpoints_{1};        // one a lane
   ShownFrame shown_;
-  std::vector<ShownFrame> beside_; // of the same subject
+  std::vector<ShownFrame> beside_; // of the same state
   std::size_t budget_ = kDefaultCheckpointBudget;
 };
 

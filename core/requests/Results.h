@@ -37,7 +37,7 @@ struct Thumbnail {
   IntermediateId id{};
   int frame = 0;
   Picture picture;
-  std::uint64_t subject = 0; ///< see Status
+  std::uint64_t shotVersion = 0; ///< see Status
 };
 
 /// Names of objects that the status holds at most: more than a menu has room for.
@@ -77,7 +77,7 @@ struct Status {
   /// Kinds of requests since which what is on show is not exact; empty: it is.
   std::vector<RequestKind> inexactSince;
   /// Counts the changes of what frames are a function of: what was known of frames is no longer true then.
-  std::uint64_t subject = 0;
+  std::uint64_t shotVersion = 0;
 };
 
 /// What long work is for.

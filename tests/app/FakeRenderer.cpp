@@ -49,7 +49,7 @@ void FakeRenderer::take(const request::Open& asked) {
   }
   status.source = source;
   status.opened = requests + 1; // as post() is about to say
-  ++status.subject;
+  ++status.shotVersion;
   status.cameras = {"still", "pan"};
   status.camera = "still";
   status.objects = {"floor", "rotor & hub"};
@@ -166,7 +166,7 @@ void FakeRenderer::take(const request::SetSettings& asked) {
   const auto& [settings] = asked;
   ++settingsSent;
   if (refuses(RequestKind::Settings)) return;
-  ++status.subject;
+  ++status.shotVersion;
   status.settings = settings;
   deliver();
 }
@@ -191,7 +191,8 @@ void FakeRenderer::take(const request::FillTraces& asked) {
 
 /// Every channel is valueAt(); history is rejected in frames that are multiples of ten, for their depth.
 void FakeRenderer::deliverTrace(const ProbePin& pin, int frame) {
-  TraceDelivery trace{.pin = pin, .frame = frame, .sample = {pin.pixel, {}}, .subject = status.subject};
+  TraceDelivery trace{
+      .pin = pin, .frame = frame, .sample = {pin.pixel, {}}, .shotVersion = status.shotVersion};
   trace.sample.record.fill(glm::vec4(valueAt(pin.pixel.x, pin.pixel.y, frame)));
   const float reason = frame % 10 == 0 ? 4.0f : 0.0f;
   twin::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
@@ -259,7 +260,7 @@ void FakeRenderer::deliverThumbnails() {
                      {{Stage::DilateMotion, 0.0}, {Stage::ValidateHistory, share}}});
   }
   for (const IntermediateId id : mainRows()) {
-    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}, status.subject};
+    Thumbnail thumbnail{id, status.info.frame, {thumbnails.x, thumbnails.y, {}}, status.shotVersion};
     const auto gray = static_cast<std::uint8_t>(static_cast<int>(id) * 3 + status.info.frame);
     thumbnail.picture.rgba.assign(static_cast<std::size_t>(thumbnails.x) * thumbnails.y * 4, gray);
     for (std::size_t alpha = 3; alpha < thumbnail.picture.rgba.size(); alpha += 4)
@@ -282,7 +283,7 @@ void FakeRenderer::take(const request::SetFigures& asked) {
 
 void FakeRenderer::deliverFigures() {
   if (figures.empty()) return;
-  FrameFigures result{.frame = status.info.frame, .values = {}, .subject = status.subject};
+  FrameFigures result{.frame = status.info.frame, .values = {}, .shotVersion = status.shotVersion};
   for (const Figure figure : figures) result.at(figure) = 0.01 * status.info.frame;
   tell(result);
 }
@@ -324,7 +325,7 @@ ViewResult FakeRenderer::draw(int view) const {
   result.view = view;
   result.request = views[static_cast<std::size_t>(view)];
   result.frame = status.info.frame;
-  result.subject = status.subject;
+  result.shotVersion = status.shotVersion;
   const ViewRequest& request = result.request;
   result.picture = gray(request, request.asDifference ? kDifferenceGray : kGray);
   if (isOfReference(request.id)) {

@@ -34,7 +34,7 @@ TEST(StatusLineTest, CallsNoPictureExactBeforeItIsThere) {
   EXPECT_EQ(line.badge(), "") << "nothing is open";
   Status status;
   status.frameCount = 10;
-  status.subject = 3;
+  status.shotVersion = 3;
   line.setStatus(status);
   EXPECT_EQ(line.badge(), "no picture yet");
   EXPECT_FALSE(line.showsBadge());
@@ -42,7 +42,7 @@ TEST(StatusLineTest, CallsNoPictureExactBeforeItIsThere) {
   EXPECT_EQ(line.badge(), "no picture yet") << "that was of something else";
   line.setPicture(3);
   EXPECT_EQ(line.badge(), "history from these settings");
-  status.subject = 4;
+  status.shotVersion = 4;
   status.exact = false;
   status.inexactSince = {RequestKind::Flight};
   line.setStatus(status);
@@ -76,7 +76,7 @@ TEST_F(Truth, TheBadgeWaitsForTheFirstPictureOfAScene) {
 
 TEST_F(Truth, StagePicturesOfTheSceneBeforeAreNotShown) {
   ASSERT_GT(thumbnailCount(), 5);
-  const std::uint64_t before = session.status().subject;
+  const std::uint64_t before = session.status().shotVersion;
   const glm::ivec2 size = std::exchange(renderer->thumbnails, glm::ivec2(0)); // none while it plays
   window.openSource("builtin:fence");
   settle();
@@ -86,7 +86,7 @@ TEST_F(Truth, StagePicturesOfTheSceneBeforeAreNotShown) {
   renderer->tell(late);
   settle();
   EXPECT_EQ(thumbnailCount(), 0) << "it is of the scene before";
-  late.subject = session.status().subject;
+  late.shotVersion = session.status().shotVersion;
   renderer->tell(late);
   settle();
   EXPECT_EQ(thumbnailCount(), 1);

@@ -280,19 +280,19 @@ TEST_F(FlightThread, WhatIsKnownOfTheFramesBeforeStaysTrueWhileItIsFlown) {
     const CameraPose start = recorder.read([&] { return recorder.statuses.back().pose; });
     thread->post(taa::request::SetPlaying{true});
     ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().playing; }));
-    std::vector<std::uint64_t> subjects;
+    std::vector<std::uint64_t> shotVersions;
     for (int step = 1; step < 6; ++step) {
       thread->post(taa::request::Fly{shifted(start, step)});
       ASSERT_TRUE(recorder.waitFor([&] { return recorder.statuses.back().pose == shifted(start, step); }));
-      subjects.push_back(recorder.read([&] { return recorder.statuses.back().subject; }));
+      shotVersions.push_back(recorder.read([&] { return recorder.statuses.back().shotVersion; }));
     }
-    EXPECT_EQ(std::ranges::count(subjects, subjects.front()), 5) << "dropped once, when it began";
+    EXPECT_EQ(std::ranges::count(shotVersions, shotVersions.front()), 5) << "dropped once, when it began";
     thread->post(taa::request::SetPlaying{false});
     thread->post(taa::request::SetRecording{false});
     thread->waitUntilIdle();
     thread->post(taa::request::SetCamera{"orbit"});
     thread->waitUntilIdle();
-    EXPECT_GT(recorder.read([&] { return recorder.statuses.back().subject; }), subjects.back());
+    EXPECT_GT(recorder.read([&] { return recorder.statuses.back().shotVersion; }), shotVersions.back());
   }
 }
 

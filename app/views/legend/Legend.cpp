@@ -61,12 +61,12 @@ QImage hueDisk(int size) {
   return disk;
 }
 
-QString channelText(const LegendSubject& subject) {
-  if (subject.row.channels == 1) return {};
+QString channelText(const LegendSide& side) {
+  if (side.row.channels == 1) return {};
   QString shown;
-  const std::vector<std::string> names = channelNames(subject.row, subject.space);
-  for (int channel = 0; channel < subject.row.channels; ++channel)
-    if (isShown(subject.style, channel)) {
+  const std::vector<std::string> names = channelNames(side.row, side.space);
+  for (int channel = 0; channel < side.row.channels; ++channel)
+    if (isShown(side.style, channel)) {
       if (!shown.isEmpty()) shown += QLatin1Char(' ');
       shown += QString::fromStdString(names[static_cast<std::size_t>(channel)]);
     }
@@ -144,17 +144,17 @@ void addMapScale(Writer& writer, const Intermediate& row, const ViewStyle& style
   writer.digits(shortText(isSigned ? extent(style) : style.high));
 }
 
-void addScale(Writer& writer, const LegendSubject& subject) {
-  const Intermediate& row = subject.row;
-  const ViewStyle& style = subject.style;
+void addScale(Writer& writer, const LegendSide& side) {
+  const Intermediate& row = side.row;
+  const ViewStyle& style = side.style;
   if (row.visual == Visual::Vector && shownChannels(row, style) > 1) {
     writer.icon(kLegendHeight - 4, kLegendHeight - 4, [](QPainter& painter, const QRect& place) {
       const int ratio = std::max(1, static_cast<int>(painter.device()->devicePixelRatioF()));
       painter.drawImage(place, hueDisk(place.height() * ratio));
     });
     writer.digits(QStringLiteral("≤ %1").arg(shortText(extent(style))));
-  } else if (row.id == IntermediateId::rejectReason && row.visual == Visual::Index && subject.reasons) {
-    addReasons(writer, *subject.reasons, nullptr, true);
+  } else if (row.id == IntermediateId::rejectReason && row.visual == Visual::Index && side.reasons) {
+    addReasons(writer, *side.reasons, nullptr, true);
   } else if (row.visual == Visual::Index) {
     addCategories(writer, row);
   } else if (usesColorMap(row, style)) {
@@ -166,22 +166,22 @@ void addScale(Writer& writer, const LegendSubject& subject) {
 
 } // namespace
 
-void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeColors& colors) {
-  const Intermediate& row = subject.row;
-  const ViewStyle& style = subject.style;
+void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors) {
+  const Intermediate& row = side.row;
+  const ViewStyle& style = side.style;
   Writer writer(flow, colors);
   flow.startLine();
-  writer.plain(subject.isDifference ? QObject::tr("%1, difference").arg(tableText(row.label))
-                                    : tableText(row.label));
-  addScale(writer, subject);
+  writer.plain(side.isDifference ? QObject::tr("%1, difference").arg(tableText(row.label))
+                                 : tableText(row.label));
+  addScale(writer, side);
   writer.quiet(tableText(row.unit));
   if (row.visual == Visual::Depth) writer.quiet(QObject::tr("logarithmic"));
   if (hasExposure(row) && style.exposure != 0)
     writer.digits(QStringLiteral("EV %1%2").arg(style.exposure > 0 ? QStringLiteral("+") : QString(),
                                                 shortText(style.exposure)));
-  writer.quiet(channelText(subject));
-  writer.plain(subject.note);
-  if (!subject.isDifference) return;
+  writer.quiet(channelText(side));
+  writer.plain(side.note);
+  if (!side.isDifference) return;
   writer.quiet(row.channels > 1
                    ? QObject::tr("of the values: this minus other, the channel that differs most")
                    : QObject::tr("of the values: this minus other"));
@@ -253,19 +253,19 @@ void addHatches(Writer& writer) {
 
 } // namespace
 
-void addOverlayLegend(LegendFlow& flow, const LegendSubject& subject, const ReasonCounts* other,
+void addOverlayLegend(LegendFlow& flow, const LegendSide& side, const ReasonCounts* other,
                       const ViewTransform& transform, const ThemeColors& colors) {
-  const Intermediate& row = subject.row;
-  const ViewStyle& style = subject.style;
+  const Intermediate& row = side.row;
+  const ViewStyle& style = side.style;
   Writer writer(flow, colors);
   flow.startLine();
-  if (style.arrows && row.visual == Visual::Vector && !subject.isDifference)
+  if (style.arrows && row.visual == Visual::Vector && !side.isDifference)
     addArrows(writer, row, style, transform);
   if (style.markClipped && hasRange(row)) addHatches(writer);
   if (style.outlineObjects) writer.plain(QObject::tr("dashes: between objects"));
-  if (!style.markRejected || !subject.reasons) return;
+  if (!style.markRejected || !side.reasons) return;
   flow.startLine();
-  addReasons(writer, *subject.reasons, other, false);
+  addReasons(writer, *side.reasons, other, false);
 }
 
 } // namespace taa::app

@@ -11,7 +11,7 @@
 namespace taa::app {
 
 /// A side of a view.
-struct LegendSubject {
+struct LegendSide {
   Intermediate row; ///< of a difference: a signed one
   ViewStyle style;
   bool isDifference = false;
@@ -29,9 +29,9 @@ struct ViewContent {
 };
 
 /// What it shows, in which range and colors.
-void addRowLegend(LegendFlow& flow, const LegendSubject& subject, const ThemeColors& colors);
+void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors);
 /// What lies over it, as `transform` draws it. `other`: of the side beside it, null without one.
-void addOverlayLegend(LegendFlow& flow, const LegendSubject& subject, const ReasonCounts* other,
+void addOverlayLegend(LegendFlow& flow, const LegendSide& side, const ReasonCounts* other,
                       const ViewTransform& transform, const ThemeColors& colors);
 
 /// On the screen. Where it would cover much of the pictures what it says of overlays is folded away, until

@@ -35,7 +35,7 @@ void FigureMeasuring::take(const request::SetFigures& wanted) {
 }
 
 void FigureMeasuring::forget() {
-  subject_ = desk_.subject();
+  shotVersion_ = desk_.shotVersion();
   known_.clear();
   row_.reset();
   cursor_ = {};
@@ -43,7 +43,7 @@ void FigureMeasuring::forget() {
 }
 
 void FigureMeasuring::settle() {
-  if (subject_ != desk_.subject()) forget();
+  if (shotVersion_ != desk_.shotVersion()) forget();
   endIfDone();
 }
 
@@ -69,7 +69,7 @@ bool FigureMeasuring::isWhole(const FrameFigures& figures) const {
 
 void FigureMeasuring::tell(FrameFigures figures) {
   if (figures.lane == 0 && figures.exact && isWhole(figures)) known_.insert(figures.frame);
-  figures.subject = desk_.subject();
+  figures.shotVersion = desk_.shotVersion();
   desk_.tell(RequestKind::Figures, std::move(figures));
 }
 
@@ -89,7 +89,7 @@ int FigureMeasuring::firstOfRow(int frame) const {
 // The next frame whose figures are missing: of those that are played the nearest to the one on show, and what
 // is missing right behind it.
 std::optional<int> FigureMeasuring::frame() const {
-  if (wanted_.figures.empty() || isStopped_ || subject_ != desk_.subject() || !desk_.isOpen() ||
+  if (wanted_.figures.empty() || isStopped_ || shotVersion_ != desk_.shotVersion() || !desk_.isOpen() ||
       transport_.isPlaying())
     return {};
   const int now = desk_.inspector.shot().frame();

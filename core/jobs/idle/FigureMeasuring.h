@@ -46,7 +46,7 @@ class FigureMeasuring final : public Job {
   Wanted& wanted_;
   ThumbnailDrawing& thumbnails_;
   std::pair<std::uint64_t, std::uint64_t> deliveredOf_; // versions of frame and reference
-  std::uint64_t subject_ = 0;                           // what follows is of this one
+  std::uint64_t shotVersion_ = 0;                       // what follows is of this one
   std::set<int> known_;                                 // frames whose figures are whole
   std::optional<std::pair<int, int>> row_;              // frames that are measured one after the other
   int around_ = 0;                                      // the frame on show when that was decided

@@ -25,7 +25,7 @@ void ThumbnailDrawing::step() {
     const IntermediateId id = schedule_.next();
     desk_.tell(RequestKind::Thumbnails,
                Thumbnail{id, desk_.inspector.shot().frame(),
-                         desk_.inspector.views().thumbnail(id, schedule_.texels()), desk_.subject()});
+                         desk_.inspector.views().thumbnail(id, schedule_.texels()), desk_.shotVersion()});
   });
   if (!isDrawn) return schedule_.want({}); // told once; wanted again when the window says so
   schedule_.drawn(began, Clock::now());

@@ -18,8 +18,8 @@ void Traces::take(const request::SetTracing& wanted) {
 }
 
 void Traces::settle() {
-  if (subject_ != desk_.subject()) {
-    subject_ = desk_.subject();
+  if (shotVersion_ != desk_.shotVersion()) {
+    shotVersion_ = desk_.shotVersion();
     known_.clear();
     cursor_ = {};
   }
@@ -42,7 +42,7 @@ std::set<int>& Traces::framesOf(const ProbePin& pin) {
 
 void Traces::deliver(const ProbePin& pin, int frame, const std::optional<TraceSample>& sample) {
   framesOf(pin).insert(frame);
-  if (sample) desk_.tell(RequestKind::Traces, TraceDelivery{pin, frame, *sample, desk_.subject()});
+  if (sample) desk_.tell(RequestKind::Traces, TraceDelivery{pin, frame, *sample, desk_.shotVersion()});
 }
 
 void Traces::noteShown(const ProbeResult& result) {

@@ -46,7 +46,7 @@ class Traces final : public Job {
   const Transport& transport_;
   Wanted& wanted_;
   bool isWanted_ = false;
-  std::uint64_t subject_ = 0;                             // what follows is of this one
+  std::uint64_t shotVersion_ = 0;                         // what follows is of this one
   std::vector<std::pair<ProbePin, std::set<int>>> known_; // frames
   std::optional<std::pair<int, int>> filling_;            // first and last frame
   TraceCursor cursor_;

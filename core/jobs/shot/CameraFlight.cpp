@@ -118,7 +118,7 @@ void CameraFlight::layTrack(int frame, const CameraPose& pose) {
   track.put(frame, pose);
   shot.setCameraTrack(std::move(track));
   // What is known of the frames up to here stays true; of those to come nothing is once they were dropped.
-  if (!std::exchange(isLaying_, true)) desk_.noteSubject();
+  if (!std::exchange(isLaying_, true)) desk_.noteShotChange();
 }
 
 void CameraFlight::end() {

@@ -24,7 +24,7 @@ void ShownStatus::deliver() {
   status.referenceGoal = wanted_.referenceSamples;
   status.checkpointBudget = shot.checkpointBudget();
   status.playback = transport_.playback();
-  status.subject = desk_.subject();
+  status.shotVersion = desk_.shotVersion();
   status.inexactSince = desk_.inexactSince();
   if (desk_.isOpen()) addShot(status);
   desk_.tell(RequestKind::None, std::move(status));

@@ -88,7 +88,7 @@ ViewResult ShownViews::draw(int index, const Look& look, const std::optional<Loo
     result.region = region;
   const std::optional<Look> minus = view.asDifference ? other : std::nullopt;
   result.frame = shot.frame();
-  result.subject = desk_.subject();
+  result.shotVersion = desk_.shotVersion();
   result.exact = views.isExact(look) && (!minus || views.isExact(*minus));
   result.picture = views.picture(look, minus, view.style, view.transform, view.width, view.height);
   if (result.region.width > 0) result.values = views.image(look, minus, result.region);

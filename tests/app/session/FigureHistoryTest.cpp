@@ -40,14 +40,14 @@ TEST(FigureHistory, KeepsTheExactFiguresOfTheFirstLane) {
 TEST(FigureHistory, ForgetsWhatIsNoLongerTrueAndIgnoresWhatComesTooLate) {
   FigureHistory history;
   history.add(figuresOf(1, 0.5));
-  EXPECT_TRUE(history.setSubject(3));
+  EXPECT_TRUE(history.setShotVersion(3));
   EXPECT_EQ(history.strip(Figure::MeanAlpha, 2).values, (Values{{}, {}}));
   FrameFigures late = figuresOf(1, 0.5);
-  late.subject = 2;
+  late.shotVersion = 2;
   EXPECT_FALSE(history.add(late));
-  late.subject = 3;
+  late.shotVersion = 3;
   EXPECT_TRUE(history.add(late));
-  EXPECT_FALSE(history.setSubject(3));
+  EXPECT_FALSE(history.setShotVersion(3));
   EXPECT_EQ(history.strip(Figure::MeanAlpha, 2).values, (Values{{}, 0.5}));
 }
 

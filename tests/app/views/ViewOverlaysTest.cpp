@@ -161,9 +161,9 @@ TEST_F(ViewOverlays, ALegendFoldsWhereItWouldCoverALowPicture) {
 
 TEST_F(ViewOverlays, ALegendWrapsInsteadOfLeavingOut) {
   LegendFlow flow;
-  LegendSubject subject{intermediate(IntermediateId::reference), {}};
-  subject.note = QStringLiteral("64 samples · RMSE 0.0125 · PSNR 38.3 dB");
-  addRowLegend(flow, subject, darkColors());
+  LegendSide side{intermediate(IntermediateId::reference), {}};
+  side.note = QStringLiteral("64 samples · RMSE 0.0125 · PSNR 38.3 dB");
+  addRowLegend(flow, side, darkColors());
   EXPECT_EQ(flow.lines(1000), 1);
   EXPECT_GE(flow.lines(250), 2);
   QImage image(250, flow.lines(250) * kLegendHeight, QImage::Format_RGB32);

@@ -219,19 +219,19 @@ TEST_F(RenderAnswersTest, SaysWhyItReplays) {
             "Replaying after several changes");
 }
 
-// The subject of a picture is that of its status: what is not there yet is not called exact.
-TEST_F(RenderAnswersTest, PicturesAndThumbnailsSayWhichSubjectTheyAreOf) {
+// A picture has the shot version of its status: what is not there yet is not called exact.
+TEST_F(RenderAnswersTest, PicturesAndThumbnailsSayWhichShotVersionTheyAreOf) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->post(taa::request::SetThumbnails{16, 9});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().subject, recorder.statuses.back().subject);
+  EXPECT_EQ(recorder.pictures.back().shotVersion, recorder.statuses.back().shotVersion);
   ASSERT_TRUE(recorder.waitFor([&] { return !recorder.thumbnails.empty(); }));
-  const std::uint64_t before = recorder.read([&] { return recorder.statuses.back().subject; });
-  EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().subject; }), before);
+  const std::uint64_t before = recorder.read([&] { return recorder.statuses.back().shotVersion; });
+  EXPECT_EQ(recorder.read([&] { return recorder.thumbnails.back().shotVersion; }), before);
   const taa::RequestId request = thread->post(taa::request::Open{"builtin:fence"});
   thread->waitUntilIdle();
-  EXPECT_GT(recorder.read([&] { return recorder.statuses.back().subject; }), before);
+  EXPECT_GT(recorder.read([&] { return recorder.statuses.back().shotVersion; }), before);
   EXPECT_EQ(recorder.read([&] { return recorder.statuses.back().opened; }), request);
-  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().subject; }),
-            recorder.read([&] { return recorder.statuses.back().subject; }));
+  EXPECT_EQ(recorder.read([&] { return recorder.pictures.back().shotVersion; }),
+            recorder.read([&] { return recorder.statuses.back().shotVersion; }));
 }

@@ -93,15 +93,16 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
 TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
   thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
-  const std::uint64_t before = recorder.statuses.back().subject;
+  const std::uint64_t before = recorder.statuses.back().shotVersion;
   recorder.clear();
   thread->post(taa::request::SetSettings{test::otherJitter()});
   thread->waitUntilIdle();
-  EXPECT_GT(recorder.statuses.back().subject, before);
+  EXPECT_GT(recorder.statuses.back().shotVersion, before);
   thread->post(taa::request::FillTraces{0, 3});
   thread->waitUntilIdle();
   EXPECT_EQ(frames(), (std::vector{0, 1, 2, 3}));
-  for (const TraceDelivery& each : recorder.traces) EXPECT_EQ(each.subject, recorder.statuses.back().subject);
+  for (const TraceDelivery& each : recorder.traces)
+    EXPECT_EQ(each.shotVersion, recorder.statuses.back().shotVersion);
 }
 
 TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
