@@ -1,0 +1,125 @@
+// capture.json: what a captured sequence of frames consists of, and where in which files it lies.
+#pragma once
+
+#include "core/capture/format/Conventions.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa::capture {
+
+/// What a frame may consist of. Values are in the capture's conventions.
+enum class PlaneKind : std::uint8_t {
+  Color,         ///< red, green, blue, before TAA, with jitter
+  Motion,        ///< x, y
+  Depth,         ///< one value
+  ObjectId,      ///< one unsigned integer, 0: nothing
+  Normal,        ///< x, y, z, world space; fourth: the number of the ObjectClass, where known
+  PreviousDepth, ///< distance along the camera's axis that the surface had in the previous frame, m; 0: none
+  Mask,          ///< reactive, responsive, 0 to 1
+  Overlay,       ///< red, green, blue, alpha, premultiplied, without jitter: laid over the output
+  Fog,           ///< light that fog scatters to the camera; alpha: what it takes of the surface's
+  Output,        ///< red, green, blue: what the engine's own TAA made of the frame
+  Reference,     ///< red, green, blue: a picture to compare with, supersampled
+};
+inline constexpr std::size_t kPlaneKinds = 11;
+
+/// "color", "motion", "depth", "objectId", "normal", "previousDepth", "mask", "overlay", "fog", "output",
+/// "reference".
+std::string_view planeName(PlaneKind kind);
+std::optional<PlaneKind> planeOf(std::string_view name);
+/// Channels that decode/ wants of it, 1 to 4.
+int channelsOf(PlaneKind kind);
+
+/// How a value lies in a raw plane; the names are those of taa_capture.h without TAA_.
+enum class RawFormat : std::uint8_t {
+  R11G11B10F,
+  RGBA16F,
+  RGBA32F,
+  RG16F,
+  RG32F,
+  RG16_UNORM,
+  RGBA8_UNORM,
+  RGBA8_SRGB,
+  R16F,
+  R32F,
+  D32F,
+  D24S8,
+  D32F_S8,
+  R16_UNORM,
+  R8_UNORM,
+  RG8_UNORM,
+  R8_UINT,
+  R16_UINT,
+  R32_UINT,
+};
+
+/// Where a plane's values lie. `file` is below the capture's folder; "{frame}" stands for the frame's number,
+/// "{frame:4}" for it with four digits.
+struct PlaneSource {
+  std::string file;
+  std::string part;                  ///< of a multi-part EXR: its name; empty: whichever holds the channels
+  std::vector<std::string> channels; ///< by name, in the order of PlaneKind; empty: as they come
+  std::optional<RawFormat> raw;      ///< a raw plane; none: a picture that OpenImageIO reads
+  glm::ivec2 sizePx{0};              ///< raw only
+  std::size_t rowPitch = 0;          ///< bytes, raw only; 0: rows lie one after another
+  std::optional<RowOrder> rows;      ///< none: as the conventions say
+  bool operator==(const PlaneSource&) const = default;
+};
+
+/// Matrices are as the file states them, 16 numbers in its order; see MatrixConventions.
+using StatedMatrix = std::array<double, 16>;
+
+struct CapturedFrame {
+  int number = 0;                               ///< the engine's own, in file names and messages; rising
+  glm::dvec2 jitter{0.0};                       ///< as stated; see JitterConventions
+  std::optional<StatedMatrix> view, projection; ///< none: not known
+  std::optional<StatedMatrix> previousView, previousProjection; ///< none: those of the frame before
+  double preExposure = 1.0;
+  bool cut = false;                        ///< history starts here
+  std::optional<double> seconds;           ///< none: from framesPerSecond
+  std::map<PlaneKind, PlaneSource> planes; ///< instead of the manifest's
+  bool operator==(const CapturedFrame&) const = default;
+};
+
+struct Manifest {
+  std::string name, engine;
+  Conventions conventions;
+  std::string like; ///< the starting point that `conventions` were written as differences of; may be empty
+  glm::ivec2 sizePx{0};   ///< of color: the render size
+  glm::ivec2 outputPx{0}; ///< of the engine's output; 0: the render size
+  double framesPerSecond = 60.0;
+  std::map<std::uint32_t, std::string> objects; ///< names of ids
+  std::map<PlaneKind, PlaneSource> planes;
+  std::vector<CapturedFrame> frames; ///< at least one
+  std::vector<std::string> notes;    ///< sentences for the user: what the import guessed, what is missing
+  bool operator==(const Manifest&) const = default;
+
+  glm::ivec2 outputSize() const { return outputPx.x > 0 ? outputPx : sizePx; }
+  /// Null: the frame has no such plane.
+  const PlaneSource* plane(const CapturedFrame& frame, PlaneKind kind) const;
+};
+
+inline constexpr const char* kManifestName = "capture.json";
+inline constexpr int kMaxCapturedFrames = 100000;
+inline constexpr int kMaxCaptureSide = 16384; ///< px
+
+/// Reads and checks FOLDER/capture.json, strictly: unknown, contradicting or missing keys are an Error that
+/// names them, paths lead below the folder. In time and memory that its size bounds.
+Manifest readManifest(const std::filesystem::path& folder);
+/// As above, of text; `where` is named in messages.
+Manifest parseManifest(std::string_view json, const std::string& where);
+/// What parseManifest reads back as the same.
+std::string manifestText(const Manifest& manifest);
+
+} // namespace taa::capture

@@ -1,0 +1,46 @@
+// What a folder of frames is, guessed from names, formats, side files and pixels; what is sure of it and what
+// is not.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/capture/format/Manifest.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace taa::capture {
+
+/// One answer to a question about the conventions, and how well the frames' own pixels fit it.
+struct Hypothesis {
+  std::string text;                     ///< for people: "previous − current"
+  std::vector<std::string> assignments; ///< "motion.direction=previousMinusCurrent"
+  double residual = 0.0; ///< mean |luma − warped luma of the frame before|, × 1000; or as the question says
+};
+
+/// A question, its answers by rising residual, and whether the best one stands out.
+struct Finding {
+  std::string question; ///< "Direction of motion"
+  std::string path;     ///< the convention it decides
+  std::vector<Hypothesis> hypotheses;
+  bool isSure = false;
+  std::string reason; ///< a sentence: what it rests on
+};
+
+struct Guess {
+  Manifest manifest;                              ///< the best there is; readManifest() would take it
+  std::vector<Finding> findings;                  ///< of pixels
+  std::vector<std::string> sure, unsure, missing; ///< sentences
+};
+
+/// What names, formats and side files of `folder` say, then what pixels say. `like`: a starting point to
+/// begin with, or empty; `assignments` are not questioned. Throws Error that says what was looked for where
+/// nothing is found; Cancelled.
+Guess guessCapture(const std::filesystem::path& folder, const std::string& like,
+                   const std::vector<std::string>& assignments, const Progress& progress = {});
+
+/// Asks the pixels of a manifest again, for a page that changes conventions. Throws Error, Cancelled.
+std::vector<Finding> measureConventions(const std::filesystem::path& folder, const Manifest& manifest,
+                                        const Progress& progress = {});
+
+} // namespace taa::capture
