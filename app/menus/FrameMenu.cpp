@@ -30,7 +30,7 @@ FrameMenu::FrameMenu(Commands& commands, Session& session, TimelinePanel& timeli
   addMenu(new PlaybackMenu(commands_, timeline, this));
   addMenu(new MarksMenu(commands_, timeline, prompts, this));
   addRestarts(timeline);
-  addMenu(new FiguresMenu(commands_, timeline, this));
+  addMenu(new MetricsMenu(commands_, timeline, this));
   add(tr("&Stop what is under way"), keys({"Ctrl+."}), [&session] {
     session.cancel();
   })->setIcon(themedIcon(QStringLiteral("stop")));

@@ -56,19 +56,19 @@ MarksMenu::MarksMenu(Commands& commands, TimelinePanel& timeline, GoToPrompts& p
   add(tr("Ne&xt mark, cut or restart"), keys({"PgDown"}), [&timeline] { timeline.goToMark(true); });
 }
 
-FiguresMenu::FiguresMenu(Commands& commands, TimelinePanel& timeline, QWidget* parent)
-    : CommandMenu(tr("F&igure under the timeline"), commands, parent) {
+MetricsMenu::MetricsMenu(Commands& commands, TimelinePanel& timeline, QWidget* parent)
+    : CommandMenu(tr("Metr&ic under the timeline"), commands, parent) {
   auto* group = new QActionGroup(this);
-  const auto offer = [&](const QString& text, std::optional<Figure> figure) {
-    QAction* action = add(text, {}, [&timeline, figure] { timeline.setFigure(figure); });
+  const auto offer = [&](const QString& text, std::optional<Metric> metric) {
+    QAction* action = add(text, {}, [&timeline, metric] { timeline.setStripMetric(metric); });
     action->setCheckable(true);
     group->addAction(action);
-    onRefresh([&timeline, action, figure] { action->setChecked(timeline.figure() == figure); });
+    onRefresh([&timeline, action, metric] { action->setChecked(timeline.stripMetric() == metric); });
     return action;
   };
   offer(tr("None"), {});
-  for (const FigureInfo& info : kFigures)
-    offer(tableText(info.label), info.figure)->setToolTip(tableText(info.description));
+  for (const MetricInfo& info : kMetrics)
+    offer(tableText(info.label), info.metric)->setToolTip(tableText(info.description));
   setToolTipsVisible(true);
 }
 

@@ -1,4 +1,4 @@
-// Submenus of time: speed and the part that is repeated, marks, the figure under the timeline.
+// Submenus of time: speed and the part that is repeated, marks, the metric under the timeline.
 #pragma once
 
 #include "app/menus/Commands.h"
@@ -24,10 +24,10 @@ class MarksMenu : public CommandMenu {
   MarksMenu(Commands& commands, TimelinePanel& timeline, GoToPrompts& prompts, QWidget* parent);
 };
 
-class FiguresMenu : public CommandMenu {
+class MetricsMenu : public CommandMenu {
   Q_OBJECT
  public:
-  FiguresMenu(Commands& commands, TimelinePanel& timeline, QWidget* parent);
+  MetricsMenu(Commands& commands, TimelinePanel& timeline, QWidget* parent);
 };
 
 } // namespace taa::app

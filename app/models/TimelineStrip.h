@@ -1,4 +1,4 @@
-// A figure of each frame, as the timeline draws it.
+// A metric of each frame, as the timeline draws it.
 #pragma once
 
 #include <QString>

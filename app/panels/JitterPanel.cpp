@@ -4,7 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/JitterView.h"
-#include "app/widgets/FigureTable.h"
+#include "app/widgets/ValueTable.h"
 
 #include "core/render/jitter/Jitter.h"
 #include "core/settings/Parameters.h"
@@ -32,7 +32,7 @@ QString pair(const glm::dvec2& value) {
 
 JitterPanel::JitterPanel(QWidget* parent)
     : HistoryPage(parent), view_(new JitterView),
-      table_(new FigureTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
+      table_(new ValueTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
       title_(new QLabel), legend_(makeNote()) {
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -67,7 +67,7 @@ void JitterPanel::highlight(std::optional<int> index) {
 
 void JitterPanel::showTable(const JitterPattern& pattern, int current) {
   const int period = static_cast<int>(pattern.samples.size());
-  std::vector<FigureTable::Row> rows;
+  std::vector<ValueTable::Row> rows;
   for (int index = 0; index < period; ++index) {
     const JitterSample& sample = pattern.samples[static_cast<std::size_t>(index)];
     const int latest = history().frame - (current - index + period) % period;

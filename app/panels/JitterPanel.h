@@ -10,7 +10,7 @@ class QLabel;
 
 namespace taa::app {
 
-class FigureTable;
+class ValueTable;
 class JitterView;
 
 class JitterPanel : public HistoryPage {
@@ -19,7 +19,7 @@ class JitterPanel : public HistoryPage {
   explicit JitterPanel(QWidget* parent = nullptr);
 
   JitterView* view() const { return view_; }
-  FigureTable* table() const { return table_; }
+  ValueTable* table() const { return table_; }
 
  private:
   void refresh() override;
@@ -27,7 +27,7 @@ class JitterPanel : public HistoryPage {
   void highlight(std::optional<int> index);
 
   JitterView* view_ = nullptr;
-  FigureTable* table_ = nullptr;
+  ValueTable* table_ = nullptr;
   QLabel *title_ = nullptr, *legend_ = nullptr;
 };
 

@@ -6,11 +6,11 @@
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/ProbePages.h"
-#include "app/widgets/FigureTable.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
+#include "app/widgets/ValueTable.h"
 #include "app/widgets/bars/PinBar.h"
 
 #include "core/story/ProbeHeadline.h"

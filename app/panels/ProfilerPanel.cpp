@@ -4,8 +4,8 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/ProfileChart.h"
-#include "app/widgets/FigureTable.h"
 #include "app/widgets/IconButton.h"
+#include "app/widgets/ValueTable.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -57,10 +57,10 @@ ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
   rows->setContentsMargins(2 * kUnit, 2 * kUnit, 2 * kUnit, kUnit);
   rows->setSpacing(2 * kUnit);
   rows->addWidget(makeTop());
-  passes_ = new FigureTable({tr("Pass"), tr("ms"), tr("median"), tr("%")});
+  passes_ = new ValueTable({tr("Pass"), tr("ms"), tr("median"), tr("%")});
   chart_ = new ProfileChart;
-  stages_ = new FigureTable({tr("Stage"), tr("ms"), tr("±"), tr("%")});
-  memory_ = new FigureTable({tr("Resource"), tr("MiB"), tr("objects")});
+  stages_ = new ValueTable({tr("Stage"), tr("ms"), tr("±"), tr("%")});
+  memory_ = new ValueTable({tr("Resource"), tr("MiB"), tr("objects")});
   passesTitle_ = new QLabel(tr("Passes, from the next frame on"));
   stagesTitle_ = new QLabel(tr("Stages of the resolve, when measured"));
   auto* columns = new QHBoxLayout;
@@ -131,7 +131,7 @@ void ProfilerPanel::refresh() {
 }
 
 void ProfilerPanel::showPasses() {
-  std::vector<FigureTable::Row> rows;
+  std::vector<ValueTable::Row> rows;
   for (const ProfileHistory::Row& row : history_.rows())
     rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percent(row.share)},
                     ProfileChart::colorOf(rows.size())});
@@ -143,7 +143,7 @@ void ProfilerPanel::showPasses() {
 
 void ProfilerPanel::showMemory() {
   const FrameProfile& last = history_.last();
-  std::vector<FigureTable::Row> rows;
+  std::vector<ValueTable::Row> rows;
   rows.push_back({{tr("All"), mebibytes(last.memoryBytes), {}}, {}, true});
   rows.push_back({{tr("of it kept histories"), mebibytes(last.checkpointBytes), {}}});
   for (const MemoryCost& cost : last.memory)
@@ -153,7 +153,7 @@ void ProfilerPanel::showMemory() {
 
 void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   costs_ = costs;
-  std::vector<FigureTable::Row> rows;
+  std::vector<ValueTable::Row> rows;
   const auto share = [&](double time) {
     return percent(costs.whole.median > 0.0 ? time / costs.whole.median : 0.0);
   };

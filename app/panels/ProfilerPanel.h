@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace taa::app {
 
-class FigureTable;
+class ValueTable;
 class IconButton;
 class ProfileChart;
 
@@ -36,9 +36,9 @@ class ProfilerPanel : public QWidget {
   QString csv() const;
   void copy(bool asCsv) const;
 
-  FigureTable* passes() const { return passes_; }
-  FigureTable* stages() const { return stages_; }
-  FigureTable* memory() const { return memory_; }
+  ValueTable* passes() const { return passes_; }
+  ValueTable* stages() const { return stages_; }
+  ValueTable* memory() const { return memory_; }
   QPushButton* measureButton() const { return measure_; }
   QSize sizeHint() const override { return {1000, 260}; }
 
@@ -64,7 +64,7 @@ class ProfilerPanel : public QWidget {
   QLabel* method_ = nullptr;
   QLabel *passesTitle_ = nullptr, *stagesTitle_ = nullptr;
   QPushButton* measure_ = nullptr;
-  FigureTable *passes_ = nullptr, *stages_ = nullptr, *memory_ = nullptr;
+  ValueTable *passes_ = nullptr, *stages_ = nullptr, *memory_ = nullptr;
   ProfileChart* chart_ = nullptr;
 };
 

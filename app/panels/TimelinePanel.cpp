@@ -35,7 +35,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   connect(timeline_, &Timeline::stepRequested, this, &TimelinePanel::stepRequested);
   timeline_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(timeline_, &QWidget::customContextMenuRequested, this,
-          [this](const QPoint& place) { offerFigures(timeline_->mapToGlobal(place)); });
+          [this](const QPoint& place) { offerMetrics(timeline_->mapToGlobal(place)); });
   layout->addSpacing(2 * kUnit);
   layout->addWidget(timeline_, 1);
   layout->addSpacing(2 * kUnit);
@@ -182,23 +182,23 @@ void TimelinePanel::setLooping(bool looping) {
   loop_->setChecked(looping);
 }
 
-void TimelinePanel::setFigure(std::optional<Figure> figure) {
-  if (figure == figure_) return;
-  figure_ = figure;
-  if (!figure_) timeline_->setStrip({});
-  Q_EMIT figureChosen(figure_);
+void TimelinePanel::setStripMetric(std::optional<Metric> metric) {
+  if (metric == stripMetric_) return;
+  stripMetric_ = metric;
+  if (!stripMetric_) timeline_->setStrip({});
+  Q_EMIT metricChosen(stripMetric_);
 }
 
-void TimelinePanel::offerFigures(const QPoint& place) {
+void TimelinePanel::offerMetrics(const QPoint& place) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto offer = [&](const QString& text, std::optional<Figure> figure) {
-    QAction* action = menu->addAction(text, this, [this, figure] { setFigure(figure); });
+  const auto offer = [&](const QString& text, std::optional<Metric> metric) {
+    QAction* action = menu->addAction(text, this, [this, metric] { setStripMetric(metric); });
     action->setCheckable(true);
-    action->setChecked(figure == figure_);
+    action->setChecked(metric == stripMetric_);
   };
-  offer(tr("No figure under the ruler"), {});
-  for (const FigureInfo& info : kFigures) offer(tableText(info.label), info.figure);
+  offer(tr("No metric under the ruler"), {});
+  for (const MetricInfo& info : kMetrics) offer(tableText(info.label), info.metric);
   menu->popup(place);
 }
 
@@ -295,7 +295,7 @@ QJsonObject TimelinePanel::state() const {
   return {{QStringLiteral("speed"), playback_.speed},
           {QStringLiteral("framesPerSecond"), playback_.framesPerSecond},
           {QStringLiteral("loops"), loop_->isChecked()},
-          {QStringLiteral("figure"), figure_ ? qtext(figureInfo(*figure_).id) : QString()},
+          {QStringLiteral("metric"), stripMetric_ ? qtext(metricInfo(*stripMetric_).id) : QString()},
           {QStringLiteral("shots"), shots}};
 }
 
@@ -304,7 +304,9 @@ void TimelinePanel::setState(const QJsonObject& state) {
   setFramesPerSecond(state.value(QLatin1String("framesPerSecond")).toDouble(0.0));
   setLooping(state.value(QLatin1String("loops")).toBool(true));
   Q_EMIT loopToggled(loop_->isChecked());
-  setFigure(findFigure(state.value(QLatin1String("figure")).toString().toStdString()));
+  const bool isOld = !state.contains(QLatin1String("metric")); // what earlier builds wrote
+  const QString metric = state.value(QLatin1String(isOld ? "figure" : "metric")).toString();
+  setStripMetric(findMetric(metric.toStdString()));
   notes_.clear();
   const QJsonObject shots = state.value(QLatin1String("shots")).toObject();
   for (auto shot = shots.begin(); shot != shots.end(); ++shot)

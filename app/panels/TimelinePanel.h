@@ -30,9 +30,9 @@ class TimelinePanel : public QWidget {
   void setStatus(const Status& status);
   void setLooping(bool looping);
   void setStrip(const TimelineStrip& strip);
-  /// The figure of each frame that stands under the ruler; nothing: none.
-  void setFigure(std::optional<Figure> figure);
-  std::optional<Figure> figure() const { return figure_; }
+  /// The metric of each frame that stands under the ruler; nothing: none.
+  void setStripMetric(std::optional<Metric> metric);
+  std::optional<Metric> stripMetric() const { return stripMetric_; }
   Timeline* timeline() const { return timeline_; }
   QString readout() const; ///< what the labels say, for tests and screen readers
 
@@ -54,7 +54,7 @@ class TimelinePanel : public QWidget {
   void goToMark(bool after);          ///< cut or restart
   int frame() const;
 
-  /// Speed, rate, whether it loops, the figure, marks and range of each shot.
+  /// Speed, rate, whether it loops, the metric, marks and range of each shot.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
 
@@ -65,11 +65,11 @@ class TimelinePanel : public QWidget {
   void loopToggled(bool looping);
   void playbackEdited(const Playback& playback);
   void marksChanged();
-  void figureChosen(std::optional<Figure> figure);
+  void metricChosen(std::optional<Metric> metric);
 
  private:
   void makeButtons();
-  void offerFigures(const QPoint& place);
+  void offerMetrics(const QPoint& place);
   void makeChoices();
   void makeReadouts();
   QLabel* makeReadout(const QString& widest);
@@ -89,7 +89,7 @@ class TimelinePanel : public QWidget {
   double shotRate_ = 0.0; ///< frames per second
   std::vector<int> cuts_, restarts_;
   Playback playback_;
-  std::optional<Figure> figure_;
+  std::optional<Metric> stripMetric_;
   QString source_;
   std::map<QString, ShotNotes> notes_; ///< by source: they come back with it
 };

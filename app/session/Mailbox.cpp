@@ -12,7 +12,7 @@ namespace taa::app {
 namespace {
 
 constexpr std::size_t kMostProfiles = 120; // the panel shows no more
-constexpr std::size_t kMostFigures = 4096; // some seconds of a window that does not look
+constexpr std::size_t kMostMetrics = 4096; // some seconds of a window that does not look
 
 void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
   const auto old = std::ranges::find(thumbnails, newest.id, &Thumbnail::id);
@@ -47,8 +47,8 @@ struct Keep {
   }
   void operator()(StageCosts costs) const { delivery.costs = std::move(costs); }
   void operator()(Thumbnail thumbnail) const { keepNewest(delivery.thumbnails, std::move(thumbnail)); }
-  void operator()(FrameFigures figures) const {
-    if (delivery.figures.size() < kMostFigures) delivery.figures.push_back(std::move(figures));
+  void operator()(FrameMetrics metrics) const {
+    if (delivery.metrics.size() < kMostMetrics) delivery.metrics.push_back(std::move(metrics));
   }
   void operator()(ShadersRead shaders) const { delivery.shaders = std::move(shaders); }
   void operator()(ExportResult exported) const { delivery.exported = std::move(exported); }

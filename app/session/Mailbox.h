@@ -24,7 +24,7 @@ struct Delivery {
   std::vector<FrameProfile> profiles; ///< all of them: each is a frame
   std::optional<StageCosts> costs;
   std::vector<Thumbnail> thumbnails; ///< the newest of each row
-  std::vector<FrameFigures> figures; ///< all of them: each is of a frame
+  std::vector<FrameMetrics> metrics; ///< all of them: each is of a frame
   std::optional<ShadersRead> shaders;
   std::optional<ExportResult> exported;
   std::optional<ObjectArea> area;

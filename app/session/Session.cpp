@@ -57,7 +57,7 @@ void Session::deliver() {
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
   for (const TraceDelivery& trace : delivery.traces) Q_EMIT traceArrived(trace);
   for (const Thumbnail& thumbnail : delivery.thumbnails) Q_EMIT thumbnailArrived(thumbnail);
-  for (const FrameFigures& figures : delivery.figures) Q_EMIT figuresArrived(figures);
+  for (const FrameMetrics& metrics : delivery.metrics) Q_EMIT metricsArrived(metrics);
   if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(delivery.shaders->error));
   if (delivery.exported) Q_EMIT exported(*delivery.exported);
   if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
@@ -210,8 +210,8 @@ void Session::setReferenceSamples(int samples) {
   outbox_.post(request::SetReferenceSamples{samples});
 }
 
-void Session::setFigures(const std::vector<Figure>& figures) {
-  outbox_.post(request::SetFigures{figures});
+void Session::setMetrics(const std::vector<Metric>& metrics) {
+  outbox_.post(request::SetMetrics{metrics});
 }
 
 void Session::reloadShaders() {

@@ -74,7 +74,7 @@ class Session : public QObject {
   void measureStages();
   void setThumbnails(int width, int height);           ///< 0: none
   void setReferenceSamples(int samples);               ///< see RenderThread
-  void setFigures(const std::vector<Figure>& figures); ///< arrive by figuresArrived
+  void setMetrics(const std::vector<Metric>& metrics); ///< arrive by metricsArrived
   void reloadShaders();
   void cancel();
   void exportSequence(const SequenceRequest& request);
@@ -92,7 +92,7 @@ class Session : public QObject {
   void profileArrived(const FrameProfile& profile);
   void stageCostsArrived(const StageCosts& costs);
   void thumbnailArrived(const Thumbnail& thumbnail);
-  void figuresArrived(const FrameFigures& figures);
+  void metricsArrived(const FrameMetrics& metrics);
   void shadersReloaded(const QString& error); ///< empty: they are in use
   void exported(const ExportResult& result);
   void objectAreaArrived(const ObjectArea& area);

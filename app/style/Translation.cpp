@@ -68,7 +68,7 @@ void addEach(Collector& texts, Enum last, Text text) {
 }
 
 void addLists(Collector& texts) {
-  for (const FigureInfo& figure : kFigures) texts.add(figure.label, figure.unit, figure.description);
+  for (const MetricInfo& metric : kMetrics) texts.add(metric.label, metric.unit, metric.description);
   for (const MotionModeInfo& mode : kMotionModes) texts.add(mode.label);
   for (const ObjectClassInfo& info : kObjectClasses) texts.add(info.label);
   addEach(texts, ColorMap::Categorical, colorMapName);

@@ -118,8 +118,8 @@ std::optional<ChangeName> timelineChange(const QJsonObject& before, const QJsonO
     return ChangeName{StateWatch::tr("change of the repeated part"), "timeline.range"};
   if (differ(before, after, "loops"))
     return ChangeName{StateWatch::tr("change of what comes after the end"), {}};
-  if (differ(before, after, "figure"))
-    return ChangeName{StateWatch::tr("change of the figure under the timeline"), {}};
+  if (differ(before, after, "metric"))
+    return ChangeName{StateWatch::tr("change of the metric under the timeline"), {}};
   if (before == after) return {};
   return ChangeName{StateWatch::tr("change of the speed"), "timeline.speed"};
 }

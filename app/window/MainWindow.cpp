@@ -228,7 +228,7 @@ void MainWindow::connectMenus() {
   connect(lower_, &LowerArea::changed, all, &Commands::refresh);
   connect(scene_, &ScenePanel::selectionChanged, all, &Commands::refresh);
   connect(timeline_, &TimelinePanel::playbackEdited, all, &Commands::refresh);
-  connect(timeline_, &TimelinePanel::figureChosen, all, &Commands::refresh);
+  connect(timeline_, &TimelinePanel::metricChosen, all, &Commands::refresh);
   connect(flight_, &Flight::changed, all, &Commands::refresh);
   connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);

@@ -16,7 +16,7 @@ namespace taa::app {
 
 PlotFeed::PlotFeed(Session& session, const Panels& to) : session_(session), to_(to) {
   connectTraces();
-  connectFigures();
+  connectMetrics();
 }
 
 void PlotFeed::connectTraces() {
@@ -36,13 +36,13 @@ void PlotFeed::connectTraces() {
           [this] { to_.plots.setFilling(session_.work().kind == WorkKind::Traces); });
 }
 
-void PlotFeed::connectFigures() {
-  connect(&to_.timeline, &TimelinePanel::figureChosen, this, [this](std::optional<Figure> figure) {
-    session_.setFigures(figure ? std::vector<Figure>{*figure} : std::vector<Figure>());
-    showFigure();
+void PlotFeed::connectMetrics() {
+  connect(&to_.timeline, &TimelinePanel::metricChosen, this, [this](std::optional<Metric> metric) {
+    session_.setMetrics(metric ? std::vector<Metric>{*metric} : std::vector<Metric>());
+    showMetric();
   });
-  connect(&session_, &Session::figuresArrived, this, [this](const FrameFigures& figures) {
-    if (figures_.add(figures)) showFigure();
+  connect(&session_, &Session::metricsArrived, this, [this](const FrameMetrics& metrics) {
+    if (metrics_.add(metrics)) showMetric();
   });
 }
 
@@ -56,7 +56,7 @@ void PlotFeed::showTraces() {
 // What jitter and weights are drawn from.
 void PlotFeed::showHistory() {
   to_.plots.setStatus(session_.status());
-  if (figures_.setShotVersion(session_.status().shotVersion)) showFigure();
+  if (metrics_.setShotVersion(session_.status().shotVersion)) showMetric();
   if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
   const Status& status = session_.status();
   PixelHistory history;
@@ -78,9 +78,9 @@ void PlotFeed::showHistory() {
   to_.weights.setHistory(history);
 }
 
-void PlotFeed::showFigure() {
-  if (const auto figure = to_.timeline.figure())
-    to_.timeline.setStrip(figures_.strip(*figure, session_.status().frameCount));
+void PlotFeed::showMetric() {
+  if (const auto metric = to_.timeline.stripMetric())
+    to_.timeline.setStrip(metrics_.strip(*metric, session_.status().frameCount));
 }
 
 } // namespace taa::app

@@ -2,7 +2,7 @@
 // as long as somebody looks.
 #pragma once
 
-#include "app/models/FigureHistory.h"
+#include "app/models/MetricSeries.h"
 
 #include <QObject>
 
@@ -34,13 +34,13 @@ class PlotFeed : public QObject {
 
  private:
   void connectTraces();
-  void connectFigures();
+  void connectMetrics();
   void showTraces();
-  void showFigure();
+  void showMetric();
 
   Session& session_;
   Panels to_;
-  FigureHistory figures_;
+  MetricSeries metrics_;
 };
 
 } // namespace taa::app

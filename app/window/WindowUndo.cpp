@@ -20,7 +20,7 @@ WindowUndo::WindowUndo(UndoStack& stack, ViewArea& views, TimelinePanel& timelin
   connect(&timeline, &TimelinePanel::playbackEdited, &timeline_, &StateWatch::look);
   connect(&timeline, &TimelinePanel::marksChanged, &timeline_, &StateWatch::look);
   connect(&timeline, &TimelinePanel::loopToggled, &timeline_, &StateWatch::look);
-  connect(&timeline, &TimelinePanel::figureChosen, &timeline_, &StateWatch::look);
+  connect(&timeline, &TimelinePanel::metricChosen, &timeline_, &StateWatch::look);
 }
 
 } // namespace taa::app

@@ -24,7 +24,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
 /// Error, Cancelled.
 void runProfile(const ProfileArguments& arguments, std::ostream& out, const Progress& progress);
 
-/// Prints figures of a range of frames: RMSE and PSNR against the reference, and what the resolve did.
+/// Prints metrics of a range of frames: RMSE and PSNR against the reference, and what the resolve did.
 /// Throws UsageError, Error, Cancelled.
 void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress);
 

@@ -1,4 +1,4 @@
-// taa-batch metrics: figures of a range of frames, against the supersampled reference and of the resolve.
+// taa-batch metrics: metrics of a range of frames, against the supersampled reference and of the resolve.
 #include "core/cli/Commands.h"
 
 #include "core/cli/Shot.h"
@@ -22,23 +22,23 @@ using nlohmann::ordered_json;
 namespace {
 
 /// Of one lane, frame by frame.
-using LaneFigures = std::vector<FrameFigures>;
+using LaneMetrics = std::vector<FrameMetrics>;
 
-std::vector<Figure> figuresWanted(const MetricsArguments& arguments) {
-  std::vector<Figure> wanted;
-  for (const FigureInfo& info : kFigures)
+std::vector<Metric> metricsWanted(const MetricsArguments& arguments) {
+  std::vector<Metric> wanted;
+  for (const MetricInfo& info : kMetrics)
     if ((arguments.referenceSamples > 0 || !info.needsReference) && (arguments.flicker || !info.isOverTime))
-      wanted.push_back(info.figure);
+      wanted.push_back(info.metric);
   return wanted;
 }
 
 /// Of the frames that have it: nothing changes over time up to the first, or to a cut.
-std::optional<double> meanOf(const LaneFigures& lane, Figure figure) {
+std::optional<double> meanOf(const LaneMetrics& lane, Metric metric) {
   double sum = 0.0;
   int count = 0;
-  for (const FrameFigures& frame : lane) {
-    sum += frame.at(figure).value_or(0.0);
-    count += frame.at(figure) ? 1 : 0;
+  for (const FrameMetrics& frame : lane) {
+    sum += frame.at(metric).value_or(0.0);
+    count += frame.at(metric) ? 1 : 0;
   }
   if (count == 0) return {};
   return sum / count;
@@ -66,60 +66,60 @@ ordered_json number(const std::optional<double>& value) {
   return std::isfinite(*value) ? ordered_json(*value) : ordered_json(exactText(value));
 }
 
-std::string heading(Figure figure) {
-  const FigureInfo& info = figureInfo(figure);
+std::string heading(Metric metric) {
+  const MetricInfo& info = metricInfo(metric);
   return std::string(info.id) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
 }
 
-void printLane(std::ostream& out, const LaneFigures& lane, const std::vector<Figure>& wanted) {
+void printLane(std::ostream& out, const LaneMetrics& lane, const std::vector<Metric>& wanted) {
   std::vector<std::vector<std::string>> table{{"FRAME"}};
-  for (const Figure figure : wanted) table[0].push_back(heading(figure));
-  for (const FrameFigures& frame : lane) {
+  for (const Metric metric : wanted) table[0].push_back(heading(metric));
+  for (const FrameMetrics& frame : lane) {
     table.push_back({std::to_string(frame.frame)});
-    for (const Figure figure : wanted) table.back().push_back(shortText(frame.at(figure)));
+    for (const Metric metric : wanted) table.back().push_back(shortText(frame.at(metric)));
   }
   table.push_back({"mean"});
-  for (const Figure figure : wanted) table.back().push_back(shortText(meanOf(lane, figure)));
+  for (const Metric metric : wanted) table.back().push_back(shortText(meanOf(lane, metric)));
   printTable(out, table);
 }
 
-void printCsv(std::ostream& out, const std::vector<LaneFigures>& lanes, const ShotPlan& plan,
-              const std::vector<Figure>& wanted) {
+void printCsv(std::ostream& out, const std::vector<LaneMetrics>& lanes, const ShotPlan& plan,
+              const std::vector<Metric>& wanted) {
   out << "frame,lane,preset";
-  for (const Figure figure : wanted) out << ',' << figureInfo(figure).id;
+  for (const Metric metric : wanted) out << ',' << metricInfo(metric).id;
   out << '\n';
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
-    for (const FrameFigures& frame : lanes[lane]) {
+    for (const FrameMetrics& frame : lanes[lane]) {
       out << frame.frame << ',' << plan.lanes.at(lane).name << ',' << plan.lanes.at(lane).preset;
-      for (const Figure figure : wanted) out << ',' << exactText(frame.at(figure));
+      for (const Metric metric : wanted) out << ',' << exactText(frame.at(metric));
       out << '\n';
     }
 }
 
-ordered_json laneOf(const Inspector& inspector, const LaneFigures& figures, const LaneChoice& choice,
-                    int index, const std::vector<Figure>& wanted) {
+ordered_json laneOf(const Inspector& inspector, const LaneMetrics& metrics, const LaneChoice& choice,
+                    int index, const std::vector<Metric>& wanted) {
   ordered_json json = laneJson(inspector, choice, index);
   json.erase("jitterIndex"); // of the last frame only
   json.erase("jitterPx");
-  for (const FrameFigures& frame : figures) {
+  for (const FrameMetrics& frame : metrics) {
     ordered_json row = {{"frame", frame.frame}};
-    for (const Figure figure : wanted) row[std::string(figureInfo(figure).id)] = number(frame.at(figure));
+    for (const Metric metric : wanted) row[std::string(metricInfo(metric).id)] = number(frame.at(metric));
     json["frames"].push_back(row);
   }
-  for (const Figure figure : wanted)
-    json["mean"][std::string(figureInfo(figure).id)] = number(meanOf(figures, figure));
+  for (const Metric metric : wanted)
+    json["mean"][std::string(metricInfo(metric).id)] = number(meanOf(metrics, metric));
   return json;
 }
 
-void printJson(std::ostream& out, const Inspector& inspector, const std::vector<LaneFigures>& lanes,
-               const ShotPlan& plan, int referenceSamples, const std::vector<Figure>& wanted) {
+void printJson(std::ostream& out, const Inspector& inspector, const std::vector<LaneMetrics>& lanes,
+               const ShotPlan& plan, int referenceSamples, const std::vector<Metric>& wanted) {
   ordered_json json = shotJson(inspector);
   json["referenceSamples"] = referenceSamples;
-  if (std::ranges::any_of(wanted, [](Figure figure) { return figureInfo(figure).isOverTime; }))
+  if (std::ranges::any_of(wanted, [](Metric metric) { return metricInfo(metric).isOverTime; }))
     json["flickerFrames"] = inspector.flicker().frames();
-  for (const Figure figure : wanted) {
-    const FigureInfo& info = figureInfo(figure);
-    json["figures"].push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
+  for (const Metric metric : wanted) {
+    const MetricInfo& info = metricInfo(metric);
+    json["metrics"].push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
   }
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
     json["lanes"].push_back(
@@ -135,19 +135,19 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   const FrameRange range = parseFrames(arguments.frames);
   const int samples = arguments.referenceSamples;
   if (samples != 0) checkReferenceSamples(samples);
-  const std::vector<Figure> wanted = figuresWanted(arguments);
+  const std::vector<Metric> wanted = metricsWanted(arguments);
   Inspector inspector;
   inspector.flicker().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
-  std::vector<LaneFigures> lanes(plan.lanes.size());
+  std::vector<LaneMetrics> lanes(plan.lanes.size());
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Measuring frames", frame - range.first, range.count());
     inspector.shot().seek(frame, frame == range.first ? progress : Progress());
     for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
       if (samples > 0) inspector.reference().refine(samples, progress, lane);
       if (arguments.flicker) inspector.flicker().refine(samples, progress, lane);
-      lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().figures(wanted, lane));
+      lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().measure(wanted, lane));
     }
   }
   if (arguments.json) return printJson(out, inspector, lanes, plan, samples, wanted);

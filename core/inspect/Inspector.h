@@ -4,8 +4,8 @@
 
 #include "core/gl/Context.h"
 #include "core/inspect/FlickerOfShot.h"
-#include "core/inspect/FrameMetrics.h"
 #include "core/inspect/InspectedShot.h"
+#include "core/inspect/MetricsOfShot.h"
 #include "core/inspect/Probes.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/ShotProfiler.h"
@@ -35,7 +35,7 @@ class Inspector {
   const ReferenceOfShot& reference() const { return reference_; }
   FlickerOfShot& flicker() { return flicker_; }
   const FlickerOfShot& flicker() const { return flicker_; }
-  FrameMetrics& metrics() { return metrics_; }
+  MetricsOfShot& metrics() { return metrics_; }
   ShotProfiler& profiler() { return profiler_; }
 
  private:
@@ -49,7 +49,7 @@ class Inspector {
   ReferenceOfShot reference_;
   Views views_;
   Probes probes_;
-  FrameMetrics metrics_;
+  MetricsOfShot metrics_;
   InspectedShot shot_;
 };
 

@@ -77,7 +77,7 @@ void Scheduler::deliver() {
   if (desk_.isOpen()) {
     views_.deliver();
     probes_.deliver();
-    figures_.deliver();
+    metrics_.deliver();
     objects_.deliver();
     costing_.deliver();
   }

@@ -32,14 +32,14 @@ bool Wanted::needsReferenceOf(int lane) const {
     return isShown(view) && (needsIt(view) || (view.other && needsIt(*view.other)));
   };
   return std::ranges::any_of(views, isOfIt) ||
-         std::ranges::any_of(figures, [](Figure figure) { return figureInfo(figure).needsReference; });
+         std::ranges::any_of(metrics, [](Metric metric) { return metricInfo(metric).needsReference; });
 }
 
 int Wanted::flickerSamplesOf(int lane) const {
   int samples = -1;
   const auto want = [&](bool isCompared) { samples = std::max(samples, isCompared ? referenceSamples : 0); };
-  for (const Figure figure : figures)
-    if (figureInfo(figure).isOverTime) want(figureInfo(figure).needsReference);
+  for (const Metric metric : metrics)
+    if (metricInfo(metric).isOverTime) want(metricInfo(metric).needsReference);
   const auto wantSide = [&](const auto& side) {
     if (side.lane == lane && isOverTime(side.id)) want(needsReference(side.id));
   };

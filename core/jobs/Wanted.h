@@ -1,4 +1,4 @@
-// What somebody looks at: views, probes, figures, and how fine a reference is to be.
+// What somebody looks at: views, probes, metrics, and how fine a reference is to be.
 #pragma once
 
 #include "core/measure/Metrics.h"
@@ -13,12 +13,12 @@ namespace taa {
 struct Wanted {
   std::vector<ViewRequest> views;
   request::SetPins probes; ///< with the surfaces that were found for them
-  std::vector<Figure> figures;
+  std::vector<Metric> metrics;
   int referenceSamples = kReferenceSamples;
 
   /// The rows that the views show, with those that lie over them.
   std::vector<IntermediateId> rows() const;
-  /// Whether a view shows a row of the lane's reference, or a figure is taken against it.
+  /// Whether a view shows a row of the lane's reference, or a metric is taken against it.
   bool needsReferenceOf(int lane) const;
   /// Samples of the references that the flicker of a lane is wanted against, 0: without any; −1: nobody wants
   /// it.

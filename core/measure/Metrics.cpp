@@ -58,16 +58,16 @@ PictureError pictureError(const Image& picture, const Image& reference) {
   return error;
 }
 
-std::optional<Figure> findFigure(std::string_view id) {
-  const auto found = std::ranges::find(kFigures, id, &FigureInfo::id);
-  if (found == kFigures.end()) return {};
-  return found->figure;
+std::optional<Metric> findMetric(std::string_view id) {
+  const auto found = std::ranges::find(kMetrics, id, &MetricInfo::id);
+  if (found == kMetrics.end()) return {};
+  return found->metric;
 }
 
-double figureOf(Figure figure, const Image& row) {
-  assert(!figureInfo(figure).row.empty() && !figureInfo(figure).isOverTime);
+double metricOf(Metric metric, const Image& row) {
+  assert(!metricInfo(metric).row.empty() && !metricInfo(metric).isOverTime);
   assert(row.channels == 1 && !row.empty());
-  if (figure != Figure::Rejected && figure != Figure::Clipped) return mean(row);
+  if (metric != Metric::Rejected && metric != Metric::Clipped) return mean(row);
   const std::array rows{ChangedRow{row, 0.0f}}; // 0: kept
   return 100.0 * shareOfChanged(rows);
 }

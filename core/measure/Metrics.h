@@ -1,4 +1,4 @@
-// Figures of a whole picture: how far it is from the reference, and what the resolve did to it.
+// Metrics of a whole picture: how far it is from the reference, and what the resolve did to it.
 #pragma once
 
 #include "core/base/Image.h"
@@ -31,7 +31,7 @@ Image shownColors(const Image& linear);
 PictureError pictureError(const Image& picture, const Image& reference);
 
 /// One number for a frame.
-enum class Figure : std::uint8_t {
+enum class Metric : std::uint8_t {
   MeanAlpha,
   Rejected,
   Clipped,
@@ -44,8 +44,8 @@ enum class Figure : std::uint8_t {
   Flicker
 };
 
-struct FigureInfo {
-  Figure figure;
+struct MetricInfo {
+  Metric metric;
   std::string_view id;    ///< in files and command lines
   std::string_view label; ///< as a heading
   std::string_view unit;
@@ -56,55 +56,55 @@ struct FigureInfo {
   bool isOverTime = false;     ///< of the frames before, too: not known before those were made
 };
 
-inline constexpr std::array<FigureInfo, 10> kFigures{{
-    {Figure::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
-    {Figure::Rejected, "rejected", "Rejected", "%", 0, 100,
+inline constexpr std::array<MetricInfo, 10> kMetrics{{
+    {Metric::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
+    {Metric::Rejected, "rejected", "Rejected", "%", 0, 100,
      "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
-    {Figure::Clipped, "clipped", "Clipped", "%", 0, 100, "Share of pixels whose history was pulled.",
+    {Metric::Clipped, "clipped", "Clipped", "%", 0, 100, "Share of pixels whose history was pulled.",
      "clipAmount"},
-    {Figure::ClipAmount, "clipAmount", "Mean clip amount", "", 0, 1,
+    {Metric::ClipAmount, "clipAmount", "Mean clip amount", "", 0, 1,
      "How far history was pulled towards its target, the mean over all pixels.", "clipAmount"},
-    {Figure::HistoryLength, "historyLength", "Mean history length", "frames", 0, 20,
+    {Metric::HistoryLength, "historyLength", "Mean history length", "frames", 0, 20,
      "Mean number of samples that a pixel holds after the frame.", "historyLength"},
-    {Figure::Rmse, "rmse", "RMSE", "", 0, 0.1,
+    {Metric::Rmse, "rmse", "RMSE", "", 0, 0.1,
      "Root of the mean squared difference of output and reference as they are shown: clamped to 0…1, sRGB, "
      "over red, green and blue.",
      "", true},
-    {Figure::Psnr, "psnr", "PSNR", "dB", 10, 60,
+    {Metric::Psnr, "psnr", "PSNR", "dB", 10, 60,
      "Peak signal to noise of output against reference as they are shown, −20 log₁₀ RMSE: the peak is 1.", "",
      true},
-    {Figure::RmseLinear, "rmseLinear", "RMSE, scene-linear", "", 0, 1,
+    {Metric::RmseLinear, "rmseLinear", "RMSE, scene-linear", "", 0, 1,
      "As RMSE, but scene-linear and not clamped: bright highlights count for what they are.", "", true},
-    {Figure::Deviation, "deviationOverTime", "Deviation over time", "", 0, 0.02,
+    {Metric::Deviation, "deviationOverTime", "Deviation over time", "", 0, 0.02,
      "Standard deviation of what is shown over the last frames, followed along the motion: the mean over all "
      "pixels that were seen before. It has in it what really changes.",
      "deviationOverTime", false, true},
-    {Figure::Flicker, "flicker", "Flicker", "", 0, 0.02,
+    {Metric::Flicker, "flicker", "Flicker", "", 0, 0.02,
      "Standard deviation of what is shown over the last frames, followed along the motion, without what the "
      "reference has of it: the mean over all pixels that were seen before.",
      "flicker", true, true},
 }};
 
-constexpr const FigureInfo& figureInfo(Figure figure) {
-  return kFigures[static_cast<std::size_t>(figure)];
+constexpr const MetricInfo& metricInfo(Metric metric) {
+  return kMetrics[static_cast<std::size_t>(metric)];
 }
-std::optional<Figure> findFigure(std::string_view id);
+std::optional<Metric> findMetric(std::string_view id);
 
-/// Figures of one lane of a frame; those that were not asked for or are not known are empty.
-struct FrameFigures {
+/// Metrics of one lane of a frame; those that were not asked for or are not known are empty.
+struct FrameMetrics {
   int frame = 0, lane = 0;
   bool exact = true;        ///< of the frame
   int referenceSamples = 0; ///< of the reference that RMSE and PSNR were taken against; 0: there was none
   /// The same of flicker; 0: only the deviation is known; nothing: neither is.
   std::optional<int> flickerSamples{};
-  std::array<std::optional<double>, kFigures.size()> values;
+  std::array<std::optional<double>, kMetrics.size()> values;
   std::uint64_t shotVersion = 0; ///< counts what frames were a function of (Status::shotVersion)
 
-  const std::optional<double>& at(Figure figure) const { return values[static_cast<std::size_t>(figure)]; }
-  std::optional<double>& at(Figure figure) { return values[static_cast<std::size_t>(figure)]; }
+  const std::optional<double>& at(Metric metric) const { return values[static_cast<std::size_t>(metric)]; }
+  std::optional<double>& at(Metric metric) { return values[static_cast<std::size_t>(metric)]; }
 };
 
-/// The figure from the picture of its row; expects that it has one, which is not over time.
-double figureOf(Figure figure, const Image& row);
+/// The metric from the picture of its row; expects that it has one, which is not over time.
+double metricOf(Metric metric, const Image& row);
 
 } // namespace taa

@@ -1,4 +1,4 @@
-// What stages did to a frame, in one figure each: the share of pixels that they changed.
+// What stages did to a frame, in one metric each: the share of pixels that they changed.
 #pragma once
 
 #include "core/base/Image.h"

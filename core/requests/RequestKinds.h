@@ -33,9 +33,9 @@ enum class RequestKind {
   Export,
   Profile,
   Reference,
-  Figures
+  Metrics
 };
-inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Figures) + 1;
+inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Metrics) + 1;
 
 /// Rises with each request; 0: none.
 using RequestId = std::uint64_t;

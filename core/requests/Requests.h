@@ -230,18 +230,18 @@ struct SetThumbnails {
 };
 
 /// How many samples a reference has, 4 to 1024. It is drawn while nothing plays and nothing else is to be
-/// done, as long as a view shows a row of it or figures need it; the views see it with 4, 16, 64 …
+/// done, as long as a view shows a row of it or metrics need it; the views see it with 4, 16, 64 …
 struct SetReferenceSamples {
   int samples = 0;
   static constexpr RequestRule kRule{.kind = RequestKind::Reference};
 };
 
-/// Figures of each new frame on show, of each lane, played or not; again when its reference has come on. They
+/// Metrics of each new frame on show, of each lane, played or not; again when its reference has come on. They
 /// cost a run of the resolve a frame. Those of the other frames that are played come in idle time, of the
 /// first lane, the nearest first. None: an empty list.
-struct SetFigures {
-  std::vector<Figure> figures;
-  static constexpr RequestRule kRule{.kind = RequestKind::Figures};
+struct SetMetrics {
+  std::vector<Metric> metrics;
+  static constexpr RequestRule kRule{.kind = RequestKind::Metrics};
 };
 
 /// From now on what is at the pins in each exact frame on show is delivered as a trace, too.
@@ -282,7 +282,7 @@ using Request =
                  request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
                  request::SetViews, request::SetPins, request::SetCheckpointBudget, request::SetProfiling,
                  request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
-                 request::SetFigures, request::SetTracing, request::FillTraces, request::ReloadShaders,
+                 request::SetMetrics, request::SetTracing, request::FillTraces, request::ReloadShaders,
                  request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {

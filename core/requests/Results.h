@@ -90,7 +90,7 @@ enum class WorkKind {
   Traces,
   Reference,
   Flicker,
-  Figures,
+  Metrics,
   Export
 };
 
@@ -123,7 +123,7 @@ struct ObjectArea {
 
 using Result =
     std::variant<ViewResult, ProbeResult, Status, Work, Failure, FrameProfile, StageCosts, Thumbnail,
-                 FrameFigures, ShadersRead, ExportResult, ObjectArea, StageShares, TraceDelivery>;
+                 FrameMetrics, ShadersRead, ExportResult, ObjectArea, StageShares, TraceDelivery>;
 
 /// A result, and the request that it answers: the latest of its kind that was taken up.
 struct Answer {

@@ -275,16 +275,16 @@ void FakeRenderer::take(const request::SetReferenceSamples& asked) {
   deliver();
 }
 
-void FakeRenderer::take(const request::SetFigures& asked) {
+void FakeRenderer::take(const request::SetMetrics& asked) {
   const auto& [wanted] = asked;
-  figures = wanted;
+  metrics = wanted;
   deliver();
 }
 
-void FakeRenderer::deliverFigures() {
-  if (figures.empty()) return;
-  FrameFigures result{.frame = status.info.frame, .values = {}, .shotVersion = status.shotVersion};
-  for (const Figure figure : figures) result.at(figure) = 0.01 * status.info.frame;
+void FakeRenderer::deliverMetrics() {
+  if (metrics.empty()) return;
+  FrameMetrics result{.frame = status.info.frame, .values = {}, .shotVersion = status.shotVersion};
+  for (const Metric metric : metrics) result.at(metric) = 0.01 * status.info.frame;
   tell(result);
 }
 
@@ -360,7 +360,7 @@ void FakeRenderer::deliver() {
   for (const ProbePin& pin : probes.pins) deliverPin(pin);
   if (tracing)
     for (const ProbePin& pin : probes.pins) deliverTrace(pin, status.info.frame);
-  deliverFigures();
+  deliverMetrics();
 }
 
 /// A surface goes one pixel to the right a frame, and out of the picture.

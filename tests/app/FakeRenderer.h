@@ -32,7 +32,7 @@ class FakeRenderer final : public Renderer {
   bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
   glm::ivec2 thumbnails{0};    ///< size wanted
-  std::vector<Figure> figures; ///< wanted; the value of each is 0.01 times the frame
+  std::vector<Metric> metrics; ///< wanted; the value of each is 0.01 times the frame
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
   std::vector<int> located; ///< objects
@@ -56,7 +56,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::MeasureStages&);
   void take(const request::SetThumbnails& asked);
   void take(const request::SetReferenceSamples& asked);
-  void take(const request::SetFigures& asked);
+  void take(const request::SetMetrics& asked);
   void take(const request::SetOtherLanes& asked);
   void take(const request::SetPlayback& asked);
   void take(const request::SetObjectFilter& asked);
@@ -80,7 +80,7 @@ class FakeRenderer final : public Renderer {
   void deliverThumbnails();
   void deliverTrace(const ProbePin& pin, int frame);
   void deliverProfile();
-  void deliverFigures();
+  void deliverMetrics();
   void deliverPin(const ProbePin& pin);
   ViewResult draw(int view) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;

@@ -7,7 +7,7 @@
 #include "app/panels/WeightsPanel.h"
 #include "app/views/plots/CurveChart.h"
 #include "app/views/plots/JitterView.h"
-#include "app/widgets/FigureTable.h"
+#include "app/widgets/ValueTable.h"
 #include "core/probe/SampleWeights.h"
 #include "tests/app/WindowFixture.h"
 
@@ -85,7 +85,7 @@ TEST_F(Lower, JitterShowsEverySampleWithItsWeight) {
   const double alpha = static_cast<double>(0.1f);
   const double expected = alpha + std::pow(1.0 - alpha, 4.0) * alpha;
   EXPECT_NEAR(view->pattern().samples[1].weight, expected, 1e-12);
-  const FigureTable* table = window.jitter()->table();
+  const ValueTable* table = window.jitter()->table();
   ASSERT_EQ(table->topLevelItemCount(), 4);
   EXPECT_EQ(table->topLevelItem(1)->text(0), "1 now");
   EXPECT_EQ(table->topLevelItem(1)->text(3), QString::number(100.0 * expected, 'f', 2));

@@ -4,7 +4,7 @@
 #include "app/models/ProbeModel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/views/plots/ColorSpaceView.h"
-#include "app/widgets/FigureTable.h"
+#include "app/widgets/ValueTable.h"
 #include "core/inspect/Inspector.h"
 #include "core/report/ProbeReport.h"
 #include "tests/app/WindowFixture.h"
@@ -32,7 +32,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
   const auto& rows = window.probe()->whatIf()->table()->rows();
   EXPECT_EQ(rows.size(), variantsOf(session.presets().settings()).size() + 4)
       << "with a heading for each group";
-  EXPECT_TRUE(std::ranges::any_of(rows, [](const FigureTable::Row& row) {
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const ValueTable::Row& row) {
     return row.cells[0].startsWith(QStringLiteral("▸ ")) && row.cells[2] == QStringLiteral("same");
   }));
   key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);

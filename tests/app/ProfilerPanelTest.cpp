@@ -6,8 +6,8 @@
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
 #include "app/views/plots/ProfileChart.h"
-#include "app/widgets/FigureTable.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/ValueTable.h"
 #include "tests/app/WindowFixture.h"
 
 #include <QClipboard>
@@ -26,7 +26,7 @@ namespace {
 class Profiler : public test::FakeWindow {
  protected:
   void open() { key(Qt::Key_F11); }
-  static QString cell(const FigureTable* table, int row, int column) {
+  static QString cell(const ValueTable* table, int row, int column) {
     return table->topLevelItem(row)->text(column);
   }
 };
@@ -57,7 +57,7 @@ TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
     session.seek(frame);
     settle();
   }
-  const FigureTable* table = window.profiler()->passes();
+  const ValueTable* table = window.profiler()->passes();
   ASSERT_TRUE(test::waitFor([&] { return table->topLevelItemCount() == 4 && cell(table, 0, 1) == "9.000"; }));
   EXPECT_EQ(cell(table, 0, 0), "G-buffer");
   EXPECT_EQ(cell(table, 0, 2), "2.000");
@@ -68,7 +68,7 @@ TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
   EXPECT_EQ(cell(table, 3, 0), "All");
   EXPECT_EQ(cell(table, 3, 1), "27.00");
   EXPECT_EQ(cell(table, 3, 2), "6.000");
-  const FigureTable* memory = window.profiler()->memory();
+  const ValueTable* memory = window.profiler()->memory();
   ASSERT_EQ(memory->topLevelItemCount(), 3);
   EXPECT_EQ(cell(memory, 1, 1), "1.00");
   EXPECT_EQ(cell(memory, 2, 1), "3.00");
@@ -110,7 +110,7 @@ TEST_F(Profiler, MeasuresStagesByKeyAndByButton) {
   const ProfilerPanel* panel = window.profiler();
   EXPECT_TRUE(panel->isVisible());
   ASSERT_TRUE(panel->hasStageCosts());
-  const FigureTable* stages = panel->stages();
+  const ValueTable* stages = panel->stages();
   ASSERT_EQ(stages->topLevelItemCount(), 5);
   EXPECT_EQ(cell(stages, 0, 0), "Neighborhood");
   EXPECT_EQ(cell(stages, 0, 1), "2.000");

@@ -1,4 +1,4 @@
-// The reference in the window: keys and menu, what a view says about it, figures that arrive.
+// The reference in the window: keys and menu, what a view says about it, metrics that arrive.
 #include "app/views/ViewArea.h"
 #include "app/views/legend/ReferenceNote.h"
 #include "tests/app/WindowFixture.h"
@@ -59,18 +59,18 @@ TEST_F(ReferenceKeys, TheMenuSaysHowManySamplesThereShallBe) {
   EXPECT_FALSE(actionOf(window, "64 samples in a pixel")->isChecked());
 }
 
-TEST_F(ReferenceKeys, FiguresArriveForEachFrame) {
-  std::vector<FrameFigures> arrived;
-  QObject::connect(&session, &Session::figuresArrived, &window,
-                   [&](const FrameFigures& figures) { arrived.push_back(figures); });
-  session.setFigures({Figure::Rmse});
+TEST_F(ReferenceKeys, MetricsArriveForEachFrame) {
+  std::vector<FrameMetrics> arrived;
+  QObject::connect(&session, &Session::metricsArrived, &window,
+                   [&](const FrameMetrics& metrics) { arrived.push_back(metrics); });
+  session.setMetrics({Metric::Rmse});
   session.seek(5);
   session.seek(6);
   settle();
   ASSERT_EQ(arrived.size(), 3u) << "none is lost";
   EXPECT_EQ(arrived[2].frame, 6);
-  EXPECT_EQ(arrived[2].at(Figure::Rmse), 0.06);
-  EXPECT_FALSE(arrived[2].at(Figure::MeanAlpha));
+  EXPECT_EQ(arrived[2].at(Metric::Rmse), 0.06);
+  EXPECT_FALSE(arrived[2].at(Metric::MeanAlpha));
 }
 
 TEST(ReferenceNote, SaysSamplesAndError) {

@@ -387,7 +387,7 @@ TEST(BatchMistakes, ProfileStartsFromFrameOneAndTakesOneLane) {
 
 class BatchMetrics : public taa::test::GlTest {};
 
-TEST_F(BatchMetrics, PrintsFiguresOfEachFrameAndLane) {
+TEST_F(BatchMetrics, PrintsMetricsOfEachFrameAndLane) {
   const std::vector<std::string> command = {
       "metrics", "builtin:fan",         "--size", "64x36", "--frames", "2..4", "--lane", "balanced", "--lane",
       "minimal", "--reference-samples", "8"};
@@ -395,7 +395,7 @@ TEST_F(BatchMetrics, PrintsFiguresOfEachFrameAndLane) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const json report = json::parse(result.out);
   EXPECT_EQ(report["referenceSamples"], 8);
-  EXPECT_EQ(report["figures"].size(), taa::kFigures.size() - 2) << "nothing over time unless it is asked for";
+  EXPECT_EQ(report["metrics"].size(), taa::kMetrics.size() - 2) << "nothing over time unless it is asked for";
   ASSERT_EQ(report["lanes"].size(), 2u);
   for (const json& lane : report["lanes"]) {
     ASSERT_EQ(lane["frames"].size(), 3u);

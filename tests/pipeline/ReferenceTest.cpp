@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
-using taa::Figure;
 using taa::Image;
 using taa::Inspector;
 using taa::IntermediateId;
+using taa::Metric;
 using taa::Settings;
 using namespace taa::test::small;
 
@@ -244,16 +244,16 @@ TEST_F(ReferenceTest, IsWatchedWithoutHarm) {
                      fresh({}, 1)[static_cast<std::size_t>(IntermediateId::alpha)]));
 }
 
-TEST_F(ReferenceTest, FiguresAreThoseOfTheImages) {
+TEST_F(ReferenceTest, MetricsAreThoseOfTheImages) {
   const auto inspector = opened();
   inspector->shot().seek(6);
-  std::vector<Figure> all;
-  for (const taa::FigureInfo& info : taa::kFigures) all.push_back(info.figure);
-  taa::FrameFigures figures = inspector->metrics().figures(all);
-  EXPECT_EQ(figures.frame, 6);
-  EXPECT_TRUE(figures.exact);
-  EXPECT_EQ(figures.referenceSamples, 0);
-  EXPECT_FALSE(figures.at(Figure::Rmse) || figures.at(Figure::Psnr)) << "no reference, no value";
+  std::vector<Metric> all;
+  for (const taa::MetricInfo& info : taa::kMetrics) all.push_back(info.metric);
+  taa::FrameMetrics metrics = inspector->metrics().measure(all);
+  EXPECT_EQ(metrics.frame, 6);
+  EXPECT_TRUE(metrics.exact);
+  EXPECT_EQ(metrics.referenceSamples, 0);
+  EXPECT_FALSE(metrics.at(Metric::Rmse) || metrics.at(Metric::Psnr)) << "no reference, no value";
   double alpha = 0.0, rejected = 0.0, clipped = 0.0;
   for (const float value : inspector->views().image(IntermediateId::alpha).pixels) alpha += value;
   for (const float value : inspector->views().image(IntermediateId::rejectReason).pixels)
@@ -261,17 +261,17 @@ TEST_F(ReferenceTest, FiguresAreThoseOfTheImages) {
   for (const float value : inspector->views().image(IntermediateId::clipAmount).pixels)
     clipped += value > 0.0f;
   constexpr double kPixels = kWidth * kHeight;
-  EXPECT_DOUBLE_EQ(*figures.at(Figure::MeanAlpha), alpha / kPixels);
-  EXPECT_DOUBLE_EQ(*figures.at(Figure::Rejected), 100.0 * rejected / kPixels);
-  EXPECT_DOUBLE_EQ(*figures.at(Figure::Clipped), 100.0 * clipped / kPixels);
+  EXPECT_DOUBLE_EQ(*metrics.at(Metric::MeanAlpha), alpha / kPixels);
+  EXPECT_DOUBLE_EQ(*metrics.at(Metric::Rejected), 100.0 * rejected / kPixels);
+  EXPECT_DOUBLE_EQ(*metrics.at(Metric::Clipped), 100.0 * clipped / kPixels);
   EXPECT_GT(rejected + clipped, 0.0) << "else nothing was tested";
   inspector->reference().refine(8);
-  figures = inspector->metrics().figures({Figure::Psnr, Figure::HistoryLength});
-  EXPECT_EQ(figures.referenceSamples, 8);
-  EXPECT_FALSE(figures.at(Figure::MeanAlpha) || figures.at(Figure::Rmse)) << "not asked for";
+  metrics = inspector->metrics().measure({Metric::Psnr, Metric::HistoryLength});
+  EXPECT_EQ(metrics.referenceSamples, 8);
+  EXPECT_FALSE(metrics.at(Metric::MeanAlpha) || metrics.at(Metric::Rmse)) << "not asked for";
   const taa::PictureError error = taa::pictureError(inspector->views().image(IntermediateId::output),
                                                     inspector->views().image(IntermediateId::reference));
-  EXPECT_EQ(*figures.at(Figure::Psnr), error.psnr);
+  EXPECT_EQ(*metrics.at(Metric::Psnr), error.psnr);
 }
 
 // builtin:thin says what its lines cover: see there.

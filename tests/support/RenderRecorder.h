@@ -33,7 +33,7 @@ struct Recorder {
   std::vector<FrameProfile> profiles;
   std::vector<StageCosts> costs;
   std::vector<Thumbnail> thumbnails;
-  std::vector<FrameFigures> figures;
+  std::vector<FrameMetrics> metrics;
   std::vector<TraceDelivery> traces;
   std::vector<ObjectArea> areas;
   std::vector<ExportResult> exports;
@@ -66,7 +66,7 @@ struct Recorder {
   void take(FrameProfile profile) { add(profiles, std::move(profile)); }
   void take(StageCosts cost) { add(costs, std::move(cost)); }
   void take(Thumbnail thumbnail) { add(thumbnails, std::move(thumbnail)); }
-  void take(FrameFigures result) { add(figures, std::move(result)); }
+  void take(FrameMetrics result) { add(metrics, std::move(result)); }
   void take(TraceDelivery trace) { add(traces, std::move(trace)); }
   void take(ObjectArea area) { add(areas, std::move(area)); }
   void take(ShadersRead read) {
@@ -102,7 +102,7 @@ struct Recorder {
     traces.clear();
     errors.clear();
     failures.clear();
-    figures.clear();
+    metrics.clear();
   }
 };
 

@@ -4,7 +4,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/plots/ColorSpaceView.h"
-#include "app/widgets/FigureTable.h"
+#include "app/widgets/ValueTable.h"
 #include "app/widgets/parameters/SegmentedButtons.h"
 #include "core/picture/ColorMap.h"
 
@@ -58,8 +58,8 @@ float largest(const glm::vec3& difference) {
   return most;
 }
 
-std::vector<FigureTable::Row> rowsOf(const std::vector<WhatIfRow>& variants) {
-  std::vector<FigureTable::Row> rows;
+std::vector<ValueTable::Row> rowsOf(const std::vector<WhatIfRow>& variants) {
+  std::vector<ValueTable::Row> rows;
   for (const WhatIfRow& row : variants) {
     const bool isFirst = &row == variants.data() || (&row - 1)->group != row.group;
     if (isFirst) rows.push_back({{tableText(whatIfGroupLabel(row.group)), {}, {}, {}}, {}, true});
@@ -124,7 +124,7 @@ WhatIfPage::WhatIfPage(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  table_ = new FigureTable({tr("Instead"), tr("Resolved"), tr("Change"), tr("α")});
+  table_ = new ValueTable({tr("Instead"), tr("Resolved"), tr("Change"), tr("α")});
   table_->setAccessibleName(tr("The pixel under other choices"));
   table_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int section = 1; section < 4; ++section)
@@ -141,7 +141,7 @@ WhatIfPage::WhatIfPage(QWidget* parent) : QWidget(parent) {
 }
 
 void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
-  table_->setRows(result ? rowsOf(result->whatIf) : std::vector<FigureTable::Row>());
+  table_->setRows(result ? rowsOf(result->whatIf) : std::vector<ValueTable::Row>());
   fitColumns();
 }
 
@@ -149,12 +149,12 @@ void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
 void WhatIfPage::fitColumns() {
   const QFontMetrics names(secondaryFont()), digits(numberFont());
   int name = 0;
-  for (const FigureTable::Row& row : table_->rows())
+  for (const ValueTable::Row& row : table_->rows())
     name = std::max(name, names.horizontalAdvance(row.cells.value(kName)));
   int room = table_->viewport()->width() - table_->iconSize().width();
   for (const int column : {kResolved, kChange, kAlpha}) {
     int width = names.horizontalAdvance(table_->headerItem()->text(column));
-    for (const FigureTable::Row& row : table_->rows())
+    for (const ValueTable::Row& row : table_->rows())
       width = std::max(width, digits.horizontalAdvance(row.cells.value(column)));
     room -= width + kCellMargins;
   }

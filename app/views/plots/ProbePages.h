@@ -13,7 +13,7 @@ class QLabel;
 namespace taa::app {
 
 class ColorSpaceView;
-class FigureTable;
+class ValueTable;
 class SegmentedButtons;
 
 class ColorSpacePage : public QWidget {
@@ -43,7 +43,7 @@ class WhatIfPage : public QWidget {
   explicit WhatIfPage(QWidget* parent = nullptr);
 
   void setResult(const std::optional<ProbeResult>& result);
-  FigureTable* table() const { return table_; }
+  ValueTable* table() const { return table_; }
   /// The table, to copy.
   QString text() const;
 
@@ -52,7 +52,7 @@ class WhatIfPage : public QWidget {
 
  private:
   void fitColumns();
-  FigureTable* table_ = nullptr;
+  ValueTable* table_ = nullptr;
   QLabel* note_ = nullptr;
 };
 

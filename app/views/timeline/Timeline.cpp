@@ -194,7 +194,7 @@ void Timeline::paintMarks(QPainter& painter) const {
   }
 }
 
-// Columns, as wide as a frame; nothing where the figure is not known.
+// Columns, as wide as a frame; nothing where the metric is not known.
 void Timeline::paintStrip(QPainter& painter) const {
   if (strip_.name.isEmpty()) return;
   const ThemeColors& colors = themeColors(this);

@@ -1,4 +1,4 @@
-// The ruler of the shot: playhead, cuts, restarts, marks, kept frames, the repeated part, and one figure of
+// The ruler of the shot: playhead, cuts, restarts, marks, kept frames, the repeated part, and one metric of
 // each frame.
 #pragma once
 

@@ -111,10 +111,10 @@ void ShownViews::drawOther(ViewResult& result, const Look& other) {
 void ShownViews::addReference(ViewResult& result) {
   const ViewRequest& view = result.request;
   if (isOverTime(view.id)) {
-    const Figure figure = needsReference(view.id) ? Figure::Flicker : Figure::Deviation;
-    const FrameFigures figures = desk_.inspector.metrics().figures({figure}, view.lane);
-    result.flickerSamples = figures.flickerSamples;
-    result.flicker = figures.at(figure);
+    const Metric metric = needsReference(view.id) ? Metric::Flicker : Metric::Deviation;
+    const FrameMetrics metrics = desk_.inspector.metrics().measure({metric}, view.lane);
+    result.flickerSamples = metrics.flickerSamples;
+    result.flicker = metrics.at(metric);
     return;
   }
   ReferenceOfShot& reference = desk_.inspector.reference();

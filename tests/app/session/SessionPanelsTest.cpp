@@ -12,9 +12,9 @@
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/CurveChart.h"
 #include "app/views/plots/ProbePages.h"
-#include "app/widgets/FigureTable.h"
 #include "app/widgets/SearchField.h"
 #include "app/widgets/SectionHeader.h"
+#include "app/widgets/ValueTable.h"
 #include "core/base/Files.h"
 #include "tests/app/WindowFixture.h"
 
@@ -148,7 +148,7 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   settle();
   window.plots()->charts().front()->setShown({3.0, 40.0});
   TimelinePanel* timeline = window.timeline();
-  timeline->setFigure(Figure::MeanAlpha);
+  timeline->setStripMetric(Metric::MeanAlpha);
   timeline->setSpeed(0.5);
   session.seek(4);
   settle();
@@ -169,7 +169,7 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   window.plots()->setRows({{IntermediateId::speed}});
   window.plots()->resetZoom();
   window.lower()->setShown(LowerPage::Weights, true);
-  timeline->setFigure({});
+  timeline->setStripMetric({});
   timeline->setSpeed(2.0);
   timeline->clearRange();
   session.setReferenceSamples(64);

@@ -1,4 +1,4 @@
-// The timeline: what is kept, cuts, the user's marks, the repeated part, speed, and a strip of one figure.
+// The timeline: what is kept, cuts, the user's marks, the repeated part, speed, and a strip of one metric.
 #include "app/views/timeline/Timeline.h"
 
 #include "app/panels/TimelinePanel.h"
@@ -6,6 +6,7 @@
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -169,7 +170,7 @@ TEST_F(TimelineTest, SaysWhichFramesAreKeptAndCut) {
   EXPECT_EQ(timeline()->textAt(8), "frame 8");
 }
 
-TEST_F(TimelineTest, AStripShowsAFigureOfEachFrame) {
+TEST_F(TimelineTest, AStripShowsAMetricOfEachFrame) {
   const int without = timeline()->height();
   window.timeline()->setStrip({"mean α", "", {0.5, std::nullopt, 0.25}});
   EXPECT_GT(timeline()->height(), without);
@@ -206,10 +207,10 @@ TEST_F(TimelineTest, ReadoutStaysInPlaceWhileTimeGoesOnAt1280) {
     EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
 }
 
-TEST_F(TimelineTest, AChosenFigureIsAskedForAndDrawnUnderTheRuler) {
-  window.timeline()->setFigure(Figure::MeanAlpha);
+TEST_F(TimelineTest, AChosenMetricIsAskedForAndDrawnUnderTheRuler) {
+  window.timeline()->setStripMetric(Metric::MeanAlpha);
   settle();
-  EXPECT_EQ(renderer->figures, std::vector{Figure::MeanAlpha});
+  EXPECT_EQ(renderer->metrics, std::vector{Metric::MeanAlpha});
   session.seek(40);
   settle();
   session.seek(50);
@@ -222,9 +223,17 @@ TEST_F(TimelineTest, AChosenFigureIsAskedForAndDrawnUnderTheRuler) {
   session.presets().setParameter("jitter.period", 4);
   settle();
   EXPECT_FALSE(timeline()->strip().values[40]) << "no longer true";
-  EXPECT_EQ(window.timeline()->state()["figure"].toString(), "meanAlpha");
-  window.timeline()->setFigure({});
+  EXPECT_EQ(window.timeline()->state()["metric"].toString(), "meanAlpha");
+  window.timeline()->setStripMetric({});
   settle();
-  EXPECT_TRUE(renderer->figures.empty());
+  EXPECT_TRUE(renderer->metrics.empty());
   EXPECT_TRUE(timeline()->strip().name.isEmpty());
+}
+
+TEST_F(TimelineTest, TheMetricOfASessionOfAnEarlierBuildIsRead) {
+  QJsonObject state = window.timeline()->state();
+  state.remove("metric");
+  state["figure"] = "meanAlpha";
+  window.timeline()->setState(state);
+  EXPECT_EQ(window.timeline()->stripMetric(), Metric::MeanAlpha);
 }

@@ -1,8 +1,8 @@
 // Flicker of frames of a scene: a function of the last frames however they were reached, that changes
 // nothing.
 #include "core/base/Error.h"
-#include "core/measure/FigureCursor.h"
 #include "core/measure/Flicker.h"
+#include "core/measure/MetricCursor.h"
 #include "core/taa/twin/Known.h"
 #include "tests/support/SmallInspector.h"
 
@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-using taa::Figure;
 using taa::Image;
 using taa::Inspector;
 using taa::IntermediateId;
+using taa::Metric;
 using namespace taa::test::small;
 
 namespace {
@@ -131,7 +131,7 @@ TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
   EXPECT_TRUE(inspector->views().isAtHand({.id = deviationOverTime}));
   EXPECT_FALSE(inspector->views().isAtHand({.id = flicker})) << "it needs a reference";
   EXPECT_THROW(inspector->views().image(flicker), taa::Error);
-  EXPECT_FALSE(inspector->metrics().figures({Figure::Flicker}).at(Figure::Flicker));
+  EXPECT_FALSE(inspector->metrics().measure({Metric::Flicker}).at(Metric::Flicker));
   inspector->reference().makeRows({flicker}, kSamples);
   for (const IntermediateId id : kRows)
     EXPECT_EQ(taa::twin::at(inspector->probes().probe(3, 4), id).x, *inspector->views().image(id).at(3, 4));
@@ -143,7 +143,7 @@ TEST_F(FlickerOnScenesTest, StartsAnewWithHistory) {
   const auto inspector = small();
   rowsOf(*inspector); // frame 0
   for (const float frames : inspector->views().image(framesFollowed).pixels) ASSERT_EQ(frames, 1.0f);
-  EXPECT_FALSE(inspector->metrics().figures({Figure::Flicker}).at(Figure::Flicker))
+  EXPECT_FALSE(inspector->metrics().measure({Metric::Flicker}).at(Metric::Flicker))
       << "nothing was seen before";
   inspector->shot().seek(2);
   const Image frames = rowsOf(*inspector).back();
@@ -181,23 +181,23 @@ TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   expectSameRows(rows, rowsOf(*straight));
 }
 
-TEST_F(FlickerOnScenesTest, FiguresBesideAreThoseOfTheFrame) {
+TEST_F(FlickerOnScenesTest, MetricsOfOtherFramesAreThoseOfTheFrame) {
   const auto inspector = small();
-  const std::vector<Figure> wanted{Figure::Deviation, Figure::Flicker, Figure::Psnr, Figure::MeanAlpha};
-  taa::FigureCursor cursor;
-  std::vector<taa::FrameFigures> beside;
+  const std::vector<Metric> wanted{Metric::Deviation, Metric::Flicker, Metric::Psnr, Metric::MeanAlpha};
+  taa::MetricCursor cursor;
+  std::vector<taa::FrameMetrics> beside;
   for (int frame = 6; frame <= 8; ++frame)
-    beside.push_back(inspector->metrics().figuresBeside(frame, wanted, kSamples, cursor));
-  for (const taa::FrameFigures& figures : beside) {
-    inspector->shot().seek(figures.frame);
+    beside.push_back(inspector->metrics().measureFrame(frame, wanted, kSamples, cursor));
+  for (const taa::FrameMetrics& metrics : beside) {
+    inspector->shot().seek(metrics.frame);
     inspector->reference().refine(kSamples);
     const std::vector<Image> rows = rowsOf(*inspector);
-    const taa::FrameFigures shown = inspector->metrics().figures(wanted);
-    EXPECT_EQ(figures.flickerSamples, kSamples);
-    EXPECT_EQ(figures.values, shown.values);
-    EXPECT_EQ(shown.at(Figure::Flicker), taa::meanOverTime(rows[0], rows[2]));
-    EXPECT_EQ(shown.at(Figure::Deviation), taa::meanOverTime(rows[1], rows[2]));
-    EXPECT_GT(*shown.at(Figure::Deviation), *shown.at(Figure::Flicker)) << "the fan turns";
-    EXPECT_GT(*shown.at(Figure::Flicker), 0.0);
+    const taa::FrameMetrics shown = inspector->metrics().measure(wanted);
+    EXPECT_EQ(metrics.flickerSamples, kSamples);
+    EXPECT_EQ(metrics.values, shown.values);
+    EXPECT_EQ(shown.at(Metric::Flicker), taa::meanOverTime(rows[0], rows[2]));
+    EXPECT_EQ(shown.at(Metric::Deviation), taa::meanOverTime(rows[1], rows[2]));
+    EXPECT_GT(*shown.at(Metric::Deviation), *shown.at(Metric::Flicker)) << "the fan turns";
+    EXPECT_GT(*shown.at(Metric::Flicker), 0.0);
   }
 }

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-using taa::Figure;
 using taa::IntermediateId;
+using taa::Metric;
 using taa::test::onThread::viewOf;
 
 namespace {
@@ -63,15 +63,15 @@ TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
   EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples) << "another frame starts again by itself";
 }
 
-TEST_F(RenderFlickerTest, FiguresOfAllPlayedFramesHaveIt) {
+TEST_F(RenderFlickerTest, MetricsOfAllPlayedFramesHaveIt) {
   thread->post(taa::request::SetPlayback{{.range = std::pair(0, 4)}});
   goTo(2);
-  thread->post(taa::request::SetFigures{{Figure::Flicker, Figure::Deviation}});
+  thread->post(taa::request::SetMetrics{{Metric::Flicker, Metric::Deviation}});
   thread->waitUntilIdle();
   std::vector<std::optional<double>> flicker(5);
-  for (const taa::FrameFigures& figures : recorder.figures)
-    if (figures.flickerSamples == kSamples)
-      flicker.at(static_cast<std::size_t>(figures.frame)) = figures.at(Figure::Flicker);
+  for (const taa::FrameMetrics& metrics : recorder.metrics)
+    if (metrics.flickerSamples == kSamples)
+      flicker.at(static_cast<std::size_t>(metrics.frame)) = metrics.at(Metric::Flicker);
   EXPECT_FALSE(flicker[0]) << "nothing was seen before";
   for (std::size_t frame = 1; frame < flicker.size(); ++frame) EXPECT_TRUE(flicker[frame]) << frame;
   EXPECT_TRUE(recorder.works.back().what.empty());

@@ -1,12 +1,12 @@
-// The reference and the figures of frames, on the render thread.
+// The reference and the metrics of frames, on the render thread.
 #include "tests/support/RenderRecorder.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-using taa::Figure;
 using taa::IntermediateId;
+using taa::Metric;
 using taa::test::onThread::viewOf;
 
 namespace {
@@ -83,39 +83,39 @@ TEST_F(RenderReferenceTest, IsNotDrawnWhilePlaying) {
   EXPECT_EQ(samplesShown().back(), 4);
 }
 
-TEST_F(RenderReferenceTest, FiguresComeWithEachFrameThatIsShown) {
+TEST_F(RenderReferenceTest, MetricsComeWithEachFrameThatIsShown) {
   thread->post(taa::request::SetPlayback{{.range = std::pair(0, 4)}});
-  thread->post(taa::request::SetFigures{{Figure::MeanAlpha, Figure::HistoryLength}});
+  thread->post(taa::request::SetMetrics{{Metric::MeanAlpha, Metric::HistoryLength}});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  const auto found = std::ranges::find(recorder.figures, 2, &taa::FrameFigures::frame);
-  ASSERT_NE(found, recorder.figures.end());
-  const taa::FrameFigures& last = *found;
+  const auto found = std::ranges::find(recorder.metrics, 2, &taa::FrameMetrics::frame);
+  ASSERT_NE(found, recorder.metrics.end());
+  const taa::FrameMetrics& last = *found;
   EXPECT_EQ(last.frame, 2);
   EXPECT_TRUE(last.exact);
-  ASSERT_TRUE(last.at(Figure::MeanAlpha) && last.at(Figure::HistoryLength));
-  EXPECT_GT(*last.at(Figure::HistoryLength), 1.0);
-  EXPECT_FALSE(last.at(Figure::Rmse));
-  thread->post(taa::request::SetFigures{{}});
+  ASSERT_TRUE(last.at(Metric::MeanAlpha) && last.at(Metric::HistoryLength));
+  EXPECT_GT(*last.at(Metric::HistoryLength), 1.0);
+  EXPECT_FALSE(last.at(Metric::Rmse));
+  thread->post(taa::request::SetMetrics{{}});
   thread->waitUntilIdle();
-  const std::size_t before = recorder.figures.size();
+  const std::size_t before = recorder.metrics.size();
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.figures.size(), before);
+  EXPECT_EQ(recorder.metrics.size(), before);
 }
 
-TEST_F(RenderReferenceTest, AFigureAgainstTheReferenceHasItDrawn) {
+TEST_F(RenderReferenceTest, AMetricAgainstTheReferenceHasItDrawn) {
   thread->post(taa::request::SetReferenceSamples{8});
   thread->post(taa::request::SetPlayback{{.range = std::pair(0, 2)}});
-  thread->post(taa::request::SetFigures{{Figure::Rmse}});
+  thread->post(taa::request::SetMetrics{{Metric::Rmse}});
   thread->waitUntilIdle();
-  ASSERT_FALSE(recorder.figures.empty());
-  EXPECT_FALSE(recorder.figures.front().at(Figure::Rmse)) << "at once, as far as it is known";
-  const auto found = std::ranges::find(recorder.figures, 8, &taa::FrameFigures::referenceSamples);
-  ASSERT_NE(found, recorder.figures.end());
+  ASSERT_FALSE(recorder.metrics.empty());
+  EXPECT_FALSE(recorder.metrics.front().at(Metric::Rmse)) << "at once, as far as it is known";
+  const auto found = std::ranges::find(recorder.metrics, 8, &taa::FrameMetrics::referenceSamples);
+  ASSERT_NE(found, recorder.metrics.end());
   EXPECT_EQ(found->frame, 0);
-  ASSERT_TRUE(found->at(Figure::Rmse));
-  EXPECT_GT(*found->at(Figure::Rmse), 0.0);
+  ASSERT_TRUE(found->at(Metric::Rmse));
+  EXPECT_GT(*found->at(Metric::Rmse), 0.0);
 }

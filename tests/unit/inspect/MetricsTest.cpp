@@ -1,4 +1,4 @@
-// Figures of pictures against values worked out by hand.
+// Metrics of pictures against values worked out by hand.
 #include "core/measure/Metrics.h"
 
 #include "core/taa/rows/Intermediates.h"
@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-using taa::Figure;
-using taa::FigureInfo;
 using taa::Image;
-using taa::kFigures;
+using taa::kMetrics;
+using taa::Metric;
+using taa::MetricInfo;
 
 namespace {
 
@@ -74,21 +74,21 @@ TEST(PictureError, IgnoresOpacity) {
   EXPECT_EQ(taa::pictureError(withAlpha, without).rmse, 0.0);
 }
 
-TEST(Figures, OfRows) {
-  EXPECT_DOUBLE_EQ(taa::figureOf(Figure::MeanAlpha, row({0.0f, 0.5f, 1.0f, 0.5f})), 0.5);
-  EXPECT_DOUBLE_EQ(taa::figureOf(Figure::Rejected, row({0, 3, 0, 1, 0, 0, 4, 0})), 37.5)
+TEST(Metrics, OfRows) {
+  EXPECT_DOUBLE_EQ(taa::metricOf(Metric::MeanAlpha, row({0.0f, 0.5f, 1.0f, 0.5f})), 0.5);
+  EXPECT_DOUBLE_EQ(taa::metricOf(Metric::Rejected, row({0, 3, 0, 1, 0, 0, 4, 0})), 37.5)
       << "whatever the reason";
-  EXPECT_DOUBLE_EQ(taa::figureOf(Figure::Clipped, row({0.0f, 0.001f, 1.0f, 0.0f})), 50.0);
-  EXPECT_DOUBLE_EQ(taa::figureOf(Figure::ClipAmount, row({0.0f, 0.25f, 1.0f, 0.75f})), 0.5);
-  EXPECT_DOUBLE_EQ(taa::figureOf(Figure::HistoryLength, row({1.0f, 16.0f})), 8.5);
+  EXPECT_DOUBLE_EQ(taa::metricOf(Metric::Clipped, row({0.0f, 0.001f, 1.0f, 0.0f})), 50.0);
+  EXPECT_DOUBLE_EQ(taa::metricOf(Metric::ClipAmount, row({0.0f, 0.25f, 1.0f, 0.75f})), 0.5);
+  EXPECT_DOUBLE_EQ(taa::metricOf(Metric::HistoryLength, row({1.0f, 16.0f})), 8.5);
 }
 
-TEST(Figures, SayWhatTheyAre) {
+TEST(Metrics, SayWhatTheyAre) {
   std::set<std::string_view> ids;
-  for (std::size_t index = 0; index < kFigures.size(); ++index) {
-    const FigureInfo& info = kFigures[index];
-    EXPECT_EQ(static_cast<std::size_t>(info.figure), index) << info.id;
-    EXPECT_EQ(taa::findFigure(info.id), info.figure);
+  for (std::size_t index = 0; index < kMetrics.size(); ++index) {
+    const MetricInfo& info = kMetrics[index];
+    EXPECT_EQ(static_cast<std::size_t>(info.metric), index) << info.id;
+    EXPECT_EQ(taa::findMetric(info.id), info.metric);
     EXPECT_TRUE(ids.insert(info.id).second) << info.id;
     EXPECT_TRUE(info.description.ends_with('.')) << info.id;
     EXPECT_LT(info.low, info.high) << info.id;
@@ -101,5 +101,5 @@ TEST(Figures, SayWhatTheyAre) {
     EXPECT_EQ(taa::needsReference(*id), info.needsReference) << info.row;
     EXPECT_EQ(taa::isOverTime(*id), info.isOverTime) << info.row;
   }
-  EXPECT_FALSE(taa::findFigure("mse"));
+  EXPECT_FALSE(taa::findMetric("mse"));
 }

@@ -1,4 +1,4 @@
-// A small table: a name and figures beside it, which can be copied.
+// A small table: a name and values beside it, which can be copied.
 #pragma once
 
 #include <QColor>
@@ -9,7 +9,7 @@
 
 namespace taa::app {
 
-class FigureTable : public QTreeWidget {
+class ValueTable : public QTreeWidget {
   Q_OBJECT
  public:
   struct Row {
@@ -19,7 +19,7 @@ class FigureTable : public QTreeWidget {
     QString tip{}; ///< more than the cells have room for; empty: their own texts
     bool operator==(const Row&) const = default;
   };
-  explicit FigureTable(const QStringList& header, QWidget* parent = nullptr);
+  explicit ValueTable(const QStringList& header, QWidget* parent = nullptr);
 
   void setRows(const std::vector<Row>& rows);
   const std::vector<Row>& rows() const { return rows_; }

@@ -1,4 +1,4 @@
-#include "app/widgets/FigureTable.h"
+#include "app/widgets/ValueTable.h"
 
 #include "app/style/Theme.h"
 
@@ -18,7 +18,7 @@ QString quoted(QString field) {
 
 } // namespace
 
-FigureTable::FigureTable(const QStringList& header, QWidget* parent) : QTreeWidget(parent), header_(header) {
+ValueTable::ValueTable(const QStringList& header, QWidget* parent) : QTreeWidget(parent), header_(header) {
   setColumnCount(static_cast<int>(header.size()));
   setHeaderLabels(header);
   setAccessibleName(tr("Table: %1").arg(header.join(QStringLiteral(", "))));
@@ -40,7 +40,7 @@ FigureTable::FigureTable(const QStringList& header, QWidget* parent) : QTreeWidg
   }
 }
 
-void FigureTable::setRows(const std::vector<Row>& rows) {
+void ValueTable::setRows(const std::vector<Row>& rows) {
   if (rows == rows_) return;
   rows_ = rows;
   const int count = static_cast<int>(rows.size());
@@ -63,13 +63,13 @@ void FigureTable::setRows(const std::vector<Row>& rows) {
   }
 }
 
-std::vector<QStringList> FigureTable::lines() const {
+std::vector<QStringList> ValueTable::lines() const {
   std::vector<QStringList> lines{header_};
   for (const Row& row : rows_) lines.push_back(row.cells);
   return lines;
 }
 
-QString FigureTable::csv() const {
+QString ValueTable::csv() const {
   QString text;
   for (const QStringList& line : lines()) {
     QStringList fields;
@@ -79,7 +79,7 @@ QString FigureTable::csv() const {
   return text;
 }
 
-QString FigureTable::text() const {
+QString ValueTable::text() const {
   std::vector<qsizetype> widths(static_cast<std::size_t>(columnCount()), 0);
   for (const QStringList& line : lines())
     for (qsizetype column = 0; column < line.size(); ++column)

@@ -1,4 +1,4 @@
-// Where the figures of frames that are not on show have come to.
+// Where the metrics of frames that are not on show have come to.
 #pragma once
 
 #include "core/measure/FlickerRows.h"
@@ -9,7 +9,7 @@ namespace taa {
 
 /// Worth nothing once what frames are a function of has changed. The reference is of one frame: those of
 /// frames on show stay where they are.
-struct FigureCursor {
+struct MetricCursor {
   TraceCursor trace;
   References references;
   FlickerWindow flicker;

@@ -1,4 +1,4 @@
-#include "core/jobs/idle/FigureMeasuring.h"
+#include "core/jobs/idle/MetricMeasuring.h"
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
@@ -13,28 +13,28 @@ namespace {
 
 constexpr int kFramesInARow = 8; ///< since each goes on from the one before
 
-bool isOverTimeFigure(Figure figure) {
-  return figureInfo(figure).isOverTime;
+bool isOverTimeMetric(Metric metric) {
+  return metricInfo(metric).isOverTime;
 }
 
-bool needsReferenceFor(Figure figure) {
-  return figureInfo(figure).needsReference;
+bool needsReferenceFor(Metric metric) {
+  return metricInfo(metric).needsReference;
 }
 
 // Where each takes many frames before it the first of a row is dear.
-int framesInARow(const std::vector<Figure>& wanted) {
-  return std::ranges::any_of(wanted, isOverTimeFigure) ? 4 * kFlickerFrames : kFramesInARow;
+int framesInARow(const std::vector<Metric>& wanted) {
+  return std::ranges::any_of(wanted, isOverTimeMetric) ? 4 * kFlickerFrames : kFramesInARow;
 }
 
 } // namespace
 
-void FigureMeasuring::take(const request::SetFigures& wanted) {
-  wanted_.figures = wanted.figures;
+void MetricMeasuring::take(const request::SetMetrics& wanted) {
+  wanted_.metrics = wanted.metrics;
   deliveredOf_ = {};
   forget();
 }
 
-void FigureMeasuring::forget() {
+void MetricMeasuring::forget() {
   shotVersion_ = desk_.shotVersion();
   known_.clear();
   row_.reset();
@@ -42,54 +42,54 @@ void FigureMeasuring::forget() {
   isStopped_ = false;
 }
 
-void FigureMeasuring::settle() {
+void MetricMeasuring::settle() {
   if (shotVersion_ != desk_.shotVersion()) forget();
   endIfDone();
 }
 
-void FigureMeasuring::deliver() {
+void MetricMeasuring::deliver() {
   const std::pair now(desk_.version(), desk_.referenceVersion);
-  if (wanted_.figures.empty() || deliveredOf_ == now) return;
+  if (wanted_.metrics.empty() || deliveredOf_ == now) return;
   deliveredOf_ = now; // also when it fails: once is enough to tell
-  desk_.attempt(RequestKind::Figures, [this] {
+  desk_.attempt(RequestKind::Metrics, [this] {
     const int lanes = desk_.inspector.shot().laneCount();
-    for (int lane = 0; lane < lanes; ++lane) tell(desk_.inspector.metrics().figures(wanted_.figures, lane));
+    for (int lane = 0; lane < lanes; ++lane) tell(desk_.inspector.metrics().measure(wanted_.metrics, lane));
   });
 }
 
-bool FigureMeasuring::isWhole(const FrameFigures& figures) const {
+bool MetricMeasuring::isWhole(const FrameMetrics& metrics) const {
   const int samples = wanted_.referenceSamples;
-  if (std::ranges::any_of(wanted_.figures, needsReferenceFor) && figures.referenceSamples != samples)
+  if (std::ranges::any_of(wanted_.metrics, needsReferenceFor) && metrics.referenceSamples != samples)
     return false;
-  return std::ranges::none_of(wanted_.figures, [&](Figure figure) {
-    const int needed = figureInfo(figure).needsReference ? samples : 0;
-    return isOverTimeFigure(figure) && figures.flickerSamples.value_or(-1) < needed;
+  return std::ranges::none_of(wanted_.metrics, [&](Metric metric) {
+    const int needed = metricInfo(metric).needsReference ? samples : 0;
+    return isOverTimeMetric(metric) && metrics.flickerSamples.value_or(-1) < needed;
   });
 }
 
-void FigureMeasuring::tell(FrameFigures figures) {
-  if (figures.lane == 0 && figures.exact && isWhole(figures)) known_.insert(figures.frame);
-  figures.shotVersion = desk_.shotVersion();
-  desk_.tell(RequestKind::Figures, std::move(figures));
+void MetricMeasuring::tell(FrameMetrics metrics) {
+  if (metrics.lane == 0 && metrics.exact && isWhole(metrics)) known_.insert(metrics.frame);
+  metrics.shotVersion = desk_.shotVersion();
+  desk_.tell(RequestKind::Metrics, std::move(metrics));
 }
 
-bool FigureMeasuring::isMissing(int frame) const {
+bool MetricMeasuring::isMissing(int frame) const {
   const auto [first, last] = transport_.frames();
   return frame >= first && frame <= last && !known_.contains(frame);
 }
 
 // Of those before it as many as one way brings along.
-int FigureMeasuring::firstOfRow(int frame) const {
+int MetricMeasuring::firstOfRow(int frame) const {
   const int now = desk_.inspector.shot().frame();
   int first = frame;
-  while (frame < now && frame - first + 1 < framesInARow(wanted_.figures) && isMissing(first - 1)) --first;
+  while (frame < now && frame - first + 1 < framesInARow(wanted_.metrics) && isMissing(first - 1)) --first;
   return first;
 }
 
-// The next frame whose figures are missing: of those that are played the nearest to the one on show, and what
+// The next frame whose metrics are missing: of those that are played the nearest to the one on show, and what
 // is missing right behind it.
-std::optional<int> FigureMeasuring::frame() const {
-  if (wanted_.figures.empty() || isStopped_ || shotVersion_ != desk_.shotVersion() || !desk_.isOpen() ||
+std::optional<int> MetricMeasuring::frame() const {
+  if (wanted_.metrics.empty() || isStopped_ || shotVersion_ != desk_.shotVersion() || !desk_.isOpen() ||
       transport_.isPlaying())
     return {};
   const int now = desk_.inspector.shot().frame();
@@ -103,25 +103,25 @@ std::optional<int> FigureMeasuring::frame() const {
   return {};
 }
 
-void FigureMeasuring::step() {
+void MetricMeasuring::step() {
   const int frame = *this->frame();
   const int now = desk_.inspector.shot().frame();
   if (!row_ || around_ != now || frame < row_->first || frame > row_->second) {
-    row_ = {frame, frame + framesInARow(wanted_.figures) - 1};
+    row_ = {frame, frame + framesInARow(wanted_.metrics) - 1};
     around_ = now;
   }
   const auto [first, last] = transport_.frames();
   const auto done = std::ranges::count_if(
       known_, [from = first, to = last](int known) { return known >= from && known <= to; });
   isTold_ = true;
-  desk_.tellWork(WorkKind::Figures, say<"Measuring the frames">(), static_cast<int>(done), last - first + 1);
+  desk_.tellWork(WorkKind::Metrics, say<"Measuring the frames">(), static_cast<int>(done), last - first + 1);
   const auto goesOn = [this](std::string_view, int, int) {
     return !desk_.waiting().any() && !thumbnails_.isDue(); // they come first, too
   };
-  const bool isDone = desk_.attempt(RequestKind::Figures, [&] {
+  const bool isDone = desk_.attempt(RequestKind::Metrics, [&] {
     try {
-      tell(desk_.inspector.metrics().figuresBeside(frame, wanted_.figures, wanted_.referenceSamples, cursor_,
-                                                   goesOn));
+      tell(desk_.inspector.metrics().measureFrame(frame, wanted_.metrics, wanted_.referenceSamples, cursor_,
+                                                  goesOn));
     } catch (const Cancelled&) { // goes on later
     }
   });
@@ -130,7 +130,7 @@ void FigureMeasuring::step() {
 }
 
 // There is nothing more to measure.
-void FigureMeasuring::endIfDone() {
+void MetricMeasuring::endIfDone() {
   if (!isTold_ || frame()) return;
   isTold_ = false;
   if (!transport_.isPlaying()) cursor_ = {}; // else it goes on soon

@@ -1,4 +1,4 @@
-// A figure of each frame of the shot, as far as it was measured, as long as it is true.
+// A metric of each frame of the shot, as far as it was measured, as long as it is true.
 #pragma once
 
 #include "app/models/TimelineStrip.h"
@@ -9,18 +9,18 @@
 
 namespace taa::app {
 
-class FigureHistory {
+class MetricSeries {
  public:
   /// Drops all that is known when frames are a function of something else now (Status::shotVersion); true: so
   /// it was.
   bool setShotVersion(std::uint64_t shotVersion);
   /// Takes what is exact, of the first lane; false: nothing of it.
-  bool add(const FrameFigures& figures);
-  TimelineStrip strip(Figure figure, int frameCount) const;
+  bool add(const FrameMetrics& metrics);
+  TimelineStrip strip(Metric metric, int frameCount) const;
 
  private:
   std::uint64_t shotVersion_ = 0;
-  std::map<int, FrameFigures> known_;
+  std::map<int, FrameMetrics> known_;
 };
 
 } // namespace taa::app

@@ -1,4 +1,4 @@
-// Figures of the frames that are not on show, measured in idle time on the render thread.
+// Metrics of the frames that are not on show, measured in idle time on the render thread.
 #include "tests/support/RenderRecorder.h"
 
 #include "core/inspect/Inspector.h"
@@ -10,37 +10,37 @@
 #include <utility>
 #include <vector>
 
-using taa::Figure;
-using taa::FrameFigures;
+using taa::FrameMetrics;
 using taa::IntermediateId;
+using taa::Metric;
 using taa::test::onThread::viewOf;
 
 namespace {
 
 constexpr auto kWork = "Measuring the frames";
 constexpr int kSamples = 4;
-const std::vector<Figure> kWanted{Figure::MeanAlpha, Figure::Clipped, Figure::Rmse, Figure::Psnr};
+const std::vector<Metric> kWanted{Metric::MeanAlpha, Metric::Clipped, Metric::Rmse, Metric::Psnr};
 
-class RenderFiguresTest : public taa::test::onThread::RenderThreadTest {
+class RenderMetricsTest : public taa::test::onThread::RenderThreadTest {
  protected:
   /// Those that are whole, in the order they came.
-  std::vector<FrameFigures> whole() {
-    std::vector<FrameFigures> figures;
-    for (const FrameFigures& one : recorder.figures)
-      if (one.exact && one.at(Figure::Rmse)) figures.push_back(one);
-    return figures;
+  std::vector<FrameMetrics> whole() {
+    std::vector<FrameMetrics> metrics;
+    for (const FrameMetrics& one : recorder.metrics)
+      if (one.exact && one.at(Metric::Rmse)) metrics.push_back(one);
+    return metrics;
   }
   void measure(int first, int last, int frame) {
     thread->post(taa::request::SetReferenceSamples{kSamples});
     thread->post(taa::request::SetPlayback{{.range = std::pair(first, last)}});
     thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
-    thread->post(taa::request::SetFigures{kWanted});
+    thread->post(taa::request::SetMetrics{kWanted});
   }
 };
 
-/// The frame's figures where somebody goes there, from an inspector of its own thread's context.
-FrameFigures visited(const taa::Status& status, int frame) {
+/// The frame's metrics where somebody goes there, from an inspector of its own thread's context.
+FrameMetrics visited(const taa::Status& status, int frame) {
   const auto make = [&] {
     taa::Inspector inspector;
     inspector.shot().setSize(status.width, status.height);
@@ -48,31 +48,31 @@ FrameFigures visited(const taa::Status& status, int frame) {
     inspector.shot().open(status.source);
     inspector.shot().seek(frame);
     inspector.reference().refine(kSamples);
-    return inspector.metrics().figures(kWanted);
+    return inspector.metrics().measure(kWanted);
   };
   return std::async(std::launch::async, make).get();
 }
 
 } // namespace
 
-TEST_F(RenderFiguresTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) {
+TEST_F(RenderMetricsTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) {
   measure(6, 22, 15);
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
-  const std::vector<FrameFigures> figures = whole();
+  const std::vector<FrameMetrics> metrics = whole();
   std::set<int> frames;
-  for (const FrameFigures& one : figures) frames.insert(one.frame);
+  for (const FrameMetrics& one : metrics) frames.insert(one.frame);
   EXPECT_EQ(frames.size(), 17u);
   EXPECT_EQ(*frames.begin(), 6);
   EXPECT_EQ(*frames.rbegin(), 22);
-  EXPECT_EQ(figures.size(), frames.size()) << "each once";
-  EXPECT_EQ(figures.front().frame, 15);
+  EXPECT_EQ(metrics.size(), frames.size()) << "each once";
+  EXPECT_EQ(metrics.front().frame, 15);
   for (std::size_t index = 0; index < 9; ++index)
-    EXPECT_LE(std::abs(figures[index].frame - 15), 8) << "the nearest first";
-  for (const FrameFigures& one : figures)
+    EXPECT_LE(std::abs(metrics[index].frame - 15), 8) << "the nearest first";
+  for (const FrameMetrics& one : metrics)
     if (one.frame % 5 == 1) {
-      const FrameFigures there = visited(recorder.statuses.back(), one.frame);
-      for (const Figure figure : kWanted) EXPECT_EQ(one.at(figure), there.at(figure)) << one.frame;
+      const FrameMetrics there = visited(recorder.statuses.back(), one.frame);
+      for (const Metric metric : kWanted) EXPECT_EQ(one.at(metric), there.at(metric)) << one.frame;
     }
   for (const taa::ViewResult& picture : recorder.pictures)
     EXPECT_EQ(picture.frame, 15) << "what is shown stays";
@@ -83,7 +83,7 @@ TEST_F(RenderFiguresTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) 
   EXPECT_TRUE(recorder.errors.empty());
 }
 
-TEST_F(RenderFiguresTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
+TEST_F(RenderMetricsTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 3 || asked) return;
@@ -97,25 +97,25 @@ TEST_F(RenderFiguresTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   EXPECT_EQ(recorder.probes.size(), 1u);
   EXPECT_LT(whole().size(), 6u);
   EXPECT_TRUE(recorder.works.back().what.empty());
-  thread->post(taa::request::SetFigures{{Figure::MeanAlpha}}); // asked again: from the beginning
+  thread->post(taa::request::SetMetrics{{Metric::MeanAlpha}}); // asked again: from the beginning
   thread->waitUntilIdle();
-  EXPECT_TRUE(std::ranges::any_of(recorder.figures, [](const FrameFigures& one) { return one.frame == 60; }));
+  EXPECT_TRUE(std::ranges::any_of(recorder.metrics, [](const FrameMetrics& one) { return one.frame == 60; }));
 }
 
-TEST_F(RenderFiguresTest, NothingIsMeasuredWhileItPlays) {
+TEST_F(RenderMetricsTest, NothingIsMeasuredWhileItPlays) {
   thread->post(taa::request::SetPlayback{{.range = std::pair(0, 40)}});
   thread->post(taa::request::SetPlaying{true});
-  thread->post(taa::request::SetFigures{{Figure::MeanAlpha}});
-  ASSERT_TRUE(recorder.waitFor([&] { return recorder.figures.size() > 6; }));
+  thread->post(taa::request::SetMetrics{{Metric::MeanAlpha}});
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.metrics.size() > 6; }));
   recorder.read([&] {
     for (const taa::Work& work : recorder.works) EXPECT_NE(work.what, kWork);
   });
   thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();
   std::set<int> frames;
-  for (const FrameFigures& one : recorder.figures) frames.insert(one.frame);
+  for (const FrameMetrics& one : recorder.metrics) frames.insert(one.frame);
   EXPECT_EQ(frames.size(), 41u) << "those that were played are known";
   std::vector<int> times(41, 0);
-  for (const FrameFigures& one : recorder.figures) ++times[static_cast<std::size_t>(one.frame)];
+  for (const FrameMetrics& one : recorder.metrics) ++times[static_cast<std::size_t>(one.frame)];
   EXPECT_LT(std::ranges::count_if(times, [](int count) { return count > 1; }), 41);
 }

@@ -1,4 +1,4 @@
-// Delivers figures of each frame on show, and measures those of the other frames while nothing else is to be
+// Delivers metrics of each frame on show, and measures those of the other frames while nothing else is to be
 // done.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include "core/jobs/Transport.h"
 #include "core/jobs/Wanted.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
-#include "core/measure/FigureCursor.h"
+#include "core/measure/MetricCursor.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace taa {
 
-class FigureMeasuring final : public Job {
+class MetricMeasuring final : public Job {
  public:
-  FigureMeasuring(Desk& desk, const Transport& transport, Wanted& wanted, ThumbnailDrawing& thumbnails)
+  MetricMeasuring(Desk& desk, const Transport& transport, Wanted& wanted, ThumbnailDrawing& thumbnails)
       : desk_(desk), transport_(transport), wanted_(wanted), thumbnails_(thumbnails) {}
 
-  void take(const request::SetFigures& wanted);
+  void take(const request::SetMetrics& wanted);
   void take(const request::SetReferenceSamples&) { forget(); }
   void take(const request::Cancel&) { isStopped_ = true; }
   void settle() override;
@@ -37,8 +37,8 @@ class FigureMeasuring final : public Job {
   std::optional<int> frame() const;
   bool isMissing(int frame) const;
   int firstOfRow(int frame) const;
-  void tell(FrameFigures figures);
-  bool isWhole(const FrameFigures& figures) const;
+  void tell(FrameMetrics metrics);
+  bool isWhole(const FrameMetrics& metrics) const;
   void endIfDone();
 
   Desk& desk_;
@@ -47,10 +47,10 @@ class FigureMeasuring final : public Job {
   ThumbnailDrawing& thumbnails_;
   std::pair<std::uint64_t, std::uint64_t> deliveredOf_; // versions of frame and reference
   std::uint64_t shotVersion_ = 0;                       // what follows is of this one
-  std::set<int> known_;                                 // frames whose figures are whole
+  std::set<int> known_;                                 // frames whose metrics are whole
   std::optional<std::pair<int, int>> row_;              // frames that are measured one after the other
   int around_ = 0;                                      // the frame on show when that was decided
-  FigureCursor cursor_;
+  MetricCursor cursor_;
   bool isStopped_ = false; // cancelled or failed
   bool isTold_ = false;    // somebody was told that it is under way
 };

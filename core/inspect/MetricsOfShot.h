@@ -8,26 +8,26 @@
 
 namespace taa {
 
-struct FigureCursor;
 class FlickerOfShot;
+struct MetricCursor;
 class ReferenceOfShot;
 class References;
 class ShotPlayer;
 class Views;
 
-class FrameMetrics {
+class MetricsOfShot {
  public:
   /// Of rows that views show, against the reference, and over time. `references`: those of all frames.
-  FrameMetrics(ShotPlayer& player, Views& views, ReferenceOfShot& reference, FlickerOfShot& flicker,
-               const References& references);
+  MetricsOfShot(ShotPlayer& player, Views& views, ReferenceOfShot& reference, FlickerOfShot& flicker,
+                const References& references);
 
-  /// Figures of the frame on show; those against a reference and over time stay empty where there is none.
-  FrameFigures figures(const std::vector<Figure>& wanted, int lane = 0);
+  /// Metrics of the frame on show; those against a reference and over time stay empty where there is none.
+  FrameMetrics measure(const std::vector<Metric>& wanted, int lane = 0);
   /// The same of any frame, exactly, of the first lane, against a reference of so many samples; what is on
   /// show stays. Frame after frame costs one frame each, and its reference. Cancelled: goes on from there
   /// when it is asked again.
-  FrameFigures figuresBeside(int frame, const std::vector<Figure>& wanted, int samples, FigureCursor& cursor,
-                             const Progress& progress = {});
+  FrameMetrics measureFrame(int frame, const std::vector<Metric>& wanted, int samples, MetricCursor& cursor,
+                            const Progress& progress = {});
 
  private:
   ShotPlayer& player_;
