@@ -154,9 +154,11 @@ glm::vec3 decompress(const glm::vec3& color, const BlendSettings& blend) {
   return decompress(color, sameCurve(blend.tone));
 }
 
-glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
-  const glm::vec3 c = compress(color, space.tone);
-  switch (space.color) {
+namespace {
+
+/// The chosen axes (manual §9), and back.
+glm::vec3 toAxes(const glm::vec3& c, ColorSpace space) {
+  switch (space) {
   case ColorSpace::Rgb:
     return c;
   case ColorSpace::YCoCg:
@@ -180,32 +182,37 @@ glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
   return c;
 }
 
-glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
-  const auto& [y, first, second] = std::array{box.x, box.y, box.z};
-  glm::vec3 c = box;
-  switch (space.color) {
+glm::vec3 fromAxes(const glm::vec3& axes, ColorSpace space) {
+  const auto& [y, first, second] = std::array{axes.x, axes.y, axes.z};
+  switch (space) {
   case ColorSpace::Rgb:
     break;
   case ColorSpace::YCoCg:
-    c = {(y + first) - second, y + second, (y - first) - second};
-    break;
+    return {(y + first) - second, y + second, (y - first) - second};
   case ColorSpace::YCoCgAsPrinted: // D7: clamped, compressed or not
-    c = {saturated((y + first) - second), saturated(y + second), saturated((y - first) - second)};
-    break;
+    return {saturated((y + first) - second), saturated(y + second), saturated((y - first) - second)};
   case ColorSpace::YCoCgLifting: {
     const float t = y - 0.5f * second;
     const float blue = t - 0.5f * first;
-    c = {blue + first, second + t, blue};
-    break;
+    return {blue + first, second + t, blue};
   }
   case ColorSpace::YCbCr: {
     const float red = y + 1.5748f * second;
     const float blue = y + 1.8556f * first;
-    c = {red, ((y - 0.2126f * red) - 0.0722f * blue) / 0.7152f, blue};
-    break;
+    return {red, ((y - 0.2126f * red) - 0.0722f * blue) / 0.7152f, blue};
   }
   }
-  return decompress(c, space.tone);
+  return axes;
+}
+
+} // namespace
+
+glm::vec3 toBox(const glm::vec3& color, const SpaceSettings& space) {
+  return toAxes(compress(color, space.tone), space.color);
+}
+
+glm::vec3 fromBox(const glm::vec3& box, const SpaceSettings& space) {
+  return decompress(fromAxes(box, space.color), space.tone);
 }
 
 SpaceSettings withoutClamp(const SpaceSettings& space) {

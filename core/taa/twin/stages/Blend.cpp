@@ -20,8 +20,19 @@ float blendFactor(float alpha, float toneWeightCurrent, float toneWeightHistory,
 
 /// 1/(1 + L); as printed (D19) of the color divided by 1 + its largest channel.
 float toneWeight(const glm::vec3& color, ToneWeight tone) {
-  if (tone == ToneWeight::Luma) return 1.0f / (1.0f + luma(color));
-  if (tone == ToneWeight::LumaAsPrinted) return 1.0f / (1.0f + luma(compress(color, ToneSpace::MaxChannel)));
+  switch (tone) {
+  case ToneWeight::Luma:
+    return 1.0f / (1.0f + luma(color));
+  case ToneWeight::LumaAsPrinted:
+    return 1.0f / (1.0f + luma(compress(color, ToneSpace::MaxChannel)));
+  case ToneWeight::None:
+  case ToneWeight::ReinhardChannel: // what compresses does not weigh
+  case ToneWeight::MaxChannel:
+  case ToneWeight::Pq:
+  case ToneWeight::Logarithm:
+  case ToneWeight::WhitePoint:
+    break;
+  }
   return 1.0f;
 }
 
@@ -73,25 +84,41 @@ float asStored(const HistorySettings& settings, float x, const BlendInputs& mix,
   return x;
 }
 
+/// What is left of a sample's variance.
+float varianceAfter(float alpha, float before) {
+  const float rest = 1.0f - alpha;
+  return alpha * alpha + (rest * rest) / before;
+}
+
+/// As Godot counts: the first frame of all is not counted, and what decayed goes on from there.
+float countedTo16(const BlendInputs& mix, bool decays) {
+  if (mix.isFirst) return 0.0f;
+  const float sum = mix.historyLength + mix.confidence;
+  const float counted = sum < 16.0f ? sum : 16.0f;
+  return mix.alpha >= 1.0f && !decays ? 1.0f : counted;
+}
+
 /// N after the frame (manual §16), of a sample of confidence κ.
 float lengthAfter(const Settings& settings, const BlendInputs& mix) {
   const LengthRule rule = settings.blend.length;
   const float alpha = mix.alpha, before = mix.historyLength, confidence = mix.confidence;
-  if (rule == LengthRule::CountTo16) {
-    if (mix.isFirst) return 0.0f;
-    const float counted = before + confidence < 16.0f ? before + confidence : 16.0f;
-    return alpha >= 1.0f && settings.validate.action != RejectAction::Decay ? 1.0f : counted;
-  }
-  if (alpha >= 1.0f) return 1.0f;
-  if (rule == LengthRule::Reciprocal) {
+  if (alpha >= 1.0f && rule != LengthRule::CountTo16) return 1.0f;
+  switch (rule) {
+  case LengthRule::Variance:
+    return 1.0f / varianceAfter(alpha, before);
+  case LengthRule::Count:
+    return before + confidence;
+  case LengthRule::VarianceAsPrinted:
+    return varianceAfter(alpha, before);
+  case LengthRule::Confidence:
+    return confidenceAfter(before, mix.motion);
+  case LengthRule::Reciprocal:
     if (!(alpha > 1e-6f)) return before;
     return confidence / alpha > 1.0f ? confidence / alpha : 1.0f;
+  case LengthRule::CountTo16:
+    return countedTo16(mix, settings.validate.action == RejectAction::Decay);
   }
-  if (rule == LengthRule::Confidence) return confidenceAfter(before, mix.motion);
-  if (rule == LengthRule::Count) return before + confidence;
-  const float rest = 1.0f - alpha;
-  const float variance = alpha * alpha + (rest * rest) / before;
-  return rule == LengthRule::VarianceAsPrinted ? variance : 1.0f / variance;
+  return before;
 }
 
 } // namespace

@@ -93,6 +93,12 @@ glm::vec3 weightedSamples(const Inputs& inputs, const CurrentSettings& settings,
   return std::fabs(sum) > 1e-4f ? center + difference / sum : center;
 }
 
+/// The tap where the pixel's center landed (7.1); as printed on the other side (D10).
+glm::vec3 unjitteredTap(const Inputs& inputs, CurrentFilter chosen, const glm::ivec2& pixel) {
+  return tapAt(inputs, pixel,
+               chosen == CurrentFilter::UnjitterAsPrinted ? -inputs.jitterPx : inputs.jitterPx);
+}
+
 /// The Laplacian of the four around added (18.2): corrected f + s(f − mean₄), or as printed 5s f − s Σ₄.
 glm::vec3 sharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel,
                            const glm::vec3& color) {
@@ -157,16 +163,27 @@ glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, 
 }
 
 glm::vec3 unsharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {
-  if (settings.filter == CurrentFilter::Center) return currentColor(inputs, pixel);
-  if (settings.filter == CurrentFilter::Unjitter) return tapAt(inputs, pixel, inputs.jitterPx);
-  if (settings.filter == CurrentFilter::UnjitterAsPrinted)
-    return tapAt(inputs, pixel, -inputs.jitterPx); // D10
-  const bool mayRing = settings.filter == CurrentFilter::Mitchell ||
-                       settings.filter == CurrentFilter::CatmullRom ||
-                       settings.filter == CurrentFilter::Lanczos;
-  glm::vec3 color = weightedSamples(inputs, settings, pixel);
-  if (mayRing && settings.dering == Switch::On) color = boundedBySamples(inputs, pixel, color);
-  return storable(color); // negative weights overshoot both ways
+  const auto weighted = [&] { return weightedSamples(inputs, settings, pixel); };
+  switch (settings.filter) {
+  case CurrentFilter::Center:
+    break;
+  case CurrentFilter::Unjitter:
+  case CurrentFilter::UnjitterAsPrinted:
+    return unjitteredTap(inputs, settings.filter, pixel);
+  case CurrentFilter::Mitchell: // negative weights overshoot both ways
+  case CurrentFilter::CatmullRom:
+  case CurrentFilter::Lanczos:
+    return storable(settings.dering == Switch::On ? boundedBySamples(inputs, pixel, weighted()) : weighted());
+  case CurrentFilter::Gaussian:
+  case CurrentFilter::Tent:
+  case CurrentFilter::Box:
+  case CurrentFilter::BlackmanHarris:
+  case CurrentFilter::DistanceAsPrinted:
+  case CurrentFilter::MitchellAsPrinted:
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+    return storable(weighted());
+  }
+  return currentColor(inputs, pixel);
 }
 
 glm::vec3 filterCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& pixel) {

@@ -4,7 +4,6 @@
 #include "core/taa/twin/stages/Upsample.h"
 
 #include <array>
-#include <cstdlib>
 #include <vector>
 
 namespace taa::twin {
@@ -19,20 +18,25 @@ namespace {
 /// Steps to the neighbors that are asked, in the order in which a tie is decided: row by row, and in Raptor's
 /// loop column by column.
 std::vector<glm::ivec2> candidates(DilateMethod method) {
-  if (method == DilateMethod::Closest3x3AsPrinted)
+  switch (method) {
+  case DilateMethod::None: // these two do not ask for any
+  case DilateMethod::ClosestXAsPrinted:
+    return {};
+  case DilateMethod::Closest3x3AsPrinted:
     return {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}};
-  if (method == DilateMethod::ClosestX2) return {{-2, -2}, {2, -2}, {0, 0}, {-2, 2}, {2, 2}};
-  const bool isCross = method == DilateMethod::ClosestCross || method == DilateMethod::LongestCross;
-  std::vector<glm::ivec2> steps;
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) {
-      const int distance = std::abs(dx) + std::abs(dy);
-      if (isCross && distance > 1) continue;
-      if (method == DilateMethod::ClosestX && distance == 1) continue;
-      steps.emplace_back(dx, dy);
-    }
+  case DilateMethod::ClosestCross:
+  case DilateMethod::LongestCross:
+    return {{0, -1}, {-1, 0}, {0, 0}, {1, 0}, {0, 1}};
+  case DilateMethod::ClosestX:
+    return {{-1, -1}, {1, -1}, {0, 0}, {-1, 1}, {1, 1}};
+  case DilateMethod::ClosestX2:
+    return {{-2, -2}, {2, -2}, {0, 0}, {-2, 2}, {2, 2}};
+  case DilateMethod::Closest3x3:
+  case DilateMethod::Longest3x3:
+  case DilateMethod::Farthest3x3:
+    return {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
   }
-  return steps;
+  return {};
 }
 
 /// The nearest of them, 4.1 to 4.4, or the farthest. Reversed depth: larger is nearer. Starts from what

@@ -14,14 +14,31 @@ namespace {
 enum class Set { Square, Cross, X };
 
 bool belongs(Set set, int dx, int dy) {
-  if (set == Set::Cross) return std::abs(dx) + std::abs(dy) <= 1;
-  return set == Set::Square || std::abs(dx) == std::abs(dy);
+  switch (set) {
+  case Set::Square:
+    return true;
+  case Set::Cross:
+    return std::abs(dx) + std::abs(dy) <= 1;
+  case Set::X:
+    return std::abs(dx) == std::abs(dy);
+  }
+  return false;
 }
 
 Set setOf(NeighborhoodShape shape, int frame) {
-  if (shape == NeighborhoodShape::X) return Set::X;
-  if (shape == NeighborhoodShape::Cross) return Set::Cross;
-  if (shape == NeighborhoodShape::Alternate) return frame % 2 == 0 ? Set::Cross : Set::X;
+  switch (shape) {
+  case NeighborhoodShape::X:
+    return Set::X;
+  case NeighborhoodShape::Cross:
+    return Set::Cross;
+  case NeighborhoodShape::Alternate:
+    return frame % 2 == 0 ? Set::Cross : Set::X;
+  case NeighborhoodShape::Square3x3:
+  case NeighborhoodShape::Rounded: // the bounds of five come later
+  case NeighborhoodShape::Varying: // these two have members of their own
+  case NeighborhoodShape::Pairs:
+    break;
+  }
   return Set::Square;
 }
 
@@ -187,11 +204,17 @@ void boundByMoments(BoxKind kind, Neighborhood& n) {
 
 float momentWeight(const Settings& settings, const NeighborhoodSample& member) {
   constexpr std::array kByDistance{1.0f, 0.47236655f, 0.22313016f}; // exp(−¾ r²)
-  const MomentWeights weights = settings.neighborhood.weights;
-  if (weights == MomentWeights::BoxLuma)
+  switch (settings.neighborhood.weights) {
+  case MomentWeights::Equal:
+    return 1.0f;
+  case MomentWeights::Luma:
+    return 1.0f / (1.0f + luma(member.color));
+  case MomentWeights::Distance:
+    return kByDistance[member.distance];
+  case MomentWeights::BoxLuma:
     return 1.0f / (1.0f + boxLuma(toBox(member.color, settings.space), settings.space));
-  if (weights == MomentWeights::Luma) return 1.0f / (1.0f + luma(member.color));
-  return weights == MomentWeights::Distance ? kByDistance[member.distance] : 1.0f;
+  }
+  return 1.0f;
 }
 
 Neighborhood measureNeighborhood(const Inputs& inputs, const Settings& settings,

@@ -35,6 +35,16 @@ glm::vec3 sharpenedByLuma(const Nine& c, float amount) {
   return (1.0f - amount * ((sum / 9.0f) / center)) * c[4];
 }
 
+/// By the mean of the four around (manual 18.3).
+glm::vec3 sharpenedByLaplacian(const Nine& c, float amount) {
+  return c[4] - amount * (differences(c, kCross) / 4.0f);
+}
+
+/// By that of all nine (manual 18.3).
+glm::vec3 unsharpMasked(const Nine& c, float amount) {
+  return c[4] - amount * ((differences(c, kCross) + differences(c, kCorners)) / 9.0f);
+}
+
 glm::vec3 sharpenedByRcas(const Nine& c, float amount) {
   const Nine t = compressMax(c);
   const float lobe = rcasLobe(t, amount);
@@ -73,6 +83,36 @@ glm::vec3 sharpenedInLogarithms(const Nine& c, float amount) {
 glm::vec3 reconstructed(const Nine& c, float amount) {
   const float b = amount / 6.0f;
   return c[4] + ((b * b) * differences(c, kCorners) - (b * (1.0f + 2.0f * b)) * differences(c, kCross));
+}
+
+/// 1/18, 8/9, 1/18 each way (manual 6.6).
+glm::vec3 mitchellFiltered(const Nine& c) {
+  return c[4] + (differences(c, kCorners) + 16.0f * differences(c, kCross)) / 324.0f;
+}
+
+glm::vec3 sharpenedBy(const OutputSettings& settings, const Nine& c, const Nine& current) {
+  const float k = settings.amount;
+  switch (settings.sharpen) {
+  case Sharpen::None:
+    break;
+  case Sharpen::LumaRatio:
+    return sharpenedByLuma(c, k);
+  case Sharpen::Laplacian:
+    return sharpenedByLaplacian(c, k);
+  case Sharpen::Unsharp:
+    return unsharpMasked(c, k);
+  case Sharpen::Rcas:
+    return sharpenedByRcas(c, k);
+  case Sharpen::InResolve:
+    return brightenedInResolve(c, current, k);
+  case Sharpen::Logarithm:
+    return sharpenedInLogarithms(c, k);
+  case Sharpen::Reconstruct:
+    return reconstructed(c, k);
+  case Sharpen::Mitchell:
+    return mitchellFiltered(c);
+  }
+  return c[4];
 }
 
 glm::vec3 deringed(const glm::vec3& color, const Nine& c) {
@@ -174,18 +214,7 @@ glm::vec3 meanInResolve(const std::array<glm::vec3, 9>& current) {
 glm::vec3 sharpen(const OutputSettings& settings, const std::array<glm::vec3, 9>& c,
                   const std::array<glm::vec3, 9>& current) {
   if (settings.sharpen == Sharpen::None) return c[4];
-  const float k = settings.amount;
-  glm::vec3 result = c[4];
-  if (settings.sharpen == Sharpen::LumaRatio) result = sharpenedByLuma(c, k);
-  if (settings.sharpen == Sharpen::Laplacian) result = c[4] - k * (differences(c, kCross) / 4.0f);
-  if (settings.sharpen == Sharpen::Unsharp)
-    result = c[4] - k * ((differences(c, kCross) + differences(c, kCorners)) / 9.0f);
-  if (settings.sharpen == Sharpen::Rcas) result = sharpenedByRcas(c, k);
-  if (settings.sharpen == Sharpen::InResolve) result = brightenedInResolve(c, current, k);
-  if (settings.sharpen == Sharpen::Logarithm) result = sharpenedInLogarithms(c, k);
-  if (settings.sharpen == Sharpen::Reconstruct) result = reconstructed(c, k);
-  if (settings.sharpen == Sharpen::Mitchell)
-    result = c[4] + (differences(c, kCorners) + 16.0f * differences(c, kCross)) / 324.0f;
+  const glm::vec3 result = sharpenedBy(settings, c, current);
   return storable(settings.dering == Switch::On ? deringed(result, c) : result);
 }
 

@@ -4,13 +4,32 @@
 #include <cmath>
 
 namespace taa::twin {
+namespace {
 
-float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx) {
-  if (unit == SpeedUnit::Pixels) return speed;
-  if (unit == SpeedUnit::Lines1080) return speed * (1080.0f / static_cast<float>(picturePx.y));
+/// In px of a picture of 1080 lines.
+float speedOfLines(float speed, const glm::ivec2& picturePx) {
+  return speed * (1080.0f / static_cast<float>(picturePx.y));
+}
+
+/// In 1080ths of the picture, across and down.
+float speedOfPicture(const glm::vec2& motionPx, const glm::ivec2& picturePx) {
   const glm::vec2 share = motionPx / glm::vec2(picturePx);
   const float length = std::sqrt(share.x * share.x + share.y * share.y);
   return 1080.0f * (length <= kNoPreviousPosition ? length : kNoPreviousPosition);
+}
+
+} // namespace
+
+float speedIn(SpeedUnit unit, float speed, const glm::vec2& motionPx, const glm::ivec2& picturePx) {
+  switch (unit) {
+  case SpeedUnit::Pixels:
+    break;
+  case SpeedUnit::Lines1080:
+    return speedOfLines(speed, picturePx);
+  case SpeedUnit::Picture1080:
+    return speedOfPicture(motionPx, picturePx);
+  }
+  return speed;
 }
 
 Reprojection reproject(const Inputs& inputs, const ReprojectSettings& settings, const glm::vec2& motionPx,

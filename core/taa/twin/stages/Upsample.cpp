@@ -46,21 +46,25 @@ float upsampleWeight(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2&
   return 0.0f;
 }
 
-/// κ of the nearest sample where no sum of weights gives it.
-float nearestConfidence(UpsampleKernel chosen, const Place& place, const glm::vec2& ratio, float speed) {
-  const glm::vec2& d = place.offset;
-  if (chosen == UpsampleKernel::Hdrp) // a box of ½/r
-    return std::fabs(d.x) <= 0.5f / ratio.x && std::fabs(d.y) <= 0.5f / ratio.y ? 1.0f : 0.0f;
-  if (chosen == UpsampleKernel::HdrpGaussian) {
-    const glm::vec2 x = d / ratio;
-    const float bell = exp2Of(-3.125f * (x.x * x.x + x.y * x.y)) / (ratio.x * ratio.y); // −½/0.4²
-    return bell < 1.0f ? bell : 1.0f;
-  }
+/// κ of the nearest sample alone (manual 22.1).
+float nearestConfidence(const glm::vec2& d, const glm::vec2& ratio, float speed) {
   const glm::vec2 squared = (d * d) / ratio;
   const float near = saturated(1.0f - (squared.x + squared.y));
   const float x = saturated(speed);
   const float moving = (x * x) * (3.0f - 2.0f * x); // smoothstep(0, 1, ‖v‖)
   return near > moving ? near : moving;
+}
+
+/// Within a box of ½/r (manual 22.3).
+float boxConfidence(const glm::vec2& d, const glm::vec2& ratio) {
+  return std::fabs(d.x) <= 0.5f / ratio.x && std::fabs(d.y) <= 0.5f / ratio.y ? 1.0f : 0.0f;
+}
+
+/// HDRP's Gaussian of the nearest sample's distance (manual 22.3).
+float gaussianConfidence(const glm::vec2& d, const glm::vec2& ratio) {
+  const glm::vec2 x = d / ratio;
+  const float bell = exp2Of(-3.125f * (x.x * x.x + x.y * x.y)) / (ratio.x * ratio.y); // −½/0.4²
+  return bell < 1.0f ? bell : 1.0f;
 }
 
 } // namespace
@@ -109,8 +113,7 @@ Taps upsampleTaps(const Inputs& inputs, UpsampleKernel chosen, const Place& plac
 CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& place, float speed) {
   const glm::vec3 nearest = currentColor(inputs, place.texel);
   const glm::vec2 ratio = renderRatio(inputs);
-  if (chosen == UpsampleKernel::SampleWeight)
-    return {nearest, nearestConfidence(chosen, place, ratio, speed)};
+  if (chosen == UpsampleKernel::SampleWeight) return {nearest, nearestConfidence(place.offset, ratio, speed)};
   float sum = 0.0f;
   glm::vec3 difference(0.0f);
   const Taps taps = upsampleTaps(inputs, chosen, place);
@@ -120,8 +123,16 @@ CurrentColor upsample(const Inputs& inputs, UpsampleKernel chosen, const Place& 
   }
   const bool isWeighed = sum > 1e-4f;
   glm::vec3 color = isWeighed ? nearest + difference / sum : nearest;
-  if (chosen == UpsampleKernel::Hdrp || chosen == UpsampleKernel::HdrpGaussian)
-    return {storable(color), nearestConfidence(chosen, place, ratio, speed)};
+  switch (chosen) {
+  case UpsampleKernel::Hdrp:
+    return {storable(color), boxConfidence(place.offset, ratio)};
+  case UpsampleKernel::HdrpGaussian:
+    return {storable(color), gaussianConfidence(place.offset, ratio)};
+  case UpsampleKernel::SampleWeight: // does not come here
+  case UpsampleKernel::Lanczos2:
+  case UpsampleKernel::Fsr2:
+    break;
+  }
   return {storable(boundedBySamples(inputs, place.texel, color)), isWeighed ? saturated(sum) : 0.0f};
 }
 

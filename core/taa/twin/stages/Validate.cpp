@@ -8,11 +8,21 @@ namespace {
 
 /// By the chosen rule (manual 5.0, 5.1, 5.3, 5.7); NaN is outside.
 bool isOutside(const Inputs& inputs, OffScreen rule, const glm::vec2& q) {
-  if (rule == OffScreen::Keep) return false;
-  if (rule == OffScreen::OneSided) return !(q.x > 0.0f);
-  const float margin = rule == OffScreen::Margin ? 0.5f : 0.0f;
-  return !(q.x >= margin && q.x <= static_cast<float>(inputs.outputWidth()) - margin && q.y >= margin &&
-           q.y <= static_cast<float>(inputs.outputHeight()) - margin);
+  const auto isBeyond = [&](float margin) {
+    return !(q.x >= margin && q.x <= static_cast<float>(inputs.outputWidth()) - margin && q.y >= margin &&
+             q.y <= static_cast<float>(inputs.outputHeight()) - margin);
+  };
+  switch (rule) {
+  case OffScreen::Keep:
+    return false;
+  case OffScreen::Reject:
+    return isBeyond(0.0f);
+  case OffScreen::Margin:
+    return isBeyond(0.5f);
+  case OffScreen::OneSided:
+    return !(q.x > 0.0f);
+  }
+  return false;
 }
 
 /// The first of the reasons to reject history, the weightiest first.

@@ -109,14 +109,20 @@ float screen(float a, float b) {
 float sampleDistanceFactor(const WeightSettings& settings, const WeightInputs& weighed) {
   const double x = static_cast<double>(weighed.jitterPx.x), y = static_cast<double>(weighed.jitterPx.y);
   const double squared = x * x + y * y;
-  if (settings.sampleDistance == SampleDistance::Gaussian)
-    return static_cast<float>(std::exp(-squared / (2.0 * 0.22)));
-  if (settings.sampleDistance == SampleDistance::None) return 1.0f;
+  const auto bell = [squared] { return static_cast<float>(std::exp(-squared / (2.0 * 0.22))); };
   const float t = saturated(weighed.speed);
   const float moving = (t * t) * (3.0f - 2.0f * t);
-  if (settings.sampleDistance == SampleDistance::GaussianMoving)
-    return 1.0f + moving * (static_cast<float>(std::exp(-squared / (2.0 * 0.22))) - 1.0f);
-  return maximum(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
+  switch (settings.sampleDistance) {
+  case SampleDistance::None:
+    break;
+  case SampleDistance::Gaussian:
+    return bell();
+  case SampleDistance::Parabola:
+    return maximum(moving, static_cast<float>(squared < 1.0 ? 1.0 - squared : 0.0));
+  case SampleDistance::GaussianMoving:
+    return 1.0f + moving * (bell() - 1.0f);
+  }
+  return 1.0f;
 }
 
 /// 1 − (1 − α)^(e/8) by whole powers and square roots, e the nearest eighth to Δt/Δt₀ (manual 13.19).
@@ -173,6 +179,24 @@ float maskWeight(const WeightSettings& settings, const WeightInputs& weighed) {
   return 0.0f;
 }
 
+/// α with what motion adds to it.
+float movedWeight(MotionAlpha chosen, float alpha, float motion) {
+  switch (chosen) {
+  case MotionAlpha::None:
+    break;
+  case MotionAlpha::Linear:
+  case MotionAlpha::Squared:
+    return screen(alpha, motion);
+  case MotionAlpha::SquaredAsPrinted: // from α − 0.025: 13.4
+    return screen(maximum(alpha - 0.025f, 0.0f), motion);
+  case MotionAlpha::Doubled:
+    return alpha + motion;
+  case MotionAlpha::Added:
+    return minimum(alpha + motion, 1.0f);
+  }
+  return alpha;
+}
+
 /// Everything after the source, whose α stands in `result`, but for what is invalid and asked for by the
 /// mask.
 void compose(const WeightSettings& settings, const WeightInputs& weighed, Weights& result) {
@@ -186,14 +210,7 @@ void compose(const WeightSettings& settings, const WeightInputs& weighed, Weight
   alpha = alpha < 1.0f ? alpha : 1.0f;
   alpha = alpha * result.flicker;
   result.motion = motionWeight(settings, weighed, alpha);
-  if (settings.motion == MotionAlpha::SquaredAsPrinted) alpha = maximum(alpha - 0.025f, 0.0f); // 13.4
-  if (settings.motion == MotionAlpha::Doubled) {
-    alpha = alpha + result.motion;
-  } else if (settings.motion == MotionAlpha::Added) {
-    alpha = minimum(alpha + result.motion, 1.0f);
-  } else if (settings.motion != MotionAlpha::None) {
-    alpha = screen(alpha, result.motion);
-  }
+  alpha = movedWeight(settings.motion, alpha, result.motion);
   if (settings.velocityChange == Switch::On) alpha = screen(alpha, result.velocityChange);
   if (settings.divergence == Switch::On) alpha = screen(alpha, result.divergence);
   result.byFrameRate = byFrameRate(settings, alpha, weighed.stepSeconds);
