@@ -1,5 +1,8 @@
 // The rows of the parameter table: one for each field of Settings, in the order of the stages.
-#include "core/settings/ParameterChoices.h"
+#include "core/settings/choices/BlendChoices.h"
+#include "core/settings/choices/HistoryChoices.h"
+#include "core/settings/choices/InputChoices.h"
+#include "core/settings/choices/SampleChoices.h"
 
 #include <span>
 

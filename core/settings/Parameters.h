@@ -49,6 +49,9 @@ struct Choice {
   std::string_view label; ///< in the window: "Closest 3×3"
   std::string_view explanation;
   Uses uses; ///< settings that have an effect with this choice and none with choices that do not use them
+  /// What carries it out, GLSL below shaders/taa and the same name in core/taa/twin: "clampToBox". Empty
+  /// where nothing is done, and before the resolve, which has no twin.
+  std::string_view function = {};
 };
 
 /// What has to be done again when the parameter changes.
