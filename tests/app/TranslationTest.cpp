@@ -3,25 +3,32 @@
 #include "app/panels/PipelinePanel.h"
 #include "app/style/Text.h"
 #include "app/window/Dialogs.h"
+#include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "tests/app/WindowFixture.h"
+#include "tests/support/Process.h"
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QDataStream>
+#include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace taa;
@@ -60,11 +67,14 @@ struct Translated {
 
 class TranslatedWindow : protected Translated, public taa::app::test::FakeWindow {};
 
-/// Context and source of every message of the template.
-std::map<QString, std::set<QString>> readTemplate() {
-  QFile file(QStringLiteral(TAA_SOURCE_DIR "/resources/translations/taa-inspector.ts"));
+/// Texts that can be translated, by context.
+using Messages = std::map<QString, std::set<QString>>;
+
+/// Context and source of every message of a template.
+Messages readTemplate(const QString& path) {
+  QFile file(path);
   EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-  std::map<QString, std::set<QString>> messages;
+  Messages messages;
   QXmlStreamReader reader(&file);
   QString context;
   while (!reader.atEnd()) {
@@ -75,6 +85,72 @@ std::map<QString, std::set<QString>> readTemplate() {
   }
   EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
   return messages;
+}
+
+/// What lupdate finds as app/translations calls it; nothing where it is not installed.
+std::optional<Messages> foundByLupdate() {
+  QString tool = QStandardPaths::findExecutable(QStringLiteral("lupdate"));
+  if (tool.isEmpty())
+    tool = QStandardPaths::findExecutable(QStringLiteral("lupdate"), {QStringLiteral("/usr/lib/qt6/bin")});
+  if (tool.isEmpty()) return std::nullopt;
+  const QTemporaryDir folder;
+  const std::string core = folder.filePath(QStringLiteral("core.h")).toStdString(),
+                    path = folder.filePath(QStringLiteral("all.ts")).toStdString();
+  writeFile(core, coreTextLines().toStdString());
+  const taa::test::ProcessResult result =
+      taa::test::runProcess({tool.toStdString(), "-silent", "-I", TAA_SOURCE_DIR, "-no-obsolete",
+                             "-locations", "none", TAA_SOURCE_DIR "/app", core, "-ts", path});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  return readTemplate(QString::fromStdString(path));
+}
+
+/// The text of string literals that stand one after the other.
+QString textOf(const QString& literals) {
+  static const QRegularExpression kLiteral(QStringLiteral(R"x("((?:[^"\\]|\\.)*+)")x"));
+  QString text;
+  for (auto literal = kLiteral.globalMatch(literals); literal.hasNext();) text += literal.next().captured(1);
+  QString plain;
+  for (qsizetype at = 0; at < text.size(); ++at) {
+    const bool isEscaped = text[at] == u'\\';
+    at += isEscaped ? 1 : 0;
+    plain += isEscaped && text[at] == u'n' ? QChar(u'\n') : text[at];
+  }
+  return plain;
+}
+
+/// What is marked in a file. Each class that it names may be the one whose tr() that is.
+void readMarked(const QString& code, Messages& messages) {
+  static const QRegularExpression kMarked(
+      QStringLiteral(R"x((?:\btr\(|QT_TRANSLATE_NOOP\("(\w+)",)\s*((?:"(?:[^"\\]|\\.)*+"\s*)+))x"));
+  static const QRegularExpression kClass(QStringLiteral(R"(\b[A-Z]\w+)"));
+  std::set<QString> texts;
+  for (auto marked = kMarked.globalMatch(code); marked.hasNext();) {
+    const QRegularExpressionMatch match = marked.next();
+    const QString context = match.captured(1);
+    (context.isEmpty() ? texts : messages[context]).insert(textOf(match.captured(2)));
+  }
+  std::set<QString> classes;
+  for (auto name = kClass.globalMatch(code); name.hasNext();) classes.insert(name.next().captured());
+  for (const QString& name : classes)
+    messages[name == QLatin1String("QObject") ? name : "taa::app::" + name].insert(texts.begin(),
+                                                                                   texts.end());
+}
+
+/// The same without lupdate.
+Messages foundByReading() {
+  Messages messages;
+  readMarked(coreTextLines(), messages);
+  QDirIterator files(QStringLiteral(TAA_SOURCE_DIR "/app"), {"*.h", "*.cpp"}, QDir::Files,
+                     QDirIterator::Subdirectories);
+  while (files.hasNext()) readMarked(QString::fromStdString(readFile(files.next().toStdString())), messages);
+  return messages;
+}
+
+/// By each way that there is here.
+std::vector<Messages> findMessages() {
+  std::vector<Messages> found{foundByReading()};
+  if (auto messages = foundByLupdate()) found.push_back(std::move(*messages));
+  return found;
 }
 
 /// Whether the text has words in it that are not in brackets, nor names of files, parameters and the like.
@@ -173,25 +249,34 @@ TEST_F(TranslatedWindow, ShowsNoTextThatIsNotTranslated) {
 }
 
 TEST_F(TranslatedWindow, AsksForNothingThatIsNotInTheTemplate) {
-  auto messages = readTemplate();
   for (const std::string& name : dialogNames()) window.openDialog(name);
   settle();
   ASSERT_GT(brackets.asked.size(), 20u);
-  for (const auto& [context, texts] : brackets.asked)
-    for (const QString& text : texts)
-      EXPECT_TRUE(messages[context].contains(text)) << context.toStdString() << ": \"" << text.toStdString()
-                                                    << "\" (app/translations writes the template)";
+  for (Messages& messages : findMessages())
+    for (const auto& [context, texts] : brackets.asked)
+      for (const QString& text : texts)
+        EXPECT_TRUE(messages[context].contains(text))
+            << context.toStdString() << ": \"" << text.toStdString() << "\"";
 }
 
 TEST(Translation, TheTemplateHoldsEveryTextOfTheCore) {
-  const auto messages = readTemplate();
-  const auto expectAll = [&](const char* context, const QStringList& texts, int least) {
-    ASSERT_GT(texts.size(), least) << context;
-    EXPECT_EQ(messages.at(context), std::set<QString>(texts.begin(), texts.end()))
-        << context << ": app/translations writes the template";
+  const auto expectAll = [](const std::set<QString>& found, const QStringList& texts, int least) {
+    ASSERT_GT(texts.size(), least);
+    EXPECT_EQ(found, std::set<QString>(texts.begin(), texts.end()));
   };
-  expectAll("tables", tableTexts(), 500);
-  expectAll("sentences", sentenceTexts(), 200);
+  for (const Messages& messages : findMessages()) {
+    expectAll(messages.at("tables"), tableTexts(), 500);
+    expectAll(messages.at("sentences"), sentenceTexts(), 200);
+  }
+}
+
+TEST(Translation, ReadsMarkedTextsAsLupdateDoes) {
+  const std::optional<Messages> found = foundByLupdate();
+  if (!found) GTEST_SKIP() << "lupdate is not installed (qt6-l10n-tools)";
+  std::set<QString> byLupdate, byReading;
+  for (const auto& [context, texts] : *found) byLupdate.insert(texts.begin(), texts.end());
+  for (const auto& [context, texts] : foundByReading()) byReading.insert(texts.begin(), texts.end());
+  EXPECT_EQ(byLupdate, byReading);
 }
 
 TEST(Translation, ComesFromTheFileOfTheLocale) {
