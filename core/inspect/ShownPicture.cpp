@@ -12,13 +12,13 @@ namespace taa {
 
 namespace {
 
-void makeReference(Inspector& inspector, const PictureRequest& request, const Look& look,
+void makeReference(Inspector& inspector, const PictureRequest& request, const PictureSource& source,
                    const Progress& progress) {
-  if (!isOfReference(look.id)) return;
-  if (look.frame)
-    throw Error(say<"there is no reference of frame %1 while frame %2 is shown">(*look.frame,
+  if (!isOfReference(source.id)) return;
+  if (source.frame)
+    throw Error(say<"there is no reference of frame %1 while frame %2 is shown">(*source.frame,
                                                                                  inspector.shot().frame()));
-  inspector.reference().makeRows({look.id}, request.referenceSamples, progress, look.lane);
+  inspector.reference().makeRows({source.id}, request.referenceSamples, progress, source.lane);
 }
 
 void checkSides(const Inspector& inspector, const PictureRequest& request) {
@@ -34,12 +34,12 @@ void checkSides(const Inspector& inspector, const PictureRequest& request) {
 
 } // namespace
 
-Look otherLook(const OtherSide& other, int frame, int frameCount) {
-  Look look{other.id, other.lane, {}};
-  if (!other.isOfAnotherFrame()) return look;
+PictureSource otherSource(const OtherSide& other, int frame, int frameCount) {
+  PictureSource source{other.id, other.lane, {}};
+  if (!other.isOfAnotherFrame()) return source;
   const int wished = std::clamp(other.frame.value_or(frame - other.framesBefore), 0, frameCount - 1);
-  if (wished != frame) look.frame = wished;
-  return look;
+  if (wished != frame) source.frame = wished;
+  return source;
 }
 
 Picture wiped(const Picture& first, const Picture& other, int divider) {
@@ -55,15 +55,17 @@ Picture wiped(const Picture& first, const Picture& other, int divider) {
 
 Picture shownPicture(Inspector& inspector, const PictureRequest& request, const Progress& progress) {
   checkSides(inspector, request);
-  const Look first{request.id, request.lane, {}};
-  const auto draw = [&](const Look& look, const ViewStyle& style, const std::optional<Look>& minus = {}) {
-    return inspector.views().picture(look, minus, style, request.transform, request.width, request.height);
+  const PictureSource first{request.id, request.lane, {}};
+  const auto draw = [&](const PictureSource& source, const ViewStyle& style,
+                        const std::optional<PictureSource>& minus = {}) {
+    return inspector.views().picture(source, minus, style, request.transform, request.width, request.height);
   };
   if (!showsOther(request)) {
     makeReference(inspector, request, first, progress);
     return draw(first, request.style);
   }
-  const Look other = otherLook(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
+  const PictureSource other =
+      otherSource(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
   if (other.frame) inspector.views().keepAside({*other.frame}, progress);
   if (request.showing != Showing::Other) makeReference(inspector, request, first, progress);
   makeReference(inspector, request, other, progress);

@@ -3,7 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/inspect/Comparison.h"
-#include "core/picture/Look.h"
+#include "core/picture/PictureSource.h"
 #include "core/picture/ViewRequest.h"
 
 #include <optional>
@@ -31,7 +31,7 @@ inline bool showsOther(const PictureRequest& request) {
 }
 
 /// Where the other side is looked for while the inspector is at `frame` of `frameCount`.
-Look otherLook(const OtherSide& other, int frame, int frameCount);
+PictureSource otherSource(const OtherSide& other, int frame, int frameCount);
 
 /// `first` in the columns left of `divider`, `other` in the rest; both have the same size.
 Picture wiped(const Picture& first, const Picture& other, int divider);

@@ -91,37 +91,39 @@ void Views::keepAside(const std::vector<int>& frames, const Progress& progress) 
   player_.keepBeside(frames, progress);
 }
 
-bool Views::isAtHand(const Look& look) const {
-  if (!player_.isOpen() || static_cast<std::size_t>(look.lane) >= player_.state().lanes.size()) return false;
-  const ShownFrame* frame = player_.find(look.frame);
-  if (!isOfReference(look.id) || !frame) return frame != nullptr;
-  return frame == &player_.shown() && reference_.has(look.id, look.lane);
+bool Views::isAtHand(const PictureSource& source) const {
+  if (!player_.isOpen() || static_cast<std::size_t>(source.lane) >= player_.state().lanes.size())
+    return false;
+  const ShownFrame* frame = player_.find(source.frame);
+  if (!isOfReference(source.id) || !frame) return frame != nullptr;
+  return frame == &player_.shown() && reference_.has(source.id, source.lane);
 }
 
-bool Views::isExact(const Look& look) const {
-  return player_.find(look.frame)->lanes[static_cast<std::size_t>(look.lane)].exact;
+bool Views::isExact(const PictureSource& source) const {
+  return player_.find(source.frame)->lanes[static_cast<std::size_t>(source.lane)].exact;
 }
 
 // Rows of one lane's frame come out of one exposure.
-DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style) {
+DrawnLayers Views::layersOf(const PictureSource& source, const std::optional<PictureSource>& minus,
+                            const ViewStyle& style) {
   const gl::PassGroup group(pass_group::kExposure);
   const ShotState& state = player_.state();
   FrameMaker& maker = player_.maker();
-  ShownFrame& frame = *player_.find(look.frame);
-  const bool isSameFrame = minus && minus->lane == look.lane && player_.find(minus->frame) == &frame;
-  std::vector<IntermediateId> ids{look.id};
+  ShownFrame& frame = *player_.find(source.frame);
+  const bool isSameFrame = minus && minus->lane == source.lane && player_.find(minus->frame) == &frame;
+  std::vector<IntermediateId> ids{source.id};
   if (isSameFrame) ids.push_back(minus->id);
   if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
   if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
   // First: comparing with the reference exposes the output.
-  const auto referenceOf = [this](const Look& of) {
+  const auto referenceOf = [this](const PictureSource& of) {
     return isOfReference(of.id) ? Layer{reference_.texture(of.id, of.lane)} : Layer{};
   };
-  DrawnLayers layers{.row = referenceOf(look), .minus = minus ? referenceOf(*minus) : Layer{}};
+  DrawnLayers layers{.row = referenceOf(source), .minus = minus ? referenceOf(*minus) : Layer{}};
   std::erase_if(ids, isOfReference);
   if (!ids.empty()) {
-    const Exposure& exposure = maker.exposedAll(state, frame, inTableOrder(ids), look.lane);
-    if (!layers.row.texture) layers.row = layerOf(exposure, look.id);
+    const Exposure& exposure = maker.exposedAll(state, frame, inTableOrder(ids), source.lane);
+    if (!layers.row.texture) layers.row = layerOf(exposure, source.id);
     if (isSameFrame && !layers.minus.texture) layers.minus = layerOf(exposure, minus->id);
     if (style.markRejected) layers.rejectReason = layerOf(exposure, IntermediateId::rejectReason);
     if (style.outlineObjects) layers.objectId = layerOf(exposure, IntermediateId::objectId);
@@ -132,26 +134,27 @@ DrawnLayers Views::layersOf(const Look& look, const std::optional<Look>& minus, 
   return layers;
 }
 
-Picture Views::picture(const Look& look, const std::optional<Look>& minus, const ViewStyle& style,
-                       const ViewTransform& transform, int width, int height) {
-  if (isOfReference(look.id) && !isAtHand(look))
-    return pictureOfReference(look.id, style, transform, {width, height}, look.lane);
-  assert(isAtHand(look) && (!minus || isAtHand(*minus)));
-  const DrawnLayers layers = layersOf(look, minus, style);
+Picture Views::picture(const PictureSource& source, const std::optional<PictureSource>& minus,
+                       const ViewStyle& style, const ViewTransform& transform, int width, int height) {
+  if (isOfReference(source.id) && !isAtHand(source))
+    return pictureOfReference(source.id, style, transform, {width, height}, source.lane);
+  assert(isAtHand(source) && (!minus || isAtHand(*minus)));
+  const DrawnLayers layers = layersOf(source, minus, style);
   const gl::PassGroup group(pass_group::kViews);
-  return visualizer_.draw(layers, intermediate(look.id), style, transform, width, height);
+  return visualizer_.draw(layers, intermediate(source.id), style, transform, width, height);
 }
 
-Image Views::image(const Look& look, const std::optional<Look>& minus, const gl::Rect& region) {
-  assert(isAtHand(look) && (!minus || isAtHand(*minus)));
+Image Views::image(const PictureSource& source, const std::optional<PictureSource>& minus,
+                   const gl::Rect& region) {
+  assert(isAtHand(source) && (!minus || isAtHand(*minus)));
   const gl::PassGroup group(pass_group::kExposure);
-  const auto values = [&](const Look& of) {
+  const auto values = [&](const PictureSource& of) {
     if (isOfReference(of.id)) return reference_.image(of.id, region, of.lane);
     return player_.maker()
         .exposed(player_.state(), *player_.find(of.frame), of.id, of.lane)
         .image(of.id, region);
   };
-  Image image = values(look);
+  Image image = values(source);
   if (!minus) return image;
   const Image other = values(*minus);
   assert(other.channels == image.channels);

@@ -4,7 +4,7 @@
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/gl/Texture.h"
-#include "core/picture/Look.h"
+#include "core/picture/PictureSource.h"
 #include "core/picture/Thumbnails.h"
 #include "core/picture/Visualizer.h"
 #include "core/render/FrameInputs.h"
@@ -45,16 +45,17 @@ class Views {
   /// Cancelled: those that are done are kept.
   void keepAside(const std::vector<int>& frames, const Progress& progress = {});
   /// Whether its frame is the one on show or kept aside, and its lane is there.
-  bool isAtHand(const Look& look) const;
-  bool isExact(const Look& look) const;
+  bool isAtHand(const PictureSource& source) const;
+  bool isExact(const PictureSource& source) const;
   /// The picture of a view, or of what it is more than `minus` (of as many channels). Expects isAtHand().
-  Picture picture(const Look& look, const std::optional<Look>& minus, const ViewStyle& style,
-                  const ViewTransform& transform, int width, int height);
+  Picture picture(const PictureSource& source, const std::optional<PictureSource>& minus,
+                  const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// Values of a part of the picture, or of the difference.
-  Image image(const Look& look, const std::optional<Look>& minus, const gl::Rect& region);
+  Image image(const PictureSource& source, const std::optional<PictureSource>& minus, const gl::Rect& region);
 
  private:
-  DrawnLayers layersOf(const Look& look, const std::optional<Look>& minus, const ViewStyle& style);
+  DrawnLayers layersOf(const PictureSource& source, const std::optional<PictureSource>& minus,
+                       const ViewStyle& style);
   Picture pictureOfReference(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                              const glm::ivec2& size, int lane);
 

@@ -12,8 +12,8 @@
 using taa::Image;
 using taa::Inspector;
 using taa::IntermediateId;
-using taa::Look;
 using taa::Picture;
+using taa::PictureSource;
 using taa::Settings;
 using taa::ViewStyle;
 using taa::test::otherJitter;
@@ -30,9 +30,9 @@ namespace {
 
 constexpr taa::gl::Rect kWhole{0, 0, kWidth, kHeight};
 
-Picture draw(Inspector& inspector, const Look& look, const std::optional<Look>& minus = {},
-             const ViewStyle& style = {}) {
-  return inspector.views().picture(look, minus, style, {}, kWidth, kHeight);
+Picture draw(Inspector& inspector, const PictureSource& source,
+             const std::optional<PictureSource>& minus = {}, const ViewStyle& style = {}) {
+  return inspector.views().picture(source, minus, style, {}, kWidth, kHeight);
 }
 
 int drawsOfTheScene(const taa::FrameProfile& profile) {
@@ -98,7 +98,7 @@ TEST_F(ComparingTest, AFrameKeptAsideIsThatFrameAndTheOneOnShowStays) {
   const auto inspector = opened();
   inspector->shot().seek(6);
   const std::vector<Image> before = inspector->views().images(taa::allRows());
-  const Look aside{IntermediateId::alpha, 0, 2};
+  const PictureSource aside{IntermediateId::alpha, 0, 2};
   EXPECT_FALSE(inspector->views().isAtHand(aside));
   inspector->views().keepAside({2, 9});
   EXPECT_TRUE(inspector->views().isAtHand(aside) && inspector->views().isExact(aside));
@@ -130,10 +130,10 @@ TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {
   const auto inspector = opened({Settings{}, otherSettings()});
   inspector->shot().seek(5);
   inspector->views().keepAside({1});
-  const Look resolved{IntermediateId::resolved, 0, {}};
-  const Look others[] = {
+  const PictureSource resolved{IntermediateId::resolved, 0, {}};
+  const PictureSource others[] = {
       {IntermediateId::color, 0, {}}, {IntermediateId::resolved, 1, {}}, {IntermediateId::resolved, 0, 1}};
-  for (const Look& other : others) {
+  for (const PictureSource& other : others) {
     const Image a = inspector->views().image(resolved, {}, kWhole),
                 b = inspector->views().image(other, {}, kWhole);
     const Image difference = inspector->views().image(resolved, other, kWhole);

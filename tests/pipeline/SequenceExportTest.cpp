@@ -122,19 +122,19 @@ TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
   SequenceRequest wanted = request(SequenceKind::Png, "shot.png");
   wanted.picture.other.emplace().style = wanted.picture.style;
   wanted.picture.divider = 20;
-  const auto drawn = [&](const Look& look) {
-    return inspector->views().picture(look, {}, wanted.picture.style, {}, kWidth, kHeight);
+  const auto drawn = [&](const PictureSource& source) {
+    return inspector->views().picture(source, {}, wanted.picture.style, {}, kWidth, kHeight);
   };
-  const auto expectFrames = [&](const Look& other) {
+  const auto expectFrames = [&](const PictureSource& other) {
     wanted.picture.showing = Showing::Wipe;
     exportSequence(*inspector, wanted, {});
     for (int frame = wanted.first; frame <= wanted.last; ++frame) {
       inspector->shot().seek(frame);
-      const Look look = otherLook(*wanted.picture.other, frame, inspector->shot().frameCount());
-      EXPECT_EQ(look.lane, other.lane);
-      if (look.frame) inspector->views().keepAside({*look.frame});
+      const PictureSource source = otherSource(*wanted.picture.other, frame, inspector->shot().frameCount());
+      EXPECT_EQ(source.lane, other.lane);
+      if (source.frame) inspector->views().keepAside({*source.frame});
       const std::vector<std::uint8_t> bytes = pngBytes(sequenceFile(wanted, frame));
-      const Picture first = drawn({wanted.picture.id}), second = drawn(look);
+      const Picture first = drawn({wanted.picture.id}), second = drawn(source);
       EXPECT_NE(first.rgba, second.rgba) << frame;
       EXPECT_EQ(bytes, wiped(first, second, 20).rgba) << frame;
       EXPECT_EQ(std::vector(bytes.begin(), bytes.begin() + 20 * 4),
@@ -154,10 +154,11 @@ TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
   wanted.picture.style = differenceStyle(intermediate(wanted.picture.id));
   exportSequence(*inspector, wanted, {});
   inspector->shot().seek(3);
-  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"), inspector->views()
-                                                     .picture({wanted.picture.id}, Look{wanted.picture.id, 1},
-                                                              wanted.picture.style, {}, kWidth, kHeight)
-                                                     .rgba);
+  EXPECT_EQ(pngBytes(folder_ / "shot.0003.png"),
+            inspector->views()
+                .picture({wanted.picture.id}, PictureSource{wanted.picture.id, 1}, wanted.picture.style, {},
+                         kWidth, kHeight)
+                .rgba);
 }
 
 TEST_F(SequenceExportTest, SaysThatWhatItIsComparedWithIsGone) {

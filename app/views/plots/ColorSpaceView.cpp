@@ -22,7 +22,7 @@ namespace {
 
 enum class Shape { Dot, Ring, Diamond, FilledDiamond, Square, Cross, Dotted, Dashed, Solid, Thin, Arrow };
 
-/// What the plot shows one of: its points, lines, and how they look.
+/// What the plot shows one of: its points, lines, and their styles.
 struct Item {
   Shape shape;
   QString label;
@@ -121,7 +121,7 @@ QString rangeText(float low, float high) {
 
 } // namespace
 
-struct ColorSpaceView::Look {
+struct ColorSpaceView::Content {
   const ThemeColors& colors;
   std::vector<Item> items;
 };
@@ -184,23 +184,23 @@ QPointF ColorSpaceView::flatPlace(const glm::vec3& color, int projection) const 
   return rect.center() + 0.5 * rect.width() * QPointF(unit[right], -unit[up]);
 }
 
-void ColorSpaceView::paintPlot(QPainter& painter, const Look& look) const {
+void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const {
   const Place place = [this](const glm::vec3& color) { return placeOf(color); };
   const glm::vec3 low = range_.low, size = range_.high - range_.low;
-  painter.setPen(QPen(look.colors.line, 1));
+  painter.setPen(QPen(content.colors.line, 1));
   Corners frame;
   for (std::size_t corner = 0; corner < 8; ++corner)
     frame[corner] = low + size * glm::vec3(corner & 1 ? 1 : 0, corner & 2 ? 1 : 0, corner & 4 ? 1 : 0);
   for (const auto& [a, b] : edgesOf(frame)) painter.drawLine(placeOf(a), placeOf(b));
-  for (const Item& item : look.items) paintItem(painter, item, place);
+  for (const Item& item : content.items) paintItem(painter, item, place);
   for (int axis = 0; axis < 3; ++axis) {
     glm::vec3 end = low;
     end[axis] = range_.high[axis] + 0.08f * size[axis];
-    painter.setPen(look.colors.text);
+    painter.setPen(content.colors.text);
     painter.drawText(QRectF(placeOf(end) - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter,
                      QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]));
   }
-  painter.setPen(look.colors.secondary);
+  painter.setPen(content.colors.secondary);
   for (int axis = 0; axis < 3; ++axis)
     painter.drawText(
         QPointF(2 * kUnit, (axis + 1) * (fontMetrics().height() + 1)),
@@ -208,18 +208,18 @@ void ColorSpaceView::paintPlot(QPainter& painter, const Look& look) const {
                                     rangeText(range_.low[axis], range_.high[axis])));
 }
 
-void ColorSpaceView::paintProjection(QPainter& painter, const Look& look, int index) const {
+void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, int index) const {
   const QRectF rect = projectionRect(index);
   const auto& [right, up] = kProjections[static_cast<std::size_t>(index)];
-  painter.setPen(QPen(look.colors.line, 1));
+  painter.setPen(QPen(content.colors.line, 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect);
   painter.save();
   painter.setClipRect(rect);
-  for (const Item& item : look.items)
+  for (const Item& item : content.items)
     paintItem(painter, item, [&](const glm::vec3& color) { return flatPlace(color, index); });
   painter.restore();
-  painter.setPen(look.colors.secondary);
+  painter.setPen(content.colors.secondary);
   const auto name = [&](int axis) {
     return QString::fromStdString(scene_->axes[static_cast<std::size_t>(axis)]);
   };
@@ -227,10 +227,10 @@ void ColorSpaceView::paintProjection(QPainter& painter, const Look& look, int in
                    Qt::AlignHCenter, tr("%1 right, %2 up").arg(name(right), name(up)));
 }
 
-void ColorSpaceView::paintLegend(QPainter& painter, const Look& look) const {
+void ColorSpaceView::paintLegend(QPainter& painter, const Content& content) const {
   const double line = fontMetrics().height() + 2;
   double x = 2 * kUnit, y = height() - legendHeight();
-  for (const Item& item : look.items) {
+  for (const Item& item : content.items) {
     const double wide = 24 + fontMetrics().horizontalAdvance(item.label) + 3 * kUnit;
     if (x + wide > width() && x > 2 * kUnit) x = 2 * kUnit, y += line;
     const QPointF middle(x + 9, y + line / 2);
@@ -240,7 +240,7 @@ void ColorSpaceView::paintLegend(QPainter& painter, const Look& look) const {
     } else {
       drawMark(painter, middle, item.shape, item.color);
     }
-    painter.setPen(look.colors.text);
+    painter.setPen(content.colors.text);
     painter.drawText(QRectF(x + 22, y, wide, line), Qt::AlignVCenter | Qt::AlignLeft, item.label);
     x += wide;
   }
@@ -255,10 +255,10 @@ void ColorSpaceView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);
-  const Look look{colors, itemsOf(*scene_, colors)};
-  paintPlot(painter, look);
-  for (int index = 0; index < 3; ++index) paintProjection(painter, look, index);
-  paintLegend(painter, look);
+  const Content content{colors, itemsOf(*scene_, colors)};
+  paintPlot(painter, content);
+  for (int index = 0; index < 3; ++index) paintProjection(painter, content, index);
+  paintLegend(painter, content);
   if (!hasFocus()) return;
   painter.setPen(QPen(colors.accent, 1));
   painter.setBrush(Qt::NoBrush);

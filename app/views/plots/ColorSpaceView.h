@@ -46,14 +46,14 @@ class ColorSpaceView : public QWidget {
   bool event(QEvent*) override;
 
  private:
-  struct Look;
+  struct Content;
   QRectF plotRect() const;
   QRectF projectionRect(int index) const;
   int legendHeight() const;
   QPointF flatPlace(const glm::vec3& color, int projection) const;
-  void paintPlot(QPainter& painter, const Look& look) const;
-  void paintProjection(QPainter& painter, const Look& look, int index) const;
-  void paintLegend(QPainter& painter, const Look& look) const;
+  void paintPlot(QPainter& painter, const Content& content) const;
+  void paintProjection(QPainter& painter, const Content& content, int index) const;
+  void paintLegend(QPainter& painter, const Content& content) const;
 
   std::optional<ColorScene> scene_;
   ColorRange range_;

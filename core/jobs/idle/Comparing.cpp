@@ -14,7 +14,7 @@ std::vector<int> Comparing::frames() const {
   const InspectedShot& shot = desk_.inspector.shot();
   for (const ViewRequest& view : wanted_.views) {
     if (!isShown(view) || !view.other) continue;
-    const auto frame = otherLook(*view.other, shot.frame(), shot.frameCount()).frame;
+    const auto frame = otherSource(*view.other, shot.frame(), shot.frameCount()).frame;
     if (frame && std::ranges::find(frames, *frame) == frames.end()) frames.push_back(*frame);
   }
   return frames;

@@ -52,8 +52,8 @@ void ShownViews::deliverView(int index) {
                       showsReference(view) ? desk_.referenceVersion : 0};
   if (!isShown(view) || last == now) return;
   const InspectedShot& shot = desk_.inspector.shot();
-  std::optional<Look> other;
-  if (view.other) other = otherLook(*view.other, shot.frame(), shot.frameCount());
+  std::optional<PictureSource> other;
+  if (view.other) other = otherSource(*view.other, shot.frame(), shot.frameCount());
   if (other && !desk_.inspector.views().isAtHand(*other)) other.reset(); // on its way
   if (view.lane >= shot.laneCount() || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
@@ -63,12 +63,13 @@ void ShownViews::deliverView(int index) {
 }
 
 // Of the whole picture, once for each that it is of: panning asks again and again.
-ReasonCounts ShownViews::reasonsOf(const Look& look, IntermediateId id, const ViewStyle& style) {
+ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style) {
   if (!style.markRejected && id != IntermediateId::rejectReason) return {};
   const std::pair now(desk_.version(), desk_.asideVersion);
   if (reasons_.version != now) reasons_ = {now, {}};
-  const Look reasons{IntermediateId::rejectReason, look.lane, look.frame};
-  const auto known = std::ranges::find(reasons_.counts, reasons, &std::pair<Look, ReasonCounts>::first);
+  const PictureSource reasons{IntermediateId::rejectReason, source.lane, source.frame};
+  const auto known =
+      std::ranges::find(reasons_.counts, reasons, &std::pair<PictureSource, ReasonCounts>::first);
   if (known != reasons_.counts.end()) return known->second;
   const InspectedShot& shot = desk_.inspector.shot();
   const gl::Rect whole{0, 0, shot.width(), shot.height()};
@@ -77,27 +78,28 @@ ReasonCounts ShownViews::reasonsOf(const Look& look, IntermediateId id, const Vi
   return counts;
 }
 
-ViewResult ShownViews::draw(int index, const Look& look, const std::optional<Look>& other) {
+ViewResult ShownViews::draw(int index, const PictureSource& source,
+                            const std::optional<PictureSource>& other) {
   const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
   const InspectedShot& shot = desk_.inspector.shot();
   Views& views = desk_.inspector.views();
   ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
   if (isOfReference(view.id)) addReference(result);
   const gl::Rect region = visiblePixels(view, shot.width(), shot.height());
-  if (view.withValues && views.isAtHand(look) && region.width > 0 && region.height > 0)
+  if (view.withValues && views.isAtHand(source) && region.width > 0 && region.height > 0)
     result.region = region;
-  const std::optional<Look> minus = view.asDifference ? other : std::nullopt;
+  const std::optional<PictureSource> minus = view.asDifference ? other : std::nullopt;
   result.frame = shot.frame();
   result.shotVersion = desk_.shotVersion();
-  result.exact = views.isExact(look) && (!minus || views.isExact(*minus));
-  result.picture = views.picture(look, minus, view.style, view.transform, view.width, view.height);
-  if (result.region.width > 0) result.values = views.image(look, minus, result.region);
-  result.reasons = reasonsOf(look, view.id, view.style);
+  result.exact = views.isExact(source) && (!minus || views.isExact(*minus));
+  result.picture = views.picture(source, minus, view.style, view.transform, view.width, view.height);
+  if (result.region.width > 0) result.values = views.image(source, minus, result.region);
+  result.reasons = reasonsOf(source, view.id, view.style);
   if (other) drawOther(result, *other);
   return result;
 }
 
-void ShownViews::drawOther(ViewResult& result, const Look& other) {
+void ShownViews::drawOther(ViewResult& result, const PictureSource& other) {
   const ViewRequest& view = result.request;
   Views& views = desk_.inspector.views();
   ViewSide& side = result.other.emplace();

@@ -28,13 +28,13 @@ class ShownViews {
   };
   struct Reasons {
     std::pair<std::uint64_t, std::uint64_t> version; ///< of the frame on show and those beside it
-    std::vector<std::pair<Look, ReasonCounts>> counts;
+    std::vector<std::pair<PictureSource, ReasonCounts>> counts;
   };
   void deliverView(int index);
-  ViewResult draw(int index, const Look& look, const std::optional<Look>& other);
-  void drawOther(ViewResult& result, const Look& other);
+  ViewResult draw(int index, const PictureSource& source, const std::optional<PictureSource>& other);
+  void drawOther(ViewResult& result, const PictureSource& other);
   void addReference(ViewResult& result);
-  ReasonCounts reasonsOf(const Look& look, IntermediateId id, const ViewStyle& style);
+  ReasonCounts reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style);
 
   Desk& desk_;
   Wanted& wanted_;

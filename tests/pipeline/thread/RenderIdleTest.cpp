@@ -9,9 +9,9 @@
 using taa::IntermediateId;
 using taa::test::onThread::viewOf;
 
-using RenderLooksTest = taa::test::onThread::RenderThreadTest;
+using RenderIdleTest = taa::test::onThread::RenderThreadTest;
 
-TEST_F(RenderLooksTest, ProfilesFramesWhileItIsAskedFor) {
+TEST_F(RenderIdleTest, ProfilesFramesWhileItIsAskedFor) {
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_TRUE(recorder.profiles.empty());
@@ -27,7 +27,7 @@ TEST_F(RenderLooksTest, ProfilesFramesWhileItIsAskedFor) {
   EXPECT_EQ(recorder.profiles.size(), 1u);
 }
 
-TEST_F(RenderLooksTest, MeasuresStagesAndAnswersWishesMeanwhile) {
+TEST_F(RenderIdleTest, MeasuresStagesAndAnswersWishesMeanwhile) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != "Measuring stages" || asked) return;
@@ -43,7 +43,7 @@ TEST_F(RenderLooksTest, MeasuresStagesAndAnswersWishesMeanwhile) {
   EXPECT_TRUE(recorder.errors.empty());
 }
 
-TEST_F(RenderLooksTest, StopsMeasuringStages) {
+TEST_F(RenderIdleTest, StopsMeasuringStages) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what == "Measuring stages") thread->post(taa::request::Cancel{});
   };
@@ -53,7 +53,7 @@ TEST_F(RenderLooksTest, StopsMeasuringStages) {
   EXPECT_TRUE(recorder.works.back().what.empty());
 }
 
-TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
+TEST_F(RenderIdleTest, DrawsThumbnailsOfEveryStageWhenIdle) {
   thread->post(taa::request::SetThumbnails{16, 9});
   const std::size_t stages = taa::mainRows().size();
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.thumbnails.size() >= stages; }));
@@ -74,7 +74,7 @@ TEST_F(RenderLooksTest, DrawsThumbnailsOfEveryStageWhenIdle) {
 }
 
 // A shader that cannot be compiled any more shows who still has to.
-TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
+TEST_F(RenderIdleTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
@@ -96,7 +96,7 @@ TEST_F(RenderLooksTest, CompilesAheadWhatIsLookedAtAndNothingElseChanges) {
   EXPECT_EQ(recorder.errors.size(), 1u);
 }
 
-TEST_F(RenderLooksTest, CompilesAheadBesideAPlayThatGoesOn) {
+TEST_F(RenderIdleTest, CompilesAheadBesideAPlayThatGoesOn) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   thread->post(taa::request::SetPlaying{true});
@@ -113,7 +113,7 @@ TEST_F(RenderLooksTest, CompilesAheadBesideAPlayThatGoesOn) {
   EXPECT_TRUE(recorder.errors.empty());
 }
 
-TEST_F(RenderLooksTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
+TEST_F(RenderIdleTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
   taa::Settings wanted, chosen;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   taa::applyAssignment(chosen, "rectify.method=none");
@@ -132,7 +132,7 @@ TEST_F(RenderLooksTest, ForgetsWhatWasLookedAtOnceSomethingIsChosen) {
   EXPECT_EQ(recorder.errors.size(), 1u);
 }
 
-TEST_F(RenderLooksTest, SaysNothingOfWhatCannotBeCompiledAhead) {
+TEST_F(RenderIdleTest, SaysNothingOfWhatCannotBeCompiledAhead) {
   taa::Settings wanted;
   taa::applyAssignment(wanted, "rectify.method=clamp");
   const taa::test::ShaderFolder folder;

@@ -1,4 +1,4 @@
-// What is looked at of an open source: a row of a lane's frame.
+// What a picture is made of: a row of a frame of a lane.
 #pragma once
 
 #include "core/taa/rows/Intermediates.h"
@@ -7,11 +7,11 @@
 
 namespace taa {
 
-struct Look {
+struct PictureSource {
   IntermediateId id = IntermediateId::resolved;
   int lane = 0;
   std::optional<int> frame{}; ///< one that is kept aside; nothing: the frame on show
-  bool operator==(const Look&) const = default;
+  bool operator==(const PictureSource&) const = default;
 };
 
 } // namespace taa
