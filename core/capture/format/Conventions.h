@@ -112,7 +112,7 @@ struct Conventions {
 // The table of all that can be stated: JSON, --set, the import page, the schema and the manual derive from
 // it.
 
-enum class ConventionKind : std::uint8_t { Choice, Toggle, Number, OptionalNumber, OptionalChoice };
+enum class ConventionKind : std::uint8_t { Choice, Toggle, Integer, Number, OptionalNumber, OptionalChoice };
 
 struct ConventionChoice {
   std::string_view id, label, explanation;
@@ -126,6 +126,8 @@ struct Convention {
   std::string_view unit;                     ///< empty for none
   double minimum, maximum;                   ///< of numbers
   std::string_view tooltip;
+  /// "path=choice|choice" or "path!=none": what it has an effect with; empty: always.
+  std::string_view when;
   std::string (*text)(const Conventions&);             ///< as JSON and --set write it; "none" where optional
   void (*assign)(Conventions&, std::string_view text); ///< throws Error naming path, text and what is allowed
 };
@@ -135,6 +137,13 @@ std::span<const Convention> conventions();
 const Convention& convention(std::string_view path);
 /// Applies "path=value". Throws Error.
 void applyAssignment(Conventions& conventions, std::string_view assignment);
+/// Whether the row says anything about frames of these conventions; see Convention::when.
+bool isRelevant(const Convention& row, const Conventions& conventions);
+/// The same conventions with all rows that say nothing as they are in Conventions{}.
+Conventions normalized(const Conventions& conventions);
+/// What is stated twice and differently, or cannot be true (a scale of 0, far nearer than near); a sentence
+/// that names the rows, empty where there is none.
+std::string contradiction(const Conventions& conventions);
 /// The assignments that turn `base` into `stated`.
 std::vector<std::string> differences(const Conventions& stated, const Conventions& base);
 

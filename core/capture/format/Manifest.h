@@ -40,6 +40,8 @@ std::string_view planeName(PlaneKind kind);
 std::optional<PlaneKind> planeOf(std::string_view name);
 /// Channels that decode/ wants of it, 1 to 4.
 int channelsOf(PlaneKind kind);
+/// Channels that it needs: of colors the fourth may be missing, and so may the class of normals.
+int leastChannelsOf(PlaneKind kind);
 
 /// How a value lies in a raw plane; the names are those of taa_capture.h without TAA_.
 enum class RawFormat : std::uint8_t {
@@ -64,6 +66,12 @@ enum class RawFormat : std::uint8_t {
   R32_UINT,
 };
 
+inline constexpr std::size_t kRawFormats = 19;
+
+/// "RGBA16F"
+std::string_view rawFormatName(RawFormat format);
+std::optional<RawFormat> rawFormatOf(std::string_view name);
+
 /// Where a plane's values lie. `file` is below the capture's folder; "{frame}" stands for the frame's number,
 /// "{frame:4}" for it with four digits.
 struct PlaneSource {
@@ -76,6 +84,9 @@ struct PlaneSource {
   std::optional<RowOrder> rows;      ///< none: as the conventions say
   bool operator==(const PlaneSource&) const = default;
 };
+
+/// The file of a frame, "{frame}" filled in: "color.{frame:4}.exr" of frame 7 is "color.0007.exr".
+std::string planeFile(const PlaneSource& source, int frameNumber);
 
 /// Matrices are as the file states them, 16 numbers in its order; see MatrixConventions.
 using StatedMatrix = std::array<double, 16>;
@@ -114,12 +125,24 @@ inline constexpr const char* kManifestName = "capture.json";
 inline constexpr int kMaxCapturedFrames = 100000;
 inline constexpr int kMaxCaptureSide = 16384; ///< px
 
+// The keys of capture.json (manual, captures) are the names of the fields above, but for "format": 1,
+// which has to be there, "size" and "outputSize" of the manifest, and "size" of a plane:
+// {"format": 1, "name": "", "engine": "", "like": "unreal", "conventions": {"motion": {"unit": "uv"}, "rows":
+// "topFirst"}, "size": [480, 270], "outputSize": [960, 540], "framesPerSecond": 60, "objects": {"7": "door"},
+// "planes": {"color": {"file": "color.{frame:4}.raw", "raw": "RGBA16F", "size": [480, 270], "rowPitch": 3840,
+// "rows": "topFirst"}, "motion": {"file": "f.{frame}.exr", "part": "", "channels": ["X", "Y"]}},
+// "frames": [{"number": 0, "jitter": [0, 0], "view": [16 numbers], "projection": [16], "previousView": [16],
+// "previousProjection": [16], "preExposure": 1, "cut": true, "seconds": 0, "planes": {}}], "notes": [""]}
+
 /// Reads and checks FOLDER/capture.json, strictly: unknown, contradicting or missing keys are an Error that
 /// names them, paths lead below the folder. In time and memory that its size bounds.
 Manifest readManifest(const std::filesystem::path& folder);
 /// As above, of text; `where` is named in messages.
 Manifest parseManifest(std::string_view json, const std::string& where);
-/// What parseManifest reads back as the same.
+/// What parseManifest refuses whatever text it came from. Throws Error that begins with `where`.
+void checkManifest(const Manifest& manifest, const std::string& where);
+/// What parseManifest reads back as the same, but that conventions are normalized(). Throws Error where it
+/// could not.
 std::string manifestText(const Manifest& manifest);
 
 } // namespace taa::capture
