@@ -4,6 +4,7 @@
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,54 @@ TEST(Files, SayWhichFileIsMissing) {
 
 TEST(Files, RefuseAFolder) {
   EXPECT_NE(messageOf([] { taa::readFile("/tmp"); }).find("it is a folder"), std::string::npos);
+}
+
+TEST(UntrustedFiles, AreRegularAndBelowTheirFolder) {
+  const fs::path folder = emptyFolder("below");
+  fs::create_directories(folder / "in/deep");
+  taa::writeFile(folder / "in/deep/a", "0123456789");
+  taa::writeFile(folder / "secret", "x");
+  fs::create_symlink("deep/a", folder / "in/inside");
+  fs::create_symlink("../secret", folder / "in/outside");
+  fs::create_symlink("/dev/zero", folder / "in/zero");
+  fs::create_symlink("nowhere", folder / "in/broken");
+  fs::create_directories(folder / "inner");
+  fs::create_symlink("../inner", folder / "in/inner");
+  taa::writeFile(folder / "inner/b", "x");
+  ASSERT_EQ(::mkfifo((folder / "in/pipe").c_str(), 0600), 0);
+  const auto said = [&](const std::string& file) {
+    return messageOf([&] { taa::requireRegularBelow(folder / "in", file); });
+  };
+  EXPECT_EQ(said("deep/a"), "");
+  EXPECT_EQ(said("deep/../deep/a"), "");
+  EXPECT_EQ(taa::requireRegularBelow(folder / "in", "inside"), fs::canonical(folder / "in/deep/a"));
+  for (const char* out : {"../secret", "outside", "inner/b", "zero", "deep/../../secret"})
+    EXPECT_NE(said(out).find("leads out of the folder"), std::string::npos) << out;
+  // A folder whose name begins with that of another is not below it.
+  EXPECT_NE(said("../inner/b").find("leads out of the folder"), std::string::npos);
+  EXPECT_NE(said("/etc/passwd").find("not a path below"), std::string::npos);
+  EXPECT_NE(said("").find("not a path below"), std::string::npos);
+  EXPECT_NE(said("deep").find("is a folder"), std::string::npos);
+  EXPECT_NE(said("pipe").find("not a regular file"), std::string::npos);
+  EXPECT_NE(said("broken").find("No such file"), std::string::npos);
+  EXPECT_NE(said("missing").find("No such file"), std::string::npos);
+}
+
+TEST(UntrustedFiles, ReadWhereTheyAreAsked) {
+  const fs::path folder = emptyFolder("untrusted");
+  taa::writeFile(folder / "ten", "0123456789");
+  const taa::UntrustedFile file = taa::openUntrusted(folder, "ten", 10);
+  EXPECT_EQ(file.size(), 10u);
+  std::string bytes(4, ' ');
+  file.read(3, std::as_writable_bytes(std::span(bytes)));
+  EXPECT_EQ(bytes, "3456");
+  EXPECT_NE(messageOf([&] { file.read(8, std::as_writable_bytes(std::span(bytes))); }).find("ends after 10"),
+            std::string::npos);
+  EXPECT_NE(messageOf([&] { taa::openUntrusted(folder, "ten", 9); }).find("ten has 10 bytes"),
+            std::string::npos);
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(messageOf([&] { taa::UntrustedFile(folder / "pipe"); }).find("not a regular file"),
+            std::string::npos);
 }
 
 TEST(Files, RefuseAFileAboveTheLimit) {
