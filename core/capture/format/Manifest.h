@@ -43,7 +43,9 @@ int channelsOf(PlaneKind kind);
 /// Channels that it needs: of colors the fourth may be missing, and so may the class of normals.
 int leastChannelsOf(PlaneKind kind);
 
-/// How a value lies in a raw plane; the names are those of taa_capture.h without TAA_.
+/// How a value lies in a raw plane, little-endian; the names are those of taa_capture.h without TAA_. D24S8:
+/// depth in the lower 24 bits, as Direct3D has it; D24S8_GL: in the upper, as GL_UNSIGNED_INT_24_8. D32F_S8:
+/// 8 bytes, the float first. RGBA8_SRGB: decoded to linear when read; no other format is.
 enum class RawFormat : std::uint8_t {
   R11G11B10F,
   RGBA16F,
@@ -64,9 +66,10 @@ enum class RawFormat : std::uint8_t {
   R8_UINT,
   R16_UINT,
   R32_UINT,
+  D24S8_GL,
 };
 
-inline constexpr std::size_t kRawFormats = 19;
+inline constexpr std::size_t kRawFormats = 20;
 
 /// "RGBA16F"
 std::string_view rawFormatName(RawFormat format);
