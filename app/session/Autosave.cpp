@@ -15,7 +15,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kSettleMs = 2000, kAlwaysMs = 10000;
-constexpr int kMostLeft = 8, kMostAside = 20; ///< files; the oldest go
+constexpr int kMostLeft = 8, kMaxKept = 20; ///< files; the oldest go
 
 QString ending() {
   return QString::fromUtf8(kSessionEnding.data(), static_cast<qsizetype>(kSessionEnding.size()));
@@ -88,10 +88,10 @@ void Autosave::leave() {
   hasLeft_ = true;
 }
 
-std::optional<QString> Autosave::keepAside() {
+std::optional<QString> Autosave::keepForGood() {
   save();
   if (saved_.empty()) return {};
-  const QString kept = placeIn(QDir(folder_).filePath(QStringLiteral("../kept")), id_, kMostAside);
+  const QString kept = placeIn(QDir(folder_).filePath(QStringLiteral("../kept")), id_, kMaxKept);
   if (!QFile::rename(path(), kept)) return {};
   saved_.clear();
   return QFileInfo(kept).canonicalFilePath();

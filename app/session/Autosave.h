@@ -33,7 +33,7 @@ class Autosave : public QObject {
   void leave();
   /// Saves what is open now, or what was taken and cannot be opened, where no program takes it; its path, or
   /// nothing.
-  std::optional<QString> keepAside();
+  std::optional<QString> keepForGood();
 
   /// The newest file of a program that does not run any more, held for this one.
   struct Orphan {

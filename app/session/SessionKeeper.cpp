@@ -188,7 +188,7 @@ void SessionKeeper::reopen() {
 void SessionKeeper::openFirst() {
   isReopening_ = false;
   path_.clear();
-  const auto kept = autosave_->keepAside();
+  const auto kept = autosave_->keepForGood();
   toSay_ = tr("What was open last is not open again: %1.").arg(lastError_);
   if (kept) toSay_ += QLatin1Char(' ') + tr("It has been kept as %1.").arg(*kept);
   state_.apply(firstState_);
@@ -207,7 +207,7 @@ void SessionKeeper::leave() {
 }
 
 void SessionKeeper::startAnew() {
-  if (const auto kept = autosave_ && session_.isOpen() ? autosave_->keepAside() : std::nullopt) {
+  if (const auto kept = autosave_ && session_.isOpen() ? autosave_->keepForGood() : std::nullopt) {
     remember(*kept);
     Q_EMIT said(tr("What was open has been kept: File, Open recent, %1.").arg(QFileInfo(*kept).fileName()));
   }

@@ -68,22 +68,23 @@ std::optional<std::vector<float>> ViewSides::otherValueAt(glm::ivec2 pixel) cons
   return valueOf(otherSide()->values, otherRegion(), pixel);
 }
 
-bool ViewSides::isBesideAnotherFrame() const {
+bool ViewSides::isComparedWithAnotherFrame() const {
   return result_ && result_->request.other && result_->request.other->isOfAnotherFrame();
 }
 
 QString ViewSides::label(bool other) const {
   const QString& text = other && other_ ? other_->text : content_.text;
   if (!result_ || (other && !otherSide())) {
-    if (other && isBesideAnotherFrame() && isOfReference(other_->row.id))
+    if (other && isComparedWithAnotherFrame() && isOfReference(other_->row.id))
       return tr("%1 · only the frame on show has a reference: go to that frame to see its own").arg(text);
-    if (other && isBesideAnotherFrame() && playing_) return tr("%1 · comes when it is paused").arg(text);
+    if (other && isComparedWithAnotherFrame() && playing_)
+      return tr("%1 · comes when it is paused").arg(text);
     return tr("%1 · on its way").arg(text);
   }
   const int frame = other ? otherSide()->frame : result_->frame;
   const bool exact = other ? otherSide()->exact : result_->exact;
   const QString framed = tr("%1 · frame %2").arg(text).arg(frame);
-  const bool waits = playing_ && (kept_ || result_->request.asDifference) && isBesideAnotherFrame();
+  const bool waits = playing_ && (kept_ || result_->request.asDifference) && isComparedWithAnotherFrame();
   if (other && waits) return tr("%1 · stays until it is paused").arg(framed);
   return exact ? framed : tr("%1 · not exact yet").arg(framed);
 }

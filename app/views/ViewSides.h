@@ -62,7 +62,7 @@ class ViewSides {
 
  private:
   bool isPictureComplete() const;
-  bool isBesideAnotherFrame() const;
+  bool isComparedWithAnotherFrame() const;
   LegendSide legendSide(bool other, Showing showing) const;
 
   ViewContent content_;

@@ -58,10 +58,10 @@ int FlickerOfShot::firstFrame(int last) const {
 }
 
 // What a lane shows in any frame, as a screen is sent it.
-Image FlickerOfShot::shownBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
+Image FlickerOfShot::shownColorsOf(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
   const gl::PassGroup group(pass_group::kExposure);
   FrameMaker& maker = player_.maker();
-  ShownFrame made = player_.makeBeside(frame, cursor, progress, lane);
+  ShownFrame made = player_.makeInBackground(frame, cursor, progress, lane);
   const Image output =
       maker.expose(player_.onlyLane(lane), made, {IntermediateId::output}, 0).image(IntermediateId::output);
   maker.recycle(std::move(made));
@@ -70,7 +70,7 @@ Image FlickerOfShot::shownBeside(int frame, TraceCursor& cursor, const Progress&
 
 // The frame on show is at hand where it is exact.
 Image FlickerOfShot::shownNow(TraceCursor& cursor, const Progress& progress, int lane) {
-  if (!player_.lane(lane).exact) return shownBeside(player_.shown().frame, cursor, progress, lane);
+  if (!player_.lane(lane).exact) return shownColorsOf(player_.shown().frame, cursor, progress, lane);
   const gl::PassGroup group(pass_group::kExposure);
   return shownColors(player_.exposed(IntermediateId::output, lane).image(IntermediateId::output));
 }
@@ -87,7 +87,7 @@ void FlickerOfShot::fill(FlickerWindow& window, References& drawn, const Flicker
     report(told, "", 0, 0);
     FlickerFrame& entry = window.frames[frame];
     if (entry.shown.empty() && frame < need.last)
-      entry.shown = shownBeside(frame, window.cursor, told, need.lane);
+      entry.shown = shownColorsOf(frame, window.cursor, told, need.lane);
     const gl::PassGroup group(pass_group::kReference);
     if (need.samples > 0 && entry.referenceSamples != need.samples) {
       const ReferenceKey wanted{referenceRequest(only.request(0)), frame};

@@ -53,7 +53,7 @@ class FlickerOfShot {
  private:
   FlickerKey keyOf(int lane) const;
   int firstFrame(int last) const;
-  Image shownBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane);
+  Image shownColorsOf(int frame, TraceCursor& cursor, const Progress& progress, int lane);
   Image shownNow(TraceCursor& cursor, const Progress& progress, int lane);
 
   ShotPlayer& player_;

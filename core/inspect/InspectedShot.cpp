@@ -146,8 +146,8 @@ int InspectedShot::replayLength(int frame) const {
   return taa::replayLength(player_.state(), player_.checkpoints(), frame);
 }
 
-int InspectedShot::nearestAtHand(int frame) const {
-  return taa::nearestAtHand(player_.state(), player_.checkpoints(), frame);
+int InspectedShot::nearestCached(int frame) const {
+  return taa::nearestCached(player_.state(), player_.checkpoints(), frame);
 }
 
 std::size_t InspectedShot::checkpointBudget() const {
@@ -303,7 +303,7 @@ void InspectedShot::prepare(const Settings& settings, int lane) {
   if (player_.isOpen() && !profiler_.isProfiling()) player_.prepare(settings, lane);
 }
 
-void InspectedShot::prepareAside(const Settings& settings, int lane) {
+void InspectedShot::prepareInBackground(const Settings& settings, int lane) {
   if (!player_.isOpen() || !sameInputs(settings, this->settings(lane))) return;
   compiler_.want({settings, {width(), height()}, player_.maker().exposedRows(settings)});
 }

@@ -97,7 +97,7 @@ class InspectedShot {
   void prepare(const Settings& settings, int lane = 0);
   /// Begins to compile for that on another thread, so that prepare() and setSettings() find it on disk where
   /// the driver keeps programs there. Returns at once; one that has not begun gives way to the next.
-  void prepareAside(const Settings& settings, int lane = 0);
+  void prepareInBackground(const Settings& settings, int lane = 0);
   /// Whether that is done, after `duration` at most.
   bool waitUntilPrepared(std::chrono::milliseconds duration);
 
@@ -120,7 +120,7 @@ class InspectedShot {
   /// How many frames seek(frame) resolves: 0 when all of it is kept.
   int replayLength(int frame) const;
   /// The frame nearest to `frame` for which that is one at most.
-  int nearestAtHand(int frame) const;
+  int nearestCached(int frame) const;
   /// Frames whose history is kept in every lane, rising: nothing before them has to be made again.
   std::vector<int> keptFrames() const;
   /// Bytes that kept histories of all lanes may use on the GPU; default kDefaultCheckpointBudget.

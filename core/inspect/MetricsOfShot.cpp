@@ -100,7 +100,7 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
       isCompared ? &cursor.references.foundOrDrawn(*state.renderer, compared, samples, references_, progress)
                  : nullptr;
   const gl::PassGroup group(pass_group::kExposure);
-  ShownFrame made = player_.makeBeside(frame, cursor.trace, progress);
+  ShownFrame made = player_.makeInBackground(frame, cursor.trace, progress);
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   std::vector<Image> rows;
   if (!ids.empty()) {

@@ -120,7 +120,7 @@ std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std:
   const gl::PassGroup group(pass_group::kProbe);
   const ShotState state = player_.onlyLane(0);
   const Scene& scene = *state.scene;
-  ShownFrame made = player_.makeBeside(frame, cursor, progress);
+  ShownFrame made = player_.makeInBackground(frame, cursor, progress);
   const View view = viewAt(scene, state.request(0), frame);
   const FrameInputs& inputs = player_.maker().inputs(state, made, 0);
   const ShownLane& lane = made.lanes[0];

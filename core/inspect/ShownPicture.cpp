@@ -66,7 +66,7 @@ Picture shownPicture(Inspector& inspector, const PictureRequest& request, const 
   }
   const PictureSource other =
       otherSource(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
-  if (other.frame) inspector.views().keepAside({*other.frame}, progress);
+  if (other.frame) inspector.views().keepComparisonFrames({*other.frame}, progress);
   if (request.showing != Showing::Other) makeReference(inspector, request, first, progress);
   makeReference(inspector, request, other, progress);
   switch (request.showing) {

@@ -87,11 +87,11 @@ const FrameInputs& Views::inputs(int lane) const {
   return player_.inputs(lane);
 }
 
-void Views::keepAside(const std::vector<int>& frames, const Progress& progress) {
-  player_.keepBeside(frames, progress);
+void Views::keepComparisonFrames(const std::vector<int>& frames, const Progress& progress) {
+  player_.keepComparisonFrames(frames, progress);
 }
 
-bool Views::isAtHand(const PictureSource& source) const {
+bool Views::isCached(const PictureSource& source) const {
   if (!player_.isOpen() || static_cast<std::size_t>(source.lane) >= player_.state().lanes.size())
     return false;
   const ShownFrame* frame = player_.find(source.frame);
@@ -136,9 +136,9 @@ DrawnLayers Views::layersOf(const PictureSource& source, const std::optional<Pic
 
 Picture Views::picture(const PictureSource& source, const std::optional<PictureSource>& minus,
                        const ViewStyle& style, const ViewTransform& transform, int width, int height) {
-  if (isOfReference(source.id) && !isAtHand(source))
+  if (isOfReference(source.id) && !isCached(source))
     return pictureOfReference(source.id, style, transform, {width, height}, source.lane);
-  assert(isAtHand(source) && (!minus || isAtHand(*minus)));
+  assert(isCached(source) && (!minus || isCached(*minus)));
   const DrawnLayers layers = layersOf(source, minus, style);
   const gl::PassGroup group(pass_group::kViews);
   return visualizer_.draw(layers, intermediate(source.id), style, transform, width, height);
@@ -146,7 +146,7 @@ Picture Views::picture(const PictureSource& source, const std::optional<PictureS
 
 Image Views::image(const PictureSource& source, const std::optional<PictureSource>& minus,
                    const gl::Rect& region) {
-  assert(isAtHand(source) && (!minus || isAtHand(*minus)));
+  assert(isCached(source) && (!minus || isCached(*minus)));
   const gl::PassGroup group(pass_group::kExposure);
   const auto values = [&](const PictureSource& of) {
     if (isOfReference(of.id)) return reference_.image(of.id, region, of.lane);

@@ -40,14 +40,14 @@ class Views {
   /// Drawn now when they are not.
   const FrameInputs& inputs(int lane = 0) const;
 
-  // Beside the frame on show, others can be kept at hand
+  // Frames that views compare the one on show with
   /// These frames of all lanes from now on, exactly, and no others, until anything but the frame changes.
   /// Cancelled: those that are done are kept.
-  void keepAside(const std::vector<int>& frames, const Progress& progress = {});
-  /// Whether its frame is the one on show or kept aside, and its lane is there.
-  bool isAtHand(const PictureSource& source) const;
+  void keepComparisonFrames(const std::vector<int>& frames, const Progress& progress = {});
+  /// Whether its frame is the one on show or a comparison frame, and its lane is there.
+  bool isCached(const PictureSource& source) const;
   bool isExact(const PictureSource& source) const;
-  /// The picture of a view, or of what it is more than `minus` (of as many channels). Expects isAtHand().
+  /// The picture of a view, or of what it is more than `minus` (of as many channels). Expects isCached().
   Picture picture(const PictureSource& source, const std::optional<PictureSource>& minus,
                   const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// Values of a part of the picture, or of the difference.

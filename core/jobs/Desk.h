@@ -35,7 +35,8 @@ class Desk {
   std::uint64_t shotVersion() const { return shotVersion_; } ///< see Status
   /// Another frame, or the same one nearer to what it is to be.
   void noteFrame();
-  /// Something that all frames depend on is another: what was delivered is of another version of the shot now.
+  /// Something that all frames depend on is another: what was delivered is of another version of the shot
+  /// now.
   void noteChange(RequestKind kind);
   /// What is known of frames that are not on show is no longer true.
   void noteShotChange() { ++shotVersion_; }
@@ -46,9 +47,8 @@ class Desk {
   bool isReplayStopped = false;
   /// Something that the status says has changed.
   bool isStatusOld = true;
-  // What lies beside it: these change when other frames are at hand, and with each picture of a reference or
-  // of flicker
-  std::uint64_t asideVersion = 1, referenceVersion = 1;
+  // These change with the comparison frames, and with each picture of a reference or of flicker
+  std::uint64_t comparisonVersion = 1, referenceVersion = 1;
 
   // Requests
   const WaitingRequests& waiting() const { return waiting_; }

@@ -10,7 +10,7 @@ namespace taa {
 struct PictureSource {
   IntermediateId id = IntermediateId::resolved;
   int lane = 0;
-  std::optional<int> frame{}; ///< one that is kept aside; nothing: the frame on show
+  std::optional<int> frame{}; ///< a comparison frame; nothing: the frame on show
   bool operator==(const PictureSource&) const = default;
 };
 

@@ -66,7 +66,7 @@ void restore(const ShotState& state, const Checkpoints& checkpoints, int frame, 
   lane.asked.reset();
 }
 
-bool isAtHand(const ShotState& state, const Checkpoints& checkpoints, int frame) {
+bool isCached(const ShotState& state, const Checkpoints& checkpoints, int frame) {
   return startsHistory(state, frame) || checkpoints.at(frame - 1);
 }
 
@@ -102,7 +102,7 @@ bool startsHistory(const ShotState& state, int frame) {
 }
 
 bool isKept(const ShotState& state, const Checkpoints& checkpoints, int frame) {
-  return checkpoints.at(frame) && isAtHand(state, checkpoints, frame);
+  return checkpoints.at(frame) && isCached(state, checkpoints, frame);
 }
 
 std::size_t checkpointShare(const ShotState& state, std::size_t lane, std::size_t budget) {
@@ -122,13 +122,13 @@ int replayLength(const ShotState& state, const std::vector<Checkpoints>& checkpo
   return most;
 }
 
-int nearestAtHand(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame) {
+int nearestCached(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame) {
   const auto isFound = [&](int candidate) {
     return candidate >= 0 && candidate < state.scene->shot.frames &&
            std::ranges::all_of(checkpoints,
-                               [&](const Checkpoints& kept) { return isAtHand(state, kept, candidate); });
+                               [&](const Checkpoints& kept) { return isCached(state, kept, candidate); });
   };
-  int distance = 0; // frame 0 is always at hand
+  int distance = 0; // frame 0 is always one
   while (!isFound(frame - distance) && !isFound(frame + distance)) ++distance;
   return isFound(frame - distance) ? frame - distance : frame + distance;
 }

@@ -125,6 +125,6 @@ std::size_t checkpointShare(const ShotState& state, std::size_t lane, std::size_
 /// How many frames replay() resolves to reach `frame`.
 int replayLength(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame);
 /// The frame nearest to `frame` for which that is one at most.
-int nearestAtHand(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame);
+int nearestCached(const ShotState& state, const std::vector<Checkpoints>& checkpoints, int frame);
 
 } // namespace taa

@@ -113,14 +113,15 @@ void ShotPlayer::setBudget(std::size_t bytes) {
   if (isOpen()) trimCheckpoints();
 }
 
-void ShotPlayer::keepBeside(const std::vector<int>& frames, const Progress& progress) {
-  std::erase_if(
-      beside_, [&](const ShownFrame& kept) { return std::ranges::find(frames, kept.frame) == frames.end(); });
+void ShotPlayer::keepComparisonFrames(const std::vector<int>& frames, const Progress& progress) {
+  std::erase_if(comparisonFrames_, [&](const ShownFrame& kept) {
+    return std::ranges::find(frames, kept.frame) == frames.end();
+  });
   for (const int frame : frames) {
     assert(frame >= 0 && frame < state_.scene->shot.frames);
     if (find(frame)) continue;
     try {
-      beside_.push_back(maker_.replay(state_, checkpoints_, frame, budget_, progress));
+      comparisonFrames_.push_back(maker_.replay(state_, checkpoints_, frame, budget_, progress));
     } catch (...) {
       keepShown();
       throw;
@@ -131,13 +132,13 @@ void ShotPlayer::keepBeside(const std::vector<int>& frames, const Progress& prog
 
 ShownFrame* ShotPlayer::find(const std::optional<int>& frame) {
   if (!frame || *frame == shown_.frame) return &shown_;
-  const auto found = std::ranges::find(beside_, *frame, &ShownFrame::frame);
-  return found == beside_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(comparisonFrames_, *frame, &ShownFrame::frame);
+  return found == comparisonFrames_.end() ? nullptr : &*found;
 }
 
 // Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
 // last, which the next frame goes on from.
-ShownFrame ShotPlayer::makeBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
+ShownFrame ShotPlayer::makeInBackground(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
   std::vector<Checkpoints> kept(1);
   kept[0] = checkpoints_[static_cast<std::size_t>(lane)];
   if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
@@ -176,7 +177,7 @@ void ShotPlayer::changeLanes(const std::vector<Settings>& lanes) {
     state_.lanes.resize(count, lanes.back());
     checkpoints_.resize(count);
     shown_.lanes.resize(count);
-    beside_.clear();
+    comparisonFrames_.clear();
   };
   std::vector<bool> changed(lanes.size(), false);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
@@ -198,7 +199,7 @@ void ShotPlayer::startAnew(ShotState next, std::vector<Checkpoints> kept, int fr
   ShownFrame made = maker_.replay(next, kept, frame, budget_, {});
   state_ = std::move(next);
   checkpoints_ = std::move(kept);
-  beside_.clear();
+  comparisonFrames_.clear();
   show(std::move(made));
   trimCheckpoints(); // shares change with the lanes
 }
@@ -241,7 +242,7 @@ void ShotPlayer::redraw(ShotState next, const std::vector<bool>& changed, bool k
     lane.asked.reset();
   }
   state_ = std::move(next);
-  beside_.clear();
+  comparisonFrames_.clear();
   show(std::move(made));
   keepShown();
   trimCheckpoints();
@@ -255,7 +256,7 @@ void ShotPlayer::redrawAll(ShotState next, bool keepsHistory) {
 void ShotPlayer::follow(ShotState next, int from, bool keepsOld) {
   const auto drop = [&] {
     for (Checkpoints& kept : checkpoints_) kept.dropFrom(from);
-    std::erase_if(beside_, [from](const ShownFrame& kept) { return kept.frame >= from; });
+    std::erase_if(comparisonFrames_, [from](const ShownFrame& kept) { return kept.frame >= from; });
   };
   if (from > shown_.frame) { // nothing of it is on show
     state_ = std::move(next);

@@ -53,13 +53,13 @@ class ShotPlayer {
   std::size_t budget() const { return budget_; }
   void setBudget(std::size_t bytes);
 
-  // Others beside it
+  // Frames that it is compared with, and frames in the background
   /// Keeps these frames, exactly, and no others, until something changes that they depend on.
-  void keepBeside(const std::vector<int>& frames, const Progress& progress);
-  /// The one on show, or one that is kept beside it; null when it is neither.
+  void keepComparisonFrames(const std::vector<int>& frames, const Progress& progress);
+  /// The one on show, or one that it is compared with; null when it is neither.
   ShownFrame* find(const std::optional<int>& frame);
   /// Any frame of a lane as the only one, exactly, without anything exposed; what is on show stays.
-  ShownFrame makeBeside(int frame, TraceCursor& cursor, const Progress& progress, int lane = 0);
+  ShownFrame makeInBackground(int frame, TraceCursor& cursor, const Progress& progress, int lane = 0);
 
   // Changing what it is a function of
   /// Another source, at frame 0.
@@ -95,7 +95,7 @@ class ShotPlayer {
   std::vector<IntermediateId> watchedOfReference_; // the others are the maker's
   std::vector<Checkpoints> checkpoints_{1};        // one a lane
   ShownFrame shown_;
-  std::vector<ShownFrame> beside_; // of the same state
+  std::vector<ShownFrame> comparisonFrames_; // of the same state
   std::size_t budget_ = kDefaultCheckpointBudget;
 };
 

@@ -186,7 +186,7 @@ struct Step {
       .kind = RequestKind::Time, .turn = Turn::Time, .endsReplay = true, .isOfScene = true, .addsUp = true};
 };
 
-/// The nearest frame that is at hand at once, then exactly this one; clamped to the shot.
+/// The nearest cached frame at once, then exactly this one; clamped to the shot.
 struct Seek {
   int frame = 0;
   using Overrides = std::tuple<Step>;

@@ -37,7 +37,7 @@ class BackgroundCompilerTest : public taa::test::small::InspectorTest {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  const fs::path folder_ = taa::test::temporaryFolder() / "compiled aside";
+  const fs::path folder_ = taa::test::temporaryFolder() / "compiled ahead";
 };
 
 } // namespace
@@ -48,7 +48,7 @@ TEST_F(BackgroundCompilerTest, LeavesOnDiskAllThatASwitchNeeds) {
   inspector->views().watch({taa::IntermediateId::alpha});
   inspector->shot().seek(3);
   const std::ptrdiff_t before = kept();
-  inspector->shot().prepareAside(otherSettings());
+  inspector->shot().prepareInBackground(otherSettings());
   ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
   const std::ptrdiff_t after = kept();
   EXPECT_EQ(after, before + 2) << "the resolve that is shown, and the one that is replayed";
@@ -65,11 +65,11 @@ TEST_F(BackgroundCompilerTest, SaysNothingOfWhatDoesNotCompileAndGoesOn) {
   {
     const taa::test::ShaderFolder folder;
     folder.write("taa/resolve.frag", "#error no more\n");
-    inspector->shot().prepareAside(otherSettings());
+    inspector->shot().prepareInBackground(otherSettings());
     ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
     EXPECT_EQ(kept(), before);
   }
-  inspector->shot().prepareAside(otherSettings());
+  inspector->shot().prepareInBackground(otherSettings());
   ASSERT_TRUE(inspector->shot().waitUntilPrepared(60s));
   EXPECT_GT(kept(), before);
 }

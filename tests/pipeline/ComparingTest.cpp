@@ -94,15 +94,15 @@ TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
   EXPECT_EQ(inspector->shot().laneCount(), 1);
 }
 
-TEST_F(ComparingTest, AFrameKeptAsideIsThatFrameAndTheOneOnShowStays) {
+TEST_F(ComparingTest, AComparisonFrameIsThatFrameAndTheOneOnShowStays) {
   const auto inspector = opened();
   inspector->shot().seek(6);
   const std::vector<Image> before = inspector->views().images(taa::allRows());
-  const PictureSource aside{IntermediateId::alpha, 0, 2};
-  EXPECT_FALSE(inspector->views().isAtHand(aside));
-  inspector->views().keepAside({2, 9});
-  EXPECT_TRUE(inspector->views().isAtHand(aside) && inspector->views().isExact(aside));
-  EXPECT_TRUE(inspector->views().isAtHand({.frame = 9}));
+  const PictureSource compared{IntermediateId::alpha, 0, 2};
+  EXPECT_FALSE(inspector->views().isCached(compared));
+  inspector->views().keepComparisonFrames({2, 9});
+  EXPECT_TRUE(inspector->views().isCached(compared) && inspector->views().isExact(compared));
+  EXPECT_TRUE(inspector->views().isCached({.frame = 9}));
   const std::vector<Image> expected = fresh(Settings{}, 2);
   for (std::size_t index = 0; index < taa::allRows().size(); ++index)
     EXPECT_TRUE(isSame(inspector->views().image({taa::allRows()[index], 0, 2}, {}, kWhole), expected[index]))
@@ -110,18 +110,19 @@ TEST_F(ComparingTest, AFrameKeptAsideIsThatFrameAndTheOneOnShowStays) {
   EXPECT_EQ(inspector->shot().frame(), 6);
   EXPECT_TRUE(inspector->shot().areAllExact());
   expectSame(inspector->views().images(taa::allRows()), before);
-  inspector->views().keepAside({9});
-  EXPECT_FALSE(inspector->views().isAtHand(aside));
+  inspector->views().keepComparisonFrames({9});
+  EXPECT_FALSE(inspector->views().isCached(compared));
   inspector->shot().setSettings(otherSettings());
-  EXPECT_FALSE(inspector->views().isAtHand({.frame = 9})) << "it was drawn with other settings";
+  EXPECT_FALSE(inspector->views().isCached({.frame = 9})) << "it was drawn with other settings";
 }
 
-TEST_F(ComparingTest, AFrameToKeepAsideCanBeGivenUp) {
+TEST_F(ComparingTest, AComparisonFrameCanBeGivenUp) {
   const auto inspector = opened();
   inspector->shot().seek(4);
-  EXPECT_THROW(inspector->views().keepAside({40}, [](std::string_view, int done, int) { return done < 3; }),
-               taa::Cancelled);
-  EXPECT_FALSE(inspector->views().isAtHand({.frame = 40}));
+  EXPECT_THROW(
+      inspector->views().keepComparisonFrames({40}, [](std::string_view, int done, int) { return done < 3; }),
+      taa::Cancelled);
+  EXPECT_FALSE(inspector->views().isCached({.frame = 40}));
   EXPECT_EQ(inspector->shot().frame(), 4);
   expectSame(inspector->views().images(taa::allRows()), fresh(Settings{}, 4));
 }
@@ -129,7 +130,7 @@ TEST_F(ComparingTest, AFrameToKeepAsideCanBeGivenUp) {
 TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {
   const auto inspector = opened({Settings{}, otherSettings()});
   inspector->shot().seek(5);
-  inspector->views().keepAside({1});
+  inspector->views().keepComparisonFrames({1});
   const PictureSource resolved{IntermediateId::resolved, 0, {}};
   const PictureSource others[] = {
       {IntermediateId::color, 0, {}}, {IntermediateId::resolved, 1, {}}, {IntermediateId::resolved, 0, 1}};

@@ -158,11 +158,11 @@ TEST_F(SceneChoices, OfFramesKeptToCompareWithThoseThatItChangesGo) {
   const CameraPose first = inspector->shot().cameraPose();
   inspector->shot().setCameraTrack({"flown", 0, {first}});
   inspector->shot().seek(3);
-  inspector->views().keepAside({2, 6, 8});
+  inspector->views().keepComparisonFrames({2, 6, 8});
   inspector->shot().setCameraTrack({"flown", 0, {first, first, first, first, first, shifted(first, 1)}});
-  EXPECT_TRUE(inspector->views().isAtHand({.frame = 2}));
-  EXPECT_FALSE(inspector->views().isAtHand({.frame = 6}));
-  EXPECT_FALSE(inspector->views().isAtHand({.frame = 8}));
+  EXPECT_TRUE(inspector->views().isCached({.frame = 2}));
+  EXPECT_FALSE(inspector->views().isCached({.frame = 6}));
+  EXPECT_FALSE(inspector->views().isCached({.frame = 8}));
 }
 
 TEST_F(FlightThread, RestsWhereItWasFlownTo) {

@@ -187,13 +187,13 @@ TEST_F(InspectorTimeTest, GoesAnywhereInAPlayedShotWithinSixteenFrames) {
   EXPECT_EQ(replayed(*inspector, 239), 0);
 }
 
-TEST_F(InspectorTimeTest, KnowsTheNearestFrameAtHand) {
+TEST_F(InspectorTimeTest, KnowsTheNearestCachedFrame) {
   const auto inspector = opened();
-  EXPECT_EQ(inspector->shot().nearestAtHand(0), 0);
-  EXPECT_EQ(inspector->shot().nearestAtHand(100), 1) << "one frame from the first";
+  EXPECT_EQ(inspector->shot().nearestCached(0), 0);
+  EXPECT_EQ(inspector->shot().nearestCached(100), 1) << "one frame from the first";
   inspector->shot().seek(30);
-  EXPECT_EQ(inspector->shot().nearestAtHand(12), 12);
-  EXPECT_EQ(inspector->shot().nearestAtHand(200), 31);
+  EXPECT_EQ(inspector->shot().nearestCached(12), 12);
+  EXPECT_EQ(inspector->shot().nearestCached(200), 31);
   EXPECT_EQ(inspector->shot().replayLength(200), 170);
   EXPECT_LE(replayed(*inspector, 31), 1);
 }

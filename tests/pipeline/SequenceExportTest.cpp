@@ -132,7 +132,7 @@ TEST_F(SequenceExportTest, WritesBothSidesOfEachFrame) {
       inspector->shot().seek(frame);
       const PictureSource source = otherSource(*wanted.picture.other, frame, inspector->shot().frameCount());
       EXPECT_EQ(source.lane, other.lane);
-      if (source.frame) inspector->views().keepAside({*source.frame});
+      if (source.frame) inspector->views().keepComparisonFrames({*source.frame});
       const std::vector<std::uint8_t> bytes = pngBytes(sequenceFile(wanted, frame));
       const Picture first = drawn({wanted.picture.id}), second = drawn(source);
       EXPECT_NE(first.rgba, second.rgba) << frame;

@@ -21,7 +21,7 @@ std::vector<int> Comparing::frames() const {
 }
 
 void Comparing::take(const request::SetViews&) {
-  if (desk_.isOpen() && frames().empty()) desk_.inspector.views().keepAside({});
+  if (desk_.isOpen() && frames().empty()) desk_.inspector.views().keepComparisonFrames({});
 }
 
 bool Comparing::isDue() {
@@ -29,7 +29,7 @@ bool Comparing::isDue() {
   const std::vector<int> wanted = frames();
   if (stoppedAt_ == desk_.version() && stopped_ == wanted) return false;
   return std::ranges::any_of(wanted,
-                             [&](int frame) { return !desk_.inspector.views().isAtHand({.frame = frame}); });
+                             [&](int frame) { return !desk_.inspector.views().isCached({.frame = frame}); });
 }
 
 void Comparing::stop() {
@@ -42,7 +42,7 @@ void Comparing::step() {
   bool isCancelled = false;
   const bool isDone = desk_.attempt(RequestKind::Views, [&] {
     try {
-      desk_.inspector.views().keepAside(
+      desk_.inspector.views().keepComparisonFrames(
           frames(), desk_.progressOfReplay(WorkKind::Comparing, say<"Drawing the frame to compare with">()));
     } catch (const Cancelled&) {
       isCancelled = true;
@@ -50,7 +50,7 @@ void Comparing::step() {
   });
   desk_.endWork();
   if (!isDone) stop();
-  if (!isCancelled) ++desk_.asideVersion;
+  if (!isCancelled) ++desk_.comparisonVersion;
 }
 
 } // namespace taa

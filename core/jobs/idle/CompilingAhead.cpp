@@ -10,7 +10,7 @@ namespace taa {
 void CompilingAhead::take(const request::Prepare& wanted) {
   if (!desk_.isOpen()) return;
   prepared_ = wanted.settings;
-  desk_.inspector.shot().prepareAside(*prepared_);
+  desk_.inspector.shot().prepareInBackground(*prepared_);
 }
 
 // Once it was compiled beside the frames it is taken over, which takes no longer than a frame; where nothing

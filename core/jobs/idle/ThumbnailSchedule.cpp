@@ -33,7 +33,7 @@ ThumbnailSchedule::dueAt(std::uint64_t version, Clock::time_point now,
   Clock::time_point due = now;
   if (busyAt)
     due = std::max(now, lastBegan_ + kPeriod / static_cast<int>(rows_.size()));
-  else if (drawnOf_ != latest_) // else its values are at hand
+  else if (drawnOf_ != latest_) // else its values are cached
     due = std::max(now, latestSince_ + kSettled);
   if (busyAt && due + std::max<Clock::duration>(2 * cost_, kLeastRoom) > *busyAt) return {};
   return due;

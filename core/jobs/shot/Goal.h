@@ -7,7 +7,7 @@ namespace taa {
 
 struct Goal {
   std::optional<int> frame; ///< nothing: where it is
-  bool isNear = false;      ///< the nearest frame at hand is on show until it is there
+  bool isNear = false;      ///< the nearest cached frame is on show until it is there
 
   void set(int to) {
     frame = to;

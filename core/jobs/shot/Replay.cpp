@@ -45,12 +45,12 @@ void Replay::step() {
   if (!goNear()) replay(*goal_.frame, say<"Going to frame %1">(*goal_.frame));
 }
 
-// Before a long way: shows the nearest frame at hand when it is much nearer than what is on show, and tells
+// Before a long way: shows the nearest cached frame when it is much nearer than what is on show, and tells
 // that another one is on its way. Returns whether there is something to deliver.
 bool Replay::goNear() {
   InspectedShot& shot = desk_.inspector.shot();
   if (std::exchange(goal_.isNear, true) || shot.replayLength(*goal_.frame) <= 1) return false;
-  const int near = shot.nearestAtHand(*goal_.frame);
+  const int near = shot.nearestCached(*goal_.frame);
   desk_.isStatusOld = true;
   if (2 * std::abs(*goal_.frame - near) > std::abs(*goal_.frame - shot.frame())) return true;
   desk_.attempt(RequestKind::Time, [&] { shot.seek(near); });

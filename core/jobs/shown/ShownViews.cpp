@@ -48,13 +48,13 @@ void ShownViews::deliver() {
 void ShownViews::deliverView(int index) {
   const ViewRequest& view = wanted_.views[static_cast<std::size_t>(index)];
   Delivered& last = delivered_[static_cast<std::size_t>(index)];
-  const Delivered now{view, desk_.version(), view.other ? desk_.asideVersion : 0,
+  const Delivered now{view, desk_.version(), view.other ? desk_.comparisonVersion : 0,
                       showsReference(view) ? desk_.referenceVersion : 0};
   if (!isShown(view) || last == now) return;
   const InspectedShot& shot = desk_.inspector.shot();
   std::optional<PictureSource> other;
   if (view.other) other = otherSource(*view.other, shot.frame(), shot.frameCount());
-  if (other && !desk_.inspector.views().isAtHand(*other)) other.reset(); // on its way
+  if (other && !desk_.inspector.views().isCached(*other)) other.reset(); // on its way
   if (view.lane >= shot.laneCount() || (view.asDifference && !other)) return;
   last = now; // also when it fails: once is enough to tell
   desk_.attempt(RequestKind::Views, [&] {
@@ -65,7 +65,7 @@ void ShownViews::deliverView(int index) {
 // Of the whole picture, once for each that it is of: panning asks again and again.
 ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style) {
   if (!style.markRejected && id != IntermediateId::rejectReason) return {};
-  const std::pair now(desk_.version(), desk_.asideVersion);
+  const std::pair now(desk_.version(), desk_.comparisonVersion);
   if (reasons_.version != now) reasons_ = {now, {}};
   const PictureSource reasons{IntermediateId::rejectReason, source.lane, source.frame};
   const auto known =
@@ -86,7 +86,7 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
   ViewResult result{.view = index, .request = view, .picture = {}, .values = {}, .region = {}};
   if (isOfReference(view.id)) addReference(result);
   const gl::Rect region = visiblePixels(view, shot.width(), shot.height());
-  if (view.withValues && views.isAtHand(source) && region.width > 0 && region.height > 0)
+  if (view.withValues && views.isCached(source) && region.width > 0 && region.height > 0)
     result.region = region;
   const std::optional<PictureSource> minus = view.asDifference ? other : std::nullopt;
   result.frame = shot.frame();

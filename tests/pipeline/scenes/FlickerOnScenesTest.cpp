@@ -124,12 +124,12 @@ TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
   for (const IntermediateId id : kRows) {
     EXPECT_FALSE(taa::twin::isKnown(inspector->probes().probe(3, 4), id));
     EXPECT_THROW(inspector->views().image(id), taa::Error);
-    EXPECT_FALSE(inspector->views().isAtHand({.id = id}));
+    EXPECT_FALSE(inspector->views().isCached({.id = id}));
   }
   inspector->flicker().refine(0);
   EXPECT_EQ(inspector->flicker().samples(), 0);
-  EXPECT_TRUE(inspector->views().isAtHand({.id = deviationOverTime}));
-  EXPECT_FALSE(inspector->views().isAtHand({.id = flicker})) << "it needs a reference";
+  EXPECT_TRUE(inspector->views().isCached({.id = deviationOverTime}));
+  EXPECT_FALSE(inspector->views().isCached({.id = flicker})) << "it needs a reference";
   EXPECT_THROW(inspector->views().image(flicker), taa::Error);
   EXPECT_FALSE(inspector->metrics().measure({Metric::Flicker}).at(Metric::Flicker));
   inspector->reference().makeRows({flicker}, kSamples);
