@@ -36,8 +36,8 @@ namespace {
 
 /// What rectification moves, in box space.
 struct Clip {
-  glm::vec3 h{0.0f}, current{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
-  glm::vec3 mean{0.0f};   ///< of the samples, within the box
+  glm::vec3 h{0.0f}, low{0.0f}, high{0.0f}, center{0.0f};
+  glm::vec3 target{0.0f}; ///< what h is moved towards; h where there is no such point
   glm::vec3 moved{0.0f};  ///< where h went, before the way back is clamped as printed
   twin::Rectified result; ///< before strength and locks
 };
@@ -45,11 +45,12 @@ struct Clip {
 Clip clipOf(const Teller& t) {
   Clip clip;
   clip.h = t.box(t.color(Id::historyRaw));
-  clip.current = t.box(t.color(Id::currentFiltered));
   clip.low = t.details().neighborhood.boxMin;
   clip.high = t.details().neighborhood.boxMax;
   clip.center = 0.5f * (clip.low + clip.high);
-  clip.mean = glm::clamp(t.details().neighborhood.mean, clip.low, clip.high);
+  clip.target = twin::rectifyTarget(t.settings().rectify.method, t.box(t.color(Id::currentFiltered)),
+                                    t.details().neighborhood)
+                    .value_or(clip.h);
   Settings plain = t.settings();
   plain.rectify.relaxAtRest = plain.rectify.locks = plain.rectify.instability = Switch::Off;
   twin::Inputs inputs;
@@ -63,19 +64,19 @@ Clip clipOf(const Teller& t) {
   return clip;
 }
 
-/// The channel whose wall ends the way from h to `target` last, and that wall; −1: h is inside.
+/// The channel whose wall ends the way from h to the target last, and that wall; −1: h is inside.
 struct Wall {
   int channel = -1;
   float at = 0.0f;
 };
 
-Wall enteredWall(const Clip& clip, const glm::vec3& target) {
+Wall enteredWall(const Clip& clip) {
   Wall wall;
   float most = 0.0f;
   for (int i = 0; i < 3; ++i) {
     const float at = clip.h[i] < clip.low[i] ? clip.low[i] : clip.high[i];
     if (clip.h[i] >= clip.low[i] && clip.h[i] <= clip.high[i]) continue;
-    const float share = (at - clip.h[i]) / (target[i] - clip.h[i]);
+    const float share = (at - clip.h[i]) / (clip.target[i] - clip.h[i]);
     if (share > most) most = share, wall = {i, at};
   }
   return wall;
@@ -90,9 +91,9 @@ bool isMoved(const Teller& t) {
   return t.settings().rectify.method != RectifyMethod::None && !t.details().isFirst;
 }
 
-/// How far the result is on the way from h to `target`, by the channel that goes farthest.
-float alongTo(const Clip& clip, const glm::vec3& target) {
-  const glm::vec3 way = target - clip.h;
+/// How far the result is on the way from h to the target, by the channel that goes farthest.
+float alongToTarget(const Clip& clip) {
+  const glm::vec3 way = clip.target - clip.h;
   int most = 0;
   for (int i = 1; i < 3; ++i)
     if (std::fabs(way[i]) > std::fabs(way[most])) most = i;
@@ -101,33 +102,27 @@ float alongTo(const Clip& clip, const glm::vec3& target) {
 
 /// The way into the box as an expression of box space; empty where it has no short one.
 std::string wayText(const Teller& t, const Clip& clip) {
-  const std::string h = t.tuple(clip.h);
+  const std::string h = t.tuple(clip.h), target = t.tuple(clip.target);
   const std::string amount = t.number(static_cast<double>(clip.result.amount));
   switch (t.settings().rectify.method) {
   case RectifyMethod::Clamp:
   case RectifyMethod::ClampForget:
     return call("clamp", {h, t.tuple(clip.low), t.tuple(clip.high)});
   case RectifyMethod::ClipToCenter:
-    return h + " + " + amount + " × (" + t.tuple(clip.center) + " − " + h + ")";
   case RectifyMethod::ClipToFiltered:
-    return h + " + " + amount + " × (" + t.tuple(glm::clamp(clip.current, clip.low, clip.high)) + " − " + h +
-           ")";
   case RectifyMethod::ClipToHull:
   case RectifyMethod::ClipToBoth:
-    return h + " + " + amount + " × (" + t.tuple(clip.current) + " − " + h + ")";
+    return h + " + " + amount + " × (" + target + " − " + h + ")";
   case RectifyMethod::RayToCurrent: // farther than to the current color, where that lies outside as well
-    return h + " + " + t.number(alongTo(clip, clip.current)) + " × (" + t.tuple(clip.current) + " − " + h +
-           ")";
-  case RectifyMethod::ShrinkAxes: {
-    const std::string mean = t.tuple(clip.mean);
-    return mean + " + (1 − " + t.number(alongTo(clip, clip.mean)) + ") × (" + h + " − " + mean + ")";
-  }
+    return h + " + " + t.number(alongToTarget(clip)) + " × (" + target + " − " + h + ")";
+  case RectifyMethod::ShrinkAxes:
+    return target + " + (1 − " + t.number(alongToTarget(clip)) + ") × (" + h + " − " + target + ")";
   case RectifyMethod::ClampThenClip: {
     const twin::Neighborhood& hood = t.details().neighborhood;
     const glm::vec3 first = glm::clamp(clip.h, hood.min, hood.max);
     const float second = twin::clip(RectifyMethod::ClipToCenter, first, first, clip.low, clip.high).amount;
     const std::string from = call("clamp", {h, t.tuple(hood.min), t.tuple(hood.max)});
-    return from + " + " + t.number(second) + " × (" + t.tuple(clip.center) + " − " + from + ")";
+    return from + " + " + t.number(second) + " × (" + target + " − " + from + ")";
   }
   case RectifyMethod::Select: // not through box space
   case RectifyMethod::None:
@@ -231,11 +226,10 @@ std::string amountText(const Teller& t, const Clip& clip) {
     return call("length", {t.tuple(glm::clamp(clip.h, clip.low, clip.high)) + " − " + t.tuple(clip.h)}) +
            " / " + call("length", {t.tuple(clip.center) + " − " + t.tuple(clip.h)});
   case RectifyMethod::ClipToFiltered: {
-    const glm::vec3 target = glm::clamp(clip.current, clip.low, clip.high);
-    const Wall wall = enteredWall(clip, target);
+    const Wall wall = enteredWall(clip);
     return wall.channel < 0
                ? ""
-               : call("min", {fraction(t, wall.at, clip.h[wall.channel], target[wall.channel]), "1"});
+               : call("min", {fraction(t, wall.at, clip.h[wall.channel], clip.target[wall.channel]), "1"});
   }
   case RectifyMethod::ClipToCenter: {
     int channel = 0;
@@ -250,11 +244,11 @@ std::string amountText(const Teller& t, const Clip& clip) {
   case RectifyMethod::ClampThenClip:
     return partText(t, clip, clip.center);
   case RectifyMethod::ShrinkAxes:
-    return partText(t, clip, clip.mean);
+    return partText(t, clip, clip.target);
   case RectifyMethod::ClipToHull:
   case RectifyMethod::ClipToBoth:
   case RectifyMethod::RayToCurrent:
-    return call("min", {partText(t, clip, clip.current), "1"});
+    return call("min", {partText(t, clip, clip.target), "1"});
   case RectifyMethod::Select:
     return "1";
   case RectifyMethod::None:

@@ -40,26 +40,6 @@ class ToPlot {
   SpaceSettings box_, plot_;
 };
 
-/// What the way of the chosen method leads to, box space.
-std::optional<glm::vec3> targetOf(const twin::Neighborhood& hood, RectifyMethod method,
-                                  const glm::vec3& current) {
-  switch (method) {
-  case RectifyMethod::ClipToCenter:
-  case RectifyMethod::ClampThenClip:
-    return 0.5f * (hood.boxMin + hood.boxMax);
-  case RectifyMethod::ClipToFiltered:
-    return glm::clamp(current, hood.boxMin, hood.boxMax);
-  case RectifyMethod::RayToCurrent:
-  case RectifyMethod::ClipToHull:
-  case RectifyMethod::ClipToBoth:
-    return current;
-  case RectifyMethod::ShrinkAxes:
-    return glm::clamp(hood.mean, hood.boxMin, hood.boxMax);
-  default:
-    return {};
-  }
-}
-
 /// A half space: dot(normal, point) ≤ limit.
 struct Plane {
   glm::dvec3 normal{0.0};
@@ -131,7 +111,7 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
   if (!details.isFirst) {
     scene.historyRaw = plot(boxed(row(Id::historyRaw)));
     scene.historyRectified = plot(boxed(row(Id::historyRectified)));
-    const auto target = targetOf(hood, settings.rectify.method, current);
+    const auto target = twin::rectifyTarget(settings.rectify.method, current, hood);
     if (target && twin::at(record, Id::clipAmount).x > 0.0f) scene.target = plot(*target);
   }
   for (const WhatIfRow& variant : variants) scene.variants.push_back(plot(boxed(variant.resolved)));

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace taa::twin {
@@ -57,6 +58,9 @@ struct Rectified {
 /// Of the methods that need no more than the box (11.1 to 11.3).
 Rectified clip(RectifyMethod method, const glm::vec3& value, const glm::vec3& target, const glm::vec3& boxMin,
                const glm::vec3& boxMax);
+/// What a method moves history towards, box space (manual §11); nothing where it has no such point.
+std::optional<glm::vec3> rectifyTarget(RectifyMethod method, const glm::vec3& currentFiltered,
+                                       const Neighborhood& neighborhood);
 /// Directions across which a method measures slabs around the samples, in box space (manual 9.7, 10.12);
 /// none where it has no slabs.
 std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space);

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace taa::twin {
@@ -229,6 +230,30 @@ Rectified rectifiedFully(const Settings& settings, const glm::vec3& historyRaw,
 }
 
 } // namespace
+
+std::optional<glm::vec3> rectifyTarget(RectifyMethod method, const glm::vec3& currentFiltered,
+                                       const Neighborhood& neighborhood) {
+  const glm::vec3 &low = neighborhood.boxMin, &high = neighborhood.boxMax;
+  switch (method) {
+  case RectifyMethod::ClipToCenter:
+  case RectifyMethod::ClampThenClip:
+    return 0.5f * (low + high);
+  case RectifyMethod::ClipToFiltered:
+    return clamped(currentFiltered, low, high);
+  case RectifyMethod::RayToCurrent:
+  case RectifyMethod::ClipToHull:
+  case RectifyMethod::ClipToBoth:
+    return currentFiltered;
+  case RectifyMethod::ShrinkAxes:
+    return clamped(neighborhood.mean, low, high);
+  case RectifyMethod::None:
+  case RectifyMethod::Clamp:
+  case RectifyMethod::ClampForget:
+  case RectifyMethod::Select:
+    break;
+  }
+  return {};
+}
 
 std::vector<glm::vec3> slabDirections(RectifyMethod method, ColorSpace space) {
   std::vector<glm::vec3> directions;
