@@ -1,6 +1,7 @@
 #include "core/settings/Parameters.h"
 
 #include "core/base/Error.h"
+#include "core/base/NearestNames.h"
 #include "core/base/Say.h"
 
 #include <nlohmann/json.hpp>
@@ -11,36 +12,18 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <system_error>
-#include <utility>
 
 namespace taa {
 
 namespace {
 
-// Levenshtein's distance, for "did you mean".
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
 /// The refusal of a path that no parameter has, with the three that are spelled most like it.
 std::string unknownPath(std::string_view path) {
-  std::vector<std::pair<std::size_t, std::string_view>> ranked;
-  for (const Parameter& row : parameters()) ranked.emplace_back(editDistance(path, row.path), row.path);
-  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
-  return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(path, ranked[0].second,
-                                                                       ranked[1].second, ranked[2].second);
+  std::vector<std::string_view> paths;
+  for (const Parameter& row : parameters()) paths.push_back(row.path);
+  const std::vector<std::string_view> near = nearestNames(path, paths, 3);
+  return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(path, near[0], near[1], near[2]);
 }
 
 std::string idsOf(const Parameter& row) {
