@@ -70,7 +70,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--pixel", texts.pixel, "Probe this pixel")->type_name("X,Y");
   app.add_option("--zoom", texts.zoom, "Screen pixels for each pixel, around the probe")
       ->type_name("Z")
-      ->check(CLI::Range(kLeastZoom, kGreatestZoom));
+      ->check(CLI::Range(kMinZoom, kGreatestZoom));
   app.add_option("--view", texts.views,
                  "Show this intermediate; given again, in the next of up to four views")
       ->type_name("ID")
@@ -91,7 +91,7 @@ void addOptions(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--checkpoints", texts.checkpoints,
                  "Memory for the histories that are kept to go back in time; 1024 without it")
       ->type_name("MiB")
-      ->check(CLI::Range(0, kMostCheckpointMiB));
+      ->check(CLI::Range(0, kMaxCheckpointMiB));
   app.add_option("--preset", arguments.preset, "Settings to start with: a preset or a .json file")
       ->type_name("NAME");
   app.add_option("--camera", arguments.camera, "Camera or camera path to start with")->type_name("NAME");

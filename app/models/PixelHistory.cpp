@@ -7,7 +7,7 @@
 namespace taa::app {
 
 int PixelHistory::length() const {
-  return std::clamp(frame - start + 1, 1, kMostFramesBack);
+  return std::clamp(frame - start + 1, 1, kMaxFramesBack);
 }
 
 std::vector<double> PixelHistory::nominal() const {

@@ -27,6 +27,6 @@ struct PixelHistory {
 };
 
 /// Frames before that weigh nothing any more that could be seen.
-inline constexpr int kMostFramesBack = 512;
+inline constexpr int kMaxFramesBack = 512;
 
 } // namespace taa::app

@@ -7,9 +7,9 @@
 namespace taa::app {
 
 namespace {
-constexpr int kShown = 3;      ///< sentences of a kind that are shown at once
-constexpr int kNoteMs = 6000;  ///< long enough to be read
-constexpr int kMostLines = 12; ///< of a compiler's messages
+constexpr int kShown = 3;     ///< sentences of a kind that are shown at once
+constexpr int kNoteMs = 6000; ///< long enough to be read
+constexpr int kMaxLines = 12; ///< of a compiler's messages
 } // namespace
 
 MessagesBar::MessagesBar(QWidget* parent)
@@ -54,7 +54,7 @@ void MessagesBar::showError(const QString& sentence) {
 
 void MessagesBar::showShaders(const QString& error) {
   const bool wasWrong = !shaderError_.isEmpty();
-  shaderError_ = QStringList(error.split(QLatin1Char('\n')).mid(0, kMostLines)).join(QLatin1Char('\n'));
+  shaderError_ = QStringList(error.split(QLatin1Char('\n')).mid(0, kMaxLines)).join(QLatin1Char('\n'));
   if (!error.isEmpty()) shaderError_ += tr("\nThe shaders from before stay in use.");
   shader_->setText(shaderError_);
   shader_->setVisible(!error.isEmpty());

@@ -23,7 +23,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::size_t kMostUnfolded = 200; ///< nodes up to which a tree opens unfolded
+constexpr std::size_t kMaxUnfolded = 200; ///< nodes up to which a tree opens unfolded
 constexpr int kMotionWidth = 92;
 
 } // namespace
@@ -138,7 +138,7 @@ void ScenePanel::setStatus(const Status& status) {
     model_->setOutline(status.outline);
     area_.reset();
     asked_.clear();
-    if (status.outline && status.outline->nodes.size() <= kMostUnfolded) tree_->expandAll();
+    if (status.outline && status.outline->nodes.size() <= kMaxUnfolded) tree_->expandAll();
   }
   refresh();
 }

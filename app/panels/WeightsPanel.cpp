@@ -83,7 +83,7 @@ void WeightsPanel::refresh() {
                .arg(history().frame)
                .arg(history().frame - history().start)
                .arg(number(nominal.back()), number(effectiveSamples(nominalWeights)),
-                    number(effectiveSamplesOver(calmAlphas(history().settings, 2 * kMostFramesBack)).back()));
+                    number(effectiveSamplesOver(calmAlphas(history().settings, 2 * kMaxFramesBack)).back()));
   if (!history().measured.empty()) {
     const std::vector<double> measured = frameWeights(history().measured);
     const QString name = tr("measured at %1").arg(history().place);

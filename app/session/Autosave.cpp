@@ -15,7 +15,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kSettleMs = 2000, kAlwaysMs = 10000;
-constexpr int kMostLeft = 8, kMaxKept = 20; ///< files; the oldest go
+constexpr int kMaxLeft = 8, kMaxKept = 20; ///< files; the oldest go
 
 QString ending() {
   return QString::fromUtf8(kSessionEnding.data(), static_cast<qsizetype>(kSessionEnding.size()));
@@ -83,7 +83,7 @@ std::optional<QString> Autosave::takeLeft() {
 
 void Autosave::leave() {
   save();
-  if (!saved_.empty()) QFile::rename(path(), placeIn(leftFolder(folder_), id_, kMostLeft));
+  if (!saved_.empty()) QFile::rename(path(), placeIn(leftFolder(folder_), id_, kMaxLeft));
   saved_.clear();
   hasLeft_ = true;
 }

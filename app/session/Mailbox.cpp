@@ -11,8 +11,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::size_t kMostProfiles = 120; // the panel shows no more
-constexpr std::size_t kMostMetrics = 4096; // some seconds of a window that does not look
+constexpr std::size_t kMaxProfiles = 120; // the panel shows no more
+constexpr std::size_t kMaxMetrics = 4096; // some seconds of a window that does not look
 
 void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
   const auto old = std::ranges::find(thumbnails, newest.id, &Thumbnail::id);
@@ -43,12 +43,12 @@ struct Keep {
   void operator()(Work work) const { delivery.work = std::move(work); }
   void operator()(Failure failure) const { delivery.errors.push_back(std::move(failure)); }
   void operator()(FrameProfile profile) const {
-    if (delivery.profiles.size() < kMostProfiles) delivery.profiles.push_back(std::move(profile));
+    if (delivery.profiles.size() < kMaxProfiles) delivery.profiles.push_back(std::move(profile));
   }
   void operator()(StageCosts costs) const { delivery.costs = std::move(costs); }
   void operator()(Thumbnail thumbnail) const { keepNewest(delivery.thumbnails, std::move(thumbnail)); }
   void operator()(FrameMetrics metrics) const {
-    if (delivery.metrics.size() < kMostMetrics) delivery.metrics.push_back(std::move(metrics));
+    if (delivery.metrics.size() < kMaxMetrics) delivery.metrics.push_back(std::move(metrics));
   }
   void operator()(ShadersRead shaders) const { delivery.shaders = std::move(shaders); }
   void operator()(ExportResult exported) const { delivery.exported = std::move(exported); }

@@ -112,7 +112,7 @@ void PinnedProbes::movePick(int dx, int dy) {
 }
 
 void PinnedProbes::addPin(glm::ivec2 pixel, Follow follow) {
-  if (pins_.count() >= kMostPins)
+  if (pins_.count() >= kMaxPins)
     return outbox_.guarded(
         [] { throw Error(say<"there are nine probes already; remove one to pin another">()); });
   undo_.endGesture();

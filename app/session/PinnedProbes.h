@@ -1,4 +1,4 @@
-// The pinned probes, up to kMostPins of them; one is active. Each change goes to the render thread whole.
+// The pinned probes, up to kMaxPins of them; one is active. Each change goes to the render thread whole.
 #pragma once
 
 #include "app/session/Pins.h"

@@ -42,7 +42,7 @@ std::vector<PinMark> Pins::marks() const {
 bool Pins::add(const ProbePin& pin) {
   for (int known = 0; known < count(); ++known)
     if (isSamePin(pins_[static_cast<std::size_t>(known)], pin)) return setActive(known);
-  if (count() >= kMostPins) return false;
+  if (count() >= kMaxPins) return false;
   pins_.push_back(pin);
   results_.emplace_back();
   active_ = count() - 1;

@@ -26,7 +26,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 
 QString recentKey() {
   return QStringLiteral("recent");
@@ -274,7 +274,7 @@ void SessionKeeper::remember(const QString& path) {
   QStringList paths = recent();
   paths.removeAll(whole);
   paths.prepend(whole);
-  settings_->setValue(recentKey(), QStringList(paths.mid(0, kMostRecent)));
+  settings_->setValue(recentKey(), QStringList(paths.mid(0, kMaxRecent)));
 }
 
 void SessionKeeper::offerOrphan() {

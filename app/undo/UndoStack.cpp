@@ -11,7 +11,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kPauseMs = 800;
-constexpr std::size_t kMostSteps = 500;
+constexpr std::size_t kMaxSteps = 500;
 
 } // namespace
 
@@ -33,7 +33,7 @@ void UndoStack::push(UndoStep step) {
   endGesture();
   redoBefore_ = std::exchange(redo_, {});
   undo_.push_back(std::move(step));
-  if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
+  if (undo_.size() > kMaxSteps) undo_.erase(undo_.begin());
   isOpen_ = true;
   Q_EMIT changed();
 }

@@ -35,7 +35,7 @@ CameraPose turned(const CameraPose& pose, double dx, double dy, double height) {
   CameraPose next = pose;
   next.yaw = static_cast<float>(std::remainder(pose.yaw + dx * degrees, 360.0));
   next.pitch =
-      static_cast<float>(std::clamp(pose.pitch - dy * degrees, -double(kMostPitch), double(kMostPitch)));
+      static_cast<float>(std::clamp(pose.pitch - dy * degrees, -double(kMaxPitch), double(kMaxPitch)));
   return next;
 }
 

@@ -70,10 +70,10 @@ void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const
 }
 
 void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
-  constexpr double kLeastBox = 9, kArm = 8, kGap = 2;
+  constexpr double kMinBox = 9, kArm = 8, kGap = 2;
   const ScreenRect cell = pixelRect(mark.pixel);
   const double x = cell.x + texel_ / 2, y = cell.y + texel_ / 2;
-  const double half = std::max(texel_, kLeastBox) / 2;
+  const double half = std::max(texel_, kMinBox) / 2;
   const QRectF box(x - half, y - half, 2 * half, 2 * half);
   const QLineF arms[] = {{x - half - kArm, y, x - half, y},
                          {x + half, y, x + half + kArm, y},
@@ -86,7 +86,7 @@ void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
   for (const auto& [ink, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(color, 1.5)}) {
     painter.setPen(QPen(ink, width, line, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);
-    if (mark.followsSurface && texel_ < kLeastBox)
+    if (mark.followsSurface && texel_ < kMinBox)
       painter.drawEllipse(box);
     else
       painter.drawRect(box);

@@ -176,7 +176,7 @@ QStringList ViewArea::comparedPresets() const {
     const Comparison& comparison = view->comparison();
     if (view->index() >= count_ || comparison.kind != OtherKind::Preset) continue;
     const QString preset = QString::fromStdString(comparison.preset);
-    if (!presets.contains(preset) && presets.size() < kMostOtherPresets) presets << preset;
+    if (!presets.contains(preset) && presets.size() < kMaxOtherPresets) presets << preset;
   }
   return presets;
 }

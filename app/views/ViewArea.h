@@ -20,8 +20,8 @@ enum class Arrangement { Automatic, Beside, Stacked };
 
 /// Other presets that views can be compared with at a time: a lane each, besides that of the settings. There
 /// is one for each view.
-inline constexpr int kMostOtherPresets = kMostLanes - 1;
-static_assert(kMostOtherPresets >= kViewCount);
+inline constexpr int kMaxOtherPresets = kMaxLanes - 1;
+static_assert(kMaxOtherPresets >= kViewCount);
 
 class ViewArea : public QWidget {
   Q_OBJECT

@@ -11,7 +11,7 @@ double ViewGeometry::fitZoom() const {
   if (isEmpty()) return 1.0;
   const double zoom = std::min(static_cast<double>(viewport.x) / picture.x,
                                static_cast<double>(viewport.y - covered) / picture.y);
-  return std::clamp(zoom >= 1.0 ? std::floor(zoom) : zoom, kLeastZoom, kGreatestZoom);
+  return std::clamp(zoom >= 1.0 ? std::floor(zoom) : zoom, kMinZoom, kGreatestZoom);
 }
 
 ViewCamera ViewGeometry::settled(const ViewCamera& camera) const {
@@ -19,7 +19,7 @@ ViewCamera ViewGeometry::settled(const ViewCamera& camera) const {
     const double zoom = fitZoom();
     return {true, zoom, glm::dvec2(picture) / 2.0 + glm::dvec2(0.0, covered / 2.0 / zoom)};
   }
-  return {false, std::clamp(camera.zoom, kLeastZoom, kGreatestZoom),
+  return {false, std::clamp(camera.zoom, kMinZoom, kGreatestZoom),
           glm::clamp(camera.center, glm::dvec2(0.0), glm::dvec2(picture))};
 }
 
@@ -32,7 +32,7 @@ ViewTransform ViewGeometry::transform(const ViewCamera& camera) const {
 
 ViewCamera ViewGeometry::zoomed(const ViewCamera& camera, glm::dvec2 cursor, double factor) const {
   const ViewCamera now = settled(camera);
-  const double zoom = std::clamp(now.zoom * factor, kLeastZoom, kGreatestZoom);
+  const double zoom = std::clamp(now.zoom * factor, kMinZoom, kGreatestZoom);
   const glm::dvec2 fromMiddle = cursor - glm::dvec2(viewport) / 2.0;
   const glm::dvec2 held = now.center + fromMiddle / now.zoom;
   return settled({false, zoom, held - fromMiddle / zoom});

@@ -10,7 +10,7 @@
 
 namespace taa::app {
 
-inline constexpr double kLeastZoom = 0.1;
+inline constexpr double kMinZoom = 0.1;
 inline constexpr double kGreatestZoom = 256.0;
 
 /// Where a view looks. With `fit`, zoom and center follow from the sizes.

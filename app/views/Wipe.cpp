@@ -36,11 +36,11 @@ void paintWipe(QPainter& painter, const QRect& area, int position) {
 
 void paintSideLabel(QPainter& painter, const QRect& area, const QString& text, bool atRight,
                     const ThemeColors& colors) {
-  constexpr int kHeight = 20, kLeastWidth = 40;
+  constexpr int kHeight = 20, kMinWidth = 40;
   const QFont font = secondaryFont();
   const QFontMetrics metrics(font);
   const int room = area.width() - 4 * kUnit;
-  if (room < kLeastWidth) return;
+  if (room < kMinWidth) return;
   const QString shown = metrics.elidedText(text, Qt::ElideMiddle, room);
   const int width = metrics.horizontalAdvance(shown) + 3 * kUnit;
   const QRect box(atRight ? area.right() - width - kUnit + 1 : area.left() + kUnit, area.top() + kUnit, width,

@@ -70,7 +70,7 @@ void PlotFeed::showHistory() {
   if (const int active = session_.probes().activePin(); active >= 0) {
     const ProbePin& pin = session_.probes().pins()[static_cast<std::size_t>(active)];
     if (const PixelTrace* trace = to_.plots.store().traceOf(pin))
-      history.measured = alphasUpTo(*trace, history.frame, kMostFramesBack);
+      history.measured = alphasUpTo(*trace, history.frame, kMaxFramesBack);
     if (const auto pixel = session_.probes().pick())
       history.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
   }

@@ -42,7 +42,7 @@ std::vector<ProbePin> pinsFrom(const QJsonArray& array) {
   std::vector<ProbePin> pins;
   for (const QJsonValue& value : array) {
     const QJsonObject pin = value.toObject();
-    if (static_cast<int>(pins.size()) < kMostPins)
+    if (static_cast<int>(pins.size()) < kMaxPins)
       pins.push_back(
           {{std::max(0, pin[QStringLiteral("x")].toInt()), std::max(0, pin[QStringLiteral("y")].toInt())},
            pin[QStringLiteral("followsSurface")].toBool() ? Follow::Surface : Follow::Screen,

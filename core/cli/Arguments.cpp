@@ -89,9 +89,9 @@ std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
 }
 
 void checkReferenceSamples(int samples) {
-  if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
+  if (samples < kMinReferenceSamples || samples > kMaxReferenceSamples)
     throw UsageError("--reference-samples " + std::to_string(samples) + ": expected " +
-                     std::to_string(kLeastReferenceSamples) + " to " + std::to_string(kMostReferenceSamples));
+                     std::to_string(kMinReferenceSamples) + " to " + std::to_string(kMaxReferenceSamples));
 }
 
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments) {
@@ -130,9 +130,9 @@ std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments) {
 }
 
 std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
-  if (arguments.lanes.size() > std::size_t{kMostLanes})
+  if (arguments.lanes.size() > std::size_t{kMaxLanes})
     throw UsageError("--lane was given " + std::to_string(arguments.lanes.size()) + " times; there are " +
-                     std::to_string(kMostLanes) + " lanes at most");
+                     std::to_string(kMaxLanes) + " lanes at most");
   std::vector<LaneChoice> lanes;
   for (const std::string& name : arguments.lanes)
     lanes.push_back({std::string(1, static_cast<char>('A' + lanes.size())), name, presetSettings(name)});

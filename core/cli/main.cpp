@@ -103,7 +103,7 @@ void addShotOptions(CLI::App& command, ShotArguments& shot) {
       "A session of taa-inspector (.taa.json): its scene, camera, frame, size and settings");
   for (CLI::Option* instead : {source, size, camera, preset, lane}) session->excludes(instead);
   command.add_option("--checkpoints", shot.checkpointsMiB, "Memory for the histories that are kept, MiB")
-      ->check(CLI::Range(0, taa::kMostCheckpointMiB))
+      ->check(CLI::Range(0, taa::kMaxCheckpointMiB))
       ->capture_default_str();
   command
       .add_option(
@@ -229,7 +229,7 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
       "more than its reference does, which is drawn for those frames too, or with "
       "--reference-samples 0 in all");
   command->add_option("--flicker-frames", metrics.flickerFrames, "Frames that flicker is taken over, 2 to 64")
-      ->check(CLI::Range(taa::kLeastFlickerFrames, taa::kMostFlickerFrames))
+      ->check(CLI::Range(taa::kMinFlickerFrames, taa::kMaxFlickerFrames))
       ->capture_default_str();
   command->add_flag("--json", metrics.json, "Print JSON");
   command->add_flag("--csv", metrics.csv, "Print comma-separated values, a line for each frame and lane");

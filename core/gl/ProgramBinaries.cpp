@@ -73,8 +73,8 @@ std::string contents(const std::string& driver, const std::string& source, const
 
 } // namespace
 
-ProgramBinaries::ProgramBinaries(fs::path folder, std::string driver, std::uintmax_t mostBytes)
-    : folder_(std::move(folder)), driver_(std::move(driver)), mostBytes_(mostBytes) {}
+ProgramBinaries::ProgramBinaries(fs::path folder, std::string driver, std::uintmax_t maxBytes)
+    : folder_(std::move(folder)), driver_(std::move(driver)), maxBytes_(maxBytes) {}
 
 fs::path ProgramBinaries::fileOf(const std::string& source) const {
   std::array<char, 16> digits{};
@@ -89,7 +89,7 @@ std::optional<ProgramBinary> ProgramBinaries::find(const std::string& source) co
   if (!fs::is_regular_file(file, error)) return std::nullopt;
   std::string text;
   try {
-    text = readFile(file, mostBytes_);
+    text = readFile(file, maxBytes_);
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -133,7 +133,7 @@ void ProgramBinaries::dropOldest() const {
   }
   std::ranges::sort(files, {}, &File::time);
   for (const File& file : files) {
-    if (total <= mostBytes_) return;
+    if (total <= maxBytes_) return;
     total -= file.bytes;
     fs::remove(file.path, error);
   }

@@ -19,8 +19,8 @@ struct ProgramBinary {
 /// to write to, programs are compiled each time.
 class ProgramBinaries {
  public:
-  /// `driver`: all it says of itself. Beyond `mostBytes` the files used longest ago go.
-  ProgramBinaries(std::filesystem::path folder, std::string driver, std::uintmax_t mostBytes = 64u << 20);
+  /// `driver`: all it says of itself. Beyond `maxBytes` the files used longest ago go.
+  ProgramBinaries(std::filesystem::path folder, std::string driver, std::uintmax_t maxBytes = 64u << 20);
 
   std::optional<ProgramBinary> find(const std::string& source) const;
   void keep(const std::string& source, const ProgramBinary& binary) const;
@@ -30,7 +30,7 @@ class ProgramBinaries {
   void dropOldest() const;
   std::filesystem::path folder_;
   std::string driver_;
-  std::uintmax_t mostBytes_;
+  std::uintmax_t maxBytes_;
 };
 
 /// $TAA_PROGRAM_CACHE when it is set; else taa-inspector/programs in $XDG_CACHE_HOME or ~/.cache. Empty: keep

@@ -40,8 +40,8 @@ Comparison parseComparison(const std::string& text) {
     int number = 0;
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data() + kFrame.size(), end, number);
-    constexpr int kMost = 1 << 30;
-    if (error == std::errc() && rest == end && number > -kMost && number < kMost) {
+    constexpr int kMax = 1 << 30;
+    if (error == std::errc() && rest == end && number > -kMax && number < kMax) {
       if (number < 0) return {.kind = OtherKind::FramesBefore, .frame = -number};
       return {.kind = OtherKind::Frame, .frame = number};
     }

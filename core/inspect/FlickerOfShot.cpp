@@ -136,7 +136,7 @@ std::optional<int> FlickerOfShot::samples(int lane) const {
 }
 
 void FlickerOfShot::setFrames(int frames) {
-  assert(frames >= kLeastFlickerFrames && frames <= kMostFlickerFrames);
+  assert(frames >= kMinFlickerFrames && frames <= kMaxFlickerFrames);
   frames_ = frames;
 }
 

@@ -34,7 +34,7 @@ class FlickerOfShot {
   /// known. Cancelled: goes on from there when it is asked again. Throws Error.
   void refine(int samples, const Progress& progress = {}, int lane = 0);
   std::optional<int> samples(int lane = 0) const; ///< nothing: there is none
-  /// kLeastFlickerFrames to kMostFlickerFrames; kFlickerFrames unless told otherwise.
+  /// kMinFlickerFrames to kMaxFlickerFrames; kFlickerFrames unless told otherwise.
   void setFrames(int frames);
   int frames() const { return frames_; }
 
@@ -59,7 +59,7 @@ class FlickerOfShot {
   ShotPlayer& player_;
   References& references_;
   const gl::Driver& driver_;
-  std::array<FlickerRows, kMostLanes> rows_; // one a lane
+  std::array<FlickerRows, kMaxLanes> rows_; // one a lane
   int frames_ = kFlickerFrames;
 };
 

@@ -71,8 +71,8 @@ int InspectedShot::height() const {
 }
 
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
-  if (lanes.empty() || lanes.size() > kMostLanes)
-    throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMostLanes));
+  if (lanes.empty() || lanes.size() > kMaxLanes)
+    throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMaxLanes));
   requirePicture(driver_, lanes, player_.picturePx(), player_.watched(), player_.hasFog());
 }
 

@@ -82,7 +82,7 @@ class InspectedShot {
   int width() const;
   int height() const;
 
-  // Lanes: one to kMostLanes (settings, history) pairs on the same inputs
+  // Lanes: one to kMaxLanes (settings, history) pairs on the same inputs
   void setLanes(const std::vector<Settings>& lanes);
   /// The first ones stay as they are, others come and go at once: a new one has no history, so that it is not
   /// exact until refine() or a seek.

@@ -66,7 +66,7 @@ class ReferenceOfShot {
   References& references_;
   FlickerOfShot& flicker_;
   const gl::Driver& driver_;
-  std::array<ReferenceRows, kMostLanes> rows_; // one a lane
+  std::array<ReferenceRows, kMaxLanes> rows_; // one a lane
 };
 
 } // namespace taa

@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t(64) << 20;
-constexpr std::size_t kNumbers = 6, kLeastNumbers = 5;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t(64) << 20;
+constexpr std::size_t kNumbers = 6, kMinNumbers = 5;
 
 std::array<float, kNumbers> numbersOf(const CameraPose& pose) {
   return {pose.position.x, pose.position.y, pose.position.z, pose.yaw, pose.pitch, pose.fovY};
@@ -55,7 +55,7 @@ CameraPose parseCameraPose(const std::string& text) {
     if (!rest.empty()) rest.remove_prefix(1);
     numbers.push_back(number);
   }
-  if (!isRight || numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
+  if (!isRight || numbers.size() < kMinNumbers || numbers.size() > kNumbers)
     throw Error(say<"\"%1\" is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10">(text));
   CameraPose pose = poseFrom(numbers);
   checkCameraTrack({kFreeCamera, 0, {pose}});
@@ -79,7 +79,7 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
     track.firstFrame = json.at("firstFrame").get<int>();
     for (const ordered_json& row : json.at("poses")) {
       const auto numbers = row.get<std::vector<float>>();
-      if (numbers.size() < kLeastNumbers || numbers.size() > kNumbers)
+      if (numbers.size() < kMinNumbers || numbers.size() > kNumbers)
         throw Error(say<"a pose is [x, y, z, yaw, pitch, fov]">());
       track.poses.push_back(poseFrom(numbers));
     }
@@ -92,7 +92,7 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
 }
 
 CameraTrack readCameraTrack(const std::filesystem::path& path) {
-  const std::string text = readFile(path, kMostBytes);
+  const std::string text = readFile(path, kMaxBytes);
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   try {
     return cameraTrackFrom(json);

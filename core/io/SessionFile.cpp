@@ -25,11 +25,11 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr int kFormat = 1;
-constexpr std::uintmax_t kMostBytes = 4u << 20;
+constexpr std::uintmax_t kMaxBytes = 4u << 20;
 constexpr int kDeepest = 32; ///< levels of the JSON
-constexpr std::size_t kLongest = 4096, kMostModes = 4096;
-constexpr std::size_t kMostFurtherLanes = kMostLanes - 1;
-constexpr int kMostFrame = 1'000'000, kMostSide = 32768, kLeastSide = 4, kMostMiB = 1 << 20;
+constexpr std::size_t kLongest = 4096, kMaxModes = 4096;
+constexpr std::size_t kMaxFurtherLanes = kMaxLanes - 1;
+constexpr int kMaxFrame = 1'000'000, kMaxSide = 32768, kMinSide = 4, kMaxMiB = 1 << 20;
 
 enum class Part { Session, Lane };
 
@@ -98,16 +98,16 @@ void laneToJson(const SessionLane& lane, ordered_json& object) {
 
 std::vector<std::string> namesFromJson(const json& object, const char* key) {
   const json list = object.value(key, json::array());
-  if (!list.is_array() || list.size() > kMostModes)
-    throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMostModes));
+  if (!list.is_array() || list.size() > kMaxModes)
+    throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMaxModes));
   std::vector<std::string> names;
   for (const json& name : list) names.push_back(textOf(name, key));
   return names;
 }
 
 std::vector<ClassOverride> classesFromJson(const json& object) {
-  if (!object.is_object() || object.size() > kMostModes)
-    throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMostModes));
+  if (!object.is_object() || object.size() > kMaxModes)
+    throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMaxModes));
   std::vector<ClassOverride> classes;
   for (const auto& [name, given] : object.items())
     classes.push_back(parseClassOverride(name.substr(0, kLongest) + "=" + textOf(given, "classes")));
@@ -115,16 +115,16 @@ std::vector<ClassOverride> classesFromJson(const json& object) {
 }
 
 std::vector<int> restartsFromJson(const json& list) {
-  if (!list.is_array() || list.size() > kMostModes)
-    throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMostModes));
+  if (!list.is_array() || list.size() > kMaxModes)
+    throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMaxModes));
   std::vector<int> frames;
-  for (const json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMostFrame));
+  for (const json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMaxFrame));
   return frames;
 }
 
 std::vector<MotionOverride> modesFromJson(const json& object) {
-  if (!object.is_object() || object.size() > kMostModes)
-    throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMostModes));
+  if (!object.is_object() || object.size() > kMaxModes)
+    throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMaxModes));
   std::vector<MotionOverride> modes;
   for (const auto& [node, mode] : object.items())
     modes.push_back(parseMotionOverride(node.substr(0, kLongest) + "=" + textOf(mode, "motionModes")));
@@ -148,15 +148,15 @@ SessionFile sessionFromJson(const json& object) {
   SessionFile session;
   session.source = textOf(field(object, "source"), "source");
   session.camera = textOf(object.value("camera", json("")), "camera");
-  session.frame = numberOf(field(object, "frame"), "frame", 0, kMostFrame);
+  session.frame = numberOf(field(object, "frame"), "frame", 0, kMaxFrame);
   const json& size = field(object, "size");
   if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
-  session.size = {numberOf(size[0], "size", kLeastSide, kMostSide),
-                  numberOf(size[1], "size", kLeastSide, kMostSide)};
+  session.size = {numberOf(size[0], "size", kMinSide, kMaxSide),
+                  numberOf(size[1], "size", kMinSide, kMaxSide)};
   session.settings = laneFromJson(object);
   const json lanes = object.value("lanes", json::array());
-  if (!lanes.is_array() || lanes.size() > kMostFurtherLanes)
-    throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMostFurtherLanes));
+  if (!lanes.is_array() || lanes.size() > kMaxFurtherLanes)
+    throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMaxFurtherLanes));
   for (const json& lane : lanes) {
     checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane));
@@ -168,7 +168,7 @@ SessionFile sessionFromJson(const json& object) {
   session.objectClasses = classesFromJson(object.value("classes", json::object()));
   session.restarts = restartsFromJson(object.value("restarts", json::array()));
   session.checkpointsMiB =
-      numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMostMiB);
+      numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
   const json window = object.value("window", json::object());
   if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
   session.window = window.dump();
@@ -226,7 +226,7 @@ std::string sessionToText(const SessionFile& session) {
 }
 
 SessionFile readSession(const fs::path& path) {
-  SessionFile session = sessionFromText(readFile(path, kMostBytes), path.string());
+  SessionFile session = sessionFromText(readFile(path, kMaxBytes), path.string());
   if (isPath(session.source) && fs::path(session.source).is_relative())
     session.source = (fs::absolute(path).parent_path() / session.source).lexically_normal().string();
   return session;

@@ -23,7 +23,7 @@
 namespace taa {
 
 /// Frames that it is taken over, K: as many as there are jitters before they repeat, unless told otherwise.
-inline constexpr int kLeastFlickerFrames = 2, kMostFlickerFrames = 64, kFlickerFrames = 16;
+inline constexpr int kMinFlickerFrames = 2, kMaxFlickerFrames = 64, kFlickerFrames = 16;
 
 /// One of those frames.
 struct FlickerFrame {

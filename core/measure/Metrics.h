@@ -12,7 +12,7 @@
 namespace taa {
 
 /// How many samples a reference may have, and has unless told otherwise.
-inline constexpr int kLeastReferenceSamples = 4, kMostReferenceSamples = 1024, kReferenceSamples = 64;
+inline constexpr int kMinReferenceSamples = 4, kMaxReferenceSamples = 1024, kReferenceSamples = 64;
 
 /// How far a picture is from another one, over red, green and blue of all pixels.
 struct PictureError {

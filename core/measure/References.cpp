@@ -64,9 +64,9 @@ ReferencePicture& References::use(const ReferenceKey& key) {
 
 void References::refine(SceneRenderer& renderer, const ReferenceKey& key, int samples,
                         const Progress& progress) {
-  if (samples < kLeastReferenceSamples || samples > kMostReferenceSamples)
-    throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kLeastReferenceSamples,
-                                                                           kMostReferenceSamples));
+  if (samples < kMinReferenceSamples || samples > kMaxReferenceSamples)
+    throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kMinReferenceSamples,
+                                                                           kMaxReferenceSamples));
   ReferencePicture& picture = use(key);
   if (picture.samples > samples) picture = {key, 0, {}};
   if (picture.sums.empty()) {

@@ -15,8 +15,8 @@ namespace taa {
 namespace {
 
 constexpr int kRounds = 15; // so that the range leaves out three of them at each end
-constexpr double kLeastSampleMs = 4.0;
-constexpr int kMostRepeats = 64;
+constexpr double kMinSampleMs = 4.0;
+constexpr int kMaxRepeats = 64;
 
 // One ends after each stage: the first only stores, the last is the whole resolve.
 constexpr auto kPrograms = [] {
@@ -60,8 +60,8 @@ StageCosts StageMeter::measure(TaaPass& pass, const ResolvedFrame& frame, const 
     if (draw.counts)
       times_[draw.program].push_back(milliseconds);
     else
-      repeats_ = std::clamp(static_cast<int>(std::ceil(kLeastSampleMs / std::max(milliseconds, 1e-3))), 1,
-                            kMostRepeats);
+      repeats_ = std::clamp(static_cast<int>(std::ceil(kMinSampleMs / std::max(milliseconds, 1e-3))), 1,
+                            kMaxRepeats);
   }
   StageCosts costs = result(frame);
   forget(pass);

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 10> kVisuals = {"Color",  "Box",      "De
 constexpr std::size_t kKeptTargets = 4; // viewports of as many sizes are drawn in turn
 
 // Half of the longest arrow, share of its cell, and half of the shortest one that is no dot, units.
-constexpr float kArrowReach = 0.45f, kLeastReach = 2.0f;
+constexpr float kArrowReach = 0.45f, kMinReach = 2.0f;
 
 /// What kind of texture a layer is read from.
 enum class Reading : std::uint8_t { Array, Plain, Integers };
@@ -163,7 +163,7 @@ shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const
                     layers.objectId.firstChannel};
   block.above = {kAboveColor[0], kAboveColor[1], kAboveColor[2], unitOf(transform)};
   block.below = {kBelowColor[0], kBelowColor[1], kBelowColor[2], kTintShare};
-  block.arrows = {kArrowSpacing, kLongestArrow, kArrowReach, kLeastReach};
+  block.arrows = {kArrowSpacing, kLongestArrow, kArrowReach, kMinReach};
   return block;
 }
 
@@ -250,7 +250,7 @@ ArrowScale arrowScale(const ViewTransform& transform) {
   const float texels = std::ceil(kArrowSpacing * unitOf(transform) / transform.zoom);
   const float cell = texels * transform.zoom / unitOf(transform);
   const float reach = kArrowReach * std::min(cell, kLongestArrow);
-  return {2.0f * reach, std::min(1.0f, kLeastReach / reach)};
+  return {2.0f * reach, std::min(1.0f, kMinReach / reach)};
 }
 
 ViewStyle defaultStyle(const Intermediate& row) {

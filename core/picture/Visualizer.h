@@ -61,8 +61,8 @@ inline constexpr float kArrowSpacing = 24.0f, kLongestArrow = 48.0f;
 
 /// What the arrows over vectors mean.
 struct ArrowScale {
-  float longest = 0.0f;    ///< units of an arrow at the end of the range, or beyond it
-  float leastShare = 0.0f; ///< of the range; what is less is a dot
+  float longest = 0.0f;  ///< units of an arrow at the end of the range, or beyond it
+  float minShare = 0.0f; ///< of the range; what is less is a dot
 };
 ArrowScale arrowScale(const ViewTransform& transform);
 

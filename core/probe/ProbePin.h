@@ -14,7 +14,7 @@
 namespace taa {
 
 /// As many as have a key.
-inline constexpr int kMostPins = 9;
+inline constexpr int kMaxPins = 9;
 
 /// What a pin stays on while time goes on.
 enum class Follow : std::uint8_t {

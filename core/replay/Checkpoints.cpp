@@ -9,7 +9,7 @@ namespace taa {
 namespace {
 
 // More are never in use at once between two frames of a playing lane.
-constexpr std::size_t kMostFree = 4;
+constexpr std::size_t kMaxFree = 4;
 
 // Rank by which frames stay: the higher, the longer.
 int rankOf(int frame, const Spread& spread) {
@@ -29,7 +29,7 @@ std::shared_ptr<History> HistoryPool::take() {
   return {history.release(), [pool](History* used) {
             std::unique_ptr<History> owned(used);
             const std::shared_ptr<Free> free = pool.lock();
-            if (free && free->size() < kMostFree) free->push_back(std::move(owned));
+            if (free && free->size() < kMaxFree) free->push_back(std::move(owned));
           }};
 }
 

@@ -16,7 +16,7 @@ namespace taa {
 /// Of 1280 × 720 with the default settings it holds 48 histories.
 inline constexpr std::size_t kDefaultCheckpointBudget = std::size_t(1) << 30;
 /// What a program can be asked for, MiB.
-inline constexpr int kMostCheckpointMiB = 1 << 20;
+inline constexpr int kMaxCheckpointMiB = 1 << 20;
 
 /// A history that nobody writes any more. Owned by checkpoints and by the frames on show, whichever lets go
 /// last; then its textures go back to the pool they came from.

@@ -79,7 +79,7 @@ struct SetSettings {
   static constexpr RequestRule kRule{.kind = RequestKind::Settings, .turn = Turn::Shot, .endsReplay = true};
 };
 
-/// Settings of the lanes after the first, to compare with: at most kMostLanes − 1. At once without history,
+/// Settings of the lanes after the first, to compare with: at most kMaxLanes − 1. At once without history,
 /// then exactly.
 struct SetOtherLanes {
   std::vector<Settings> lanes;

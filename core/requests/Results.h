@@ -41,7 +41,7 @@ struct Thumbnail {
 };
 
 /// Names of objects that the status holds at most: more than a menu has room for.
-inline constexpr std::size_t kMostObjects = 40;
+inline constexpr std::size_t kMaxObjects = 40;
 
 /// What the window shows about the state; sent whenever any of it changes. Before the pictures of a frame
 /// that is not exact or not the wished one, after those of one that is: who shows badges by it never lacks
@@ -49,7 +49,7 @@ inline constexpr std::size_t kMostObjects = 40;
 struct Status {
   std::string source, camera;
   std::vector<std::string> cameras, warnings;
-  std::vector<std::string> objects; ///< names of what is drawn, at most kMostObjects
+  std::vector<std::string> objects; ///< names of what is drawn, at most kMaxObjects
   std::vector<MotionOverride> motionModes;
   int width = 0, height = 0, frameCount = 0;
   double framesPerSecond = 60.0;

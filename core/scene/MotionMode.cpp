@@ -11,7 +11,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMostNamesInMessage = 24;
+constexpr std::size_t kMaxNamesInMessage = 24;
 
 bool isBetween(double moment, double after, double until) {
   return moment > after && moment <= until;
@@ -49,9 +49,9 @@ void checkMotionOverrides(const Scene& scene, const std::vector<MotionOverride>&
   for (const MotionOverride& replaced : overrides) {
     if (std::ranges::find(names, replaced.node) != names.end()) continue;
     std::string known;
-    for (std::size_t i = 0; i < std::min(names.size(), kMostNamesInMessage); ++i)
+    for (std::size_t i = 0; i < std::min(names.size(), kMaxNamesInMessage); ++i)
       known += (i == 0 ? "" : ", ") + names[i];
-    if (names.size() > kMostNamesInMessage)
+    if (names.size() > kMaxNamesInMessage)
       throw Error(say<"no object is called \"%1\"; there are %2 and more">(replaced.node, known));
     if (known.empty())
       throw Error(say<"no object is called \"%1\"; there are none with a name">(replaced.node));

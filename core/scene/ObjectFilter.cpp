@@ -12,7 +12,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMostNamesInMessage = 24;
+constexpr std::size_t kMaxNamesInMessage = 24;
 
 using Names = std::unordered_set<std::string>;
 
@@ -26,7 +26,7 @@ std::string unknownObject(const std::string& name, const Scene& scene) {
   for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
     const std::string key = nodeKey(scene, node);
     if (!told.insert(key).second) continue;
-    if (told.size() > kMostNamesInMessage)
+    if (told.size() > kMaxNamesInMessage)
       return say<"no object is called \"%1\"; there are %2 and more">(name, known);
     known += (known.empty() ? "" : ", ") + key;
   }

@@ -101,7 +101,7 @@ struct FogCone {
   glm::vec3 light{1.0f};                      ///< radiance that endless fog would have at the small end
   float fading = 0.0f;                        ///< share of it that is lost on the way to the large end
 };
-inline constexpr int kMostFogCones = 4; ///< of a scene
+inline constexpr int kMaxFogCones = 4; ///< of a scene
 
 /// How long a scene is and what is asked for first.
 struct Shot {
@@ -122,7 +122,7 @@ struct Scene {
   std::vector<Animation> animations; ///< the first one plays
   std::vector<SceneCamera> cameras;
   std::vector<Light> lights;
-  std::vector<FogCone> fog; ///< at most kMostFogCones
+  std::vector<FogCone> fog; ///< at most kMaxFogCones
   Sky sky;
   Shot shot;
   Bounds bounds;                     ///< world space, at rest

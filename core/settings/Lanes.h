@@ -4,6 +4,6 @@
 namespace taa {
 
 /// The settings in force, and for each of four views others to compare them with.
-inline constexpr int kMostLanes = 5;
+inline constexpr int kMaxLanes = 5;
 
 } // namespace taa

@@ -35,8 +35,8 @@ float randomOf(const Teller& t, int channel) {
 
 /// Half floats of x are whole numbers over 2 to this.
 int halfPlaces(float x) {
-  constexpr int kFraction = 10, kLeast = 24;
-  return x < 0x1p-14f ? kLeast : kFraction - std::ilogb(x);
+  constexpr int kFraction = 10, kMin = 24;
+  return x < 0x1p-14f ? kMin : kFraction - std::ilogb(x);
 }
 
 std::string ditheredHalf(const Teller& t, const std::string& expression, int channel) {

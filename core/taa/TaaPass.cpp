@@ -67,7 +67,7 @@ std::vector<Run> runsFor(const Settings& settings, bool keepsHistory, std::span<
   while (keepsHistory || !slots.empty()) {
     Run run;
     run.keepsHistory = keepsHistory;
-    run.slots = slots.first(std::min(slots.size(), kMostTargets - run.taken(settings)));
+    run.slots = slots.first(std::min(slots.size(), kMaxTargets - run.taken(settings)));
     slots = slots.subspan(run.slots.size());
     runs.push_back(run);
     keepsHistory = false;

@@ -68,12 +68,12 @@ vec3 withArrow(vec3 color, vec2 value, vec2 at, float cell) {
 
 // The digits 0 to 9: five rows of three bits, the upper left one the highest.
 const int kDigits[10] = int[](0x7B6F, 0x2C97, 0x73E7, 0x73CF, 0x5BC9, 0x79CF, 0x79EF, 0x7249, 0x7BEF, 0x7BCF);
-const float kLeastNumbered = 12.0; // units a texel has at least to hold a digit
+const float kMinNumbered = 12.0; // units a texel has at least to hold a digit
 
 // A digit on a dark plate in the upper left corner of a texel that is `zoom` screen px wide; `at`: px from its corner.
 vec3 numbered(vec3 color, int digit, vec2 at, float zoom) {
   float unit = view.above.w;
-  if (zoom < kLeastNumbered * unit) return color;
+  if (zoom < kMinNumbered * unit) return color;
   float size = zoom < 24.0 * unit ? unit : 2.0 * unit;
   ivec2 cell = ivec2(floor(at / size)) - 2;
   if (any(lessThan(cell, ivec2(-1))) || cell.x > 3 || cell.y > 5) return color;

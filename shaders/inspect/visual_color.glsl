@@ -4,7 +4,7 @@
 #include "inspect/color_maps.glsl"
 
 const float kNoPrevious = 65504.0;         // motion of what has no previous position
-const float kLogRangeLeast = 1.0 / 1024.0; // a logarithmic range that starts at 0 starts at this share of its end
+const float kLogRangeMin = 1.0 / 1024.0; // a logarithmic range that starts at 0 starts at this share of its end
 const vec3 kSkyColor = vec3(0.347, 0.474, 0.693); // the depth of what is infinitely far: in no color map
 const vec3 kNeutral = vec3(0.373248);      // gray as light as the cyclic map: kCyclicLightness cubed
 const float kTurn = 6.283185307;           // radians
@@ -61,7 +61,7 @@ vec3 lightColor(vec3 value) {
 vec3 depthColor(float value) {
   if (value == 0.0) return kSkyColor;
   float high = view.range.x + view.range.y;
-  float low = max(view.range.x, high * kLogRangeLeast);
+  float low = max(view.range.x, high * kLogRangeMin);
   return mapColor(kMap, log2(value / low) / log2(high / low));
 }
 

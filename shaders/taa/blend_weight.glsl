@@ -90,7 +90,7 @@ float baseWeight(WeightInputs x) {
 }
 
 /// Least that is left of α: no more than a source gives by itself, but 1/(N+1) is raised to it.
-float leastWeight(float base) {
+float minWeight(float base) {
   if (kWeightSource == kWeightSource_historyLength) return settings.weightMinimum;
   return minimum(base, settings.weightMinimum);
 }
@@ -251,7 +251,7 @@ struct Composed {
 
 Composed compose(WeightInputs x, float base, Damping damping) {
   Composed result;
-  result.least = leastWeight(base);
+  result.least = minWeight(base);
   precise float damped = base * damping.lumaFlicker;
   damped = damped * damping.nearClamp;
   damped = damped * damping.historyContrast;

@@ -271,7 +271,7 @@ TEST(FlightMath, MovesAlongWhereItLooks) {
   EXPECT_NEAR(glm::length(both.position), 1.0f, 1e-5f) << "no faster askew";
   EXPECT_EQ(moved(pose, {}, 1.0f), pose);
   pose.pitch = 80.0f;
-  EXPECT_EQ(turned(pose, 0.0, -1e5, 100.0).pitch, kMostPitch);
+  EXPECT_EQ(turned(pose, 0.0, -1e5, 100.0).pitch, kMaxPitch);
   EXPECT_NEAR(turned(CameraPose{}, 1.0, 0.0, 1000.0).yaw, 0.04747f, 1e-4f);
   EXPECT_LE(std::abs(turned(pose, 1e6, 0.0, 100.0).yaw), 180.0f);
 }

@@ -193,7 +193,7 @@ TEST_F(OverlaysTest, TheScaleOfArrowsIsWhatIsDrawn) {
   for (int x = 32; x < 64; ++x) length += pixel(picture, x, 48) == kWhite ? 1 : 0;
   EXPECT_NEAR(length, taa::arrowScale(transform).longest, 2.0) << "its tip is narrower than a pixel";
   const float most = std::max(std::abs(style.low), std::abs(style.high));
-  const float least = taa::arrowScale(transform).leastShare * most;
+  const float least = taa::arrowScale(transform).minShare * most;
   const auto whiteIn = [&](float x) {
     const taa::gl::Texture still = textureOf(filled(8, 8, {x, 0.0f}));
     const Picture drawn = draw({.row = {&still}}, IntermediateId::motion, style, transform, 256, 256);

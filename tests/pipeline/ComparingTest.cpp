@@ -90,7 +90,7 @@ TEST_F(ComparingTest, ALaneCanTakeOtherSettingsWithoutTheOthersNoticing) {
 
 TEST_F(ComparingTest, RefusesTooManyLanesAndStaysAsItWas) {
   const auto inspector = opened();
-  EXPECT_THROW(inspector->shot().changeLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
+  EXPECT_THROW(inspector->shot().changeLanes(std::vector<Settings>(taa::kMaxLanes + 1)), taa::Error);
   EXPECT_EQ(inspector->shot().laneCount(), 1);
 }
 

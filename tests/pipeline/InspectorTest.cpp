@@ -75,7 +75,7 @@ TEST_F(InspectorTest, KeepsItsStateWhenSomethingCannotBeDone) {
   EXPECT_THROW(inspector->shot().setSize(3, 100), taa::Error);
   EXPECT_THROW(inspector->shot().setSize(1 << 20, 100), taa::Error);
   EXPECT_THROW(inspector->shot().setLanes({}), taa::Error);
-  EXPECT_THROW(inspector->shot().setLanes(std::vector<Settings>(taa::kMostLanes + 1)), taa::Error);
+  EXPECT_THROW(inspector->shot().setLanes(std::vector<Settings>(taa::kMaxLanes + 1)), taa::Error);
   EXPECT_THROW(inspector->probes().probe(kWidth, 0), taa::Error);
   EXPECT_THROW(inspector->probes().probe(0, -1), taa::Error);
   EXPECT_EQ(inspector->shot().source(), "builtin:fan");

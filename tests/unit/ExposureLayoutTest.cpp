@@ -63,7 +63,7 @@ TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
 TEST(ExposureLayout, GivesTheFirstRunTheLatestStages) {
   const taa::Settings settings;
   const ExposureLayout layout(allRows(), taa::rowSources(settings));
-  const std::size_t first = taa::kMostTargets - taa::historyTargets(settings);
+  const std::size_t first = taa::kMaxTargets - taa::historyTargets(settings);
   ASSERT_GT(layout.ofResolve().size(), first);
   for (const ExposedSlot& slot : layout.ofResolve().subspan(first))
     for (const ExposedSlot::Part& part : slot.parts) {
@@ -78,7 +78,7 @@ TEST(ExposureLayout, TakesFewRunsForAllRowsOfEveryPreset) {
   for (const taa::Preset& preset : taa::builtinPresets()) {
     const ExposureLayout layout(allRows(), taa::rowSources(preset.settings));
     const std::size_t slots = layout.ofResolve().size() + taa::historyTargets(preset.settings);
-    const std::size_t runs = (slots + taa::kMostTargets - 1) / taa::kMostTargets;
+    const std::size_t runs = (slots + taa::kMaxTargets - 1) / taa::kMaxTargets;
     EXPECT_LE(runs, 3u) << preset.id << ": " << slots << " targets";
     for (const Intermediate& row : kResolveRows)
       EXPECT_TRUE(layout.held(row.id) || !layout.slot(row.id).parts.empty()) << row.name;

@@ -12,7 +12,7 @@ using taa::referencePointPx;
 
 namespace {
 
-constexpr int kMost = 1024;
+constexpr int kMax = 1024;
 
 std::vector<float> coordinates(int count, int axis) {
   std::vector<float> values;
@@ -30,7 +30,7 @@ TEST(ReferencePoints, AreTheseForEver) {
 
 TEST(ReferencePoints, LieInThePixelAndAreAllDifferent) {
   std::vector<std::pair<float, float>> seen;
-  for (int index = 0; index < kMost; ++index) {
+  for (int index = 0; index < kMax; ++index) {
     const glm::vec2 point = referencePointPx(index);
     EXPECT_LE(std::abs(point.x), 0.5f) << index;
     EXPECT_LE(std::abs(point.y), 0.5f) << index;
@@ -42,7 +42,7 @@ TEST(ReferencePoints, LieInThePixelAndAreAllDifferent) {
 
 TEST(ReferencePoints, HaveTheMeanZeroAfterEachPair) {
   glm::dvec2 sum(0.0);
-  for (int index = 0; index < kMost; ++index) {
+  for (int index = 0; index < kMax; ++index) {
     sum += glm::dvec2(referencePointPx(index));
     if (index % 2 == 1) {
       EXPECT_EQ(sum, glm::dvec2(0.0)) << index;
@@ -53,7 +53,7 @@ TEST(ReferencePoints, HaveTheMeanZeroAfterEachPair) {
 // What an edge that crosses the pixel anywhere is given, against what it covers: the error falls as 1/N and
 // not as 1/√N.
 TEST(ReferencePoints, MeasureTheCoverageOfEdges) {
-  for (int count = 4; count <= kMost; count *= 4)
+  for (int count = 4; count <= kMax; count *= 4)
     for (int axis = 0; axis < 2; ++axis) {
       const std::vector<float> values = coordinates(count, axis);
       double worst = 0.0;

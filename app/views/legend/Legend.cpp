@@ -236,7 +236,7 @@ void addArrows(Writer& writer, const Intermediate& row, const ViewStyle& style,
   writer.plain(QObject::tr("= %1 %2 or more, shorter in proportion").arg(shortText(extent(style)), unit));
   writer.icon(6, 6, paintDot);
   writer.plain(QObject::tr("= still: less than %1 %2")
-                   .arg(shortText(extent(style) * static_cast<double>(scale.leastShare), 2), unit));
+                   .arg(shortText(extent(style) * static_cast<double>(scale.minShare), 2), unit));
   writer.quiet(row.id == IntermediateId::dilatedOffset ? QObject::tr("arrows point to the neighbor")
                                                        : QObject::tr("arrows point where it moves to"));
 }

@@ -16,7 +16,7 @@ namespace taa::app {
 
 namespace {
 constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
-constexpr double kLeastSpan = 4.0, kZoomStep = 1.25;
+constexpr double kMinSpan = 4.0, kZoomStep = 1.25;
 constexpr double kTickSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
 constexpr double kDotRadius = 2.5;                      ///< px
 } // namespace
@@ -216,7 +216,7 @@ void CurveChart::mouseReleaseEvent(QMouseEvent* event) {
   const Span wished{std::max(all_.low, xAt(std::min(from, to))),
                     std::min(all_.high, xAt(std::max(from, to)))};
   const double factor = shown_.length() / std::max(wished.length(), 1e-9);
-  const Span sized = zoomed(shown_, all_, factor, 0.5 * (shown_.low + shown_.high), kLeastSpan);
+  const Span sized = zoomed(shown_, all_, factor, 0.5 * (shown_.low + shown_.high), kMinSpan);
   setShown(moved(sized, all_, 0.5 * (wished.low + wished.high - sized.low - sized.high)));
 }
 
@@ -229,7 +229,7 @@ void CurveChart::wheelEvent(QWheelEvent* event) {
   const QPoint delta = event->angleDelta();
   if (delta.y() != 0)
     setShown(
-        zoomed(shown_, all_, std::pow(kZoomStep, delta.y() / 120.0), xAt(event->position().x()), kLeastSpan));
+        zoomed(shown_, all_, std::pow(kZoomStep, delta.y() / 120.0), xAt(event->position().x()), kMinSpan));
   else
     setShown(moved(shown_, all_, -delta.x() / 1200.0 * shown_.length()));
   event->accept();

@@ -12,9 +12,9 @@ namespace taa::app {
 
 namespace {
 constexpr double kMargin = 10.0;
-constexpr double kLeastRadius = 2.0;
+constexpr double kMinRadius = 2.0;
 constexpr double kFullRadius = 0.16; ///< of the pixel's side: one sample that is all of the picture
-constexpr std::size_t kMostNumbers = 64, kLongestPath = 64; ///< more could not be told apart
+constexpr std::size_t kMaxNumbers = 64, kLongestPath = 64; ///< more could not be told apart
 } // namespace
 
 JitterView::JitterView(QWidget* parent) : QWidget(parent) {
@@ -52,7 +52,7 @@ QPointF JitterView::pointOf(const glm::dvec2& position) const {
 }
 
 double JitterView::radiusOf(const JitterSample& sample) const {
-  return std::max(kLeastRadius, kFullRadius * square().width() * std::sqrt(std::max(0.0, sample.weight)));
+  return std::max(kMinRadius, kFullRadius * square().width() * std::sqrt(std::max(0.0, sample.weight)));
 }
 
 std::optional<int> JitterView::sampleAt(const QPointF& point) const {
@@ -109,7 +109,7 @@ void JitterView::paintSamples(QPainter& painter) const {
       painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(center, radius + 3.5, radius + 3.5);
     }
-    if (count > kMostNumbers) continue;
+    if (count > kMaxNumbers) continue;
     painter.setPen(colors.text);
     painter.drawText(center + QPointF(radius + 4.0, 4.0), QString::number(index));
   }

@@ -12,7 +12,7 @@ PinBar::PinBar(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
   line->setSpacing(0);
-  for (int pin = 0; pin < kMostPins; ++pin) {
+  for (int pin = 0; pin < kMaxPins; ++pin) {
     auto* button = new QToolButton;
     button->setText(QString::number(pin + 1));
     button->setFont(numberFont());

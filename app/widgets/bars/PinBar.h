@@ -28,7 +28,7 @@ class PinBar : public QWidget {
   void followChosen(Follow follow);
 
  private:
-  std::array<QToolButton*, kMostPins> buttons_{};
+  std::array<QToolButton*, kMaxPins> buttons_{};
   SegmentedButtons* follow_ = nullptr;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 // The picture is shown as often as its error halves: with 4, 16, 64 … samples.
 int nextShown(int samples, int goal) {
-  int next = kLeastReferenceSamples;
+  int next = kMinReferenceSamples;
   while (next <= samples) next *= 4;
   return std::min(next, goal);
 }
@@ -19,7 +19,7 @@ int nextShown(int samples, int goal) {
 } // namespace
 
 void ReferenceDrawing::take(const request::SetReferenceSamples& wanted) {
-  wanted_.referenceSamples = std::clamp(wanted.samples, kLeastReferenceSamples, kMostReferenceSamples);
+  wanted_.referenceSamples = std::clamp(wanted.samples, kMinReferenceSamples, kMaxReferenceSamples);
   desk().isStatusOld = true;
   goOn();
 }

@@ -8,9 +8,9 @@ namespace taa {
 namespace {
 constexpr std::chrono::milliseconds kPeriod{250}, kSettled{150};
 // Before the first one is drawn its cost is not known, and the spread of costs is large.
-constexpr std::chrono::milliseconds kLeastRoom{2};
+constexpr std::chrono::milliseconds kMinRoom{2};
 // What takes longer has compiled a program, which the next one need not.
-constexpr std::chrono::milliseconds kMostCost{4};
+constexpr std::chrono::milliseconds kMaxCost{4};
 } // namespace
 
 void ThumbnailSchedule::want(const glm::ivec2& texels) {
@@ -35,12 +35,12 @@ ThumbnailSchedule::dueAt(std::uint64_t version, Clock::time_point now,
     due = std::max(now, lastBegan_ + kPeriod / static_cast<int>(rows_.size()));
   else if (drawnOf_ != latest_) // else its values are cached
     due = std::max(now, latestSince_ + kSettled);
-  if (busyAt && due + std::max<Clock::duration>(2 * cost_, kLeastRoom) > *busyAt) return {};
+  if (busyAt && due + std::max<Clock::duration>(2 * cost_, kMinRoom) > *busyAt) return {};
   return due;
 }
 
 void ThumbnailSchedule::drawn(Clock::time_point began, Clock::time_point ended) {
-  if (drawnOf_ != latest_) cost_ = std::min<Clock::duration>(ended - began, kMostCost);
+  if (drawnOf_ != latest_) cost_ = std::min<Clock::duration>(ended - began, kMaxCost);
   drawnOf_ = latest_;
   lastBegan_ = began;
   place_ = (place_ + 1) % rows_.size();

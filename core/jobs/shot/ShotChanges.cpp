@@ -20,7 +20,7 @@ bool ShotChanges::open(const std::string& source) {
   const bool isOpened = desk_.change(RequestKind::Source, [&] {
     shot.open(source, told);
     objects_ = objectNames(shot.scene());
-    objects_.resize(std::min(objects_.size(), kMostObjects));
+    objects_.resize(std::min(objects_.size(), kMaxObjects));
     outline_ = std::make_shared<const SceneOutline>(outlineOf(shot.scene(), shot.source()));
   });
   if (isOpened) opened_ = desk_.latest(RequestKind::Source);

@@ -12,7 +12,7 @@
 
 namespace taa {
 
-static_assert(kMostFogCones == shared::kMaxFogCones);
+static_assert(kMaxFogCones == shared::kMaxFogCones);
 
 namespace {
 

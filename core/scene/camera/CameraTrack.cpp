@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kNearOfRadius = 0.01f; ///< as of the fitted paths, so that depth reads the same
 constexpr float kFarAway = 1e6f;       ///< of a position, world units: farther away floats have no detail
-constexpr float kLeastFov = 1.0f, kMostFov = 160.0f; ///< degrees
+constexpr float kMinFov = 1.0f, kMaxFov = 160.0f; ///< degrees
 
 bool isIn(float value, float least, float most) {
   return value >= least && value <= most; // false for NaN
@@ -91,11 +91,10 @@ CameraPose poseOf(const CameraState& camera) {
   CameraPose pose;
   pose.position = glm::clamp(glm::vec3(world[3]), glm::vec3(-kFarAway), glm::vec3(kFarAway));
   pose.yaw = glm::degrees(std::atan2(forward.x, -forward.z));
-  pose.pitch =
-      std::clamp(glm::degrees(std::asin(std::clamp(forward.y, -1.0f, 1.0f))), -kMostPitch, kMostPitch);
+  pose.pitch = std::clamp(glm::degrees(std::asin(std::clamp(forward.y, -1.0f, 1.0f))), -kMaxPitch, kMaxPitch);
   if (!camera.orthographic)
     pose.fovY =
-        std::clamp(glm::degrees(2.0f * std::atan(1.0f / camera.clipFromView[1][1])), kLeastFov, kMostFov);
+        std::clamp(glm::degrees(2.0f * std::atan(1.0f / camera.clipFromView[1][1])), kMinFov, kMaxFov);
   return pose;
 }
 
@@ -105,8 +104,8 @@ void checkCameraTrack(const CameraTrack& track) {
   if (track.firstFrame < 0) throw Error(say<"the camera path \"%1\" begins at a frame before 0">(track.name));
   for (std::size_t i = 0; i < track.poses.size(); ++i) {
     const CameraPose& pose = track.poses[i];
-    bool isRight = isIn(pose.yaw, -36000.0f, 36000.0f) && isIn(pose.pitch, -kMostPitch, kMostPitch) &&
-                   isIn(pose.fovY, kLeastFov, kMostFov);
+    bool isRight = isIn(pose.yaw, -36000.0f, 36000.0f) && isIn(pose.pitch, -kMaxPitch, kMaxPitch) &&
+                   isIn(pose.fovY, kMinFov, kMaxFov);
     for (int axis = 0; axis < 3; ++axis) isRight = isRight && isIn(pose.position[axis], -kFarAway, kFarAway);
     if (!isRight)
       throw Error(say<"the camera path \"%1\" has a pose %2 that is out of range: positions within a million "

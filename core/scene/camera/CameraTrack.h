@@ -14,13 +14,13 @@ namespace taa {
 struct CameraPose {
   glm::vec3 position{0.0f}; ///< world
   float yaw = 0.0f;         ///< degrees; 0 looks along −z, positive to the right
-  float pitch = 0.0f;       ///< degrees above the horizon, −kMostPitch to kMostPitch
+  float pitch = 0.0f;       ///< degrees above the horizon, −kMaxPitch to kMaxPitch
   float fovY = 45.0f;       ///< degrees
   bool operator==(const CameraPose&) const = default;
 };
 
 /// Straight up and down have no yaw.
-inline constexpr float kMostPitch = 89.0f;
+inline constexpr float kMaxPitch = 89.0f;
 
 /// A camera path by poses: frame n has poses[n − firstFrame]; before the first and after the last it rests.
 struct CameraTrack {

@@ -44,13 +44,13 @@ void setBounds(Scene& scene) {
 /// Whole runs of the first animation, four seconds or a little more; without one, a turn of the orbit.
 Shot shotOf(const Scene& scene) {
   constexpr double kSeconds = 4.0;
-  constexpr int kStillFrames = 480, kMostFrames = 1200;
+  constexpr int kStillFrames = 480, kMaxFrames = 1200;
   Shot shot;
   shot.frames = kStillFrames;
   if (scene.animations.empty() || !(scene.animations.front().duration > 0.0f)) return shot;
   const double duration = scene.animations.front().duration;
   const double frames = std::ceil(kSeconds / duration) * duration * shot.framesPerSecond;
-  shot.frames = static_cast<int>(std::clamp(std::round(frames), 1.0, double(kMostFrames)));
+  shot.frames = static_cast<int>(std::clamp(std::round(frames), 1.0, double(kMaxFrames)));
   return shot;
 }
 

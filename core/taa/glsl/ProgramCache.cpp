@@ -10,7 +10,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMostPrograms = 32;
+constexpr std::size_t kMaxPrograms = 32;
 // A program that was not used in this many runs is compiled again only when it is needed again.
 constexpr std::uint64_t kRunsInUse = 16;
 
@@ -55,7 +55,7 @@ const gl::Program& ProgramCache::program(const Settings& settings, const std::st
 }
 
 void ProgramCache::dropOldest() {
-  if (variants_.size() < kMostPrograms) return;
+  if (variants_.size() < kMaxPrograms) return;
   variants_.erase(
       std::ranges::min_element(variants_, {}, [](const auto& entry) { return entry.second.lastUse; }));
 }

@@ -13,7 +13,7 @@ namespace taa {
 namespace {
 
 // So many rows of the resolve are not packed: beside the targets of the history they take one run.
-constexpr std::size_t kMostAlone = kMostTargets - kHistoryTargets;
+constexpr std::size_t kMaxAlone = kMaxTargets - kHistoryTargets;
 
 // GL draws into no three.
 int storedChannels(IntermediateId id) {
@@ -66,7 +66,7 @@ ExposureLayout::ExposureLayout(std::vector<IntermediateId> watched, const RowSou
   std::erase_if(watched_, isOfReference);
   const std::vector<IntermediateId> written = rowsToWrite();
   const std::vector<IntermediateId> resolve = rowsOfResolve(written);
-  if (resolve.size() <= kMostAlone)
+  if (resolve.size() <= kMaxAlone)
     giveLayers(resolve);
   else
     pack(resolve);
@@ -104,7 +104,7 @@ void ExposureLayout::pack(std::vector<IntermediateId> rows) {
     return left.stage > right.stage; // the latest first
   });
   for (std::size_t taken = sources_.historyTargets; !rows.empty(); taken = 0)
-    rows = packRun(rows, kMostTargets - taken);
+    rows = packRun(rows, kMaxTargets - taken);
 }
 
 // As many of the rows as fit into so many slots, those that stand first before others; what is left over.
@@ -192,7 +192,7 @@ int ExposureLayout::firstChannel(IntermediateId id) const {
 }
 
 std::string exposeAsTargets(std::span<const ExposedSlot> slots, std::size_t taken) {
-  assert(taken + slots.size() <= kMostTargets);
+  assert(taken + slots.size() <= kMaxTargets);
   std::string text;
   for (std::size_t index = 0; index < slots.size(); ++index) {
     const int channels = slots[index].channels;

@@ -74,7 +74,7 @@ class ExposureLayout {
 };
 
 /// Color targets of a run at most: GL promises so many.
-inline constexpr std::size_t kMostTargets = 8;
+inline constexpr std::size_t kMaxTargets = 8;
 
 /// GLSL text that defines `expose_<id>(value)` for every row, nothing for those that are not in `slots`, and
 /// store_exposed(), called last. Each slot is a color target behind the `taken` first ones.

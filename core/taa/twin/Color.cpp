@@ -11,7 +11,7 @@ namespace {
 constexpr float kLargestHalf = 65504.0f;
 
 /// Least denominator of the inverse tone curve: caps the result at 10⁵ times the box color.
-constexpr float kLeastToneDenominator = 1e-5f;
+constexpr float kMinToneDenominator = 1e-5f;
 
 float largestChannel(const glm::vec3& c) {
   const float redGreen = c.x > c.y ? c.x : c.y;
@@ -26,7 +26,7 @@ glm::vec3 eachChannel(const glm::vec3& c, Curve curve) {
 /// Of the inverse of c/(1 + x).
 float inverseDivisor(float brightness) {
   const float rest = 1.0f - brightness;
-  return rest > kLeastToneDenominator ? rest : kLeastToneDenominator;
+  return rest > kMinToneDenominator ? rest : kMinToneDenominator;
 }
 
 int within(int value, int count) {

@@ -19,7 +19,7 @@ static_assert(kC1 == 1.0f + kC3 - kC2);
 /// Less than what black becomes, and a normal float.
 constexpr float kDarkest = 1e-37f;
 /// Where the curve would be infinitely bright, it is this far from it.
-constexpr float kLeastDivisor = 1e-5f;
+constexpr float kMinDivisor = 1e-5f;
 
 } // namespace
 
@@ -35,7 +35,7 @@ float pq(float c) {
 float inversePq(float y) {
   const float less = exp2LessOne((1.0f / kM2) * log2Of(y > kDarkest ? y : kDarkest));
   const float above = (1.0f - kC1) + less, below = (kC2 - kC3) - kC3 * less;
-  const float root = (above > 0.0f ? above : 0.0f) / (below > kLeastDivisor ? below : kLeastDivisor);
+  const float root = (above > 0.0f ? above : 0.0f) / (below > kMinDivisor ? below : kMinDivisor);
   return kBrightest * power(root, 1.0f / kM1);
 }
 

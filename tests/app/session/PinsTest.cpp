@@ -104,10 +104,10 @@ TEST_F(PinWindow, FollowsASurfaceOutOfThePicture) {
 }
 
 TEST_F(PinWindow, AreNineAtMost) {
-  for (int pin = 0; pin < kMostPins + 1; ++pin) {
+  for (int pin = 0; pin < kMaxPins + 1; ++pin) {
     rightClick({2 * pin + 1, 3}, Qt::ShiftModifier);
   }
-  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMostPins));
+  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMaxPins));
   key(Qt::Key_P, Qt::ShiftModifier);
-  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMostPins));
+  EXPECT_EQ(session.probes().pins().size(), static_cast<std::size_t>(kMaxPins));
 }

@@ -342,8 +342,8 @@ TEST_F(SessionFiles, TheGlslOfAStageIsRead) {
     return taa::app::test::waitFor([&] { return glsl->text()->toPlainText().contains(words); }, 20000);
   };
   EXPECT_TRUE(shows("Weights blendWeight("));
-  QTest::keyClicks(glsl->search(), "leastWeight");
-  EXPECT_EQ(glsl->text()->textCursor().selectedText(), "leastWeight");
+  QTest::keyClicks(glsl->search(), "minWeight");
+  EXPECT_EQ(glsl->text()->textCursor().selectedText(), "minWeight");
   const int line = glsl->text()->textCursor().blockNumber();
   QTest::keyClick(glsl->search(), Qt::Key_Return);
   EXPECT_GT(glsl->text()->textCursor().blockNumber(), line);

@@ -45,7 +45,7 @@ TEST(ViewportMath, ZoomHoldsThePositionUnderTheCursor) {
 
 TEST(ViewportMath, ZoomStaysInItsBounds) {
   EXPECT_EQ(kGeometry.zoomed({}, {400, 300}, 1e9).zoom, kGreatestZoom);
-  EXPECT_EQ(kGeometry.zoomed({}, {400, 300}, 1e-9).zoom, kLeastZoom);
+  EXPECT_EQ(kGeometry.zoomed({}, {400, 300}, 1e-9).zoom, kMinZoom);
   EXPECT_EQ(wheelFactor(2), 2.0);
   EXPECT_DOUBLE_EQ(wheelFactor(3) * wheelFactor(-3), 1.0);
 }

@@ -14,7 +14,7 @@ namespace taa::twin {
 namespace {
 
 constexpr double kUnit = 0x1p-24;
-constexpr std::uint32_t kLeastNormal = 0x00800000, kInfinity = 0x7F800000;
+constexpr std::uint32_t kMinNormal = 0x00800000, kInfinity = 0x7F800000;
 
 /// Calls `check` with floats of `from` to `to`, by bits, every `step`-th.
 template <typename Check>
@@ -35,7 +35,7 @@ TEST(Powers, LogarithmIsWithinItsBoundOverAllMagnitudes) {
   const auto check = [](float x) {
     ASSERT_LE(error(log2Of(x), std::log2(static_cast<double>(x))), 6.2 * kUnit) << x;
   };
-  eachFloat(std::bit_cast<float>(kLeastNormal), std::numeric_limits<float>::max(), 3001, check);
+  eachFloat(std::bit_cast<float>(kMinNormal), std::numeric_limits<float>::max(), 3001, check);
   eachFloat(0.999f, 1.001f, 1, check); // where PQ's large power would show it
 }
 
@@ -97,7 +97,7 @@ TEST(Powers, PowersAreWithinTheirBound) {
 
 TEST(Powers, TheyNeverFall) {
   float before = -200.0f;
-  eachFloat(std::bit_cast<float>(kLeastNormal), std::numeric_limits<float>::max(), 4099, [&](float x) {
+  eachFloat(std::bit_cast<float>(kMinNormal), std::numeric_limits<float>::max(), 4099, [&](float x) {
     const float value = log2Of(x);
     ASSERT_GE(value, before) << x;
     before = value;

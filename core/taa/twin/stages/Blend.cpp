@@ -60,8 +60,8 @@ float quantized(float x, float steps, float u) {
 
 /// The half below or above x: cutting off 13 bits after `number` was added to them.
 float ditheredHalf(float x, std::uint32_t number) {
-  constexpr float kLeastNormal = 0x1p-14f;
-  if (x < kLeastNormal)
+  constexpr float kMinNormal = 0x1p-14f;
+  if (x < kMinNormal)
     return std::floor(x * 0x1p24f + (static_cast<float>(number) + 0.5f) / 8192.0f) / 0x1p24f;
   return std::bit_cast<float>((std::bit_cast<std::uint32_t>(x) + number) & 0xFFFFE000u);
 }

@@ -11,7 +11,7 @@ namespace taa::twin {
 namespace {
 
 /// Keeps the extent of a flat box from being a zero divisor.
-constexpr float kLeastExtent = 1e-8f;
+constexpr float kMinExtent = 1e-8f;
 
 float magnitude(const glm::vec3& v) {
   return std::sqrt((v.x * v.x + v.y * v.y) + v.z * v.z);
@@ -35,7 +35,7 @@ Rectified clampToBox(const glm::vec3& h, const glm::vec3& low, const glm::vec3& 
 /// Along the line to the center (manual 11.2).
 Rectified clipToCenter(const glm::vec3& h, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 center = 0.5f * (low + high);
-  const glm::vec3 extent = 0.5f * (high - low) + kLeastExtent;
+  const glm::vec3 extent = 0.5f * (high - low) + kMinExtent;
   float m = 0.0f;
   for (int i = 0; i < 3; ++i) {
     const float u = std::fabs(h[i] - center[i]) / extent[i];

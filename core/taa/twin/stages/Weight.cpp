@@ -96,7 +96,7 @@ float flickerFactor(const WeightSettings& settings, const WeightInputs& weighed)
 }
 
 /// The least that is left of α: no more than a source gives by itself, but 1/(N+1) is raised to it.
-float leastWeight(const WeightSettings& settings, float base) {
+float minWeight(const WeightSettings& settings, float base) {
   return settings.source == AlphaSource::HistoryLength ? settings.minimum : minimum(base, settings.minimum);
 }
 
@@ -200,7 +200,7 @@ float movedWeight(MotionAlpha chosen, float alpha, float motion) {
 /// Everything after the source, whose α stands in `result`, but for what is invalid and asked for by the
 /// mask.
 void compose(const WeightSettings& settings, const WeightInputs& weighed, Weights& result) {
-  result.floor = leastWeight(settings, result.base);
+  result.floor = minWeight(settings, result.base);
   float alpha = result.base * result.lumaFlicker;
   alpha = alpha * result.nearClamp;
   alpha = alpha * result.historyContrast;
