@@ -1,5 +1,6 @@
 #include "core/report/ManualTables.h"
 
+#include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
@@ -49,16 +50,27 @@ std::string pageHead(const std::string& title, const std::string& about) {
          "by hand here is lost.\n";
 }
 
+/// "`clampToBox` in taa/rectify_history.glsl".
+std::string functionsText(const Technique& row) {
+  std::string text;
+  for (const ShaderFunction& function : functionsOf(row))
+    text += (text.empty() ? "" : ", ") + code(function.name) + " in " + function.file;
+  return text;
+}
+
 ManualPage coveragePage() {
   ManualPage page{"coverage.md", "Techniques and the settings that choose them", ""};
   page.text =
       pageHead(page.title,
                "Each row of [the techniques](techniques.md), in its number: the setting that chooses it, as "
                "`--set` takes it, or why it is not there. Between backticks stand settings, intermediates "
-               "and presets.") +
-      "\n" + head({"row", "technique", "here"});
+               "and presets. Behind a choice of the resolve or the output stands the function that carries "
+               "it out, with its file below `shaders`; the twin's function has the same name in "
+               "`core/taa/twin`.") +
+      "\n" + head({"row", "technique", "here", "function"});
   for (const Technique& row : techniques())
-    page.text += cells({std::string(row.row), std::string(row.name), std::string(row.here)});
+    page.text +=
+        cells({std::string(row.row), std::string(row.name), std::string(row.here), functionsText(row)});
   return page;
 }
 

@@ -1,0 +1,24 @@
+// What carries a technique out: the functions of the shaders that the tables' choices name, and their files.
+#pragma once
+
+#include "core/report/Techniques.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa {
+
+/// A function of the resolve or the output. The twin's has the same name.
+struct ShaderFunction {
+  std::string name; ///< "clampToBox"
+  std::string file; ///< below shaders: "taa/rectify_history.glsl"
+};
+
+/// The file below shaders that defines it; empty where none does.
+std::string shaderOf(std::string_view function);
+
+/// Those of the choices that a row names as assignments, each once, in its order.
+std::vector<ShaderFunction> functionsOf(const Technique& technique);
+
+} // namespace taa
