@@ -78,6 +78,9 @@ int levelCount(const TextureSize& size) {
 int channels(Format format) {
   return info(format).channels;
 }
+bool isHalf(Format format) {
+  return format == Format::R16F || format == Format::RG16F || format == Format::RGBA16F;
+}
 std::size_t bytesPerTexel(Format format) {
   return info(format).bytes;
 }
@@ -127,6 +130,21 @@ void Texture::upload(const Image& image, int layer) {
     glTextureSubImage3D(id_, 0, 0, 0, layer, width(), height(), 1, format.transfer, format.type, data);
   else
     glTextureSubImage2D(id_, 0, 0, 0, width(), height(), format.transfer, format.type, data);
+}
+
+void Texture::uploadHalves(std::span<const std::uint16_t> halves) {
+  assert(isHalf(format_) && halves.size_bytes() == textureBytes({width(), height()}, format_));
+  assert(size_->layers == 0);
+  // Rows of one channel need not be multiples of the four bytes that GL expects at first.
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+  glTextureSubImage2D(id_, 0, 0, 0, width(), height(), info(format_).transfer, GL_HALF_FLOAT, halves.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void Texture::uploadIntegers(std::span<const std::uint32_t> integers) {
+  assert(format_ == Format::R32UI && integers.size_bytes() == textureBytes({width(), height()}, format_));
+  assert(size_->layers == 0);
+  glTextureSubImage2D(id_, 0, 0, 0, width(), height(), GL_RED_INTEGER, GL_UNSIGNED_INT, integers.data());
 }
 
 void Texture::uploadBytes(std::span<const std::uint8_t> bytes) {

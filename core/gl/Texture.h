@@ -26,6 +26,7 @@ enum class Format : std::uint8_t {
 };
 
 int channels(Format format);
+bool isHalf(Format format); ///< 16-bit floats
 std::size_t bytesPerTexel(Format format);
 
 struct TextureSize {
@@ -60,6 +61,11 @@ class Texture {
 
   /// Level 0 of `layer` from 32-bit floats with as many channels as the format has.
   void upload(const Image& image, int layer = 0);
+  /// Level 0 of a plain texture of a 16-bit float format, from half floats as they are:
+  /// width·height·channels of them.
+  void uploadHalves(std::span<const std::uint16_t> halves);
+  /// Level 0 of a plain R32UI texture, every bit: width·height values.
+  void uploadIntegers(std::span<const std::uint32_t> integers);
   /// Level 0 from bytes, RGBA8 and SRGBA8 only; `bytes` is width·height·4 long.
   void uploadBytes(std::span<const std::uint8_t> bytes);
   void generateMipmaps();

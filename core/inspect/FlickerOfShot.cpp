@@ -8,6 +8,7 @@
 #include "core/replay/ShotPlayer.h"
 #include "core/taa/twin/stages/SampleStages.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <optional>
@@ -18,24 +19,47 @@ namespace taa {
 
 namespace {
 
-// What is drawn for the reference, but through the centers of the pixels.
-SeenSurfaces drawSurfaces(SceneRenderer& renderer, const FrameRequest& ofLane, int frame,
-                          FrameInputs& drawn) {
+Image enlarged(const Image& image, const glm::ivec2& sizePx) {
+  Image large(sizePx.x, sizePx.y, image.channels);
+  for (int y = 0; y < sizePx.y; ++y)
+    for (int x = 0; x < sizePx.x; ++x)
+      std::copy_n(image.at(x * image.width / sizePx.x, y * image.height / sizePx.y), image.channels,
+                  large.at(x, y));
+  return large;
+}
+
+// A capture may be smaller than its picture.
+void enlarge(SeenSurfaces& seen, const glm::ivec2& sizePx) {
+  const glm::vec2 ratio = glm::vec2(sizePx) / glm::vec2(seen.motionPx.width, seen.motionPx.height);
+  for (Image* image : {&seen.objectId, &seen.depthView, &seen.motionPx, &seen.previousDepthView})
+    *image = enlarged(*image, sizePx);
+  for (std::size_t at = 0; at < seen.motionPx.pixels.size(); at += 2)
+    for (int axis = 0; axis < 2; ++axis)
+      if (float& value = seen.motionPx.pixels[at + static_cast<std::size_t>(axis)];
+          value != kNoPreviousPosition)
+        value *= ratio[axis];
+}
+
+// What is drawn for the reference, but through the centers of the pixels. A capture shows the samples it was
+// taken with instead.
+SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int frame, FrameInputs& drawn) {
   FrameRequest request = referenceRequest(ofLane);
   request.jitterPx = glm::vec2(0.0f);
-  renderer.draw(request, frame, drawn);
+  frames.draw(request, frame, drawn);
   SeenSurfaces seen{drawn.objectId.download(), drawn.depth.download(), drawn.motion.download(),
                     drawn.previousDepth.download()};
   for (float& depth : seen.depthView.pixels) depth = twin::viewDepth(depth, drawn.block.depthTerms);
+  const glm::ivec2 sizePx(drawn.outputWidth(), drawn.outputHeight());
+  if (sizePx != glm::ivec2(drawn.width(), drawn.height())) enlarge(seen, sizePx);
   return seen;
 }
 
 // The way from the frame before. What was drawn of that one last is used again.
-Image drawSteps(SceneRenderer& renderer, const FrameRequest& ofLane, int frame, FlickerWindow& window) {
+Image drawSteps(FrameSource& frames, const FrameRequest& ofLane, int frame, FlickerWindow& window) {
   FrameInputs drawn;
   if (!window.seen || window.seen->first != frame - 1)
-    window.seen.emplace(frame - 1, drawSurfaces(renderer, ofLane, frame - 1, drawn));
-  SeenSurfaces now = drawSurfaces(renderer, ofLane, frame, drawn);
+    window.seen.emplace(frame - 1, drawSurfaces(frames, ofLane, frame - 1, drawn));
+  SeenSurfaces now = drawSurfaces(frames, ofLane, frame, drawn);
   Image steps = surfaceSteps(now, window.seen->second);
   window.seen.emplace(frame, std::move(now));
   return steps;
@@ -92,11 +116,11 @@ void FlickerOfShot::fill(FlickerWindow& window, References& drawn, const Flicker
     if (need.samples > 0 && entry.referenceSamples != need.samples) {
       const ReferenceKey wanted{referenceRequest(only.request(0)), frame};
       entry.reference =
-          shownColors(drawn.foundOrDrawn(*only.renderer, wanted, need.samples, references_, told).mean());
+          shownColors(drawn.foundOrDrawn(*only.frames, wanted, need.samples, references_, told).mean());
       entry.referenceSamples = need.samples;
     }
     if (entry.steps.empty() && frame > first)
-      entry.steps = drawSteps(*only.renderer, only.request(0), frame, window);
+      entry.steps = drawSteps(*only.frames, only.request(0), frame, window);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/ShotProfiler.h"
 #include "core/picture/Visualizer.h"
+#include "core/render/SceneRenderer.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/scene/Pose.h"
 #include "core/scene/SceneSource.h"
@@ -31,14 +32,14 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   ShotState next = player_.state();
   next.source = source;
   next.scene = std::make_shared<const Scene>(openScene(source, progress));
-  next.renderer = std::make_shared<SceneRenderer>(next.scene, progress);
+  next.frames = std::make_shared<SceneRenderer>(next.scene, progress);
   next.camera = next.scene->shot.camera;
   next.motionModes.clear();
   next.filter = {};
   next.tracks.clear();
   next.objectClasses.clear();
   next.restarts.clear();
-  next.renderer->warmUp(next.request(0), progress);
+  next.frames->warmUp(next.request(0), progress);
   player_.open(std::move(next));
   reference_.forget();
 }
@@ -115,7 +116,8 @@ int InspectedShot::frame() const {
 }
 
 FrameInfo InspectedShot::info(int lane) const {
-  return frameInfo(scene(), player_.state().request(static_cast<std::size_t>(lane)), frame());
+  const ShotState& state = player_.state();
+  return state.frames->info(state.request(static_cast<std::size_t>(lane)), frame());
 }
 
 void InspectedShot::seek(int frame, const Progress& progress) {
@@ -295,8 +297,7 @@ void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
 
 CameraPose InspectedShot::cameraPose() const {
   if (const CameraTrackHandle track = player_.state().track()) return track->at(frame());
-  const float aspect = static_cast<float>(width()) / static_cast<float>(height());
-  return poseOf(cameraAt(scene(), camera(), info().time, aspect));
+  return poseOf(player_.state().frames->camera(player_.state().request(0), frame()));
 }
 
 void InspectedShot::prepare(const Settings& settings, int lane) {

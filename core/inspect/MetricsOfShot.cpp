@@ -97,7 +97,7 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
   if (isOverTime) flicker_.fill(cursor.flicker, cursor.references, need, progress);
   const ReferenceKey compared{referenceRequest(state.request(0)), frame};
   const ReferencePicture* reference =
-      isCompared ? &cursor.references.foundOrDrawn(*state.renderer, compared, samples, references_, progress)
+      isCompared ? &cursor.references.foundOrDrawn(*state.frames, compared, samples, references_, progress)
                  : nullptr;
   const gl::PassGroup group(pass_group::kExposure);
   ShownFrame made = player_.makeInBackground(frame, cursor.trace, progress);

@@ -95,7 +95,7 @@ ProbePin Probes::anchored(const ProbePin& pin) {
   if (setIn == player_.shown().frame)
     drawn = &player_.inputs(0);
   else
-    state.renderer->draw(request, setIn, other);
+    state.frames->draw(request, setIn, other);
   ProbePin found = pin;
   found.anchor = anchorAt(scene, viewAt(scene, request, setIn), player_.picturePx(), pin.pixel,
                           surfaceAt(*drawn, pin.pixel));

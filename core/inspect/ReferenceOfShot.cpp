@@ -30,7 +30,7 @@ void ReferenceOfShot::refine(int samples, const Progress& progress, int lane) {
   const gl::PassGroup group(pass_group::kReference);
   const glm::ivec2 size = player_.picturePx();
   requireReference(driver_, referenceBytes(player_.settings(lane), size, player_.hasFog()), size);
-  references_.refine(*player_.state().renderer, keyOf(lane), samples, progress);
+  references_.refine(*player_.state().frames, keyOf(lane), samples, progress);
 }
 
 int ReferenceOfShot::samples(int lane) const {

@@ -4,7 +4,7 @@
 #include "core/gl/Texture.h"
 #include "core/measure/Flicker.h"
 #include "core/probe/SurfaceSteps.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameRequest.h"
 #include "core/replay/TraceCursor.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"

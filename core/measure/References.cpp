@@ -22,6 +22,14 @@ void add(const Image& color, std::vector<double>& sums) {
       sums[3 * pixel + channel] += static_cast<double>(color.pixels[stride * pixel + channel]);
 }
 
+// The mean of any number of samples: products and quotient are exact, because a float has 24 bits.
+void take(const Image& given, int samples, ReferencePicture& picture) {
+  std::ranges::fill(picture.sums, 0.0);
+  add(given, picture.sums);
+  for (double& sum : picture.sums) sum *= samples;
+  picture.samples = samples;
+}
+
 } // namespace
 
 FrameRequest referenceRequest(const FrameRequest& request) {
@@ -62,8 +70,7 @@ ReferencePicture& References::use(const ReferenceKey& key) {
   return pictures_.front();
 }
 
-void References::refine(SceneRenderer& renderer, const ReferenceKey& key, int samples,
-                        const Progress& progress) {
+void References::refine(FrameSource& frames, const ReferenceKey& key, int samples, const Progress& progress) {
   if (samples < kMinReferenceSamples || samples > kMaxReferenceSamples)
     throw Error(say<"a reference cannot have %1 samples: it has %2 to %3">(samples, kMinReferenceSamples,
                                                                            kMaxReferenceSamples));
@@ -73,10 +80,11 @@ void References::refine(SceneRenderer& renderer, const ReferenceKey& key, int sa
     picture.sums.resize(std::size_t(3) * key.request.width * key.request.height);
     trim();
   }
+  if (const auto given = frames.reference(key.frame)) return take(*given, samples, picture);
   FrameRequest request = key.request;
   while (picture.samples < samples) {
     request.jitterPx = referencePointPx(picture.samples);
-    renderer.draw(request, key.frame, drawn_);
+    frames.draw(request, key.frame, drawn_);
     gl::checkErrors(say<"drawing the reference of frame %1">(key.frame));
     add(drawn_.color.download(), picture.sums);
     ++picture.samples;
@@ -85,14 +93,13 @@ void References::refine(SceneRenderer& renderer, const ReferenceKey& key, int sa
   drawn_ = {};
 }
 
-const ReferencePicture& References::foundOrDrawn(SceneRenderer& renderer, const ReferenceKey& key,
-                                                 int samples, const References& known,
-                                                 const Progress& progress) {
+const ReferencePicture& References::foundOrDrawn(FrameSource& frames, const ReferenceKey& key, int samples,
+                                                 const References& known, const Progress& progress) {
   const gl::PassGroup group(pass_group::kReference);
   for (const References* place : {&known, static_cast<const References*>(this)})
     if (const ReferencePicture* picture = place->find(key); picture && picture->samples == samples)
       return *picture;
-  refine(renderer, key, samples, progress);
+  refine(frames, key, samples, progress);
   return *find(key);
 }
 

@@ -6,7 +6,8 @@
 #include "core/base/Progress.h"
 #include "core/measure/Metrics.h"
 #include "core/render/FrameInputs.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/FrameSource.h"
 
 #include <cstddef>
 #include <list>
@@ -48,11 +49,12 @@ class References {
   const ReferencePicture* find(const ReferenceKey& key) const;
 
   /// Draws samples until there are `samples`; where there are more it starts anew, so that what is there
-  /// depends on the last number only. Reports after each sample; Cancelled: keeps those it has. Throws Error.
-  void refine(SceneRenderer& renderer, const ReferenceKey& key, int samples, const Progress& progress);
+  /// depends on the last number only. Reports after each sample; Cancelled: keeps those it has. A picture
+  /// that comes with the frames is taken as it is, as the mean of any number of samples. Throws Error.
+  void refine(FrameSource& frames, const ReferenceKey& key, int samples, const Progress& progress);
   /// One of so many samples: that of `known` or of these, else drawn as refine() does. Valid as long as
   /// find()'s.
-  const ReferencePicture& foundOrDrawn(SceneRenderer& renderer, const ReferenceKey& key, int samples,
+  const ReferencePicture& foundOrDrawn(FrameSource& frames, const ReferenceKey& key, int samples,
                                        const References& known, const Progress& progress);
 
   /// Forgets those used longest ago; the latest always stays.

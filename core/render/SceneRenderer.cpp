@@ -2,6 +2,7 @@
 
 #include "core/base/Say.h"
 #include "core/gl/Context.h"
+#include "core/render/View.h"
 #include "core/render/passes/CameraMotionPass.h"
 #include "core/render/passes/FogPass.h"
 #include "core/render/passes/GBufferPass.h"
@@ -18,13 +19,6 @@
 namespace taa {
 
 namespace {
-
-void fit(gl::Texture& texture, int width, int height, gl::Format format, const char* label) {
-  const gl::TextureSize size{width, height};
-  if (texture && texture.size() == size && texture.format() == format) return;
-  texture = gl::Texture();
-  texture = gl::Texture(size, format, label);
-}
 
 /// One of the textures as settings ask for it.
 struct InputTexture {
@@ -48,14 +42,26 @@ std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
 
 } // namespace
 
-void fitInputs(const FrameRequest& request, FrameInputs& out) {
-  const glm::ivec2 size = drawnSize({request.width, request.height}, request.inputs.renderScale);
-  out.outputPx = {request.width, request.height};
-  for (const InputTexture& row : inputTextures(request.inputs))
+void fitTexture(gl::Texture& texture, const glm::ivec2& sizePx, gl::Format format, const char* label) {
+  const gl::TextureSize size{sizePx.x, sizePx.y};
+  if (texture && texture.size() == size && texture.format() == format) return;
+  texture = gl::Texture();
+  texture = gl::Texture(size, format, label);
+}
+
+void fitInputs(const InputSettings& settings, const glm::ivec2& drawnPx, const glm::ivec2& picturePx,
+               FrameInputs& out) {
+  out.outputPx = picturePx;
+  for (const InputTexture& row : inputTextures(settings))
     if (row.isNeeded)
-      fit(out.*row.texture, size.x, size.y, row.format, row.label);
+      fitTexture(out.*row.texture, drawnPx, row.format, row.label);
     else
       out.*row.texture = gl::Texture();
+}
+
+void fitInputs(const FrameRequest& request, FrameInputs& out) {
+  const glm::ivec2 picturePx{request.width, request.height};
+  fitInputs(request.inputs, drawnSize(picturePx, request.inputs.renderScale), picturePx, out);
 }
 
 std::size_t inputBytes(const InputSettings& settings, const glm::ivec2& picturePx, bool hasFog) {
@@ -163,6 +169,14 @@ void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameIn
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {
   assert(frame >= 0 && request.width > 0 && request.height > 0);
   parts_->draw(request, frame, out, {});
+}
+
+FrameInfo SceneRenderer::info(const FrameRequest& request, int frame) const {
+  return frameInfo(*parts_->scene, request, frame);
+}
+
+CameraState SceneRenderer::camera(const FrameRequest& request, int frame) const {
+  return cameraOf(*parts_->scene, request, frame);
 }
 
 void SceneRenderer::warmUp(const FrameRequest& request, const Progress& progress) {

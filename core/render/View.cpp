@@ -1,11 +1,11 @@
 #include "core/render/View.h"
 
+#include "core/render/Cameras.h"
 #include "core/render/FrameClock.h"
 #include "core/render/SceneRenderer.h"
-#include "core/render/jitter/Jitter.h"
 #include "core/render/passes/Lights.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -21,37 +21,6 @@ void fillSky(const Sky& sky, shared::FrameBlock& block) {
   block.skyGround = glm::vec4(sky.ground, 0.0f);
   block.sunDirection = glm::vec4(glm::normalize(sky.sunDirection), sky.sunEnabled ? 1.0f : 0.0f);
   block.sunColor = glm::vec4(sky.sunColor, 0.0f);
-}
-
-/// What takes a picture's clip positions to the previous one's. In double, and exactly 1 for a camera that
-/// rests.
-glm::mat4 previousClipFromClip(const CameraState& camera, const CameraState& previous) {
-  if (camera.clipFromView == previous.clipFromView && camera.viewFromWorld == previous.viewFromWorld)
-    return glm::mat4(1.0f);
-  const glm::dmat4 clip = glm::dmat4(camera.clipFromView) * glm::dmat4(camera.viewFromWorld);
-  return glm::mat4(glm::dmat4(previous.clipFromView) * glm::dmat4(previous.viewFromWorld) *
-                   glm::inverse(clip));
-}
-
-void fillCameras(const CameraState& camera, const CameraState& previous, glm::vec2 sizePx, glm::vec2 jitter,
-                 JitterProjection projection, shared::FrameBlock& block) {
-  const glm::mat4 jitteredClipFromView = jittered(camera.clipFromView, jitter, sizePx, projection);
-  block.clipFromWorld = camera.clipFromView * camera.viewFromWorld;
-  block.jitteredClipFromWorld = jitteredClipFromView * camera.viewFromWorld;
-  // In double, because what is reconstructed from depth is compared at a thousandth of a pixel.
-  block.worldFromJitteredClip =
-      glm::mat4(glm::inverse(glm::dmat4(jitteredClipFromView) * glm::dmat4(camera.viewFromWorld)));
-  block.viewFromWorld = camera.viewFromWorld;
-  block.previousClipFromWorld = previous.clipFromView * previous.viewFromWorld;
-  block.previousViewFromWorld = previous.viewFromWorld;
-  block.previousClipFromClip = previousClipFromClip(camera, previous);
-  block.sizePx = sizePx;
-  block.jitterPx = jitter;
-  block.printedJitter = addedInClip(camera.clipFromView, jitteredClipFromView);
-  block.cameraPosition = glm::affineInverse(camera.viewFromWorld)[3];
-  block.cameraPosition.w = camera.orthographic ? 1.0f : 0.0f;
-  const glm::mat4& p = camera.clipFromView;
-  block.depthTerms = glm::vec4(p[3][3], p[3][2], p[2][3], p[2][2]);
 }
 
 } // namespace
@@ -84,8 +53,9 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   CameraState previousCamera = cameraOf(scene, request, previous);
   if (request.inputs.motion == MotionSource::CurrentProjectionAsPrinted)
     previousCamera.clipFromView = camera.clipFromView; // manual §26, D16
-  fillCameras(camera, previousCamera, sizePx, view.info.jitterPx, view.projection, view.block);
-  view.block.previousJitter = glm::vec4(frameInfo(scene, request, previous).jitterPx, 0.0f, 0.0f);
+  const glm::vec2 previousJitter = frameInfo(scene, request, previous).jitterPx;
+  fillCameras({camera, previousCamera, sizePx, view.info.jitterPx, previousJitter, view.projection},
+              view.block);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
@@ -93,8 +63,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   const std::vector<bool> isDrawn = drawnNodes(scene, request.filter);
   for (std::size_t i = 0; i < view.nodes.size(); ++i) view.nodes[i].isVisible &= isDrawn[i];
   const float bias = request.inputs.mipBias;
-  view.block.textures = {bias, std::exp2(bias), static_cast<float>(frame % 16), 0.0f};
-  view.block.storage.x = request.inputs.precision == Precision::Half ? 1.0f : 0.0f;
+  fillStorage(request.inputs.precision, bias, frame, view.block);
   return view;
 }
 

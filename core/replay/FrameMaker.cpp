@@ -157,7 +157,7 @@ const FrameInputs& FrameMaker::inputs(const ShotState& state, ShownFrame& shown,
   LazyInputs& inputs = *shown.lanes[lane].inputs;
   if (inputs.areDrawn) return inputs.textures;
   const auto start = std::chrono::steady_clock::now();
-  state.renderer->draw(state.request(lane), shown.frame, inputs.textures);
+  state.frames->draw(state.request(lane), shown.frame, inputs.textures);
   gl::finish();
   shown.sceneMs += millisecondsSince(start);
   inputs.areDrawn = true;

@@ -4,7 +4,8 @@
 
 #include "core/base/Progress.h"
 #include "core/render/FrameInputs.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/FrameSource.h"
 #include "core/replay/Checkpoints.h"
 #include "core/settings/Settings.h"
 #include "core/taa/TaaPass.h"
@@ -19,8 +20,8 @@ namespace taa {
 /// All that frame n is a function of, besides n.
 struct ShotState {
   std::string source;
-  std::shared_ptr<const Scene> scene;      // also owned by the renderer
-  std::shared_ptr<SceneRenderer> renderer; // also owned by the copy that a change is tried on
+  std::shared_ptr<const Scene> scene;  // also owned by the source of its frames
+  std::shared_ptr<FrameSource> frames; // also owned by the copy that a change is tried on
   std::string camera;
   int width = 1280, height = 720;
   std::vector<Settings> lanes{Settings{}};

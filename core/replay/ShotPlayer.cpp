@@ -297,11 +297,11 @@ void ShotPlayer::prepare(const Settings& settings, int lane) {
   }
 }
 
-// A new pass is made beside the old; the renderer, which keeps its own old shaders on error, comes last.
+// A new pass is made beside the old; the source, which keeps its own old shaders on error, comes last.
 void ShotPlayer::reloadShaders() {
   TaaPass pass;
   for (const Settings& settings : state_.lanes) pass.prepare(settings, maker_.exposedRows(settings));
-  if (isOpen()) state_.renderer->reloadShaders();
+  if (isOpen()) state_.frames->reloadShaders();
   maker_.pass = std::move(pass);
   for (ShownLane& lane : shown_.lanes) lane.inputs->areDrawn = false; // with the old ones
   redrawAll(state_, true);

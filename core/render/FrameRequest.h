@@ -1,0 +1,33 @@
+// What of a source is asked for besides a frame's number.
+#pragma once
+
+#include "core/scene/MotionMode.h"
+#include "core/scene/ObjectClass.h"
+#include "core/scene/ObjectFilter.h"
+#include "core/scene/camera/CameraTrack.h"
+#include "core/settings/Settings.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+/// What to draw besides the frame's number.
+struct FrameRequest {
+  std::string camera;             ///< a path of cameraNames()
+  int width = 1280, height = 720; ///< of the picture; drawn at inputs.renderScale of it
+  JitterSettings jitter;
+  InputSettings inputs;
+  std::vector<MotionOverride> motionModes = {}; ///< of objects by name; others keep their node's
+  ObjectFilter filter = {};
+  CameraTrackHandle track = nullptr;             ///< looked through instead of `camera`
+  std::optional<glm::vec2> jitterPx = {};        ///< instead of what the sequence of `jitter` says
+  std::vector<ClassOverride> objectClasses = {}; ///< of objects by name; others have what moves them
+  std::vector<int> restarts = {}; ///< frames that use no history besides those where the shot is cut
+  bool operator==(const FrameRequest&) const = default;
+};
+
+} // namespace taa
