@@ -13,7 +13,7 @@ double roundStep(double length, int most) {
   return 10.0 * power;
 }
 
-Span roundedSpan(const Span& values, int mostSteps) {
+Span roundedSpan(const Span& values, int maxSteps) {
   Span span = values;
   if (span.low > 0.0 && span.low < 0.6 * span.high) span.low = 0.0;
   if (span.high < 0.0 && span.high > 0.6 * span.low) span.high = 0.0;
@@ -21,7 +21,7 @@ Span roundedSpan(const Span& values, int mostSteps) {
     const double half = span.high == 0.0 ? 1.0 : 0.5 * std::abs(span.high);
     span = {span.low - half, span.high + half};
   }
-  const double step = roundStep(span.length(), mostSteps);
+  const double step = roundStep(span.length(), maxSteps);
   return {std::floor(span.low / step + 1e-9) * step, std::ceil(span.high / step - 1e-9) * step};
 }
 

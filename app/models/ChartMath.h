@@ -17,7 +17,7 @@ struct Span {
 /// 1, 2 or 5 times a power of ten, so that `length` has at most `most` such steps.
 double roundStep(double length, int most);
 /// A range around values with round ends: from 0 on where they come near it; a point gets some height.
-Span roundedSpan(const Span& values, int mostSteps);
+Span roundedSpan(const Span& values, int maxSteps);
 /// The multiples of `step` within `range`; none where the step is no number above 0.
 std::vector<double> ticksOf(const Span& range, double step);
 /// `shown` made smaller by `factor` (> 1: zooms in) around `center`, inside `all`, no shorter than `least`.

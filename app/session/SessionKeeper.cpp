@@ -161,6 +161,18 @@ void SessionKeeper::finishRestoring() {
     return;
   const SessionFile file = *std::exchange(restoring_, {});
   state_.apply(windowState(file));
+  noteOldNames(file);
+}
+
+// After the window has cleared what was said of the scene before.
+void SessionKeeper::noteOldNames(const SessionFile& file) {
+  QStringList notes;
+  for (const std::string& note : file.notes) notes << QString::fromStdString(note);
+  if (notes.isEmpty()) return;
+  const QString sentence =
+      tr("The session is of an earlier version: %1.").arg(notes.join(QLatin1String("; ")));
+  QMetaObject::invokeMethod(
+      this, [this, sentence] { Q_EMIT said(sentence); }, Qt::QueuedConnection);
 }
 
 // A scene that is there and cannot be read, or a program that was stopped while it read it.

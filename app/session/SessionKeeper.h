@@ -79,6 +79,7 @@ class SessionKeeper : public QObject {
   bool restore(const QString& path);
   SessionFile wholeFile() const;
   void placeWindow(const SessionFile& file);
+  void noteOldNames(const SessionFile& file);
   void remember(const QString& path);
   void takeFailure();
   void openFirst();

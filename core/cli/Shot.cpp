@@ -17,6 +17,7 @@ namespace {
 // The session's, with --set on top.
 ShotPlan planSession(const ShotArguments& arguments) {
   const SessionFile session = readSession(arguments.session);
+  for (const std::string& note : session.notes) std::cerr << "note: " << note << '\n';
   ObjectFilter filter = session.filter; // and what is said besides
   filter.hidden.insert(filter.hidden.end(), arguments.filter.hidden.begin(), arguments.filter.hidden.end());
   if (!arguments.filter.isolated.empty()) filter.isolated = arguments.filter.isolated;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <string_view>
 
 namespace taa {
@@ -68,10 +69,12 @@ int numberOf(const json& value, const char* key, int least, int most) {
   return static_cast<int>(number);
 }
 
-SessionLane laneFromJson(const json& preset, const json& settings, const json* presetSettings) {
+using Notes = std::vector<std::string>;
+
+SessionLane laneFromJson(const json& preset, const json& settings, const json* presetSettings, Notes& notes) {
   SessionLane lane;
   lane.preset = textOf(preset, "preset");
-  fromJson(settings, lane.settings);
+  std::ranges::copy(fromJson(settings, lane.settings), std::back_inserter(notes));
   const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
   if (known != builtinPresets().end()) lane.presetSettings = known->settings;
   if (presetSettings)
@@ -81,10 +84,10 @@ SessionLane laneFromJson(const json& preset, const json& settings, const json* p
   return lane;
 }
 
-SessionLane laneFromJson(const json& object) {
+SessionLane laneFromJson(const json& object, Notes& notes) {
   const auto own = object.find("presetSettings");
   return laneFromJson(field(object, "preset"), field(object, "settings"),
-                      own == object.end() ? nullptr : &*own);
+                      own == object.end() ? nullptr : &*own, notes);
 }
 
 // What a built-in preset says is not said again.
@@ -153,13 +156,13 @@ SessionFile sessionFromJson(const json& object) {
   if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
   session.size = {numberOf(size[0], "size", kMinSide, kMaxSide),
                   numberOf(size[1], "size", kMinSide, kMaxSide)};
-  session.settings = laneFromJson(object);
+  session.settings = laneFromJson(object, session.notes);
   const json lanes = object.value("lanes", json::array());
   if (!lanes.is_array() || lanes.size() > kMaxFurtherLanes)
     throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMaxFurtherLanes));
   for (const json& lane : lanes) {
     checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
-    session.lanes.push_back(laneFromJson(lane));
+    session.lanes.push_back(laneFromJson(lane, session.notes));
   }
   if (const auto track = object.find("track"); track != object.end())
     session.track = cameraTrackFrom(ordered_json::parse(track->dump()));

@@ -37,7 +37,8 @@ struct SessionFile {
   std::vector<ClassOverride> objectClasses;
   std::vector<int> restarts; ///< frames at which history starts anew
   int checkpointsMiB = 1024;
-  std::string window = "{}"; ///< a JSON object: the window's business
+  std::string window = "{}";        ///< a JSON object: the window's business
+  std::vector<std::string> notes{}; ///< to say of a file that was read: what has another name by now
 };
 
 /// What their names end in.

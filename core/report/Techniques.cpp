@@ -155,9 +155,9 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"11.1", "clamp", "`rectify.method=clamp`"},
     {"11.2", "to the center", "`rectify.method=clipToCenter`"},
     {"11.3", "to the filtered color", "`rectify.method=clipToFiltered`"},
-    {"11.4", "ray to the current color", "`rectify.method=rayToCurrent`, `rectify.mostSteps`"},
+    {"11.4", "ray to the current color", "`rectify.method=rayToCurrent`, `rectify.maxSteps`"},
     {"11.5", "axis after axis", "`rectify.method=shrinkAxes`"},
-    {"11.6", "in part", "`rectify.relaxAtRest`, `rectify.leastStrength`"},
+    {"11.6", "in part", "`rectify.relaxAtRest`, `rectify.minStrength`"},
     {"11.7", "FSR2's",
      "`rectify.method=clampForget` with `rectify.locks` and `rectify.instability`; less of both where the "
      "mask is reactive (21.5)"},
@@ -195,7 +195,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"13.8", "depth", "`weight.source=depth`"},
     {"13.9", "change of depth at rest",
      "`validate.flicker`, `validate.restLimit`, `rectify.flickerStrength`, `weight.flickerShare`"},
-    {"13.10", "luma difference", "`weight.source=lumaDifference`, `weight.most`, `weight.least`"},
+    {"13.10", "luma difference", "`weight.source=lumaDifference`, `weight.sourceMax`, `weight.sourceMin`"},
     {"13.11", "luma difference, calming",
      "`weight.lumaFlicker`, `weight.flickerScale=relative`, `weight.flickerScale=compressed`"},
     {"13.12", "luma difference of source 001",
@@ -231,7 +231,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
      "`blend.length=variance`, `blend.length=count`, `blend.length=varianceAsPrinted`, "
      "`blend.length=reciprocal`; Godot's `blend.length=countTo16` with `history.length=bilinear`; Bevy's "
      "`weight.source=confidence` with `blend.length=confidence`; read at `history.length=reprojected`"},
-    {"17.1", "no rectification at rest", "`rectify.relaxAtRest` with `rectify.leastStrength=0`"},
+    {"17.1", "no rectification at rest", "`rectify.relaxAtRest` with `rectify.minStrength=0`"},
     {"17.2", "by motion", "`rectify.relaxAtRest`, `rectify.restSpeed`"},
     {"17.3", "pixel lock", "`rectify.locks`, `rectify.lockFrames`"},
     {"17.4", "luma instability", "`rectify.instability`"},

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -25,6 +26,15 @@ std::string unknownPath(std::string_view path) {
   const std::vector<std::string_view> near = nearestNames(path, paths, 3);
   return say<"there is no parameter \"%1\"; near it are %2, %3 or %4">(path, near[0], near[1], near[2]);
 }
+
+/// Paths as earlier versions wrote them. They are read for one version more.
+struct OldPath {
+  std::string_view old, now;
+};
+constexpr std::array<OldPath, 4> kOldPaths{{{"rectify.mostSteps", "rectify.maxSteps"},
+                                            {"rectify.leastStrength", "rectify.minStrength"},
+                                            {"weight.most", "weight.sourceMax"},
+                                            {"weight.least", "weight.sourceMin"}}};
 
 std::string idsOf(const Parameter& row) {
   std::string ids;
@@ -148,7 +158,8 @@ double valueFromJson(const Parameter& row, const nlohmann::json& json) {
 
 const Parameter& parameter(std::string_view path) {
   const auto rows = parameters();
-  const auto found = std::ranges::find(rows, path, &Parameter::path);
+  const auto old = std::ranges::find(kOldPaths, path, &OldPath::old);
+  const auto found = std::ranges::find(rows, old == kOldPaths.end() ? path : old->now, &Parameter::path);
   if (found == rows.end()) throw Error(unknownPath(path));
   return *found;
 }
@@ -224,18 +235,22 @@ nlohmann::json toJson(const Settings& settings) {
   return json;
 }
 
-void fromJson(const nlohmann::json& json, Settings& settings) {
+std::vector<std::string> fromJson(const nlohmann::json& json, Settings& settings) {
   if (!json.is_object()) throw Error(say<"cannot read settings: expected an object of groups">());
   Settings changed = settings;
+  std::vector<std::string> notes;
   for (const auto& [group, rows] : json.items()) {
     if (!rows.is_object())
       throw Error(say<"cannot read settings: \"%1\" is not a group of parameters">(group));
     for (const auto& [name, value] : rows.items()) {
-      const Parameter& row = parameter(group + "." + name);
+      const std::string path = group + "." + name;
+      const Parameter& row = parameter(path);
+      if (row.path != path) notes.push_back(say<"the setting %1 is called %2 now">(path, row.path));
       row.set(changed, valueFromJson(row, value));
     }
   }
   settings = changed;
+  return notes;
 }
 
 bool operator==(const Settings& a, const Settings& b) {

@@ -87,7 +87,8 @@ struct Parameter {
 
 std::span<const Parameter> parameters();
 
-/// The row of `path`. Throws Error that names the nearest paths when there is none.
+/// The row of `path`, which may be one that the version before wrote. Throws Error that names the nearest
+/// paths when there is none.
 const Parameter& parameter(std::string_view path);
 
 /// Whether the value of the row has any effect with these settings: no other row uses it, or one does that
@@ -108,8 +109,9 @@ std::vector<std::string> differences(const Settings& settings, const Settings& b
 
 /// {"jitter": {"sequence": "halton", …}, …}; every row.
 nlohmann::json toJson(const Settings& settings);
-/// Overwrites the rows that `json` names. Throws Error naming unknown keys and values out of range.
-void fromJson(const nlohmann::json& json, Settings& settings);
+/// Overwrites the rows that `json` names. Throws Error naming unknown keys and values out of range. Returns a
+/// note for each path that has another name by now.
+std::vector<std::string> fromJson(const nlohmann::json& json, Settings& settings);
 
 bool operator==(const Settings& a, const Settings& b);
 

@@ -233,9 +233,9 @@ enum class RectifyMethod : std::int32_t {
 };
 struct RectifySettings {
   RectifyMethod method = RectifyMethod::ClipToFiltered;
-  float mostSteps = 10.0f;          ///< T of RayToCurrent: hits farther than this along the ray do not count
+  float maxSteps = 10.0f;           ///< T of RayToCurrent: hits farther than this along the ray do not count
   Switch relaxAtRest = Switch::Off; ///< only a part of the correction where little moves
-  float leastStrength = 0.25f;      ///< that part at rest
+  float minStrength = 0.25f;        ///< that part at rest
   float restSpeed = 1.0f;           ///< px a frame from which on all of it is applied
   Switch locks = Switch::Off;       ///< thin features keep their history
   float lockFrames = 16.0f;         ///< frames a lock lasts
@@ -262,8 +262,8 @@ struct WeightSettings {
   AlphaSource source = AlphaSource::HistoryLength;
   float alpha = 0.1f;               ///< weight of the current frame when constant
   float minimum = 0.1f;             ///< floor of 1/(N+1)
-  float most = 0.12f;               ///< weight of the current frame where its luma differs most from history
-  float least = 0.03f;              ///< and where it is the same
+  float sourceMax = 0.12f;          ///< weight of the current frame where its luma differs most from history
+  float sourceMin = 0.03f;          ///< and where it is the same
   Switch lumaFlicker = Switch::Off; ///< less where luma differs
   Switch nearClamp = Switch::Off;   ///< less where history is near a wall of the box
   Switch historyContrast = Switch::Off; ///< less where the box is large against history

@@ -279,9 +279,8 @@ RowStory strengthStory(const Teller& t) {
   if (rectify.method == RectifyMethod::None) return {say<"nothing is rectified">(), "", ""};
   const auto n = [&](float x) { return t.number(static_cast<double>(x)); };
   const bool isRelaxed = isOn(rectify.relaxAtRest), isFlicker = t.value(Id::geometricFlicker) > 0.0f;
-  const std::string relaxed = n(rectify.leastStrength) + " + (1 − " + n(rectify.leastStrength) +
-                              ") × clamp((" + t.number(Id::speed) + " / " + n(rectify.restSpeed) +
-                              ")^2, 0, 1)";
+  const std::string relaxed = n(rectify.minStrength) + " + (1 − " + n(rectify.minStrength) + ") × clamp((" +
+                              t.number(Id::speed) + " / " + n(rectify.restSpeed) + ")^2, 0, 1)";
   if (isFlicker)
     return {
         say<"single frames miss a thin feature at rest">(),

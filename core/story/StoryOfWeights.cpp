@@ -40,8 +40,8 @@ std::string baseText(const Teller& t) {
     return "1 / (" + t.number(Id::historyKeptLength) + " + 1)";
   case AlphaSource::LumaDifference:
   case AlphaSource::LumaDifferenceCompressed:
-    return n(weight.most) + " + " + likeness(t, weight.source == AlphaSource::LumaDifferenceCompressed) +
-           " × (" + n(weight.least) + " − " + n(weight.most) + ")";
+    return n(weight.sourceMax) + " + " + likeness(t, weight.source == AlphaSource::LumaDifferenceCompressed) +
+           " × (" + n(weight.sourceMin) + " − " + n(weight.sourceMax) + ")";
   case AlphaSource::LumaDifferenceAsPrinted:
     return likeness(t, true);
   case AlphaSource::Contrast:
@@ -50,7 +50,7 @@ std::string baseText(const Teller& t) {
            call("max", {n(weighed.boxCurrent), "0.00001"}) + ", 0, 1))";
   case AlphaSource::Confidence: {
     const float after = twin::confidenceAfter(t.value(Id::historyKeptLength), weighed.motion);
-    return call("min", {call("max", {"1 / " + n(after), n(weight.least)}), n(weight.most)});
+    return call("min", {call("max", {"1 / " + n(after), n(weight.sourceMin)}), n(weight.sourceMax)});
   }
   case AlphaSource::Depth:
     return weighed.depth == 0.0f ? "1"

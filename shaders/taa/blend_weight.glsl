@@ -71,14 +71,14 @@ float confidenceAfter(float before, vec2 motion) {
 
 float confidenceWeight(WeightInputs x) {
   precise float weight = 1.0 / confidenceAfter(x.historyLength, x.dilated.motion);
-  return minimum(maximum(weight, settings.weightLeast), settings.weightMost);
+  return minimum(maximum(weight, settings.weightSourceMin), settings.weightSourceMax);
 }
 
 float baseWeight(WeightInputs x) {
   precise float base = settings.weightAlpha;
   if (kWeightSource == kWeightSource_historyLength) base = 1.0 / (x.historyLength + 1.0);
   if (kWeightSource == kWeightSource_lumaDifference || kWeightSource == kWeightSource_lumaDifferenceCompressed)
-    base = settings.weightMost + lumaLikeness(x) * (settings.weightLeast - settings.weightMost);
+    base = settings.weightSourceMax + lumaLikeness(x) * (settings.weightSourceMin - settings.weightSourceMax);
   if (kWeightSource == kWeightSource_lumaDifferenceAsPrinted) base = lumaLikeness(x); // manual §26, D1
   if (kWeightSource == kWeightSource_contrast || kHasChannelWeights) base = contrastWeight(x);
   if (kWeightSource == kWeightSource_confidence) base = confidenceWeight(x);

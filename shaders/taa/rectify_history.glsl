@@ -100,7 +100,7 @@ Rectified rayToCurrent(vec3 history, Box box, vec3 currentFiltered) {
     if (toTarget[axis] != 0.0 && hit >= 0.0 && hit < nearest) nearest = hit;
   }
   precise vec3 color = history + toTarget * nearest;
-  if (nearest > settings.rectifyMostSteps) return Rectified(history, 0.0);
+  if (nearest > settings.rectifyMaxSteps) return Rectified(history, 0.0);
   return Rectified(color, minimum(nearest, 1.0));
 }
 
@@ -169,7 +169,7 @@ float rectifyStrength(float speed, bool isFlicker) {
   if (kRectifyMethod == kRectifyMethod_none) return 0.0;
   precise float share = speed / settings.rectifyRestSpeed;
   precise float strength =
-      settings.rectifyLeastStrength + (1.0 - settings.rectifyLeastStrength) * saturated(share * share);
+      settings.rectifyMinStrength + (1.0 - settings.rectifyMinStrength) * saturated(share * share);
   if (!kRectifyRelaxAtRest) strength = 1.0;
   if (kFindsFlicker && isFlicker) strength = strength * settings.rectifyFlickerStrength;
   return strength;

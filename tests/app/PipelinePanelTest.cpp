@@ -98,7 +98,7 @@ TEST_F(ParameterPanel, RowsWithoutEffectAreDimmed) {
   EXPECT_TRUE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
   session.presets().setParameter("weight.source", 0);
   EXPECT_FALSE(rowOf(window.pipeline(), "weight.alpha")->isDimmed());
-  EXPECT_TRUE(rowOf(window.pipeline(), "weight.most")->isDimmed());
+  EXPECT_TRUE(rowOf(window.pipeline(), "weight.sourceMax")->isDimmed());
 }
 
 TEST_F(ParameterPanel, ToolTipsTellSentenceFormulaSourceRangeAndDefault) {

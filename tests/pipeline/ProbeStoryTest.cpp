@@ -235,7 +235,7 @@ TEST_F(ProbeStoryTest, WhatIsOffAtFirstIsToldWhenItIsOn) {
         {"neighborhood.shape=pairs", "neighborhood.weights=distance", "neighborhood.resolutionGamma=on"},
         {"neighborhood.motionGamma=on", "neighborhood.resolutionGamma=on"},
         {"rectify.method=clipToBoth", "space.color=yCbCr"},
-        {"rectify.method=select", "rectify.relaxAtRest=on", "rectify.leastStrength=0.5"},
+        {"rectify.method=select", "rectify.relaxAtRest=on", "rectify.minStrength=0.5"},
         {"rectify.method=select", "rectify.locks=on", "neighborhood.unjitter=on"},
         {"history.precision=unorm8", "history.dither=on", "weight.frameRate=on"},
         {"history.precision=unorm10", "blend.tone=none"},

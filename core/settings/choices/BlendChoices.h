@@ -13,7 +13,7 @@ inline constexpr Choice kAlphaSources[] = {
     {"lumaDifference", "Luma difference",
      "More of the current frame where its luma differs from history: against ghosts (manual 13.10, "
      "Lottes).",
-     Uses(USED(weight.most), USED(weight.least)), "lumaLikeness"},
+     Uses(USED(weight.sourceMax), USED(weight.sourceMin)), "lumaLikeness"},
     {"contrast", "Contrast", "Less of it where the box is large against the pixel's luma (manual 13.14).",
      Uses(), "contrastWeight"},
     {"depth", "Depth", "More history far away; none for the sky (manual 13.8).", Uses(USED(weight.alpha)),
@@ -30,11 +30,11 @@ inline constexpr Choice kAlphaSources[] = {
     {"confidence", "Confidence",
      "1 over a confidence that grows by 10 in each frame without motion and is 1 with it, between two "
      "limits. Wants N counted likewise (manual §16, Bevy).",
-     Uses(USED(weight.most), USED(weight.least)), "confidenceAfter"},
+     Uses(USED(weight.sourceMax), USED(weight.sourceMin)), "confidenceAfter"},
     {"lumaDifferenceCompressed", "Luma difference, compressed",
      "As Luma difference, of colors over 1 + their largest channel: the corrected form of source 001, with "
      "limits of 1 and 0 (manual 13.12).",
-     Uses(USED(weight.most), USED(weight.least)), "lumaLikeness"},
+     Uses(USED(weight.sourceMax), USED(weight.sourceMin)), "lumaLikeness"},
 };
 inline constexpr Choice kMotionAlphas[] = {
     {"none", "None", "Motion does not matter.", Uses()},

@@ -146,7 +146,7 @@ inline constexpr Choice kRectifyMethods[] = {
      Uses(USED(rectify.relaxAtRest)), "clampThenClip"},
     {"rayToCurrent", "Ray to current",
      "Along the ray to the current color, unless the box is hit too late (manual 11.4, DiligentFX).",
-     Uses(USED(rectify.mostSteps), USED(rectify.relaxAtRest)), "rayToCurrent"},
+     Uses(USED(rectify.maxSteps), USED(rectify.relaxAtRest)), "rayToCurrent"},
     {"clipToHull", "To filtered, hull",
      "Towards the filtered color until thirteen slabs around the samples hold: nearly their convex hull, "
      "which "

@@ -302,7 +302,7 @@ TEST_F(PublishedResolvesTest, RaptorIsWhatItsChapterPrints) {
   for (const char* scene : {"fan", "disocclusion", "fence"})
     EXPECT_GT(psnr<Raptor>(scene, preset("raptor").settings), 90.0) << scene;
   const Settings uncompressed =
-      presetWith("raptor", {"weight.source=lumaDifference", "weight.most=0", "weight.least=1"});
+      presetWith("raptor", {"weight.source=lumaDifference", "weight.sourceMax=0", "weight.sourceMin=1"});
   EXPECT_LT(psnr<Raptor>("fan", uncompressed), 40.0) << "the measure sees what is not the chapter's";
 }
 

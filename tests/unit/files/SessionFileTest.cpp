@@ -57,6 +57,19 @@ std::string changed(const std::string& key, const nlohmann::json& value) {
 
 } // namespace
 
+TEST(SessionFile, ReadsTheNamesOfTheVersionBeforeWithANote) {
+  const nlohmann::json weight{{"most", 0.5}, {"least", 0.25}};
+  const nlohmann::json rectify{{"mostSteps", 7}, {"leastStrength", 0.75}};
+  const SessionFile session =
+      sessionFromText(changed("settings", {{"weight", weight}, {"rectify", rectify}}), "a.taa.json");
+  EXPECT_EQ(session.settings.settings.weight.sourceMax, 0.5f);
+  EXPECT_EQ(session.settings.settings.weight.sourceMin, 0.25f);
+  EXPECT_EQ(session.settings.settings.rectify.maxSteps, 7.0f);
+  EXPECT_EQ(session.settings.settings.rectify.minStrength, 0.75f);
+  EXPECT_EQ(session.notes.size(), 4u);
+  EXPECT_EQ(session.notes.front(), "the setting rectify.leastStrength is called rectify.minStrength now");
+}
+
 TEST(SessionFile, ReadsWhatItWrote) {
   const SessionFile want = sample(), is = sessionFromText(sessionToText(want), "it");
   EXPECT_EQ(is.source, want.source);

@@ -441,13 +441,13 @@ TEST(TechniqueEffect, ClampThenClipGoesBothWaysInTurn) {
 TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
   // From 2½ to the current ½ the box's wall at 1 is three quarters of the way.
   const glm::vec3 hit =
-      rectified(glm::vec3(2.5f), {"rectify.method=rayToCurrent", "rectify.mostSteps=1"}).value;
+      rectified(glm::vec3(2.5f), {"rectify.method=rayToCurrent", "rectify.maxSteps=1"}).value;
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(hit[k], 1.0f, 1e-6f);
   // Beside the box: red and green 2½, the current color ½; blue runs out of it. All slabs are left at ¾.
   Inputs inputs = grays({0, 1, 0, 1, 0.5f, 0, 1, 0, 1});
   test::setColor(inputs.color, 1, 1, glm::vec3(0.5f));
   test::setHistory(inputs, glm::vec3(9.0f, 0.5f, 0.5f), 4.0f);
-  const glm::vec3 far = valueOf(inputs, with({"rectify.method=rayToCurrent", "rectify.mostSteps=100"}),
+  const glm::vec3 far = valueOf(inputs, with({"rectify.method=rayToCurrent", "rectify.maxSteps=100"}),
                                 IntermediateId::historyRectified);
   EXPECT_NEAR(far.x, 1.0f, 1e-5f);
   EXPECT_NEAR(far.y, 0.5f, 1e-6f);
@@ -456,20 +456,20 @@ TEST(TechniqueEffect, TheRayToTheCurrentColorCountsHitsNearerThanItsLimit) {
 // Manual 11.6, 17.2: κ = κmin + (1 − κmin)·min(1, (‖v‖/θ)²).
 TEST(TechniqueEffect, AtRestOnlyAPartOfTheCorrectionIsApplied) {
   const auto at = [](float speed) {
-    return rectified(glm::vec3(2.5f),
-                     {"rectify.method=clamp", "rectify.relaxAtRest=on", "rectify.leastStrength=0.25",
-                      "rectify.restSpeed=2"},
-                     speed);
+    return rectified(
+        glm::vec3(2.5f),
+        {"rectify.method=clamp", "rectify.relaxAtRest=on", "rectify.minStrength=0.25", "rectify.restSpeed=2"},
+        speed);
   };
   EXPECT_EQ(at(0.0f).strength, 0.25f);
   EXPECT_EQ(at(0.0f).value, glm::vec3(2.5f - 0.25f * 1.5f));
   EXPECT_EQ(at(1.0f).strength, 0.25f + 0.75f * 0.25f);
   EXPECT_EQ(at(2.0f).strength, 1.0f);
   EXPECT_EQ(at(8.0f).value, glm::vec3(1.0f));
-  EXPECT_EQ(rectified(glm::vec3(2.5f),
-                      {"rectify.method=clamp", "rectify.relaxAtRest=on", "rectify.leastStrength=0"})
-                .value,
-            glm::vec3(2.5f))
+  EXPECT_EQ(
+      rectified(glm::vec3(2.5f), {"rectify.method=clamp", "rectify.relaxAtRest=on", "rectify.minStrength=0"})
+          .value,
+      glm::vec3(2.5f))
       << "17.1: none of it";
   EXPECT_EQ(rectified(glm::vec3(2.5f), {"rectify.method=clamp", "rectify.relaxAtRest=off"}).strength, 1.0f);
 }

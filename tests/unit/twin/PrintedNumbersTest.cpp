@@ -27,8 +27,8 @@ TEST(PrintedNumbers, RaptorsShaderMixesHalfAndSixTenthsToItsNumber) {
   EXPECT_NEAR(mixedGray(settings), 0.520482f, 1e-6f);
   // With the weights as they were meant about 0.58 is right.
   settings.weight.source = AlphaSource::LumaDifferenceCompressed;
-  settings.weight.most = 1.0f;
-  settings.weight.least = 0.0f;
+  settings.weight.sourceMax = 1.0f;
+  settings.weight.sourceMin = 0.0f;
   EXPECT_NEAR(mixedGray(settings), 0.578498f, 1e-6f);
 }
 
@@ -36,8 +36,8 @@ TEST(PrintedNumbers, RaptorsShaderMixesHalfAndSixTenthsToItsNumber) {
 TEST(PrintedNumbers, PlaydeadsLumaIsNotCompressed) {
   Settings settings = test::plainSettings();
   settings.weight = {AlphaSource::LumaDifference, 0.1f, 0.0f};
-  settings.weight.most = 0.0f;
-  settings.weight.least = 1.0f;
+  settings.weight.sourceMax = 0.0f;
+  settings.weight.sourceMin = 1.0f;
   EXPECT_NEAR(mixedGray(settings), 0.6f - 0.1f * 25.0f / 36.0f, 1e-6f);
 }
 

@@ -219,7 +219,7 @@ TEST(RectifyBySamples, SelectReplacesHistoryInsideTheBoxButKeepsASample) {
 TEST(RectifyBySamples, SelectIsAppliedInPartAsOtherMethodsAre) {
   Settings settings = with(RectifyMethod::Select);
   settings.rectify.relaxAtRest = Switch::On;
-  settings.rectify.leastStrength = 0.5f;
+  settings.rectify.minStrength = 0.5f;
   const Rectified half = rectified(settings, grays(), glm::vec3(2.0f)); // at rest
   EXPECT_EQ(half.value, glm::vec3(1.5f));
   EXPECT_EQ(half.amount, 0.5f);

@@ -367,7 +367,8 @@ TEST(TwinBlend, ReciprocalLengthIsTheRecursionOfTheWeight) {
 // Invariant 51: Bevy's schedule.
 TEST(TwinBlend, ConfidenceFreezesEarlySamples) {
   Settings settings = test::plainSettings();
-  settings.weight = {.source = AlphaSource::Confidence, .minimum = 0.0f, .most = 0.1f, .least = 0.015f};
+  settings.weight = {
+      .source = AlphaSource::Confidence, .minimum = 0.0f, .sourceMax = 0.1f, .sourceMin = 0.015f};
   settings.blend.length = LengthRule::Confidence;
   Inputs inputs = test::constantInputs(1, 1, glm::vec3(0.5f));
   test::advance(inputs, settings, 0, 0);

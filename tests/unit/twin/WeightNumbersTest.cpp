@@ -25,8 +25,8 @@ WeightInputs lumas(float current, float history) {
 float playdead(float current, float history) {
   WeightSettings settings;
   settings.source = AlphaSource::LumaDifference;
-  settings.most = 0.12f;
-  settings.least = 0.03f;
+  settings.sourceMax = 0.12f;
+  settings.sourceMin = 0.03f;
   settings.minimum = 0.0f;
   return 1.0f - blendWeight(settings, 5.0f, 0.0f, lumas(current, history)).alpha;
 }

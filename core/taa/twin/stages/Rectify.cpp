@@ -187,7 +187,7 @@ Rectified rectifiedByMethod(const RectifySettings& settings, ColorSpace space, c
   case RectifyMethod::ClipToBoth:
     return clipToSlabs(h, current, n, slabDirections(settings.method, space));
   case RectifyMethod::RayToCurrent:
-    return rayToCurrent(h, current, n, settings.mostSteps);
+    return rayToCurrent(h, current, n, settings.maxSteps);
   case RectifyMethod::ClampForget:
     return clip(RectifyMethod::Clamp, h, current, n.boxMin, n.boxMax);
   case RectifyMethod::None:
@@ -206,7 +206,7 @@ float rectifyStrength(const RectifySettings& settings, const RectifyInputs& appl
   const float ofFlicker = applied.isFlicker ? settings.flickerStrength : 1.0f;
   if (settings.relaxAtRest == Switch::Off) return ofFlicker;
   const float q = applied.speed / settings.restSpeed;
-  return (settings.leastStrength + (1.0f - settings.leastStrength) * saturated(q * q)) * ofFlicker;
+  return (settings.minStrength + (1.0f - settings.minStrength) * saturated(q * q)) * ofFlicker;
 }
 
 /// A sample in the place of history, inside the box as well, and not taken through its space

@@ -34,19 +34,19 @@ float baseWeight(const WeightSettings& settings, float historyLength, const Weig
   case AlphaSource::HistoryLength:
     return 1.0f / (historyLength + 1.0f);
   case AlphaSource::LumaDifference:
-    return settings.most +
-           lumaLikeness(weighed.lumaCurrent, weighed.lumaHistory) * (settings.least - settings.most);
+    return settings.sourceMax +
+           lumaLikeness(weighed.lumaCurrent, weighed.lumaHistory) * (settings.sourceMin - settings.sourceMax);
   case AlphaSource::LumaDifferenceCompressed:
-    return settings.most +
-           lumaLikeness(weighed.maxCurrent, weighed.maxHistory) * (settings.least - settings.most);
+    return settings.sourceMax +
+           lumaLikeness(weighed.maxCurrent, weighed.maxHistory) * (settings.sourceMin - settings.sourceMax);
   case AlphaSource::LumaDifferenceAsPrinted: // D1
     return lumaLikeness(weighed.maxCurrent, weighed.maxHistory);
   case AlphaSource::Contrast:
   case AlphaSource::ContrastPerChannel:
     return contrastWeight(std::fabs(weighed.boxHigh - weighed.boxLow) / maximum(weighed.boxCurrent, 1e-5f));
   case AlphaSource::Confidence:
-    return minimum(maximum(1.0f / confidenceAfter(historyLength, weighed.motion), settings.least),
-                   settings.most);
+    return minimum(maximum(1.0f / confidenceAfter(historyLength, weighed.motion), settings.sourceMin),
+                   settings.sourceMax);
   case AlphaSource::Depth:
     return weighed.depth == 0.0f ? 1.0f : 0.025f + (settings.alpha - 0.025f) * std::sqrt(weighed.depth);
   }
