@@ -1,0 +1,134 @@
+#include "core/capture/decode/PlaneShapes.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace taa::capture {
+
+namespace {
+
+/// Channels that a plane has to have, those it is given, and what stands in those it has not.
+struct Channels {
+  int needed, given;
+  float fill;
+};
+
+Channels channelsNeeded(PlaneKind kind) {
+  switch (kind) {
+  case PlaneKind::Color:
+  case PlaneKind::Output:
+  case PlaneKind::Reference:
+    return {3, 4, 1.0f};
+  case PlaneKind::Normal:
+  case PlaneKind::Fog:
+    return {3, 4, 0.0f};
+  case PlaneKind::Overlay:
+    return {4, 4, 0.0f};
+  case PlaneKind::Motion:
+    return {2, 2, 0.0f};
+  case PlaneKind::Mask:
+    return {1, 2, 0.0f};
+  case PlaneKind::Depth:
+  case PlaneKind::PreviousDepth:
+  case PlaneKind::ObjectId:
+    break;
+  }
+  return {1, 1, 0.0f};
+}
+
+/// Of each pixel of a side of `to` the pixel of a side of `from` that lies there.
+std::vector<std::size_t> nearest(int from, int to) {
+  std::vector<std::size_t> places(static_cast<std::size_t>(to));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = (2 * i + 1) * static_cast<std::size_t>(from) / (2 * places.size());
+  return places;
+}
+
+template <typename Value>
+std::vector<Value> resized(const std::vector<Value>& values, const glm::ivec2& from, const glm::ivec2& to,
+                           std::size_t channels) {
+  const std::vector<std::size_t> columns = nearest(from.x, to.x), rows = nearest(from.y, to.y);
+  std::vector<Value> result(columns.size() * rows.size() * channels);
+  auto at = result.begin();
+  for (const std::size_t row : rows) {
+    const Value* line = values.data() + row * static_cast<std::size_t>(from.x) * channels;
+    for (const std::size_t column : columns) at = std::copy_n(line + column * channels, channels, at);
+  }
+  return result;
+}
+
+Image withChannels(Image&& image, const Channels& wanted) {
+  if (image.channels == wanted.given) return std::move(image);
+  Image result(image.width, image.height, wanted.given);
+  const int copied = std::min(image.channels, wanted.given);
+  const float* from = image.pixels.data();
+  float* to = result.pixels.data();
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  for (std::size_t i = 0; i < pixels; ++i, from += image.channels, to += wanted.given)
+    for (int channel = 0; channel < wanted.given; ++channel)
+      to[channel] = channel < copied ? from[channel] : wanted.fill;
+  return result;
+}
+
+} // namespace
+
+PlaneShapes::PlaneShapes(FramePlanes& planes, const glm::ivec2& sizePx, int frame)
+    : planes_(planes), sizePx_(sizePx), frame_(frame) {}
+
+PlaneData* PlaneShapes::find(PlaneKind kind) {
+  const auto found = planes_.find(kind);
+  if (found == planes_.end()) return nullptr;
+  PlaneData& plane = found->second;
+  const bool isId = kind == PlaneKind::ObjectId;
+  const int channels = isId ? 1 : plane.image.channels;
+  const bool hasSize = plane.width > 0 && plane.height > 0 && channels > 0;
+  const std::size_t values = isId ? plane.integers.size() : plane.image.pixels.size();
+  const bool isWhole = hasSize && values == static_cast<std::size_t>(plane.width) *
+                                                static_cast<std::size_t>(plane.height) *
+                                                static_cast<std::size_t>(channels);
+  const bool isSame = isId || (plane.image.width == plane.width && plane.image.height == plane.height);
+  if (!isWhole || !isSame)
+    throw Error(say<"frame %1: %2 does not have as many values as its size says">(frame_, planeName(kind)));
+  if (const int needed = channelsNeeded(kind).needed; channels < needed)
+    throw Error(say<"frame %1: %2 has %3 channels, and %4 are needed; set its channels in capture.json">(
+        frame_, planeName(kind), channels, needed));
+  return &plane;
+}
+
+void PlaneShapes::note(PlaneKind kind, const PlaneData& plane) {
+  notes_.push_back(say<"%1 is %2×%3 and the frame %4×%5: each pixel takes the nearest value">(
+      planeName(kind), plane.width, plane.height, sizePx_.x, sizePx_.y));
+}
+
+Image PlaneShapes::takeUnscaled(PlaneKind kind) {
+  PlaneData* plane = find(kind);
+  return plane ? withChannels(std::move(plane->image), channelsNeeded(kind)) : Image();
+}
+
+Image PlaneShapes::take(PlaneKind kind) {
+  const PlaneData* plane = find(kind);
+  if (!plane) return {};
+  const glm::ivec2 size(plane->width, plane->height);
+  if (size != sizePx_) note(kind, *plane);
+  Image image = takeUnscaled(kind);
+  if (size == sizePx_) return image;
+  image.pixels = resized(image.pixels, size, sizePx_, static_cast<std::size_t>(image.channels));
+  image.width = sizePx_.x;
+  image.height = sizePx_.y;
+  return image;
+}
+
+std::vector<std::uint32_t> PlaneShapes::takeIds() {
+  PlaneData* plane = find(PlaneKind::ObjectId);
+  if (!plane) return {};
+  const glm::ivec2 size(plane->width, plane->height);
+  if (size == sizePx_) return std::move(plane->integers);
+  note(PlaneKind::ObjectId, *plane);
+  return resized(plane->integers, size, sizePx_, 1);
+}
+
+} // namespace taa::capture
