@@ -31,7 +31,7 @@ QString pair(const glm::dvec2& value) {
 } // namespace
 
 JitterPanel::JitterPanel(QWidget* parent)
-    : HistoryPage(parent), view_(new JitterView),
+    : AlphaPage(parent), view_(new JitterView),
       table_(new ValueTable({tr("Index"), tr("x"), tr("y"), tr("Weight, %"), tr("frame")})),
       title_(new QLabel), legend_(makeNote()) {
   auto* columns = new QHBoxLayout(this);
@@ -52,9 +52,9 @@ JitterPanel::JitterPanel(QWidget* parent)
   columns->addLayout(texts, 5);
   connect(view_, &JitterView::hovered, this, &JitterPanel::highlight);
   connect(view_, &JitterView::chosen, this, [this](int index) {
-    const int period = jitterPeriod(history().settings.jitter);
-    const int back = (jitterIndex(history().settings.jitter, history().frame) - index + period) % period;
-    Q_EMIT seekRequested(std::max(0, history().frame - back));
+    const int period = jitterPeriod(series().settings.jitter);
+    const int back = (jitterIndex(series().settings.jitter, series().frame) - index + period) % period;
+    Q_EMIT seekRequested(std::max(0, series().frame - back));
   });
 }
 
@@ -70,7 +70,7 @@ void JitterPanel::showTable(const JitterPattern& pattern, int current) {
   std::vector<ValueTable::Row> rows;
   for (int index = 0; index < period; ++index) {
     const JitterSample& sample = pattern.samples[static_cast<std::size_t>(index)];
-    const int latest = history().frame - (current - index + period) % period;
+    const int latest = series().frame - (current - index + period) % period;
     const bool isCurrent = index == current;
     rows.push_back({{isCurrent ? tr("%1 now").arg(index) : QString::number(index),
                      fixed(sample.position.x - 0.5, 3), fixed(sample.position.y - 0.5, 3),
@@ -82,21 +82,21 @@ void JitterPanel::showTable(const JitterPattern& pattern, int current) {
 }
 
 void JitterPanel::refresh() {
-  const JitterSettings& jitter = history().settings.jitter;
-  const bool isMeasured = !history().measured.empty();
-  const std::vector<double> weights = frameWeights(isMeasured ? history().measured : history().nominal());
+  const JitterSettings& jitter = series().settings.jitter;
+  const bool isMeasured = !series().measured.empty();
+  const std::vector<double> weights = frameWeights(isMeasured ? series().measured : series().nominal());
   const JitterPattern pattern =
-      jitterPattern(jitter, history().frame, weights, history().jitterWay.value_or(kFirstWay));
-  const int current = jitterIndex(jitter, history().frame);
+      jitterPattern(jitter, series().frame, weights, series().jitterWay.value_or(kFirstWay));
+  const int current = jitterIndex(jitter, series().frame);
   view_->setPattern(pattern, current);
   showTable(pattern, current);
   const int period = static_cast<int>(pattern.samples.size());
   const Parameter& row = parameter("jitter.sequence");
-  const auto choice = static_cast<std::size_t>(row.get(history().settings));
+  const auto choice = static_cast<std::size_t>(row.get(series().settings));
   title_->setText(
       tr("%1, index %2 of %3").arg(tableText(row.choices[choice].label)).arg(current).arg(period));
   QStringList lines;
-  lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(history().place).arg(weights.size())
+  lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(series().place).arg(weights.size())
                        : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
                              .arg(weights.size()));
   lines << tr("Effective samples: %1 of frames, %2 of the %3 places.")
@@ -105,8 +105,8 @@ void JitterPanel::refresh() {
   lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
   if (jitter.sequence == JitterSequence::Perpendicular)
-    lines << (history().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")
-                                  : tr("The samples are shown as for a camera that moves to the right."));
+    lines << (series().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")
+                                 : tr("The samples are shown as for a camera that moves to the right."));
   setSummary(lines, QLatin1Char('\n'));
 }
 

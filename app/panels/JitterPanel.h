@@ -1,7 +1,7 @@
 // The jitter pattern: its samples in a pixel, their order and weights, and how well they cover it.
 #pragma once
 
-#include "app/views/plots/HistoryPage.h"
+#include "app/views/plots/AlphaPage.h"
 #include "core/probe/SampleWeights.h"
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace taa::app {
 class ValueTable;
 class JitterView;
 
-class JitterPanel : public HistoryPage {
+class JitterPanel : public AlphaPage {
   Q_OBJECT
  public:
   explicit JitterPanel(QWidget* parent = nullptr);

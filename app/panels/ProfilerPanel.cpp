@@ -113,8 +113,8 @@ void ProfilerPanel::setDriver(const gl::Driver& driver) {
 }
 
 void ProfilerPanel::addProfile(const FrameProfile& profile) {
-  const bool isFirst = history_.isEmpty();
-  history_.add(profile);
+  const bool isFirst = series_.isEmpty();
+  series_.add(profile);
   if (isFirst) return refresh();
   if (!refresh_.isActive()) refresh_.start();
 }
@@ -124,25 +124,25 @@ void ProfilerPanel::setMeasuring(bool measuring) {
 }
 
 void ProfilerPanel::refresh() {
-  if (history_.isEmpty() || !isVisible()) return;
+  if (series_.isEmpty() || !isVisible()) return;
   showPasses();
   showMemory();
-  chart_->show(history_);
+  chart_->show(series_);
 }
 
 void ProfilerPanel::showPasses() {
   std::vector<ValueTable::Row> rows;
-  for (const ProfileHistory::Row& row : history_.rows())
+  for (const ProfileSeries::Row& row : series_.rows())
     rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percent(row.share)},
                     ProfileChart::colorOf(rows.size())});
-  rows.push_back({{tr("All"), ms(history_.last().totalMs), ms(history_.medianTotal()), {}}, {}, true});
+  rows.push_back({{tr("All"), ms(series_.last().totalMs), ms(series_.medianTotal()), {}}, {}, true});
   passes_->setRows(rows);
   passesTitle_->setText(
-      tr("Passes of frame %1, median of %2").arg(history_.last().frame).arg(history_.profiles().size()));
+      tr("Passes of frame %1, median of %2").arg(series_.last().frame).arg(series_.profiles().size()));
 }
 
 void ProfilerPanel::showMemory() {
-  const FrameProfile& last = history_.last();
+  const FrameProfile& last = series_.last();
   std::vector<ValueTable::Row> rows;
   rows.push_back({{tr("All"), mebibytes(last.memoryBytes), {}}, {}, true});
   rows.push_back({{tr("of it kept histories"), mebibytes(last.checkpointBytes), {}}});
@@ -198,7 +198,7 @@ void ProfilerPanel::showEvent(QShowEvent* event) {
 void ProfilerPanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (event->spontaneous()) return; // the window is minimized
-  history_.clear();                 // frames from before a pause do not belong to those after it
+  series_.clear();                  // frames from before a pause do not belong to those after it
   Q_EMIT shownChanged(false);
 }
 

@@ -1,7 +1,7 @@
 // Where time and memory go: passes now and over time, the stages of the resolve, resources.
 #pragma once
 
-#include "app/models/ProfileHistory.h"
+#include "app/models/ProfileSeries.h"
 #include "core/requests/Results.h"
 
 #include <QTimer>
@@ -28,7 +28,7 @@ class ProfilerPanel : public QWidget {
   void setStageCosts(const StageCosts& costs);
   /// While it works there is nothing to measure anew.
   void setMeasuring(bool measuring);
-  bool hasProfile() const { return !history_.isEmpty(); }
+  bool hasProfile() const { return !series_.isEmpty(); }
   bool hasStageCosts() const { return costs_.has_value(); }
 
   /// All tables, for the clipboard.
@@ -57,7 +57,7 @@ class ProfilerPanel : public QWidget {
   void showPasses();
   void showMemory();
 
-  ProfileHistory history_;
+  ProfileSeries series_;
   std::optional<StageCosts> costs_;
   QString driver_;
   QTimer refresh_; ///< figures that change sixty times a second cannot be read

@@ -43,7 +43,7 @@ QString number(double value) {
 } // namespace
 
 WeightsPanel::WeightsPanel(QWidget* parent)
-    : HistoryPage(parent), weights_(new CurveChart(tr("Weight in the picture"), tr("frames back"))),
+    : AlphaPage(parent), weights_(new CurveChart(tr("Weight in the picture"), tr("frames back"))),
       samples_(new CurveChart(tr("Effective samples"), tr("frame"))) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
@@ -57,7 +57,7 @@ WeightsPanel::WeightsPanel(QWidget* parent)
   connect(samples_, &CurveChart::xClicked, this,
           [this](double frame) { Q_EMIT seekRequested(static_cast<int>(frame)); });
   connect(weights_, &CurveChart::xClicked, this, [this](double back) {
-    Q_EMIT seekRequested(std::max(0, history().frame - static_cast<int>(back)));
+    Q_EMIT seekRequested(std::max(0, series().frame - static_cast<int>(back)));
   });
 }
 
@@ -67,12 +67,12 @@ void WeightsPanel::resetZoom() {
 }
 
 void WeightsPanel::refresh() {
-  const std::vector<double> nominal = history().nominal();
+  const std::vector<double> nominal = series().nominal();
   const std::vector<double> nominalWeights = frameWeights(nominal);
-  const int first = history().frame - static_cast<int>(nominal.size()) + 1;
+  const int first = series().frame - static_cast<int>(nominal.size()) + 1;
   // On to where the count has nearly settled, so that the curve shows where it leads.
   const std::vector<double> ahead =
-      calmAlphas(history().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
+      calmAlphas(series().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
   const QColor color = curveColor(0), measuredColor = curveColor(1);
   std::vector<Curve> weights{{tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)}};
   std::vector<Curve> samples{
@@ -80,20 +80,20 @@ void WeightsPanel::refresh() {
   QStringList lines;
   lines << tr("Frame %1, %2 after history started. By the settings, where nothing moves or changes: "
               "α = %3, %4 effective samples now, %5 at last.")
-               .arg(history().frame)
-               .arg(history().frame - history().start)
+               .arg(series().frame)
+               .arg(series().frame - series().start)
                .arg(number(nominal.back()), number(effectiveSamples(nominalWeights)),
-                    number(effectiveSamplesOver(calmAlphas(history().settings, 2 * kMaxFramesBack)).back()));
-  if (!history().measured.empty()) {
-    const std::vector<double> measured = frameWeights(history().measured);
-    const QString name = tr("measured at %1").arg(history().place);
+                    number(effectiveSamplesOver(calmAlphas(series().settings, 2 * kMaxFramesBack)).back()));
+  if (!series().measured.empty()) {
+    const std::vector<double> measured = frameWeights(series().measured);
+    const QString name = tr("measured at %1").arg(series().place);
     weights.push_back({name, measuredColor, Qt::SolidLine, backwards(measured)});
     samples.push_back({name, measuredColor, Qt::SolidLine,
-                       from(history().frame - static_cast<int>(measured.size()) + 1,
-                            effectiveSamplesOver(history().measured))});
+                       from(series().frame - static_cast<int>(measured.size()) + 1,
+                            effectiveSamplesOver(series().measured))});
     lines << tr("Measured at %1: α = %2, %3 effective samples of frames: %4. Where the surface moves, its "
                 "history came from other pixels.")
-                 .arg(history().place, number(history().measured.back()), number(effectiveSamples(measured)))
+                 .arg(series().place, number(series().measured.back()), number(effectiveSamples(measured)))
                  .arg(measured.size());
   } else {
     lines << tr("A probe adds what its pixel measured in the frames that were shown.");
@@ -101,7 +101,7 @@ void WeightsPanel::refresh() {
   weights_->setBounds({0.0, static_cast<double>(kShownBack)});
   weights_->setCurves(std::move(weights));
   samples_->setBounds({static_cast<double>(first), first + static_cast<double>(ahead.size()) - 1.0});
-  samples_->setPlayhead(history().frame);
+  samples_->setPlayhead(series().frame);
   samples_->setCurves(std::move(samples));
   setSummary(lines, QLatin1Char(' '));
 }

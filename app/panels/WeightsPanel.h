@@ -2,13 +2,13 @@
 // measured.
 #pragma once
 
-#include "app/views/plots/HistoryPage.h"
+#include "app/views/plots/AlphaPage.h"
 
 namespace taa::app {
 
 class CurveChart;
 
-class WeightsPanel : public HistoryPage {
+class WeightsPanel : public AlphaPage {
   Q_OBJECT
  public:
   explicit WeightsPanel(QWidget* parent = nullptr);

@@ -301,7 +301,7 @@ void MainWindow::showStatus() {
   const Status& status = session_.status();
   timeline_->setStatus(status);
   statusLine_->setStatus(status);
-  plotFeed_->showHistory();
+  plotFeed_->showAlphas();
   profiler_->setDriver(status.driver);
   if (session_.isOpen()) {
     views_->setPictureSize({status.width, status.height});

@@ -1,6 +1,6 @@
 #include "app/window/PlotFeed.h"
 
-#include "app/models/PixelHistory.h"
+#include "app/models/AlphaSeries.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/TimelinePanel.h"
@@ -29,7 +29,7 @@ void PlotFeed::connectTraces() {
   connect(&to_.plots, &PlotsPanel::shownChanged, this, &PlotFeed::showTraces);
   connect(&session_, &Session::traceArrived, &to_.plots, &PlotsPanel::addSample);
   connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
-    if (trace.frame == session_.status().info.frame) showHistory();
+    if (trace.frame == session_.status().info.frame) showAlphas();
   });
   connect(&session_.probes(), &PinnedProbes::pickChanged, this, &PlotFeed::showTraces);
   connect(&session_, &Session::workChanged, this,
@@ -50,32 +50,32 @@ void PlotFeed::connectMetrics() {
 void PlotFeed::showTraces() {
   session_.setTracing(to_.plots.isVisible() || to_.jitter.isVisible() || to_.weights.isVisible());
   to_.plots.setPins(session_.probes().pins(), session_.probes().activePin());
-  showHistory();
+  showAlphas();
 }
 
 // What jitter and weights are drawn from.
-void PlotFeed::showHistory() {
+void PlotFeed::showAlphas() {
   to_.plots.setStatus(session_.status());
   if (metrics_.setShotVersion(session_.status().shotVersion)) showMetric();
   if (!to_.jitter.isVisible() && !to_.weights.isVisible()) return;
   const Status& status = session_.status();
-  PixelHistory history;
-  history.settings = session_.presets().settings();
-  history.frame = status.info.frame;
+  AlphaSeries series;
+  series.settings = session_.presets().settings();
+  series.frame = status.info.frame;
   if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
-    history.jitterWay = status.info.jitterWay;
+    series.jitterWay = status.info.jitterWay;
   for (const std::vector<int>* starts : {&status.cuts, &status.restarts})
     for (const int start : *starts)
-      if (start <= history.frame) history.start = std::max(history.start, start);
+      if (start <= series.frame) series.start = std::max(series.start, start);
   if (const int active = session_.probes().activePin(); active >= 0) {
     const ProbePin& pin = session_.probes().pins()[static_cast<std::size_t>(active)];
     if (const PixelTrace* trace = to_.plots.store().traceOf(pin))
-      history.measured = alphasUpTo(*trace, history.frame, kMaxFramesBack);
+      series.measured = alphasUpTo(*trace, series.frame, kMaxFramesBack);
     if (const auto pixel = session_.probes().pick())
-      history.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
+      series.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
   }
-  to_.jitter.setHistory(history);
-  to_.weights.setHistory(history);
+  to_.jitter.setSeries(series);
+  to_.weights.setSeries(series);
 }
 
 void PlotFeed::showMetric() {

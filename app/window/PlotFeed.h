@@ -30,7 +30,7 @@ class PlotFeed : public QObject {
   PlotFeed(Session& session, const Panels& to);
 
   /// To be called when status or settings have changed, after the timeline knows of it.
-  void showHistory();
+  void showAlphas();
 
  private:
   void connectTraces();

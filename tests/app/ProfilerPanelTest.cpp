@@ -1,7 +1,7 @@
 // The profiler panel: costs nothing while it is hidden, shows what arrives, and gives it away as text.
 #include "app/panels/ProfilerPanel.h"
 
-#include "app/models/ProfileHistory.h"
+#include "app/models/ProfileSeries.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
@@ -76,11 +76,11 @@ TEST_F(Profiler, ShowsPassesOfThisFrameTheirMedianAndShare) {
 
 TEST_F(Profiler, StacksThePassesOverTime) {
   open();
-  ProfileHistory history;
-  history.add(profileOf(1.0, 2.0));
-  history.add(profileOf(3.0, 5.0));
+  ProfileSeries series;
+  series.add(profileOf(1.0, 2.0));
+  series.add(profileOf(3.0, 5.0));
   auto* chart = window.profiler()->findChild<ProfileChart*>();
-  chart->show(history);
+  chart->show(series);
   const std::vector<QList<QPointF>>& edges = chart->edges();
   ASSERT_EQ(edges.size(), 4u) << "three areas";
   EXPECT_EQ(edges[1], (QList<QPointF>{{-2, 1}, {-1, 1}, {-1, 3}, {0, 3}}));
@@ -160,18 +160,18 @@ TEST_F(Profiler, SaysHowItTimesAndCopiesAsTextAndCsv) {
   EXPECT_EQ(QApplication::clipboard()->text(), text);
 }
 
-TEST(ProfileHistory, KeepsTheLastFramesAndTheirPasses) {
-  ProfileHistory history;
-  for (int frame = 0; frame < 200; ++frame) history.add(profileOf(frame, 1.0));
-  EXPECT_EQ(history.profiles().size(), kProfiledFrames);
-  EXPECT_EQ(history.rows()[0].last, 199.0);
-  EXPECT_EQ(history.rows()[0].median, 139.5);
+TEST(ProfileSeries, KeepsTheLastFramesAndTheirPasses) {
+  ProfileSeries series;
+  for (int frame = 0; frame < 200; ++frame) series.add(profileOf(frame, 1.0));
+  EXPECT_EQ(series.profiles().size(), kProfiledFrames);
+  EXPECT_EQ(series.rows()[0].last, 199.0);
+  EXPECT_EQ(series.rows()[0].median, 139.5);
   FrameProfile more = profileOf(0.0, 1.0);
   more.passes.insert(more.passes.begin(), {"Sky", 4.0, 1});
-  history.add(more);
-  EXPECT_EQ(history.names(), (std::vector<std::string>{"G-buffer", "Resolve", "Sky", "Between the passes"}));
-  EXPECT_EQ(history.rows()[2].last, 4.0);
-  EXPECT_EQ(history.rows()[2].median, 0.0);
+  series.add(more);
+  EXPECT_EQ(series.names(), (std::vector<std::string>{"G-buffer", "Resolve", "Sky", "Between the passes"}));
+  EXPECT_EQ(series.rows()[2].last, 4.0);
+  EXPECT_EQ(series.rows()[2].median, 0.0);
 }
 
 namespace {

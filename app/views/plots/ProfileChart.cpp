@@ -41,12 +41,12 @@ QColor ProfileChart::colorOf(std::size_t place) {
   return QColor::fromRgbF(srgbEncoded(linear[0]), srgbEncoded(linear[1]), srgbEncoded(linear[2]));
 }
 
-void ProfileChart::show(const ProfileHistory& history) {
-  const std::vector<std::string>& names = history.names();
+void ProfileChart::show(const ProfileSeries& series) {
+  const std::vector<std::string>& names = series.names();
   std::vector<QList<QPointF>> points(names.size() + 1);
   std::vector<double> totals;
-  double frame = -static_cast<double>(history.profiles().size());
-  for (const FrameProfile& profile : history.profiles()) {
+  double frame = -static_cast<double>(series.profiles().size());
+  for (const FrameProfile& profile : series.profiles()) {
     double height = 0.0;
     // As wide as a frame, so that a single one is seen too.
     const auto add = [&](QList<QPointF>& edge) {
@@ -54,7 +54,7 @@ void ProfileChart::show(const ProfileHistory& history) {
     };
     add(points[0]);
     for (std::size_t place = 0; place < names.size(); ++place) {
-      height += ProfileHistory::timeOf(profile, names[place]);
+      height += ProfileSeries::timeOf(profile, names[place]);
       add(points[place + 1]);
     }
     totals.push_back(height);

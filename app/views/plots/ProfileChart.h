@@ -1,7 +1,7 @@
 // What the passes of the last frames took, one area on the other.
 #pragma once
 
-#include "app/models/ProfileHistory.h"
+#include "app/models/ProfileSeries.h"
 #include "app/views/plots/ChartAxes.h"
 
 #include <QList>
@@ -16,8 +16,8 @@ class ProfileChart : public QWidget {
   Q_OBJECT
  public:
   explicit ProfileChart(QWidget* parent = nullptr);
-  void show(const ProfileHistory& history);
-  /// The color of the pass in this place of ProfileHistory::names().
+  void show(const ProfileSeries& series);
+  /// The color of the pass in this place of ProfileSeries::names().
   static QColor colorOf(std::size_t place);
   /// The bottom, then the upper edge of each area; x in frames before the last, y in ms.
   const std::vector<QList<QPointF>>& edges() const { return edges_; }

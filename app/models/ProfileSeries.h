@@ -11,7 +11,7 @@ namespace taa::app {
 
 inline constexpr std::size_t kProfiledFrames = 120;
 
-class ProfileHistory {
+class ProfileSeries {
  public:
   struct Row {
     std::string name;

@@ -1,4 +1,4 @@
-#include "app/views/plots/HistoryPage.h"
+#include "app/views/plots/AlphaPage.h"
 
 #include "app/style/Theme.h"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int kRefresh = 100; ///< ms
 } // namespace
 
-HistoryPage::HistoryPage(QWidget* parent) : QWidget(parent), summary_(makeNote()) {
+AlphaPage::AlphaPage(QWidget* parent) : QWidget(parent), summary_(makeNote()) {
   refresh_.setSingleShot(true);
   refresh_.setInterval(kRefresh);
   connect(&refresh_, &QTimer::timeout, this, [this] {
@@ -20,7 +20,7 @@ HistoryPage::HistoryPage(QWidget* parent) : QWidget(parent), summary_(makeNote()
   });
 }
 
-QLabel* HistoryPage::makeNote() {
+QLabel* AlphaPage::makeNote() {
   auto* label = new QLabel;
   label->setFont(secondaryFont());
   label->setForegroundRole(QPalette::PlaceholderText);
@@ -29,27 +29,27 @@ QLabel* HistoryPage::makeNote() {
   return label;
 }
 
-void HistoryPage::setHistory(const PixelHistory& history) {
-  history_ = history;
+void AlphaPage::setSeries(const AlphaSeries& series) {
+  series_ = series;
   if (isVisible() && !refresh_.isActive()) refresh_.start();
 }
 
-void HistoryPage::setSummary(const QStringList& parts, QChar between) {
+void AlphaPage::setSummary(const QStringList& parts, QChar between) {
   summary_->setText(parts.join(between));
 }
 
-QString HistoryPage::summary() const {
+QString AlphaPage::summary() const {
   return summary_->text();
 }
 
-void HistoryPage::showEvent(QShowEvent* event) {
+void AlphaPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (event->spontaneous()) return;
   refresh();
   Q_EMIT shownChanged(true);
 }
 
-void HistoryPage::hideEvent(QHideEvent* event) {
+void AlphaPage::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   if (!event->spontaneous()) Q_EMIT shownChanged(false);
 }

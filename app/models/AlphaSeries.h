@@ -11,7 +11,7 @@
 
 namespace taa::app {
 
-struct PixelHistory {
+struct AlphaSeries {
   Settings settings;
   int frame = 0;
   int start = 0; ///< where history starts at the latest: the first frame, the last cut or the last restart

@@ -1,5 +1,5 @@
 // The profiles of the last frames.
-#include "app/models/ProfileHistory.h"
+#include "app/models/ProfileSeries.h"
 
 #include "core/base/Median.h"
 
@@ -8,7 +8,7 @@
 
 namespace taa::app {
 
-void ProfileHistory::add(FrameProfile profile) {
+void ProfileSeries::add(FrameProfile profile) {
   for (const PassCost& cost : profile.passes) {
     if (std::ranges::find(names_, cost.name) != names_.end()) continue;
     const bool hasBetween = !names_.empty() && names_.back() == kBetweenPasses;
@@ -18,17 +18,17 @@ void ProfileHistory::add(FrameProfile profile) {
   if (profiles_.size() > kProfiledFrames) profiles_.pop_front();
 }
 
-void ProfileHistory::clear() {
+void ProfileSeries::clear() {
   profiles_.clear();
   names_.clear();
 }
 
-double ProfileHistory::timeOf(const FrameProfile& profile, const std::string& name) {
+double ProfileSeries::timeOf(const FrameProfile& profile, const std::string& name) {
   const auto found = std::ranges::find(profile.passes, name, &PassCost::name);
   return found == profile.passes.end() ? 0.0 : found->milliseconds;
 }
 
-std::vector<ProfileHistory::Row> ProfileHistory::rows() const {
+std::vector<ProfileSeries::Row> ProfileSeries::rows() const {
   std::vector<Row> rows;
   double sum = 0.0;
   for (const std::string& name : names_) {
@@ -41,7 +41,7 @@ std::vector<ProfileHistory::Row> ProfileHistory::rows() const {
   return rows;
 }
 
-double ProfileHistory::medianTotal() const {
+double ProfileSeries::medianTotal() const {
   std::vector<double> totals;
   for (const FrameProfile& profile : profiles_) totals.push_back(profile.totalMs);
   return median(std::move(totals));

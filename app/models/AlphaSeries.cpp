@@ -1,4 +1,4 @@
-#include "app/models/PixelHistory.h"
+#include "app/models/AlphaSeries.h"
 
 #include "core/probe/SampleWeights.h"
 
@@ -6,11 +6,11 @@
 
 namespace taa::app {
 
-int PixelHistory::length() const {
+int AlphaSeries::length() const {
   return std::clamp(frame - start + 1, 1, kMaxFramesBack);
 }
 
-std::vector<double> PixelHistory::nominal() const {
+std::vector<double> AlphaSeries::nominal() const {
   return calmAlphas(settings, length());
 }
 

@@ -1,8 +1,8 @@
-// What the pages have in common that are drawn from the history of a pixel: they follow it while they are
+// What the pages have in common that are drawn from α of a pixel over frames: they follow it while they are
 // shown.
 #pragma once
 
-#include "app/models/PixelHistory.h"
+#include "app/models/AlphaSeries.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -11,12 +11,12 @@ class QLabel;
 
 namespace taa::app {
 
-class HistoryPage : public QWidget {
+class AlphaPage : public QWidget {
   Q_OBJECT
  public:
-  explicit HistoryPage(QWidget* parent = nullptr);
+  explicit AlphaPage(QWidget* parent = nullptr);
 
-  void setHistory(const PixelHistory& history);
+  void setSeries(const AlphaSeries& series);
   /// What it says in words.
   QString summary() const;
 
@@ -31,14 +31,14 @@ class HistoryPage : public QWidget {
 
   /// Called while it is shown.
   virtual void refresh() = 0;
-  const PixelHistory& history() const { return history_; }
+  const AlphaSeries& series() const { return series_; }
   QLabel* summaryLabel() const { return summary_; } ///< for the layout
   void setSummary(const QStringList& parts, QChar between);
   /// Secondary text that wraps and can be copied.
   static QLabel* makeNote();
 
  private:
-  PixelHistory history_;
+  AlphaSeries series_;
   QTimer refresh_; ///< while it plays, a few times a second are enough
   QLabel* summary_ = nullptr;
 };
