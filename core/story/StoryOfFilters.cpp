@@ -141,40 +141,58 @@ std::string unjitterText(const Teller& t, const glm::vec2& jitter) {
   return weightedMean(t, weights, values, false);
 }
 
+RowStory upsampledStory(const Teller& t) {
+  const UpsampleKernel chosen = t.settings().current.upsample;
+  const std::array<glm::vec3, 9>& nine = t.details().filterSamples;
+  const std::string kernel = choiceLabel("current.upsample", t.settings());
+  const twin::Taps& taps = t.details().upsampleTaps;
+  const Reds reds = redsOf(taps);
+  if (taps.count == 0 || !(reds.sum > 1e-4f))
+    return {say<"%1: the nearest sample, %2 px from the center">(kernel, t.tuple(t.details().sampleOffset)),
+            t.number(nine[4].x), "R"};
+  std::string text = weightedMean(t, reds.weights, reds.values);
+  float low = nine[4].x, high = nine[4].x;
+  for (const glm::vec3& sample : nine) low = std::fmin(low, sample.x), high = std::fmax(high, sample.x);
+  const bool hasLobes = chosen != UpsampleKernel::Hdrp && chosen != UpsampleKernel::HdrpGaussian;
+  if (hasLobes) text = clamped(t, text, low, high);
+  return {say<"%1 over %2 samples of what was drawn smaller">(kernel, taps.count), call("max", {text, "0"}),
+          "R"};
+}
+
+RowStory meanStory(const Teller& t, bool isBounded) {
+  const Reds reds = redsOf(currentTaps(t));
+  std::string mean = weightedMean(t, reds.weights, reds.values);
+  if (isBounded) mean = clamped(t, mean, reds.low, reds.high);
+  return {say<"%1 over the nine samples">(choiceLabel("current.filter", t.settings())),
+          call("max", {mean, "0"}), "R"};
+}
+
 /// The color before it is sharpened: words, and what its red is.
 RowStory filteredStory(const Teller& t) {
   const CurrentSettings& current = t.settings().current;
-  const std::array<glm::vec3, 9>& nine = t.details().filterSamples;
-  if (isUpsampled(t.settings())) {
-    const std::string kernel = choiceLabel("current.upsample", t.settings());
-    const twin::Taps& taps = t.details().upsampleTaps;
-    const Reds reds = redsOf(taps);
-    if (taps.count == 0 || !(reds.sum > 1e-4f))
-      return {say<"%1: the nearest sample, %2 px from the center">(kernel, t.tuple(t.details().sampleOffset)),
-              t.number(nine[4].x), "R"};
-    std::string text = weightedMean(t, reds.weights, reds.values);
-    float low = nine[4].x, high = nine[4].x;
-    for (const glm::vec3& sample : nine) low = std::fmin(low, sample.x), high = std::fmax(high, sample.x);
-    const bool hasLobes =
-        current.upsample != UpsampleKernel::Hdrp && current.upsample != UpsampleKernel::HdrpGaussian;
-    if (hasLobes) text = clamped(t, text, low, high);
-    return {say<"%1 over %2 samples of what was drawn smaller">(kernel, taps.count), call("max", {text, "0"}),
-            "R"};
-  }
-  const std::string filter = choiceLabel("current.filter", t.settings());
-  if (current.filter == CurrentFilter::Center)
-    return {say<"the sample as it is">(), t.number(nine[4].x), "R"};
-  if (current.filter == CurrentFilter::Unjitter)
+  if (isUpsampled(t.settings())) return upsampledStory(t);
+  switch (current.filter) {
+  case CurrentFilter::Center:
+    return {say<"the sample as it is">(), t.number(t.details().filterSamples[4].x), "R"};
+  case CurrentFilter::Unjitter:
     return {say<"read where the pixel's center landed">(), unjitterText(t, t.details().jitterPx), "R"};
-  if (current.filter == CurrentFilter::UnjitterAsPrinted)
+  case CurrentFilter::UnjitterAsPrinted:
     return {say<"read on the other side of where the pixel's center landed">(),
             unjitterText(t, -t.details().jitterPx), "R"};
-  const Reds reds = redsOf(currentTaps(t));
-  std::string mean = weightedMean(t, reds.weights, reds.values);
-  const bool rings = current.filter == CurrentFilter::Mitchell ||
-                     current.filter == CurrentFilter::CatmullRom || current.filter == CurrentFilter::Lanczos;
-  if (rings && isOn(current.dering)) mean = clamped(t, mean, reds.low, reds.high);
-  return {say<"%1 over the nine samples">(filter), call("max", {mean, "0"}), "R"};
+  case CurrentFilter::Mitchell:
+  case CurrentFilter::CatmullRom:
+  case CurrentFilter::Lanczos:
+    return meanStory(t, isOn(current.dering));
+  case CurrentFilter::Gaussian:
+  case CurrentFilter::Tent:
+  case CurrentFilter::Box:
+  case CurrentFilter::BlackmanHarris:
+  case CurrentFilter::DistanceAsPrinted:
+  case CurrentFilter::MitchellAsPrinted:
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+    break;
+  }
+  return meanStory(t, false);
 }
 
 RowStory currentStory(const Teller& t) {
@@ -195,39 +213,58 @@ RowStory currentStory(const Teller& t) {
   return story;
 }
 
-RowStory confidenceStory(const Teller& t) {
-  if (!isUpsampled(t.settings())) return {say<"drawn at full size">(), "", ""};
+RowStory boxStory(const Teller& t) {
+  const std::string at = t.tuple(t.details().sampleOffset);
+  return {t.value(Id::sampleConfidence) > 0.0f
+              ? say<"the nearest sample lies in HDRP's box: %1 px from the pixel's center">(at)
+              : say<"no sample lies in HDRP's box: the nearest is %1 px from the pixel's center">(at),
+          "", ""};
+}
+
+RowStory bellStory(const Teller& t) {
+  const glm::vec2 ratio = t.details().renderRatio, x = t.details().sampleOffset / ratio;
+  const std::string bell = "2^(−0.5 × (" + call("length", {t.tuple(x)}) + " / 0.4)^2)";
+  return {say<"how near the nearest sample lies, %1 px of the picture from the pixel's center">(t.tuple(x)),
+          t.equals(call("min", {bell + " / (" + t.number(ratio.x) + " × " + t.number(ratio.y) + ")", "1"}),
+                   Id::sampleConfidence),
+          ""};
+}
+
+RowStory nearestStory(const Teller& t) {
   const glm::vec2 d = t.details().sampleOffset, ratio = t.details().renderRatio;
-  const UpsampleKernel kernel = t.settings().current.upsample;
-  const std::string at = t.tuple(d);
-  if (kernel == UpsampleKernel::Hdrp)
-    return {t.value(Id::sampleConfidence) > 0.0f
-                ? say<"the nearest sample lies in HDRP's box: %1 px from the pixel's center">(at)
-                : say<"no sample lies in HDRP's box: the nearest is %1 px from the pixel's center">(at),
-            "", ""};
-  if (kernel == UpsampleKernel::HdrpGaussian) {
-    const glm::vec2 x = d / ratio;
-    const std::string bell = "2^(−0.5 × (" + call("length", {t.tuple(x)}) + " / 0.4)^2)";
-    return {say<"how near the nearest sample lies, %1 px of the picture from the pixel's center">(t.tuple(x)),
-            t.equals(call("min", {bell + " / (" + t.number(ratio.x) + " × " + t.number(ratio.y) + ")", "1"}),
-                     Id::sampleConfidence),
-            ""};
-  }
-  if (kernel == UpsampleKernel::SampleWeight) {
-    const std::string near = "1 − (" + t.number(d.x * d.x) + " / " + t.number(ratio.x) + " + " +
-                             t.number(d.y * d.y) + " / " + t.number(ratio.y) + ")";
-    return {say<"how near the nearest sample lies, %1 px from the pixel's center, "
-                "or all of it where it moves">(at),
-            t.equals(call("max", {call("clamp", {near, "0", "1"}), call("smooth", {t.number(Id::speed)})}),
-                     Id::sampleConfidence),
-            ""};
-  }
+  const std::string near = "1 − (" + t.number(d.x * d.x) + " / " + t.number(ratio.x) + " + " +
+                           t.number(d.y * d.y) + " / " + t.number(ratio.y) + ")";
+  return {say<"how near the nearest sample lies, %1 px from the pixel's center, "
+              "or all of it where it moves">(t.tuple(d)),
+          t.equals(call("max", {call("clamp", {near, "0", "1"}), call("smooth", {t.number(Id::speed)})}),
+                   Id::sampleConfidence),
+          ""};
+}
+
+RowStory sumStory(const Teller& t) {
   std::string sum;
   for (const twin::Taps::Tap& tap : t.details().upsampleTaps.all())
     if (tap.weight != 0.0f) sum += (sum.empty() ? "" : " + ") + t.number(tap.weight);
   if (sum.empty()) return {say<"no sample is near enough">(), "", ""};
-  return {say<"what the samples weigh together, the nearest %1 px from the pixel's center">(at),
+  return {say<"what the samples weigh together, the nearest %1 px from the pixel's center">(
+              t.tuple(t.details().sampleOffset)),
           t.equals(call("clamp", {sum, "0", "1"}), Id::sampleConfidence), ""};
+}
+
+RowStory confidenceStory(const Teller& t) {
+  if (!isUpsampled(t.settings())) return {say<"drawn at full size">(), "", ""};
+  switch (t.settings().current.upsample) {
+  case UpsampleKernel::SampleWeight:
+    return nearestStory(t);
+  case UpsampleKernel::Hdrp:
+    return boxStory(t);
+  case UpsampleKernel::HdrpGaussian:
+    return bellStory(t);
+  case UpsampleKernel::Lanczos2:
+  case UpsampleKernel::Fsr2:
+    break;
+  }
+  return sumStory(t);
 }
 
 } // namespace

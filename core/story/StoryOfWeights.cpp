@@ -212,13 +212,24 @@ std::string joinedText(const Teller& t, bool withBase) {
   const auto join = [&](Id term) {
     if (t.value(term) > 0.0f) text = "1 − (1 − (" + text + ")) × (1 − " + t.number(term) + ")";
   };
-  if (weight.motion == MotionAlpha::SquaredAsPrinted) text = call("max", {text + " − 0.025", "0"});
-  if (weight.motion == MotionAlpha::Doubled)
-    text += " + " + t.number(Id::alphaMotion);
-  else if (weight.motion == MotionAlpha::Added)
-    text = call("min", {text + " + " + t.number(Id::alphaMotion), "1"});
-  else
+  switch (weight.motion) {
+  case MotionAlpha::None:
+    break;
+  case MotionAlpha::SquaredAsPrinted:
+    text = call("max", {text + " − 0.025", "0"});
     join(Id::alphaMotion);
+    break;
+  case MotionAlpha::Linear:
+  case MotionAlpha::Squared:
+    join(Id::alphaMotion);
+    break;
+  case MotionAlpha::Doubled:
+    text += " + " + t.number(Id::alphaMotion);
+    break;
+  case MotionAlpha::Added:
+    text = call("min", {text + " + " + t.number(Id::alphaMotion), "1"});
+    break;
+  }
   if (isOn(weight.velocityChange)) join(Id::alphaVelocityChange);
   if (isOn(weight.divergence)) join(Id::alphaDivergence);
   return text;

@@ -42,9 +42,23 @@ glm::dvec2 sequencePoint(const JitterSettings& settings, int index) {
     const glm::uvec2 hash = hashed({static_cast<std::uint32_t>(index), 0x9e3779b9u}) >> 8u;
     return glm::dvec2(hash) / 16777216.0; // 24 bits: below 1 in a float too
   }
-  default:
-    return {radicalInverse(index, 2), radicalInverse(index, 3)};
+  case JitterSequence::Halton:
+  case JitterSequence::None: // those from here on are points of a table and do not come here
+  case JitterSequence::Still:
+  case JitterSequence::Uniform2:
+  case JitterSequence::Uniform4:
+  case JitterSequence::Helix:
+  case JitterSequence::DoubleHelix:
+  case JitterSequence::Butterfly:
+  case JitterSequence::RotatedGrid:
+  case JitterSequence::Poisson10:
+  case JitterSequence::Pentagram:
+  case JitterSequence::Perpendicular:
+  case JitterSequence::Msaa8:
+  case JitterSequence::BlueNoise16:
+    break;
   }
+  return {radicalInverse(index, 2), radicalInverse(index, 3)};
 }
 
 } // namespace
