@@ -28,7 +28,8 @@ struct Node {
   glm::mat4 matrix{1.0f}; ///< used instead of translation, rotation and scale when `hasMatrix`
   bool hasMatrix = false;
   int mesh = -1, camera = -1, light = -1;
-  int skin = -1;        ///< into Scene::skins; the node's own transform does not count then
+  int skin = -1;                ///< into Scene::skins; the node's own transform does not count then
+  std::uint32_t capturedId = 0; ///< of a capture: what the object's pixels have as object id; 0: none
   int firstWeight = -1; ///< into Scene::morphWeights, one for each target of the mesh; −1: it has none
   MotionMode motionMode = MotionMode::PerObject;
   // Its children appear, vanish and jump with it.

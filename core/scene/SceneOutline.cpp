@@ -11,7 +11,7 @@ namespace taa {
 namespace {
 
 NodeKind kindOf(const Node& node) {
-  if (node.mesh >= 0) return NodeKind::Mesh;
+  if (node.mesh >= 0 || node.capturedId > 0) return NodeKind::Mesh;
   if (node.light >= 0) return NodeKind::Light;
   return node.camera >= 0 ? NodeKind::Camera : NodeKind::Group;
 }
@@ -19,6 +19,8 @@ NodeKind kindOf(const Node& node) {
 } // namespace
 
 int SceneOutline::nodeOf(int object) const {
+  if (const auto captured = nodeOfCaptured.find(object); captured != nodeOfCaptured.end())
+    return captured->second;
   return object > 0 && object < static_cast<int>(nodeOfObject.size())
              ? nodeOfObject[static_cast<std::size_t>(object)]
              : -1;
@@ -58,6 +60,11 @@ SceneOutline outlineOf(const Scene& scene, const std::string& source) {
         item.triangles += primitive.indices.size() / 3;
         ++item.objectCount;
       }
+    }
+    if (node.capturedId > 0 && std::in_range<int>(node.capturedId)) {
+      item.firstObject = static_cast<int>(node.capturedId);
+      item.objectCount = 1;
+      outline.nodeOfCaptured.emplace(item.firstObject, static_cast<int>(i));
     }
     outline.nodes.push_back(std::move(item));
   }

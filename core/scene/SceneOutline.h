@@ -5,6 +5,7 @@
 #include "core/scene/ObjectFilter.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct SceneOutline {
   float radius = 1.0f;               ///< of the scene's bounds, world units
   std::vector<OutlineNode> nodes;    ///< as Scene::nodes
   std::vector<int> nodeOfObject{-1}; ///< by the number of the object; −1: the sky
+  std::map<int, int> nodeOfCaptured; ///< the same of a capture, whose numbers are any
   /// −1 for the sky and for numbers there are not.
   int nodeOf(int object) const;
   /// Numbers of all objects of a node and of what is below it.

@@ -60,8 +60,12 @@ const std::vector<BuiltinScene>& builtinScenes() {
   return scenes;
 }
 
+bool isBuiltinScene(const std::string& source) {
+  return source.starts_with(kBuiltinPrefix);
+}
+
 Scene openScene(const std::string& source, const Progress& progress) {
-  if (!source.starts_with(kBuiltinPrefix)) return loadGltf(source, progress);
+  if (!isBuiltinScene(source)) return loadGltf(source, progress);
   report(progress, say<"Opening the scene">(), 0, 1);
   Scene scene = makeBuiltin(source);
   report(progress, say<"Opening the scene">(), 1, 1);

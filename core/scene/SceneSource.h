@@ -17,6 +17,9 @@ struct BuiltinScene {
 
 const std::vector<BuiltinScene>& builtinScenes();
 
+/// Whether `source` names a built-in scene, "builtin:NAME", one that there is or not.
+bool isBuiltinScene(const std::string& source);
+
 /// Opens "builtin:NAME" or the path of a .gltf or .glb file.
 /// Throws Error with file, place and reason when that is not possible; nothing else escapes.
 Scene openScene(const std::string& source, const Progress& progress = {});

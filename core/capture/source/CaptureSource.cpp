@@ -1,0 +1,187 @@
+#include "core/capture/source/CaptureSource.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/source/Capture.h"
+#include "core/capture/source/CaptureInputs.h"
+#include "core/gl/Buffer.h"
+#include "core/gl/Context.h"
+#include "core/render/CaptureFacts.h"
+#include "core/render/FrameRequest.h"
+#include "core/render/SceneRenderer.h"
+#include "core/render/passes/CameraMotionPass.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace taa::capture {
+
+namespace {
+
+constexpr double kNearPlaneOfNoCamera = 0.1; // m; of what is only a place to stand
+
+bool hasPlane(const Manifest& manifest, PlaneKind kind) {
+  return manifest.plane(manifest.frames.front(), kind) != nullptr;
+}
+
+bool startsHistoryAt(const Manifest& manifest, int frame) {
+  return frame == 0 || manifest.frames[static_cast<std::size_t>(frame)].cut;
+}
+
+void checkSize(const Manifest& manifest) {
+  const glm::ivec2 render = manifest.sizePx, output = manifest.outputSize();
+  if (render.x < 1 || render.y < 1)
+    throw Error(say<"cannot use a capture of %1 × %2 pixels">(render.x, render.y));
+  if (output.x < render.x || output.y < render.y)
+    throw Error(
+        say<"the engine's output of this capture, %1 × %2 pixels, is smaller than its color, %3 × %4: "
+            "leave the output out, or state the size it has">(output.x, output.y, render.x, render.y));
+}
+
+std::shared_ptr<const CaptureFacts> factsOf(const Manifest& manifest) {
+  auto facts = std::make_shared<CaptureFacts>();
+  facts->renderPx = manifest.sizePx;
+  facts->outputPx = manifest.outputSize();
+  for (std::size_t frame = 0; frame < manifest.frames.size(); ++frame)
+    facts->jitterPx.emplace_back(decodeJitter(manifest, frame));
+  facts->jitterPeriod = periodOf(facts->jitterPx);
+  facts->hasCamera = std::ranges::all_of(
+      manifest.frames, [](const CapturedFrame& frame) { return frame.view && frame.projection; });
+  facts->hasMask = hasPlane(manifest, PlaneKind::Mask);
+  facts->hasOverlay = hasPlane(manifest, PlaneKind::Overlay);
+  facts->hasOutput = hasPlane(manifest, PlaneKind::Output);
+  facts->hasReference = hasPlane(manifest, PlaneKind::Reference);
+  return facts;
+}
+
+/// Image `of` the frame, which lives as long as the handle; null where it is empty. Throws Error where it is
+/// not as large as the picture.
+std::shared_ptr<const Image> part(std::shared_ptr<const DecodedFrame> frame, const Image& of, PlaneKind kind,
+                                  const glm::ivec2& picturePx) {
+  if (of.empty()) return nullptr;
+  if (of.width != picturePx.x || of.height != picturePx.y)
+    throw Error(
+        say<"plane \"%1\" of frame %2 has %3 × %4 pixels, and the picture has %5 × %6: nothing can be "
+            "compared">(planeName(kind), frame->index, of.width, of.height, picturePx.x, picturePx.y));
+  return {std::move(frame), &of};
+}
+
+} // namespace
+
+struct CaptureSource::Parts {
+  Manifest manifest;
+  FrameReader read;
+  std::shared_ptr<const CaptureFacts> facts;
+  CameraMotionPass cameraMotion;
+  gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
+  DrawCounts counts; // nothing is drawn
+
+  Parts(Manifest stated, FrameReader reader) : manifest(std::move(stated)), read(std::move(reader)) {
+    checkSize(manifest);
+    facts = factsOf(manifest);
+  }
+
+  std::shared_ptr<const DecodedFrame> decoded(int index) const {
+    assert(index >= 0 && index < static_cast<int>(manifest.frames.size()));
+    return read(index);
+  }
+  void drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out);
+};
+
+CaptureSource::CaptureSource(std::shared_ptr<const Capture> capture)
+    : CaptureSource(capture->manifest(), [capture](int index) { return capture->frame(index); }) {}
+
+CaptureSource::CaptureSource(Manifest manifest, FrameReader frames)
+    : parts_(std::make_unique<Parts>(std::move(manifest), std::move(frames))) {}
+
+CaptureSource::~CaptureSource() = default;
+
+// What the planes have not is made from depth and matrices first; then they are laid over it.
+void CaptureSource::Parts::drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out) {
+  const bool hasCamera = decoded.camera.has_value();
+  const bool isMade = hasCamera && isFromDepth(source);
+  const bool lacksSome = decoded.motion.empty() || decoded.previousDepth.empty();
+  if (hasCamera && (isMade || lacksSome)) {
+    frame.update(0, &out.block, sizeof(out.block));
+    cameraMotion.draw(isMade ? source : MotionSource::CameraFromDepth, frame, out);
+  }
+  if (!isMade) uploadMotion(decoded, hasCamera, out);
+}
+
+void CaptureSource::draw(const FrameRequest& request, int frame, FrameInputs& out) {
+  const std::shared_ptr<const DecodedFrame> decoded = parts_->decoded(frame);
+  InputSettings fitted = request.inputs;
+  if (!parts_->facts->hasMask) fitted.mask = MaskSource::None;
+  if (!parts_->facts->hasOverlay) fitted.blended = BlendedAs::Mask;
+  fitInputs(fitted, parts_->facts->renderPx, parts_->facts->outputPx, out);
+  out.info = info(request, frame);
+  out.block = blockOf(*decoded, parts_->manifest, fitted.precision);
+  uploadSurfaces(*decoded, out);
+  parts_->drawMotion(fitted.motion, *decoded, out);
+  gl::checkErrors(say<"uploading frame %1 of the capture">(frame));
+}
+
+FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
+  const Manifest& manifest = parts_->manifest;
+  const auto index = static_cast<std::size_t>(frame);
+  const CapturedFrame& stated = manifest.frames.at(index);
+  FrameInfo info;
+  info.frame = frame;
+  info.stepSeconds = 1.0 / manifest.framesPerSecond;
+  info.time = stated.seconds.value_or(frame * info.stepSeconds);
+  if (frame > 0 && stated.seconds && manifest.frames[index - 1].seconds)
+    if (const double step = *stated.seconds - *manifest.frames[index - 1].seconds; step > 0.0)
+      info.stepSeconds = step;
+  info.jitterIndex = frame % parts_->facts->jitterPeriod;
+  info.jitterPx = parts_->facts->jitterPx[index];
+  info.startsHistory = startsHistoryAt(manifest, frame) ||
+                       std::ranges::find(request.restarts, frame) != request.restarts.end();
+  return info;
+}
+
+CameraState CaptureSource::camera(const FrameRequest& request, int frame) const {
+  if (request.camera != kCaptureCamera || request.track)
+    throw Error(say<"there is no camera \"%1\": %2">(request.camera, whyNoScene()));
+  const Manifest& manifest = parts_->manifest;
+  const auto stated = decodeCamera(manifest, manifest.frames.at(static_cast<std::size_t>(frame)));
+  return stateOf(stated.value_or(unknownCamera(manifest.sizePx, kNearPlaneOfNoCamera)));
+}
+
+void CaptureSource::warmUp(const FrameRequest& request, const Progress& progress) {
+  report(progress, say<"Reading the first frame">(), 0, 1);
+  FrameInputs ignored;
+  draw(request, 0, ignored);
+  gl::finish();
+  report(progress, say<"Reading the first frame">(), 1, 1);
+}
+
+const DrawCounts& CaptureSource::counts() const {
+  return parts_->counts;
+}
+
+void CaptureSource::reloadShaders() {
+  parts_->cameraMotion = parts_->cameraMotion.reloaded();
+}
+
+std::shared_ptr<const CaptureFacts> CaptureSource::capture() const {
+  return parts_->facts;
+}
+
+std::shared_ptr<const Image> CaptureSource::reference(int frame) {
+  if (!parts_->facts->hasReference) throw Error(whyNoReference());
+  const auto decoded = parts_->decoded(frame);
+  auto image = part(decoded, decoded->reference, PlaneKind::Reference, parts_->facts->outputPx);
+  if (!image) throw Error(say<"frame %1 of this capture has no reference">(frame));
+  return image;
+}
+
+std::shared_ptr<const Image> CaptureSource::engineOutput(int frame) {
+  if (!parts_->facts->hasOutput) return nullptr;
+  const auto decoded = parts_->decoded(frame);
+  return part(decoded, decoded->output, PlaneKind::Output, parts_->facts->outputPx);
+}
+
+} // namespace taa::capture
