@@ -3,14 +3,14 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/source/OpenSource.h"
 #include "core/inspect/MemoryNeed.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/ShotProfiler.h"
 #include "core/picture/Visualizer.h"
-#include "core/render/SceneRenderer.h"
+#include "core/render/CaptureFacts.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/scene/Pose.h"
-#include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -24,15 +24,39 @@
 
 namespace taa {
 
+namespace {
+
+std::vector<Settings> usedOn(const CaptureFacts* capture, std::vector<Settings> lanes) {
+  if (capture)
+    for (Settings& settings : lanes) settings = settingsOn(*capture, settings);
+  return lanes;
+}
+
+// A capture's size is its own, and what of the settings it was not made with is.
+void takeCapture(const std::vector<Settings>& lanes, ShotState& next) {
+  const auto capture = next.frames->capture();
+  next.lanes = usedOn(capture.get(), lanes);
+  if (!capture) return;
+  next.width = capture->outputPx.x;
+  next.height = capture->outputPx.y;
+}
+
+} // namespace
+
 InspectedShot::InspectedShot(const gl::Driver& driver, ShotPlayer& player, Visualizer& visualizer,
                              ReferenceOfShot& reference, const ShotProfiler& profiler)
     : driver_(driver), player_(player), visualizer_(visualizer), reference_(reference), profiler_(profiler) {}
 
 void InspectedShot::open(const std::string& source, const Progress& progress) {
+  OpenedSource opened = openSource(source, progress);
   ShotState next = player_.state();
   next.source = source;
-  next.scene = std::make_shared<const Scene>(openScene(source, progress));
-  next.frames = std::make_shared<SceneRenderer>(next.scene, progress);
+  next.scene = std::move(opened.scene);
+  next.frames = std::move(opened.frames);
+  takeCapture(lanes_, next);
+  const glm::ivec2 sizePx{next.width, next.height};
+  const bool isResized = sizePx != player_.picturePx();
+  if (isResized) requirePicture(driver_, next.lanes, sizePx, player_.watched(), !next.scene->fog.empty());
   next.camera = next.scene->shot.camera;
   next.motionModes.clear();
   next.filter = {};
@@ -41,6 +65,7 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.restarts.clear();
   next.frames->warmUp(next.request(0), progress);
   player_.open(std::move(next));
+  if (isResized) player_.freeTextures();
   reference_.forget();
 }
 
@@ -53,8 +78,25 @@ const Scene& InspectedShot::scene() const {
   return *player_.state().scene;
 }
 
+std::shared_ptr<const CaptureFacts> InspectedShot::capture() const {
+  return player_.isOpen() ? player_.state().frames->capture() : nullptr;
+}
+
+void InspectedShot::requireScene() const {
+  if (capture()) throw Error(whyNoScene());
+}
+
+Settings InspectedShot::used(const Settings& settings) const {
+  return used(std::vector{settings}).front();
+}
+
+std::vector<Settings> InspectedShot::used(const std::vector<Settings>& lanes) const {
+  return usedOn(capture().get(), lanes);
+}
+
 void InspectedShot::setSize(int width, int height) {
   if (width == this->width() && height == this->height()) return;
+  if (const auto captured = capture()) throw Error(whyOneSize(*captured));
   requirePicture(driver_, player_.state().lanes, {width, height}, player_.watched(), player_.hasFog());
   ShotState next = player_.state();
   next.width = width;
@@ -79,15 +121,17 @@ void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
 
 void InspectedShot::setLanes(const std::vector<Settings>& lanes) {
   checkLanes(lanes);
-  player_.setLanes(lanes);
+  player_.setLanes(used(lanes));
+  lanes_ = lanes;
 }
 
 void InspectedShot::changeLanes(const std::vector<Settings>& lanes) {
   checkLanes(lanes);
   if (player_.isOpen())
-    player_.changeLanes(lanes);
+    player_.changeLanes(used(lanes));
   else
     player_.setLanes(lanes);
+  lanes_ = lanes;
 }
 
 int InspectedShot::laneCount() const {
@@ -95,16 +139,24 @@ int InspectedShot::laneCount() const {
 }
 
 const Settings& InspectedShot::settings(int lane) const {
+  return lanes_.at(static_cast<std::size_t>(lane));
+}
+
+const Settings& InspectedShot::usedSettings(int lane) const {
   return player_.settings(lane);
 }
 
 void InspectedShot::setSettings(const Settings& settings, int lane) {
   if (settings == this->settings(lane)) return;
-  ShotState next = player_.state();
-  next.lanes[static_cast<std::size_t>(lane)] = settings;
-  std::vector<bool> changed(next.lanes.size(), false);
-  changed[static_cast<std::size_t>(lane)] = true;
-  player_.redraw(std::move(next), changed, true);
+  const auto index = static_cast<std::size_t>(lane);
+  if (const Settings counting = used(settings); !(counting == usedSettings(lane))) {
+    ShotState next = player_.state();
+    next.lanes[index] = counting;
+    std::vector<bool> changed(next.lanes.size(), false);
+    changed[index] = true;
+    player_.redraw(std::move(next), changed, true);
+  }
+  lanes_[index] = settings;
 }
 
 int InspectedShot::frameCount() const {
@@ -174,6 +226,7 @@ std::vector<int> InspectedShot::keptFrames() const {
 }
 
 std::vector<std::string> InspectedShot::cameras() const {
+  if (capture()) return {kCaptureCamera};
   std::vector<std::string> names = cameraNames(scene());
   for (const CameraTrackHandle& track : player_.state().tracks) names.push_back(track->name);
   return names;
@@ -186,6 +239,7 @@ const std::string& InspectedShot::camera() const {
 void InspectedShot::setCamera(const std::string& name) {
   assert(player_.isOpen());
   if (name == camera()) return;
+  requireScene();
   ShotState next = player_.state();
   next.camera = name;
   player_.redrawAll(std::move(next), false);
@@ -198,6 +252,7 @@ const std::vector<MotionOverride>& InspectedShot::motionModes() const {
 void InspectedShot::setMotionModes(const std::vector<MotionOverride>& modes) {
   assert(player_.isOpen());
   if (modes == motionModes()) return;
+  requireScene();
   checkMotionOverrides(scene(), modes);
   ShotState next = player_.state();
   next.motionModes = modes;
@@ -211,6 +266,7 @@ const ObjectFilter& InspectedShot::objectFilter() const {
 void InspectedShot::setObjectFilter(const ObjectFilter& filter) {
   assert(player_.isOpen());
   if (filter == objectFilter()) return;
+  requireScene();
   checkObjectFilter(scene(), filter);
   ShotState next = player_.state();
   next.filter = filter;
@@ -224,6 +280,7 @@ const std::vector<ClassOverride>& InspectedShot::objectClasses() const {
 void InspectedShot::setObjectClasses(const std::vector<ClassOverride>& classes) {
   assert(player_.isOpen());
   if (classes == objectClasses()) return;
+  requireScene();
   checkClassOverrides(scene(), classes);
   ShotState next = player_.state();
   next.objectClasses = classes;
@@ -257,6 +314,7 @@ const std::vector<CameraTrackHandle>& InspectedShot::cameraTracks() const {
 
 void InspectedShot::setCameraTrack(CameraTrack track) {
   assert(player_.isOpen());
+  requireScene();
   checkCameraTrack(track);
   if (std::ranges::count(cameraNames(scene()), track.name) > 0)
     throw Error(say<"the scene has a camera called \"%1\" already; give the path another name">(track.name));
@@ -276,6 +334,8 @@ void InspectedShot::setCameraTrack(CameraTrack track) {
 
 void InspectedShot::setFlownCameras(const FlownCameras& cameras) {
   assert(player_.isOpen());
+  if (capture() && cameras.tracks.empty() && cameras.camera == camera()) return;
+  requireScene();
   ShotState next = player_.state();
   next.tracks.clear();
   std::vector<std::string> names = cameraNames(scene());
@@ -301,12 +361,13 @@ CameraPose InspectedShot::cameraPose() const {
 }
 
 void InspectedShot::prepare(const Settings& settings, int lane) {
-  if (player_.isOpen() && !profiler_.isProfiling()) player_.prepare(settings, lane);
+  if (player_.isOpen() && !profiler_.isProfiling()) player_.prepare(used(settings), lane);
 }
 
 void InspectedShot::prepareInBackground(const Settings& settings, int lane) {
-  if (!player_.isOpen() || !sameInputs(settings, this->settings(lane))) return;
-  compiler_.want({settings, {width(), height()}, player_.maker().exposedRows(settings)});
+  const Settings counting = used(settings);
+  if (!player_.isOpen() || !sameInputs(counting, usedSettings(lane))) return;
+  compiler_.want({counting, {width(), height()}, player_.maker().exposedRows(counting)});
 }
 
 bool InspectedShot::waitUntilPrepared(std::chrono::milliseconds duration) {

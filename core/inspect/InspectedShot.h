@@ -14,11 +14,13 @@
 
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace taa {
 
+struct CaptureFacts;
 class ReferenceOfShot;
 class ShotPlayer;
 class ShotProfiler;
@@ -45,10 +47,14 @@ class InspectedShot {
   const gl::Driver& driver() const { return driver_; }
 
   // What is looked at; all but settings, lanes and size expect that something is open
-  /// A glTF file or "builtin:NAME". Goes to frame 0 with the scene's own camera.
+  /// A glTF file, "builtin:NAME", or a capture's folder or capture.json. Goes to frame 0 with the scene's own
+  /// camera, of a capture with its size, too.
   void open(const std::string& source, const Progress& progress = {});
   const std::string& source() const; ///< empty: nothing is open yet
-  const Scene& scene() const;
+  const Scene& scene() const;        ///< of a capture it holds nothing to draw
+  /// What is the capture's own; null: a scene is open. Whatever changes camera, objects or size of a capture
+  /// throws Error.
+  std::shared_ptr<const CaptureFacts> capture() const;
   std::vector<std::string> cameras() const;
   const std::string& camera() const;
   /// Stays at the frame, which is drawn anew without history: isExact() is false until refine() or a seek,
@@ -88,7 +94,9 @@ class InspectedShot {
   /// exact until refine() or a seek.
   void changeLanes(const std::vector<Settings>& lanes);
   int laneCount() const;
-  const Settings& settings(int lane = 0) const;
+  const Settings& settings(int lane = 0) const; ///< those that were set
+  /// Those that count: the same, but for what a capture has of its own (settingsOn()).
+  const Settings& usedSettings(int lane = 0) const;
   /// Resolves the current frame again at once, on the history it had: isExact() is false until refine() or a
   /// seek.
   void setSettings(const Settings& settings, int lane = 0);
@@ -133,6 +141,10 @@ class InspectedShot {
  private:
   /// Throws Error when there are too many or the memory is too small for them.
   void checkLanes(const std::vector<Settings>& lanes) const;
+  /// Throws Error where a capture is open.
+  void requireScene() const;
+  Settings used(const Settings& settings) const;
+  std::vector<Settings> used(const std::vector<Settings>& lanes) const;
 
   const gl::Driver& driver_;
   ShotPlayer& player_;
@@ -140,6 +152,7 @@ class InspectedShot {
   ReferenceOfShot& reference_;
   const ShotProfiler& profiler_;
   BackgroundCompiler compiler_;
+  std::vector<Settings> lanes_{Settings{}}; // as they were set
 };
 
 } // namespace taa

@@ -87,6 +87,11 @@ ProbePin Probes::anchored(const ProbePin& pin) {
   if (pin.follow == Follow::Screen || pin.anchor) return pin;
   const gl::PassGroup group(pass_group::kProbe);
   const ShotState& state = player_.state();
+  if (state.frames->capture()) { // it has no triangles to stay on
+    ProbePin still = pin;
+    still.follow = Follow::Screen;
+    return still;
+  }
   const Scene& scene = *state.scene;
   const FrameRequest request = state.request(0);
   const int setIn = std::clamp(pin.frame, 0, scene.shot.frames - 1);
@@ -121,7 +126,7 @@ std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std:
   const ShotState state = player_.onlyLane(0);
   const Scene& scene = *state.scene;
   ShownFrame made = player_.makeInBackground(frame, cursor, progress);
-  const View view = viewAt(scene, state.request(0), frame);
+  const View view = state.frames->capture() ? View{} : viewAt(scene, state.request(0), frame);
   const FrameInputs& inputs = player_.maker().inputs(state, made, 0);
   const ShownLane& lane = made.lanes[0];
   std::vector<std::optional<TraceSample>> samples(pins.size());
