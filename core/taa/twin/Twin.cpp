@@ -107,11 +107,11 @@ void recordOutput(PixelRecord& record, const Shown& shown) {
   set(record, IntermediateId::output, shown.color);
 }
 
-void recordRectified(PixelRecord& record, const Rectified& rectified, float length) {
+void recordRectified(PixelRecord& record, const Rectified& rectified, float historyLength) {
   set(record, IntermediateId::historyRectified, rectified.value);
   set(record, IntermediateId::clipAmount, rectified.amount);
   set(record, IntermediateId::rectifyStrength, rectified.strength);
-  set(record, IntermediateId::historyKeptLength, length);
+  set(record, IntermediateId::historyKeptLength, historyLength);
 }
 
 KeptLayers keptOf(const Geometry& geometry, const LockState& lockState) {
@@ -232,7 +232,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
 
   const HistorySample history = sampleHistory(inputs, settings.history, reprojected.position, p, texel);
   set(record, IntermediateId::historyRaw, history.color);
-  set(record, IntermediateId::historyRawLength, history.length);
+  set(record, IntermediateId::historyRawLength, history.historyLength);
   set(record, IntermediateId::depthEdge, history.isEdge ? 1.0f : 0.0f);
 
   const auto [current, confidence] = filteredAt(inputs, settings, place, reprojected.speed);
@@ -259,7 +259,7 @@ PixelRecord resolved(const Inputs& inputs, const Settings& settings, const glm::
   recordHeld(record, lockState);
   const Rectified rectified = rectifyHistory(inputs, settings, history.color, current, neighborhood,
                                              {reprojected.speed, lockState.protection, validated.isFlicker});
-  const float left = lengthLeft(settings.validate, history.length, validated);
+  const float left = lengthLeft(settings.validate, history.historyLength, validated);
   const float length = lengthKept(settings, left, rectified, lockState.protection);
   recordRectified(record, rectified, length);
 

@@ -194,7 +194,7 @@ TEST(PrintedNumbers, GodotReadsTheCountBilinearly) {
   inputs.historySurface.at(1, 2)[0] = 8.0f;
   inputs.historySurface.at(2, 2)[0] = 12.0f;
   const HistorySample read = sampleHistory(inputs, godotCount().history, {1.75f, 2.0f}, {1, 1});
-  EXPECT_EQ(read.length, 5.0f) << "a quarter right of, half below (1, 1): the middle of 1 and 9";
+  EXPECT_EQ(read.historyLength, 5.0f) << "a quarter right of, half below (1, 1): the middle of 1 and 9";
 }
 
 TEST(PrintedNumbers, GodotCountsFromTheSecondFrameTo16) {

@@ -168,9 +168,9 @@ TEST(TwinHistory, AsBevyPrintsItNIsOfTheOwnPixel) {
   Inputs inputs = withHistory(8, 1, glm::vec3(0.5f));
   for (int x = 0; x < 8; ++x) inputs.historySurface.at(x, 0)[0] = static_cast<float>(x + 1);
   HistorySettings settings = kBilinear;
-  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).length, 3.0f);
+  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).historyLength, 3.0f);
   settings.length = LengthFrom::PixelAsPrinted;
-  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).length, 7.0f);
+  EXPECT_EQ(sampleHistory(inputs, settings, {2.4f, 0.5f}, {6, 0}).historyLength, 7.0f);
 }
 
 TEST(TwinHistory, BothFiltersReadATexelExactlyAtItsCenter) {
@@ -179,7 +179,7 @@ TEST(TwinHistory, BothFiltersReadATexelExactlyAtItsCenter) {
   for (const HistorySettings& settings : {kBilinear, kCatmullRom, kDeringed}) {
     const HistorySample sample = sampleHistory(inputs, settings, {3.5f, 3.5f}, {3, 3});
     EXPECT_EQ(sample.color, glm::vec3(1.0f, 2.0f, 3.0f));
-    EXPECT_EQ(sample.length, 4.0f);
+    EXPECT_EQ(sample.historyLength, 4.0f);
   }
 }
 
@@ -272,7 +272,7 @@ TEST(TwinHistory, IsBlackAndEmptyWithoutHistory) {
   const Inputs inputs = test::constantInputs(4, 4, glm::vec3(1.0f));
   const HistorySample sample = sampleHistory(inputs, kDeringed, {1.5f, 1.5f}, {1, 1});
   EXPECT_EQ(sample.color, glm::vec3(0.0f));
-  EXPECT_EQ(sample.length, 0.0f);
+  EXPECT_EQ(sample.historyLength, 0.0f);
 }
 
 } // namespace

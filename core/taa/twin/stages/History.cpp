@@ -262,9 +262,9 @@ HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& setting
                              : filteredHistory(inputs, settings, q));   // negative lobes overshoot both ways
   const bool isOfPixel = settings.length == LengthFrom::PixelAsPrinted; // D15
   const glm::ivec2 nearest = clampedToPicture(isOfPixel ? pixel : texelOf(q), inputs);
-  result.length = settings.length == LengthFrom::Bilinear
-                      ? bilinearLength(inputs, q)
-                      : inputs.historySurface.texel(nearest.x, nearest.y).x;
+  result.historyLength = settings.length == LengthFrom::Bilinear
+                             ? bilinearLength(inputs, q)
+                             : inputs.historySurface.texel(nearest.x, nearest.y).x;
   return result;
 }
 

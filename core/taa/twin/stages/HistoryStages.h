@@ -77,7 +77,7 @@ Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const g
                          const glm::vec3& currentFiltered, const Neighborhood& neighborhood,
                          const RectifyInputs& applied = {});
 /// N of history after it was rectified (manual 11.7).
-float lengthKept(const Settings& settings, float length, const Rectified& clipped, float protection);
+float lengthKept(const Settings& settings, float historyLength, const Rectified& clipped, float protection);
 
 /// What of the correction is taken back (manual 17.3, 17.4).
 struct LockState {
@@ -146,7 +146,7 @@ struct Validity {
   bool isFlicker = false; ///< kept, though its depth differs (13.9)
 };
 /// N of history that may decay by what is rejected (Godot).
-float lengthLeft(const ValidateSettings& settings, float length, const Validity& validated);
+float lengthLeft(const ValidateSettings& settings, float historyLength, const Validity& validated);
 Validity validateHistory(const Inputs& inputs, const ValidateSettings& settings, const DilatedMotion& dilated,
                          const Reprojection& reprojected, const glm::vec2& readPosition,
                          const glm::ivec2& pixel, const GeometryMatch& geometry = {});

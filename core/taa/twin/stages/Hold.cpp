@@ -53,7 +53,7 @@ bool isThin(const Lumas& lumas) {
   return true;
 }
 
-void updateLock(const Inputs& inputs, float frames, const Lumas& lumas, const glm::vec2& stored,
+void updateLock(const Inputs& inputs, float lockFrames, const Lumas& lumas, const glm::vec2& stored,
                 const glm::vec2& next, LockState& lockState) {
   lockState.storedLock = stored;
   float life = stored.x;
@@ -72,7 +72,7 @@ void updateLock(const Inputs& inputs, float frames, const Lumas& lumas, const gl
   lockState.lock = saturated(4.0f * saturated(life - 1.0f));
   const bool stays = next.x >= 0.0f && next.x <= static_cast<float>(inputs.outputWidth()) && next.y >= 0.0f &&
                      next.y <= static_cast<float>(inputs.outputHeight());
-  lockState.keptLock = {stays ? maximum(life - 1.0f / frames, 0.0f) : 0.0f, locked};
+  lockState.keptLock = {stays ? maximum(life - 1.0f / lockFrames, 0.0f) : 0.0f, locked};
 }
 
 /// L/(1 + L) in 255ths.

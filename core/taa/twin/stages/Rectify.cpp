@@ -302,10 +302,10 @@ Rectified rectifyHistory(const Inputs& inputs, const Settings& settings, const g
   return clipped;
 }
 
-float lengthKept(const Settings& settings, float length, const Rectified& clipped, float protection) {
-  if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return length;
-  const float forgotten = length < 1.6216216f ? length : 1.6216216f; // 0.1 / (0.74/12)
-  return forgotten + protection * (length - forgotten);
+float lengthKept(const Settings& settings, float historyLength, const Rectified& clipped, float protection) {
+  if (settings.rectify.method != RectifyMethod::ClampForget || !clipped.moved) return historyLength;
+  const float forgotten = historyLength < 1.6216216f ? historyLength : 1.6216216f; // 0.1 / (0.74/12)
+  return forgotten + protection * (historyLength - forgotten);
 }
 
 } // namespace taa::twin

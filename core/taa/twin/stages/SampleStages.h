@@ -71,9 +71,9 @@ Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const gl
 /// What was accumulated there (manual §6).
 struct HistorySample {
   glm::vec3 color{0.0f};
-  float length = 0.0f;      ///< N, frames; 0 without history
-  glm::vec2 position{0.0f}; ///< px, where it was read: the history position when that is sane
-  bool isEdge = false;      ///< read by one bilinear tap because depth has an edge (6.8)
+  float historyLength = 0.0f; ///< N, frames; 0 without history
+  glm::vec2 position{0.0f};   ///< px, where it was read: the history position when that is sane
+  bool isEdge = false;        ///< read by one bilinear tap because depth has an edge (6.8)
 };
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
                             const glm::vec2& positionPx, const glm::ivec2& pixel, const glm::ivec2& drawn);

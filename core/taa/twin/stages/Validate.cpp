@@ -66,8 +66,8 @@ Validity validateHistory(const Inputs& inputs, const ValidateSettings& settings,
   return result;
 }
 
-float lengthLeft(const ValidateSettings& settings, float length, const Validity& validated) {
-  return settings.action == RejectAction::Decay ? length * (1.0f - validated.invalid) : length;
+float lengthLeft(const ValidateSettings& settings, float historyLength, const Validity& validated) {
+  return settings.action == RejectAction::Decay ? historyLength * (1.0f - validated.invalid) : historyLength;
 }
 
 } // namespace taa::twin
