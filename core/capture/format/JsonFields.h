@@ -1,0 +1,33 @@
+// Fields of a JSON file that nobody has looked at, each with the path that messages name: "frames[3].jitter".
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace taa::capture {
+
+/// "planes" and "color" are "planes.color"; nothing and "size" are "size".
+std::string pathOf(const std::string& place, std::string_view key);
+
+/// All throw Error that names `place`.
+void requireObject(const nlohmann::json& value, const std::string& place);
+void requireList(const nlohmann::json& value, const std::string& place, std::size_t most);
+/// Of an object. An unknown key is named with the known ones that are spelled most like it.
+void requireKeys(const nlohmann::json& object, const std::string& place,
+                 std::span<const std::string_view> known);
+/// Null where the key is not there.
+const nlohmann::json* findField(const nlohmann::json& object, std::string_view key);
+const nlohmann::json& requireField(const nlohmann::json& object, const std::string& place,
+                                   std::string_view key);
+
+std::string textOf(const nlohmann::json& value, const std::string& place);
+bool toggleOf(const nlohmann::json& value, const std::string& place);
+double numberOf(const nlohmann::json& value, const std::string& place);
+/// Whole, `least` to `most`.
+long long integerOf(const nlohmann::json& value, const std::string& place, long long least, long long most);
+
+} // namespace taa::capture

@@ -1,0 +1,110 @@
+#include "core/capture/format/LimitedJson.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/format/ShownText.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace taa::capture {
+
+using nlohmann::json;
+
+namespace {
+
+/// About what a value takes besides its text: the node of a map with its key, a list with its growth.
+constexpr std::size_t kValueBytes = 32, kNestBytes = 96, kKeyBytes = 112;
+
+/// Builds the values as the parser meets them. The library's own parser with a callback takes time that grows
+/// with the square of the text, and the one without sees neither depth nor keys that come twice.
+class Builder {
+ public:
+  explicit Builder(std::string_view text) : text_(text) {}
+  json take() { return std::move(root_); }
+
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) {
+    spend(value.size());
+    return add(std::move(value));
+  }
+  bool binary(json::binary_t&) { return false; } // JSON has none
+  bool start_object(std::size_t) { return open(json::object()); }
+  bool start_array(std::size_t) { return open(json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    spend(kKeyBytes + name.size());
+    const auto [place, isNew] = open_.back()->emplace(name, nullptr);
+    if (!isNew) throw Error(say<"the key \"%1\" comes twice in one object">(shownText(name)));
+    slot_ = &*place;
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const json::exception& error) {
+    constexpr int kNumberOverflow = 406;
+    const std::string_view before = text_.substr(0, position);
+    const std::ptrdiff_t line = std::ranges::count(before, '\n') + 1;
+    const std::size_t column = before.size() - (before.rfind('\n') + 1);
+    if (error.id == kNumberOverflow)
+      throw Error(say<"a number in line %1, column %2 is too large">(line, column));
+    throw Error(say<"it is not JSON from line %1, column %2 on">(line, column));
+  }
+
+ private:
+  void spend(std::size_t bytes) {
+    spent_ += bytes;
+    if (spent_ > kMaxJsonMemory)
+      throw Error(say<"it would take more than %1 MiB of memory">(kMaxJsonMemory >> 20));
+  }
+
+  json* put(json&& value) {
+    spend(kValueBytes);
+    if (open_.empty()) return &(root_ = std::move(value));
+    if (!open_.back()->is_array()) return &(*slot_ = std::move(value));
+    open_.back()->push_back(std::move(value));
+    return &open_.back()->back();
+  }
+  bool add(json value) {
+    put(std::move(value));
+    return true;
+  }
+  bool open(json&& value) {
+    spend(kNestBytes);
+    if (open_.size() >= kMaxJsonDepth) throw Error(say<"it is nested deeper than %1 levels">(kMaxJsonDepth));
+    open_.push_back(put(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::string_view text_;
+  json root_;
+  std::vector<json*> open_; ///< from the root; only the last of them grows
+  json* slot_ = nullptr;    ///< where the value of the last key goes
+  std::size_t spent_ = 0;
+};
+
+} // namespace
+
+json parseLimited(std::string_view text) {
+  if (text.size() > kMaxJsonBytes)
+    throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), kMaxJsonBytes));
+  Builder builder(text);
+  json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+} // namespace taa::capture

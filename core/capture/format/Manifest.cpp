@@ -1,0 +1,116 @@
+#include "core/capture/format/Manifest.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/base/Say.h"
+#include "core/capture/format/LimitedJson.h"
+#include "core/capture/format/ManifestKeys.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace taa::capture {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct PlaneInfo {
+  std::string_view name;
+  int least, most; ///< channels
+};
+
+/// By PlaneKind.
+constexpr PlaneInfo kPlanes[] = {
+    {"color", 3, 4},  {"motion", 2, 2},        {"depth", 1, 1},     {"objectId", 1, 1},
+    {"normal", 3, 4}, {"previousDepth", 1, 1}, {"mask", 1, 1},      {"overlay", 4, 4},
+    {"fog", 3, 4},    {"output", 3, 4},        {"reference", 3, 4},
+};
+static_assert(std::size(kPlanes) == kPlaneKinds);
+
+/// By RawFormat.
+constexpr std::string_view kRawNames[] = {
+    "R11G11B10F", "RGBA16F",   "RGBA32F", "RG16F",    "RG32F",    "RG16_UNORM", "RGBA8_UNORM",
+    "RGBA8_SRGB", "R16F",      "R32F",    "D32F",     "D24S8",    "D32F_S8",    "R16_UNORM",
+    "R8_UNORM",   "RG8_UNORM", "R8_UINT", "R16_UINT", "R32_UINT", "D24S8_GL",
+};
+static_assert(std::size(kRawNames) == kRawFormats);
+
+const PlaneInfo& infoOf(PlaneKind kind) {
+  return kPlanes[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
+std::string_view planeName(PlaneKind kind) {
+  return infoOf(kind).name;
+}
+
+std::optional<PlaneKind> planeOf(std::string_view name) {
+  const auto found = std::ranges::find(kPlanes, name, &PlaneInfo::name);
+  if (found == std::end(kPlanes)) return {};
+  return static_cast<PlaneKind>(found - std::begin(kPlanes));
+}
+
+int channelsOf(PlaneKind kind) {
+  return infoOf(kind).most;
+}
+
+int leastChannelsOf(PlaneKind kind) {
+  return infoOf(kind).least;
+}
+
+std::string_view rawFormatName(RawFormat format) {
+  return kRawNames[static_cast<std::size_t>(format)];
+}
+
+std::optional<RawFormat> rawFormatOf(std::string_view name) {
+  const auto found = std::ranges::find(kRawNames, name);
+  if (found == std::end(kRawNames)) return {};
+  return static_cast<RawFormat>(found - std::begin(kRawNames));
+}
+
+std::string rawFormatNames() {
+  std::string names;
+  for (const std::string_view name : kRawNames) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
+std::string planeFile(const PlaneSource& source, int frameNumber) {
+  constexpr std::string_view kBegin = "{frame";
+  std::string file;
+  std::string_view rest = source.file;
+  for (std::size_t begin; (begin = rest.find(kBegin)) != std::string_view::npos;) {
+    file += rest.substr(0, begin);
+    rest.remove_prefix(begin + kBegin.size());
+    std::string digits = std::to_string(frameNumber);
+    if (rest.starts_with(':')) {
+      const auto width = static_cast<std::size_t>(rest.size() > 1 ? rest[1] - '0' : 0);
+      if (width <= 9 && digits.size() < width) digits.insert(0, width - digits.size(), '0');
+      rest.remove_prefix(std::min<std::size_t>(2, rest.size()));
+    }
+    rest.remove_prefix(rest.empty() ? 0 : 1); // the closing brace
+    file += digits;
+  }
+  return file += rest;
+}
+
+const PlaneSource* Manifest::plane(const CapturedFrame& frame, PlaneKind kind) const {
+  if (const auto own = frame.planes.find(kind); own != frame.planes.end()) return &own->second;
+  const auto found = planes.find(kind);
+  return found == planes.end() ? nullptr : &found->second;
+}
+
+Manifest readManifest(const fs::path& folder) {
+  std::string text;
+  try {
+    const UntrustedFile file = openUntrusted(folder, kManifestName, kMaxJsonBytes);
+    text.resize(static_cast<std::size_t>(file.size()));
+    file.read(0, {reinterpret_cast<std::byte*>(text.data()), text.size()});
+  } catch (const Error& error) {
+    throw Error(say<"cannot open the capture %1: %2">(folder.string(), error.what()));
+  }
+  return parseManifest(text, (folder / kManifestName).string());
+}
+
+} // namespace taa::capture
