@@ -3,14 +3,12 @@
 #include "core/base/EmbeddedFiles.h"
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/gl/ProgramBinaries.h"
 #include "core/gl/ShaderStripper.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <regex>
@@ -132,33 +130,6 @@ std::optional<std::string> link(GLuint program, GLuint vertex, GLuint fragment) 
   return log;
 }
 
-/// The programs of the current context's driver on disk; nothing where it gives none away.
-std::optional<ProgramBinaries> keptBinaries() {
-  GLint formats = 0;
-  glGetIntegerv(GL_NUM_PROGRAM_BINARY_FORMATS, &formats);
-  const std::filesystem::path folder = programFolder();
-  if (formats == 0 || folder.empty()) return std::nullopt;
-  std::string driver;
-  for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION})
-    driver += std::string(reinterpret_cast<const char*>(glGetString(name))) + "\n";
-  return ProgramBinaries(folder, driver);
-}
-
-bool load(GLuint program, const ProgramBinary& binary) {
-  glProgramBinary(program, binary.format, binary.bytes.data(), static_cast<GLsizei>(binary.bytes.size()));
-  GLint linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  return linked != 0;
-}
-
-ProgramBinary binaryOf(GLuint program) {
-  GLint length = 0;
-  glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
-  ProgramBinary binary{0, std::string(static_cast<std::size_t>(length), '\0')};
-  if (length > 0) glGetProgramBinary(program, length, nullptr, &binary.format, binary.bytes.data());
-  return binary;
-}
-
 } // namespace
 
 struct Program::VertexStage {
@@ -193,7 +164,7 @@ Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const
     : id_(glCreateProgram()) {
   const bool isAlone = handsOnNothing(vertex);
   if (isAlone) vertexStage_ = sharedVertexStage(vertex);
-  make(vertex, fragment);
+  compile(vertex, fragment);
   glObjectLabel(GL_PROGRAM, id_, -1, label.c_str());
   if (!isAlone) return;
   GLuint pipeline = 0;
@@ -203,22 +174,13 @@ Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const
   glUseProgramStages(pipeline_, GL_FRAGMENT_SHADER_BIT, id_);
 }
 
-// From the disk, or compiled and kept there.
-void Program::make(const ShaderSource& vertex, const ShaderSource& fragment) {
-  const std::string source = (vertexStage_ ? "" : vertex.text()) + fragment.text();
-  const std::optional<ProgramBinaries> kept = keptBinaries();
-  glProgramParameteri(id_, GL_PROGRAM_SEPARABLE, vertexStage_ ? GL_TRUE : GL_FALSE);
-  if (kept)
-    if (const auto binary = kept->find(source); binary && load(id_, *binary)) return;
-  if (kept) glProgramParameteri(id_, GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
+void Program::compile(const ShaderSource& vertex, const ShaderSource& fragment) {
   const Shader fragmentShader(GL_FRAGMENT_SHADER, fragment);
   std::optional<Shader> vertexShader;
   if (!vertexStage_) vertexShader.emplace(GL_VERTEX_SHADER, vertex);
   if (const auto log = link(id_, vertexShader ? vertexShader->id : 0, fragmentShader.id))
     throw Error(
         say<"cannot link %1 with %2:\n%3">("shaders/" + vertex.path(), "shaders/" + fragment.path(), *log));
-  if (!kept) return;
-  if (const ProgramBinary binary = binaryOf(id_); !binary.bytes.empty()) kept->keep(source, binary);
 }
 
 Program& Program::operator=(Program&& other) noexcept {

@@ -37,8 +37,8 @@ class ShaderSource {
   std::vector<std::string> files_; ///< index = GLSL source-string number; 0 is the prelude
 };
 
-/// A linked program, from the disk where it was kept there (ProgramBinaries). Throws Error with `file:line:
-/// message` when it does not compile.
+/// A linked program. Throws Error with `file:line: message` when it does not compile. Drivers keep what they
+/// compiled on disk from one run to the next.
 class Program {
  public:
   Program() = default;
@@ -57,7 +57,7 @@ class Program {
 
  private:
   struct VertexStage;
-  void make(const ShaderSource& vertex, const ShaderSource& fragment);
+  void compile(const ShaderSource& vertex, const ShaderSource& fragment);
   static std::shared_ptr<VertexStage> sharedVertexStage(const ShaderSource& source);
   std::shared_ptr<VertexStage> vertexStage_;
   Handle<ObjectKind::Program> id_;               ///< with a pipeline, its fragment stage

@@ -48,7 +48,6 @@ std::string driverName() {
 
 int main(int argc, char** argv) {
   // What is said to be compiled is. Mesa reads its variable once in a process.
-  ::setenv("TAA_PROGRAM_CACHE", "", 1);
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   bool write = false;
   for (int index = 1; index < argc; ++index)

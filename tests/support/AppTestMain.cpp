@@ -13,7 +13,6 @@ int main(int argc, char** argv) {
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
   // QT_QPA_PLATFORM=xcb runs them on a screen, for example below xvfb-run.
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  qputenv("TAA_PROGRAM_CACHE", ""); // nothing is left behind
   QApplication application(argc, argv);
   // Before the first window, as the program does: what is made in another font is not laid out as later
   // windows are.

@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   std::filesystem::current_path(taa::test::rootFolder());
-  ::setenv("TAA_PROGRAM_CACHE", "", 1); // what is tested is compiled
   return RUN_ALL_TESTS();
 }

@@ -162,7 +162,6 @@ std::vector<double> measure(MainWindow& window, Session& session) {
 
 int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  qputenv("TAA_PROGRAM_CACHE", "");
   QApplication application(argc, argv);
   applyTheme(application, ThemeChoice::Dark);
   Session session([](Listener listener) { return std::make_unique<SlowRenderer>(std::move(listener)); });
