@@ -9,10 +9,6 @@ namespace taa::gl {
 
 namespace {
 
-bool isWordChar(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
 // Words and numbers; "1.5" is three tokens, which stay together for nothing is put between them.
 std::size_t tokenLength(std::string_view rest) {
   static constexpr std::array<std::string_view, 6> kPairs = {"&&", "||", "==", "!=", "<=", ">="};
@@ -45,7 +41,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
   for (text.remove_prefix(gapLength(text, lines)); !text.empty();
        text.remove_prefix(gapLength(text, lines))) {
     const std::size_t length = tokenLength(text);
-    if (isWord(text)) words.push_back(text.substr(0, length));
+    if (isWordChar(text.front())) words.push_back(text.substr(0, length));
     text.remove_prefix(length);
   }
   return words;
@@ -53,8 +49,8 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
 
 } // namespace
 
-bool isWord(std::string_view token) {
-  return isWordChar(token.front());
+bool isWordChar(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 bool ShaderTokens::readDirective(std::string_view line) {

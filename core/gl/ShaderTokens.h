@@ -32,6 +32,7 @@ struct ShaderTokens {
   int lines_ = 0;
 };
 
-bool isWord(std::string_view token);
+/// Whether names and numbers may have it.
+bool isWordChar(char c);
 
 } // namespace taa::gl

@@ -1,6 +1,7 @@
 // The text of the resolve and of the pass after it without what the inspector adds to them.
 #include "core/taa/glsl/GlslExport.h"
 
+#include "core/gl/ShaderTokens.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/History.h"
 #include "core/taa/OutputPass.h"
@@ -22,6 +23,8 @@ namespace taa {
 
 namespace {
 
+using gl::isWordChar;
+
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -40,10 +43,6 @@ std::string_view codeOf(std::string_view line) {
 
 bool isComment(std::string_view line) {
   return trimmed(line).starts_with("//");
-}
-
-bool isWordChar(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 /// Whether `word` stands in the code of a line.
