@@ -150,13 +150,8 @@ WeightInputs seenBy(const Inputs& inputs, const SpaceSettings& space, const glm:
 
 /// Range of each channel over the nine samples, over the filtered color.
 glm::vec3 contrastAround(const Inputs& inputs, const glm::ivec2& drawn, const glm::vec3& current) {
-  glm::vec3 low = currentColor(inputs, drawn), high = low;
-  for (int k = 0; k < 9; ++k) {
-    const glm::vec3 sample = currentColor(inputs, drawn + glm::ivec2(k % 3 - 1, k / 3 - 1));
-    low = minimum(low, sample);
-    high = maximum(high, sample);
-  }
-  return (high - low) / maximum(current, glm::vec3(1e-5f));
+  const SampleRange range = sampleRange(inputs, drawn);
+  return (range.high - range.low) / maximum(current, glm::vec3(1e-5f));
 }
 
 /// Without TAA the sample is taken as it is.

@@ -114,14 +114,19 @@ glm::vec3 sharpenedCurrent(const Inputs& inputs, const CurrentSettings& settings
 
 } // namespace
 
-glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
+SampleRange sampleRange(const Inputs& inputs, const glm::ivec2& texel) {
   glm::vec3 low = currentColor(inputs, texel), high = low;
   for (int k = 0; k < 9; ++k) {
     const glm::vec3 sample = currentColor(inputs, texel + glm::ivec2(k % 3 - 1, k / 3 - 1));
     low = minimum(low, sample);
     high = maximum(high, sample);
   }
-  return clamped(color, low, high);
+  return {low, high};
+}
+
+glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color) {
+  const SampleRange range = sampleRange(inputs, texel);
+  return clamped(color, range.low, range.high);
 }
 
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx) {

@@ -89,6 +89,11 @@ std::array<float, 9> gaussianWeights(float variance, const glm::vec2& jitterPx);
 std::array<float, 9> currentWeights(const CurrentSettings& settings, const glm::vec2& jitterPx);
 /// Mean of the pixel and its diagonals (manual 5.6).
 glm::vec3 blurredRestart(const Inputs& inputs, const glm::ivec2& pixel);
+/// Least and greatest of the nine colors around a texel, channel by channel.
+struct SampleRange {
+  glm::vec3 low{0.0f}, high{0.0f};
+};
+SampleRange sampleRange(const Inputs& inputs, const glm::ivec2& texel);
 /// Within the nine samples around a texel.
 glm::vec3 boundedBySamples(const Inputs& inputs, const glm::ivec2& texel, const glm::vec3& color);
 /// `color`, filtered around a texel, sharpened (manual 18.2); itself where that is off.
