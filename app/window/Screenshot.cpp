@@ -53,7 +53,7 @@ bool Screenshot::isComplete() const {
       return false;
     if (isOverTime(wanted[view].id)
             ? !result->flickerSamples
-            : isOfReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
+            : needsReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
       return false;
     if (of_.views.view(static_cast<int>(view))->isMeasuring()) return false;
     if (wanted[view].other && !(result->other && result->other->exact)) return false;

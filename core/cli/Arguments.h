@@ -23,12 +23,14 @@ class UsageError : public std::runtime_error {
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
 };
 
+inline constexpr const char* kDefaultSize = "1280x720";
+
 /// What to look at and with which settings: shared by render and probe.
 struct ShotArguments {
-  std::string source;  ///< a glTF file or "builtin:NAME"
+  std::string source;  ///< a glTF file, "builtin:NAME" or a capture
   std::string session; ///< a file instead of source, camera, size, preset, lanes and motion modes
   std::string camera;  ///< empty: the scene's own
-  std::string size = "1280x720";
+  std::string size;    ///< empty: kDefaultSize, of a capture its own
   std::string preset = "balanced";
   std::vector<std::string> lanes;       ///< presets; empty: one lane with `preset`
   std::vector<std::string> assignments; ///< "path=value", applied to every lane

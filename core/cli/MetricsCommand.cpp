@@ -1,5 +1,6 @@
 // taa-batch metrics: metrics of a range of frames, against the supersampled reference and of the resolve.
 #include "core/cli/Commands.h"
+#include "core/render/CaptureFacts.h"
 
 #include "core/cli/Shot.h"
 #include "core/cli/Table.h"
@@ -140,6 +141,8 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   inspector.flicker().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
+  if (const auto captured = inspector.shot().capture(); captured && !captured->hasReference && samples > 0)
+    throw UsageError(whyNoReference() + "; --reference-samples 0 measures without one");
   std::vector<LaneMetrics> lanes(plan.lanes.size());
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Measuring frames", frame - range.first, range.count());

@@ -85,7 +85,7 @@ void makeFolder(const fs::path& folder) {
 std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& plan) {
   std::vector<FrameLane> lanes;
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
-    lanes.push_back({plan.lanes.at(static_cast<std::size_t>(lane)).name, inspector.shot().settings(lane),
+    lanes.push_back({plan.lanes.at(static_cast<std::size_t>(lane)).name, inspector.shot().usedSettings(lane),
                      inspector.shot().info(lane), inspector.views().inputs(lane).block});
   return lanes;
 }

@@ -1,11 +1,16 @@
 #include "core/cli/Shot.h"
 
 #include "core/base/Error.h"
+#include "core/capture/source/Capture.h"
 #include "core/io/SessionFile.h"
+#include "core/render/CaptureFacts.h"
+#include "core/scene/SceneSource.h"
+#include "core/settings/Parameters.h"
 
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa::cli {
@@ -42,10 +47,34 @@ ShotPlan planSession(const ShotArguments& arguments) {
 ShotPlan planShot(const ShotArguments& arguments) {
   if (!arguments.session.empty()) return planSession(arguments);
   if (arguments.source.empty()) throw UsageError("SOURCE is required, or --session FILE instead of it");
-  return {arguments.source,           arguments.camera,         parseSize(arguments.size), lanesOf(arguments),
-          motionModesOf(arguments),   cameraTrackOf(arguments), arguments.filter,          -1,
-          objectClassesOf(arguments), arguments.restarts};
+  const bool isSizeAsked = !arguments.size.empty();
+  return {arguments.source,
+          arguments.camera,
+          parseSize(isSizeAsked ? arguments.size : kDefaultSize),
+          lanesOf(arguments),
+          motionModesOf(arguments),
+          cameraTrackOf(arguments),
+          arguments.filter,
+          -1,
+          objectClassesOf(arguments),
+          arguments.restarts,
+          isSizeAsked};
 }
+
+namespace {
+
+// What would have no effect is refused: nobody shall believe that it had one.
+void checkForCapture(const CaptureFacts& captured, const ShotArguments& arguments, const ShotPlan& plan) {
+  if (plan.isSizeAsked && plan.size != captured.outputPx)
+    throw UsageError("--size " + arguments.size + ": " + whyOneSize(captured));
+  if (!plan.motionModes.empty()) throw UsageError("--motion-mode: " + whyNoScene());
+  for (const std::string& assignment : arguments.assignments) {
+    const Parameter& row = parameter(std::string_view(assignment).substr(0, assignment.find('=')));
+    if (isFixedBy(captured, row)) throw UsageError("--set " + assignment + ": " + whyFixed(row));
+  }
+}
+
+} // namespace
 
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
               const Progress& progress) {
@@ -53,8 +82,10 @@ void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPl
   for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
   inspector.shot().setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);
   inspector.shot().setLanes(settings);
-  inspector.shot().setSize(plan.size.x, plan.size.y);
+  const bool isCaptured = !isBuiltinScene(plan.source) && capture::isCapture(plan.source);
+  if (!isCaptured) inspector.shot().setSize(plan.size.x, plan.size.y);
   inspector.shot().open(plan.source, progress);
+  if (const auto captured = inspector.shot().capture()) checkForCapture(*captured, arguments, plan);
   if (!plan.camera.empty()) inspector.shot().setCamera(plan.camera);
   if (plan.track) inspector.shot().setCameraTrack(*plan.track);
   inspector.shot().setMotionModes(plan.motionModes);
@@ -83,7 +114,7 @@ ordered_json shotJson(const Inspector& inspector) {
 }
 
 LaneFacts laneFacts(const Inspector& inspector, const LaneChoice& choice, int lane) {
-  return {choice.name, choice.preset, choice.settings, inspector.shot().info(lane)};
+  return {choice.name, choice.preset, inspector.shot().usedSettings(lane), inspector.shot().info(lane)};
 }
 
 ordered_json laneJson(const Inspector& inspector, const LaneChoice& choice, int lane) {

@@ -24,6 +24,7 @@ struct ShotPlan {
   int frame = -1; ///< of a session; −1: none is said
   std::vector<ClassOverride> objectClasses;
   std::vector<int> restarts;
+  bool isSizeAsked = false; ///< by the caller, not by a session or as the default
 };
 ShotPlan planShot(const ShotArguments& arguments);
 

@@ -24,6 +24,8 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   Inspector inspector;
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
+  if (arguments.surface && inspector.shot().capture())
+    throw UsageError("--surface: a capture has no surfaces to follow, only pictures of them; leave it out");
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Tracing", frame - range.first, range.count());
     inspector.shot().seek(frame, progress);

@@ -45,8 +45,10 @@ class ProgressLine {
 
 /// Returns that of the camera.
 CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
-  CLI::Option* camera = command.add_option("--camera", shot.camera,
-                                           "still, pan, orbit, dolly or gltf:NAME; else the scene's own");
+  CLI::Option* camera =
+      command.add_option("--camera", shot.camera,
+                         "still, pan, orbit, dolly or gltf:NAME; else the scene's own. A captured "
+                         "sequence has no other than that it was taken with");
   CLI::Option* pose =
       command
           .add_option("--camera-pose", shot.cameraPose,
@@ -85,10 +87,14 @@ CLI::Option* addSceneOptions(CLI::App& command, ShotArguments& shot) {
 }
 
 void addShotOptions(CLI::App& command, ShotArguments& shot) {
-  CLI::Option* source = command.add_option("SOURCE", shot.source,
-                                           "A glTF file (.gltf, .glb), or builtin:NAME (see list scenes)");
+  CLI::Option* source =
+      command.add_option("SOURCE", shot.source,
+                         "A glTF file (.gltf, .glb), the folder or capture.json of a captured sequence, or "
+                         "builtin:NAME (see list scenes)");
   CLI::Option* size =
-      command.add_option("--size", shot.size, "Size of the picture, WxH pixels")->capture_default_str();
+      command.add_option("--size", shot.size,
+                         "Size of the picture, WxH pixels; else " + std::string(kDefaultSize) +
+                             ", and of a captured sequence its own, which is the only one it has");
   CLI::Option* camera = addSceneOptions(command, shot);
   CLI::Option* preset =
       command.add_option("--preset", shot.preset, "A preset (see list presets) or a .json file")

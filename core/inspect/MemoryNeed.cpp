@@ -62,7 +62,7 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
   for (const IntermediateId id : watched) {
     if (!isOfReference(id)) continue;
     need.reference += lanes.size() * rowBytes(intermediate(id), picturePx);
-    drawsReference = true;
+    drawsReference |= !isOfEngine(id);
   }
   if (std::ranges::any_of(watched, isOverTime))
     need.reference += lanes.size() * flickerBytes(picturePx, kFlickerFrames);

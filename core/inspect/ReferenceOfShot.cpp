@@ -7,9 +7,11 @@
 #include "core/inspect/MemoryNeed.h"
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
+#include "core/render/CaptureFacts.h"
 #include "core/replay/ShotPlayer.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace taa {
 
@@ -19,6 +21,7 @@ ReferenceOfShot::ReferenceOfShot(ShotPlayer& player, References& references, Fli
 
 void ReferenceOfShot::makeRows(const std::vector<IntermediateId>& ids, int samples, const Progress& progress,
                                int lane) {
+  if (std::ranges::any_of(ids, isOfEngine) && !engineRows(lane)) throw Error(whyNoEngineOutput());
   const bool isCompared =
       std::ranges::any_of(ids, [](IntermediateId id) { return needsReference(id) && !isOverTime(id); });
   if (isCompared) refine(samples, progress, lane);
@@ -43,7 +46,7 @@ void ReferenceOfShot::setBudget(std::size_t bytes) {
 }
 
 PictureError ReferenceOfShot::error(int lane) {
-  return requiredRows(lane).error();
+  return requiredRows(IntermediateId::reference, lane).error();
 }
 
 ReferenceKey ReferenceOfShot::keyOf(int lane) const {
@@ -63,17 +66,29 @@ ReferenceRows* ReferenceOfShot::rows(int lane) {
   return &rows;
 }
 
-ReferenceRows& ReferenceOfShot::requiredRows(int lane) {
-  if (ReferenceRows* made = rows(lane)) return *made;
+ReferenceRows* ReferenceOfShot::engineRows(int lane) {
+  ReferenceRows& rows = engineRows_.at(static_cast<std::size_t>(lane));
+  const ReferenceRows::Origin origin{player_.lane(lane).current, player_.settings(lane), keyOf(lane), 1};
+  if (rows.isOf(origin)) return &rows;
+  const std::shared_ptr<const Image> output = player_.state().frames->engineOutput(player_.shown().frame);
+  if (!output) return nullptr;
+  rows.set(origin, *output, player_.exposed(IntermediateId::resolved, lane).image(IntermediateId::resolved));
+  return &rows;
+}
+
+ReferenceRows& ReferenceOfShot::requiredRows(IntermediateId id, int lane) {
+  if (ReferenceRows* made = rowsOf(id, lane)) return *made;
+  if (isOfEngine(id)) throw Error(whyNoEngineOutput());
   throw Error(say<"there is no reference of frame %1 yet: it has to be drawn first">(player_.shown().frame));
 }
 
 bool ReferenceOfShot::has(IntermediateId id, int lane) {
+  if (isOfEngine(id)) return engineRows(lane) != nullptr;
   return isOverTime(id) ? flicker_.rows(id, lane) != nullptr : samples(lane) > 0;
 }
 
 Image ReferenceOfShot::image(IntermediateId id, const gl::Rect& region, int lane) {
-  if (!isOverTime(id)) return requiredRows(lane).image(id, region);
+  if (!isOverTime(id)) return requiredRows(id, lane).image(id, region);
   if (const FlickerRows* made = flicker_.rows(id, lane)) return made->image(id, region);
   throw Error(say<"there is no flicker of frame %1 yet: it has to be measured first">(player_.shown().frame));
 }
@@ -83,12 +98,13 @@ const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {
     FlickerRows* made = flicker_.rows(id, lane);
     return made ? &made->texture(id) : nullptr;
   }
-  ReferenceRows* made = rows(lane);
+  ReferenceRows* made = rowsOf(id, lane);
   return made ? &made->texture(id) : nullptr;
 }
 
 void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::Rect& region, int lane) {
   const ReferenceRows* made = rows(lane);
+  const std::shared_ptr<const Image> ofEngine = player_.state().frames->engineOutput(player_.shown().frame);
   for (int y = 0; y < region.height; ++y)
     for (int x = 0; x < region.width; ++x) {
       twin::PixelRecord& record = records[static_cast<std::size_t>(y) * region.width + x];
@@ -98,7 +114,11 @@ void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::R
         glm::vec4& value = twin::at(record, row.id);
         if (const FlickerRows* over = isOverTime(row.id) ? flicker_.rows(row.id, lane) : nullptr)
           value = over->map(row.id).texel(pixel.x, pixel.y);
-        else if (made && !isOverTime(row.id))
+        else if (isOfEngine(row.id)) {
+          if (ofEngine)
+            value = referenceValue(row.id, twin::at(record, IntermediateId::resolved),
+                                   ofEngine->texel(pixel.x, pixel.y));
+        } else if (made && !isOverTime(row.id))
           value = referenceValue(row.id, twin::at(record, IntermediateId::output),
                                  made->reference().texel(pixel.x, pixel.y));
       }
@@ -108,6 +128,7 @@ void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::R
 void ReferenceOfShot::forget() {
   references_.clear();
   for (ReferenceRows& rows : rows_) rows.forget();
+  for (ReferenceRows& rows : engineRows_) rows.forget();
   flicker_.forget();
 }
 

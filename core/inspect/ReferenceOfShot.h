@@ -1,4 +1,5 @@
-// The frame on show supersampled (core/measure/References.h), and the rows that compare with it.
+// The frame on show supersampled (core/measure/References.h), and the rows that compare with it; of a capture
+// also those that compare with what its engine made of the frame.
 #pragma once
 
 #include "core/base/Image.h"
@@ -32,7 +33,8 @@ class ReferenceOfShot {
   ReferenceOfShot(ShotPlayer& player, References& references, FlickerOfShot& flicker,
                   const gl::Driver& driver);
 
-  /// Makes what those of `ids` need, each row against a reference of so many samples. As refine().
+  /// Makes what those of `ids` need, each row against a reference of so many samples. As refine(); throws
+  /// Error, too, where they need the output of an engine and there is none.
   void makeRows(const std::vector<IntermediateId>& ids, int samples, const Progress& progress = {},
                 int lane = 0);
   /// Draws until it has `samples`, 4 to 1024; with more it starts anew. Reports after each one; cancelled: it
@@ -47,6 +49,8 @@ class ReferenceOfShot {
   // What other parts make of it
   /// Those of the frame on show; null where it has no reference.
   ReferenceRows* rows(int lane);
+  /// Those against the engine's output; null where there is none. Throws Error where it cannot be read.
+  ReferenceRows* engineRows(int lane);
   /// Whether a row is made, of a single frame or over time.
   bool has(IntermediateId id, int lane);
   /// Its values; throws Error where it is not made.
@@ -60,13 +64,16 @@ class ReferenceOfShot {
 
  private:
   ReferenceKey keyOf(int lane) const;
-  ReferenceRows& requiredRows(int lane);
+  ReferenceRows& requiredRows(IntermediateId id, int lane);
+  ReferenceRows* rowsOf(IntermediateId id, int lane) {
+    return isOfEngine(id) ? engineRows(lane) : rows(lane);
+  }
 
   ShotPlayer& player_;
   References& references_;
   FlickerOfShot& flicker_;
   const gl::Driver& driver_;
-  std::array<ReferenceRows, kMaxLanes> rows_; // one a lane
+  std::array<ReferenceRows, kMaxLanes> rows_, engineRows_; // one a lane
 };
 
 } // namespace taa

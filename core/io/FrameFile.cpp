@@ -52,7 +52,8 @@ OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm:
   spec.attribute("taa:source", frame.source);
   spec.attribute("taa:camera", frame.camera);
   spec.attribute("taa:driver", frame.driver);
-  if (isOfReference(part.id)) spec.attribute("taa:referenceSamples", lane.referenceSamples);
+  if (isOfReference(part.id) && !isOfEngine(part.id))
+    spec.attribute("taa:referenceSamples", lane.referenceSamples);
   spec.attribute("taa:label", std::string(row.label));
   spec.attribute("taa:unit", std::string(row.unit));
   spec.attribute("taa:description", std::string(row.description));

@@ -14,9 +14,11 @@ namespace taa {
 
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference) {
   assert(isOfReference(id) && !isOverTime(id));
-  if (id == IntermediateId::reference) return reference;
+  if (id == IntermediateId::reference || id == IntermediateId::engineOutput)
+    return {glm::vec3(reference), 0.0f};
   const glm::vec3 is(output), should(reference);
-  if (id == IntermediateId::referenceError) return {twin::luma(is) - twin::luma(should), 0.0f, 0.0f, 0.0f};
+  if (id == IntermediateId::referenceError || id == IntermediateId::engineDifference)
+    return {twin::luma(is) - twin::luma(should), 0.0f, 0.0f, 0.0f};
   const glm::vec3 difference = glm::abs(is - should);
   return {std::max({difference.x, difference.y, difference.z}), 0.0f, 0.0f, 0.0f};
 }

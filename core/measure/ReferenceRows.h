@@ -1,4 +1,5 @@
-// The rows of the table that compare the output with the reference.
+// The rows of the table that compare the output with the reference, or the resolved color with what an engine
+// made of the frame.
 #pragma once
 
 #include "core/base/Image.h"
@@ -15,7 +16,8 @@
 
 namespace taa {
 
-/// The value of a row of the reference in one pixel, missing channels 0. Expects one of a single frame.
+/// The value of a row of the reference in one pixel, missing channels 0: of the output against it, or of the
+/// resolved color against the engine's output. Expects one of a single frame.
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference);
 
 /// A row of one channel or three as the Visualizer takes it.

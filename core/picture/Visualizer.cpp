@@ -277,7 +277,8 @@ ViewStyle defaultStyle(const Intermediate& row) {
     style.map = ColorMap::Categorical;
     break;
   }
-  if (row.id == IntermediateId::referenceErrorAbs) style.map = ColorMap::Inferno; // dark: as it should be
+  if (row.id == IntermediateId::referenceErrorAbs || row.id == IntermediateId::engineDifferenceAbs)
+    style.map = ColorMap::Inferno; // dark: as it should be
   return style;
 }
 

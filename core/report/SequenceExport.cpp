@@ -76,7 +76,7 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
   for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
     const std::string name =
         inspector.shot().laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
-    frame.lanes.push_back({name, inspector.shot().settings(lane), inspector.shot().info(lane),
+    frame.lanes.push_back({name, inspector.shot().usedSettings(lane), inspector.shot().info(lane),
                            inspector.views().inputs(lane).block});
     inspector.reference().makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   }

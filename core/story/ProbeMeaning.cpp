@@ -101,6 +101,7 @@ std::string meaningOf(IntermediateId id, const twin::PixelRecord& record, const 
   if (!twin::isKnown(record, id))
     return isOfHistory(id)  ? say<"no history yet">()
            : isOverTime(id) ? say<"not measured">()
+           : isOfEngine(id) ? say<"no output of an engine">()
                             : say<"no reference drawn">();
   const Values v{record, settings};
   switch (id) {

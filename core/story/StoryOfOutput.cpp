@@ -190,10 +190,31 @@ RowStory errorStory(Id id, const Teller& t) {
   }
 }
 
+RowStory engineStory(Id id, const Teller& t) {
+  if (!twin::isKnown(t.probed.record, Id::engineOutput))
+    return {say<"there is no output of an engine">(), "", ""};
+  const glm::vec3 is = t.color(Id::resolved), other = t.color(Id::engineOutput);
+  if (id == Id::engineOutput) return {say<"what the engine's own TAA made of this frame">(), "", ""};
+  if (id == Id::engineDifference) {
+    const std::string words =
+        t.value(id) > 0
+            ? say<"brighter than the engine's: luma of the resolved color less luma of its output">()
+        : t.value(id) < 0
+            ? say<"darker than the engine's: luma of the resolved color less luma of its output">()
+            : say<"as bright as the engine's: luma of the resolved color less luma of its output">();
+    return {words, t.equals(t.number(twin::luma(is)) + " − " + t.number(twin::luma(other)), id), ""};
+  }
+  std::array<std::string, 3> channels;
+  for (int i = 0; i < 3; ++i)
+    channels[static_cast<std::size_t>(i)] = "|" + t.number(is[i]) + " − " + t.number(other[i]) + "|";
+  return {say<"the largest difference of red, green and blue">(), t.equals(call("max", channels), id), ""};
+}
+
 } // namespace
 
 RowStory outputStory(Id id, const Teller& t) {
   if (isOverTime(id)) return flickerStory(id, t);
+  if (isOfEngine(id)) return engineStory(id, t);
   if (isOfReference(id)) return errorStory(id, t);
   if (id == Id::sharpenDetail) return detailStory(t);
   return id == Id::blurTrust ? trustStory(t) : shownStory(t);

@@ -79,6 +79,7 @@ bool isComputed(IntermediateId id) {
   case Id::historyObjectId:
   case Id::rejectReason:
   case Id::reference:
+  case Id::engineOutput:
     return false;
   default:
     return intermediate(id).stage != Stage::Inputs;
@@ -130,6 +131,9 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   case Id::referenceError:
   case Id::referenceErrorAbs:
     return !twin::isKnown(probed.record, Id::reference);
+  case Id::engineDifference:
+  case Id::engineDifferenceAbs:
+    return !twin::isKnown(probed.record, Id::engineOutput);
   case Id::flicker:
   case Id::deviationOverTime:
   case Id::framesFollowed:

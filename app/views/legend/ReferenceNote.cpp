@@ -16,19 +16,25 @@ QString flickerNote(const ViewResult& result) {
   return QObject::tr("%1 samples · %2").arg(*result.flickerSamples).arg(mean);
 }
 
+QString errorText(const PictureError& error) {
+  const QString psnr =
+      std::isinf(error.psnr) ? QStringLiteral("∞") : QStringLiteral("%1 dB").arg(error.psnr, 0, 'f', 1);
+  return QObject::tr("RMSE %1 · PSNR %2").arg(error.rmse, 0, 'f', 4).arg(psnr);
+}
+
+QString engineNote(const ViewResult& result) {
+  if (!result.error) return QObject::tr("only a capture that holds an engine's output has it");
+  return QObject::tr("against ours: %1").arg(errorText(*result.error));
+}
+
 } // namespace
 
 QString referenceNote(const ViewResult& result) {
   if (isOverTime(result.request.id)) return flickerNote(result);
+  if (isOfEngine(result.request.id)) return engineNote(result);
   if (!isOfReference(result.request.id)) return {};
   if (result.referenceSamples == 0 || !result.error) return QObject::tr("not drawn yet: comes while paused");
-  const QString psnr = std::isinf(result.error->psnr)
-                           ? QStringLiteral("∞")
-                           : QStringLiteral("%1 dB").arg(result.error->psnr, 0, 'f', 1);
-  return QObject::tr("%1 samples · RMSE %2 · PSNR %3")
-      .arg(result.referenceSamples)
-      .arg(result.error->rmse, 0, 'f', 4)
-      .arg(psnr);
+  return QObject::tr("%1 samples · %2").arg(result.referenceSamples).arg(errorText(*result.error));
 }
 
 } // namespace taa::app

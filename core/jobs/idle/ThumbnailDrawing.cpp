@@ -36,7 +36,7 @@ void ThumbnailDrawing::deliverShares() {
   desk_.attempt(RequestKind::Thumbnails, [this] {
     const InspectedShot& shot = desk_.inspector.shot();
     StageShares shares{.frame = shot.frame(), .startsHistory = shot.info().startsHistory, .stages = {}};
-    shares.stages = sharesOf(desk_.inspector.views().images(shareRows()), shot.settings());
+    shares.stages = sharesOf(desk_.inspector.views().images(shareRows()), shot.usedSettings());
     desk_.tell(RequestKind::Thumbnails, std::move(shares));
   });
 }

@@ -55,7 +55,7 @@ ProbeResult ShownProbes::probe(ProbePin& pin, bool isActive) {
     if (isActive && wanted_.probes.whatIf) result.whatIf = probes.whatIf(result.x, result.y);
   }
   result.exact = shot.isExact();
-  result.settings = shot.settings();
+  result.settings = shot.usedSettings();
   result.info = shot.info();
   return result;
 }

@@ -120,6 +120,10 @@ void ShownViews::addReference(ViewResult& result) {
     return;
   }
   ReferenceOfShot& reference = desk_.inspector.reference();
+  if (isOfEngine(view.id)) {
+    if (ReferenceRows* rows = reference.engineRows(view.lane)) result.error = rows->error();
+    return;
+  }
   result.referenceSamples = reference.samples(view.lane);
   if (result.referenceSamples > 0) result.error = reference.error(view.lane);
 }

@@ -191,7 +191,15 @@ enum class Visual : std::uint8_t {
       "The same with what really changes: the reference is not taken off.")                                  \
   ROW(framesFollowed, "Frames followed", Reference, 1, "frames", 0, 16, Scalar, 0,                           \
       "Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off "        \
-      "before.")
+      "before.")                                                                                             \
+  ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color, 1e-3,                                  \
+      "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.")      \
+  ROW(engineDifference, "Difference to the engine", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,             \
+      "Luma of the resolved color less luma of the engine's output, scene-linear: above 0 ours is "          \
+      "brighter.")                                                                                           \
+  ROW(engineDifferenceAbs, "Absolute difference to the engine", Reference, 1, "", 0, 0.25, Scalar, 1e-3,     \
+      "Largest difference of the resolved color and the engine's output in red, green or blue, "             \
+      "scene-linear.")
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,
@@ -225,8 +233,9 @@ constexpr const Intermediate& intermediate(IntermediateId id) {
   return kIntermediates[static_cast<std::size_t>(id)];
 }
 
-/// Whether the row comes from the supersampled picture or from other frames, not from the frame's own
-/// resolve. There is a value only where those were made (ReferenceOfShot::makeRows).
+/// Whether the row comes from the supersampled picture, from other frames or from the engine's own picture,
+/// not from the frame's own resolve. There is a value only where those were made or are part of the capture
+/// (ReferenceOfShot::makeRows).
 constexpr bool isOfReference(IntermediateId id) {
   return intermediate(id).stage == Stage::Reference;
 }
@@ -235,9 +244,14 @@ constexpr bool isOverTime(IntermediateId id) {
   return id == IntermediateId::flicker || id == IntermediateId::deviationOverTime ||
          id == IntermediateId::framesFollowed;
 }
+/// Those of them that need the output of the engine a capture was taken of.
+constexpr bool isOfEngine(IntermediateId id) {
+  return id == IntermediateId::engineOutput || id == IntermediateId::engineDifference ||
+         id == IntermediateId::engineDifferenceAbs;
+}
 /// Those of them that need a reference.
 constexpr bool needsReference(IntermediateId id) {
-  return isOfReference(id) && (!isOverTime(id) || id == IntermediateId::flicker);
+  return isOfReference(id) && !isOfEngine(id) && (!isOverTime(id) || id == IntermediateId::flicker);
 }
 
 /// The rows that a resolve gives, with the pass after it: the table without those of the reference, which are
