@@ -1,27 +1,15 @@
 // How shader files become one text, and how the driver's messages find the way back to the files.
 #include "core/base/EmbeddedFiles.h"
-#include "core/base/Error.h"
 #include "core/gl/Program.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/ShaderFolder.h"
 
 #include <string>
 
 using taa::gl::ShaderSource;
+using taa::test::errorOf;
 using taa::test::ShaderFolder;
-
-namespace {
-
-std::string errorOf(const auto& action) {
-  try {
-    action();
-  } catch (const taa::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-} // namespace
 
 TEST(ShaderSource, PutsVersionAndPreludeFirst) {
   const ShaderFolder folder;

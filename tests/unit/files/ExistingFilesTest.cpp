@@ -1,8 +1,8 @@
 // Files that are there already are counted and refused unless they may be replaced.
 #include "core/base/ExistingFiles.h"
 
-#include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,7 @@ using taa::test::temporaryFolder;
 namespace {
 
 std::string refusal(const std::vector<fs::path>& paths) {
-  try {
-    taa::refuseToReplace(paths);
-  } catch (const taa::Error& error) {
-    return error.what();
-  }
-  return {};
+  return taa::test::errorOf([&] { taa::refuseToReplace(paths); });
 }
 
 } // namespace

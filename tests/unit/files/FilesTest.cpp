@@ -1,6 +1,7 @@
 // Reading and writing whole files, and the files inside the binary.
 #include "core/base/Files.h"
 #include "core/base/EmbeddedFiles.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
@@ -10,24 +11,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
+using taa::test::errorOf;
 
 namespace {
-
-std::string messageOf(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const taa::Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 std::size_t countFiles(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -64,13 +56,13 @@ TEST(Files, ReadBackTheBytesThatWereWritten) {
 }
 
 TEST(Files, SayWhichFileIsMissing) {
-  const std::string message = messageOf([] { taa::readFile("/nowhere/at.all"); });
+  const std::string message = errorOf([] { taa::readFile("/nowhere/at.all"); });
   EXPECT_NE(message.find("/nowhere/at.all"), std::string::npos);
   EXPECT_NE(message.find("No such file"), std::string::npos);
 }
 
 TEST(Files, RefuseAFolder) {
-  EXPECT_NE(messageOf([] { taa::readFile("/tmp"); }).find("it is a folder"), std::string::npos);
+  EXPECT_NE(errorOf([] { taa::readFile("/tmp"); }).find("it is a folder"), std::string::npos);
 }
 
 TEST(UntrustedFiles, AreRegularAndBelowTheirFolder) {
@@ -87,7 +79,7 @@ TEST(UntrustedFiles, AreRegularAndBelowTheirFolder) {
   taa::writeFile(folder / "inner/b", "x");
   ASSERT_EQ(::mkfifo((folder / "in/pipe").c_str(), 0600), 0);
   const auto said = [&](const std::string& file) {
-    return messageOf([&] { taa::requireRegularBelow(folder / "in", file); });
+    return errorOf([&] { taa::requireRegularBelow(folder / "in", file); });
   };
   EXPECT_EQ(said("deep/a"), "");
   EXPECT_EQ(said("deep/../deep/a"), "");
@@ -112,12 +104,12 @@ TEST(UntrustedFiles, ReadWhereTheyAreAsked) {
   std::string bytes(4, ' ');
   file.read(3, std::as_writable_bytes(std::span(bytes)));
   EXPECT_EQ(bytes, "3456");
-  EXPECT_NE(messageOf([&] { file.read(8, std::as_writable_bytes(std::span(bytes))); }).find("ends after 10"),
+  EXPECT_NE(errorOf([&] { file.read(8, std::as_writable_bytes(std::span(bytes))); }).find("ends after 10"),
             std::string::npos);
-  EXPECT_NE(messageOf([&] { taa::openUntrusted(folder, "ten", 9); }).find("ten has 10 bytes"),
+  EXPECT_NE(errorOf([&] { taa::openUntrusted(folder, "ten", 9); }).find("ten has 10 bytes"),
             std::string::npos);
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  EXPECT_NE(messageOf([&] { taa::UntrustedFile(folder / "pipe"); }).find("not a regular file"),
+  EXPECT_NE(errorOf([&] { taa::UntrustedFile(folder / "pipe"); }).find("not a regular file"),
             std::string::npos);
 }
 
@@ -125,7 +117,7 @@ TEST(Files, RefuseAFileAboveTheLimit) {
   const fs::path path = emptyFolder("limit") / "ten";
   taa::writeFile(path, "0123456789");
   EXPECT_EQ(taa::readFile(path, 10).size(), 10u);
-  EXPECT_NE(messageOf([&] { taa::readFile(path, 9); }).find("10 bytes"), std::string::npos);
+  EXPECT_NE(errorOf([&] { taa::readFile(path, 9); }).find("10 bytes"), std::string::npos);
 }
 
 TEST(Files, ReplaceAFileInOneStep) {
@@ -144,7 +136,7 @@ TEST(Files, ReplaceAFileInOneStep) {
 TEST(Files, KeepTheOldFileWhenWritingFails) {
   const fs::path folder = emptyFolder("fails");
   taa::writeFile(folder / "a.txt", "old");
-  const std::string message = messageOf([&] {
+  const std::string message = errorOf([&] {
     taa::writeAtomically(folder / "a.txt", [](const fs::path& temporary) {
       std::ofstream(temporary) << "ha";
       throw taa::Error("the disk is full");
@@ -157,13 +149,13 @@ TEST(Files, KeepTheOldFileWhenWritingFails) {
 
 TEST(Files, SayThatTheTargetFolderIsMissing) {
   const fs::path path = emptyFolder("missing") / "no" / "a.txt";
-  EXPECT_NE(messageOf([&] { taa::writeFile(path, "x"); }).find(path.string()), std::string::npos);
+  EXPECT_NE(errorOf([&] { taa::writeFile(path, "x"); }).find(path.string()), std::string::npos);
 }
 
 TEST(Files, LeaveNothingBesideATargetThatIsAFolder) {
   const fs::path folder = emptyFolder("target");
   fs::create_directories(folder / "a");
-  EXPECT_NE(messageOf([&] { taa::writeFile(folder / "a", "x"); }), "");
+  EXPECT_NE(errorOf([&] { taa::writeFile(folder / "a", "x"); }), "");
   EXPECT_EQ(countFiles(folder), 1u);
 }
 
@@ -174,8 +166,7 @@ TEST(EmbeddedFiles, HoldTheSameBytesAsTheSources) {
 }
 
 TEST(EmbeddedFiles, NameTheFileThatIsNotThere) {
-  EXPECT_NE(messageOf([] { taa::embeddedText("shaders/no.glsl"); }).find("shaders/no.glsl"),
-            std::string::npos);
+  EXPECT_NE(errorOf([] { taa::embeddedText("shaders/no.glsl"); }).find("shaders/no.glsl"), std::string::npos);
 }
 
 TEST(EmbeddedFiles, ComeFromTheShaderFolderWhenThereIsOne) {
@@ -186,6 +177,6 @@ TEST(EmbeddedFiles, ComeFromTheShaderFolderWhenThereIsOne) {
   EXPECT_EQ(taa::embeddedText("shaders/taa/new.glsl"), "first");
   taa::writeFile(folder / "taa" / "new.glsl", "second");
   EXPECT_EQ(taa::embeddedText("shaders/taa/new.glsl"), "second") << "an edit shows at the next read";
-  EXPECT_NE(messageOf([] { taa::embeddedText("shaders/taa/no.glsl"); }).find(folder.string()),
+  EXPECT_NE(errorOf([] { taa::embeddedText("shaders/taa/no.glsl"); }).find(folder.string()),
             std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include "core/base/Files.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/rows/ChannelNames.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -21,6 +21,7 @@
 
 namespace fs = std::filesystem;
 using taa::IntermediateId;
+using taa::test::errorOf;
 
 namespace {
 
@@ -58,15 +59,6 @@ taa::FrameFile everything(const std::vector<std::string>& lanes) {
 
 fs::path exrPath(const std::string& name) {
   return taa::test::temporaryFolder() / (name + ".exr");
-}
-
-std::string messageOf(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const taa::Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 } // namespace
@@ -116,26 +108,25 @@ TEST(FrameFile, CarriesHowTheFrameCameAbout) {
 
 TEST(FrameFile, NamesThePartsThereAre) {
   writeFrameFile(exrPath("names"), everything({""}));
-  const std::string message = messageOf([] { taa::readPart(exrPath("names"), "velocity", {"X"}); });
+  const std::string message = errorOf([] { taa::readPart(exrPath("names"), "velocity", {"X"}); });
   EXPECT_NE(message.find("no part \"velocity\""), std::string::npos) << message;
   EXPECT_NE(message.find("motion"), std::string::npos) << message;
 }
 
 TEST(FrameFile, NamesTheChannelsThereAre) {
   writeFrameFile(exrPath("channels"), everything({""}));
-  const std::string message = messageOf([] { taa::readPart(exrPath("channels"), "color", {"Q"}); });
+  const std::string message = errorOf([] { taa::readPart(exrPath("channels"), "color", {"Q"}); });
   EXPECT_NE(message.find("it has R, G, B"), std::string::npos) << message;
 }
 
 TEST(FrameFile, SaysWhyItCannotBeRead) {
-  EXPECT_NE(messageOf([] { taa::partNames("/nowhere/a.exr"); }).find("/nowhere/a.exr"), std::string::npos);
+  EXPECT_NE(errorOf([] { taa::partNames("/nowhere/a.exr"); }).find("/nowhere/a.exr"), std::string::npos);
   taa::writeFile(exrPath("broken"), "this is no picture");
-  EXPECT_NE(messageOf([] { taa::partNames(exrPath("broken")); }).find("broken.exr"), std::string::npos);
+  EXPECT_NE(errorOf([] { taa::partNames(exrPath("broken")); }).find("broken.exr"), std::string::npos);
 }
 
 TEST(FrameFile, LeavesNothingWhereItCannotBeWritten) {
   const fs::path path = taa::test::temporaryFolder() / "no folder" / "a.exr";
-  EXPECT_NE(messageOf([&] { writeFrameFile(path, everything({""})); }).find(path.string()),
-            std::string::npos);
+  EXPECT_NE(errorOf([&] { writeFrameFile(path, everything({""})); }).find(path.string()), std::string::npos);
   EXPECT_FALSE(fs::exists(path.parent_path()));
 }

@@ -7,6 +7,7 @@
 #include "core/report/CommandLine.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 
 #include <gtest/gtest.h>
@@ -37,12 +38,7 @@ SessionFile sample() {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    sessionFromText(text, "a.taa.json");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "it was read";
+  return test::errorOf([&] { sessionFromText(text, "a.taa.json"); });
 }
 
 /// The sample with a field changed; null: removed.

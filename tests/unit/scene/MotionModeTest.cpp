@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/scene/Scene.h"
+#include "tests/support/ErrorOf.h"
 
 #include <gtest/gtest.h>
 
@@ -23,12 +24,7 @@ Scene family() {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    parseMotionOverride(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::errorOf([&] { parseMotionOverride(text); });
 }
 
 TEST(MotionMode, IsReadFromItsFlag) {
