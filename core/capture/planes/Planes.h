@@ -11,12 +11,16 @@
 
 namespace taa::capture {
 
+/// Pixels of one plane: 8192 × 8192.
+inline constexpr std::size_t kMaxPlanePixels = std::size_t(1) << 26;
+
 /// Values as stored (normalized formats as 0 to 1, sRGB formats not decoded but where the format's name says
-/// SRGB), row 0 at the top whatever the file's order is.
+/// SRGB), row 0 at the top whatever the file's order is. Channels: those stored or named, of its kind at most
+/// channelsOf(), at least leastChannelsOf().
 struct PlaneData {
   Image image; ///< floats: everything but ids
-  std::vector<std::uint32_t>
-      integers; ///< PlaneKind::ObjectId only, width · height of `image`, whose pixels are empty then
+  /// PlaneKind::ObjectId only, width · height of them; `image` has no pixels then.
+  std::vector<std::uint32_t> integers;
   int width = 0, height = 0;
 };
 using FramePlanes = std::map<PlaneKind, PlaneData>;
@@ -29,7 +33,9 @@ PlaneData readPlane(const std::filesystem::path& folder, const Manifest& manifes
 FramePlanes readPlanes(const std::filesystem::path& folder, const Manifest& manifest,
                        const CapturedFrame& frame);
 
-/// Writes a raw plane file of `format`, rows from the top, whole or not at all. Throws Error.
+/// Writes a raw plane file of `format`, rows from the top, whole or not at all. Values are rounded to the
+/// nearest, those of integer and normalized formats clamped; channels that `format` has and the plane has not
+/// are 0, alpha 1. Ids go into integer formats alone and have to fit. Throws Error.
 void writeRawPlane(const std::filesystem::path& file, const PlaneData& plane, RawFormat format);
 std::size_t bytesPerPixel(RawFormat format);
 int rawChannels(RawFormat format);

@@ -1,0 +1,169 @@
+#include "core/capture/planes/Planes.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/planes/PlaneFiles.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace taa::capture {
+
+namespace {
+
+/// What is read at once: a raw plane, or those planes that are in the same part of the same picture.
+struct ReadingJob {
+  std::vector<PlaneRequest> requests;
+  std::vector<PlaneData> planes;
+  std::exception_ptr failure;
+
+  bool isRaw() const { return requests.front().source->raw.has_value(); }
+  /// Bytes, roughly: large ones begin first.
+  std::size_t cost() const {
+    return isRaw() ? bytesPerPixel(*requests.front().source->raw) : 64 * requests.size();
+  }
+};
+
+PlaneRequest requestOf(const Manifest& manifest, const CapturedFrame& frame, PlaneKind kind,
+                       const PlaneSource& source) {
+  return {kind, &source, planeFile(source, frame.number),
+          source.rows.value_or(manifest.conventions.rows) == RowOrder::BottomFirst};
+}
+
+std::vector<ReadingJob> jobsOf(const Manifest& manifest, const CapturedFrame& frame) {
+  std::vector<ReadingJob> jobs;
+  for (std::size_t i = 0; i < kPlaneKinds; ++i) {
+    const auto kind = static_cast<PlaneKind>(i);
+    const PlaneSource* source = manifest.plane(frame, kind);
+    if (!source) continue;
+    PlaneRequest request = requestOf(manifest, frame, kind, *source);
+    // Channels by their order, or of whichever part has them, are each plane's own matter.
+    const auto shares = [&](const ReadingJob& job) {
+      const PlaneRequest& other = job.requests.front();
+      return !job.isRaw() && other.file == request.file && other.source->part == source->part;
+    };
+    const auto found = source->raw ? jobs.end() : std::ranges::find_if(jobs, shares);
+    if (found == jobs.end())
+      jobs.push_back({{std::move(request)}, {}, {}});
+    else
+      found->requests.push_back(std::move(request));
+  }
+  std::ranges::stable_sort(jobs,
+                           [](const ReadingJob& a, const ReadingJob& b) { return a.cost() > b.cost(); });
+  return jobs;
+}
+
+void read(const std::filesystem::path& folder, const Manifest& manifest, const CapturedFrame& frame,
+          ReadingJob& job) {
+  const auto fail = [&](const std::string& reason) {
+    return Error(say<"frame %1, %2: %3">(frame.number, planeName(job.requests.front().kind), reason));
+  };
+  try {
+    if (job.isRaw())
+      job.planes.push_back(readRawPlane(folder, manifest, job.requests.front()));
+    else
+      job.planes = readPicture(folder, manifest, job.requests);
+  } catch (const Error& error) {
+    throw fail(error.what());
+  } catch (const std::bad_alloc&) {
+    throw fail(say<"there is not enough memory for %1">(job.requests.front().file));
+  } catch (const std::exception& error) { // of libraries that read pictures
+    throw fail(say<"cannot read %1: %2">(job.requests.front().file, error.what()));
+  }
+}
+
+/// On this thread and one more.
+void readAll(std::vector<ReadingJob>& jobs, const std::filesystem::path& folder, const Manifest& manifest,
+             const CapturedFrame& frame) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      try {
+        read(folder, manifest, frame, jobs[i]);
+      } catch (...) {
+        jobs[i].failure = std::current_exception();
+      }
+    }
+  };
+  std::thread second;
+  if (jobs.size() > 1) second = std::thread(work);
+  work();
+  if (second.joinable()) second.join();
+}
+
+/// The planes, or the error of the first one that has one, whichever thread met it.
+FramePlanes collected(std::vector<ReadingJob> jobs) {
+  std::ranges::sort(jobs, {}, [](const ReadingJob& job) { return job.requests.front().kind; });
+  FramePlanes planes;
+  for (ReadingJob& job : jobs) {
+    if (job.failure) std::rethrow_exception(job.failure);
+    for (std::size_t i = 0; i < job.requests.size(); ++i)
+      planes.emplace(job.requests[i].kind, std::move(job.planes[i]));
+  }
+  return planes;
+}
+
+std::string sizeText(glm::ivec2 size) {
+  return std::to_string(size.x) + " × " + std::to_string(size.y) + " px";
+}
+
+} // namespace
+
+void requireSize(const Manifest& manifest, PlaneKind kind, glm::ivec2 size) {
+  const glm::ivec2 render = manifest.sizePx, output = manifest.outputSize();
+  const bool isOfRender = kind == PlaneKind::Color, isOfOutput = kind == PlaneKind::Output;
+  if ((isOfRender && size != render) || (isOfOutput && size != output))
+    throw Error(
+        say<"it has %1; the capture says %2">(sizeText(size), sizeText(isOfRender ? render : output)));
+  const glm::ivec2 most = glm::max(render, output);
+  if (size.x < 1 || size.y < 1 || size.x > most.x || size.y > most.y)
+    throw Error(say<"it has %1; the capture's pictures have at most %2">(sizeText(size), sizeText(most)));
+  if (static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) > kMaxPlanePixels)
+    throw Error(say<"it has %1; at most %2 million pixels are read">(sizeText(size), kMaxPlanePixels >> 20u));
+}
+
+PlaneData makePlane(PlaneKind kind, glm::ivec2 size, int channels) {
+  PlaneData plane;
+  plane.width = size.x;
+  plane.height = size.y;
+  if (kind == PlaneKind::ObjectId)
+    plane.integers.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  else
+    plane.image = Image(size.x, size.y, channels);
+  return plane;
+}
+
+std::uint32_t idOf(float stored) {
+  constexpr float kEnd = 4294967296.0f;
+  if (!(stored >= 0.0f && stored < kEnd) || std::trunc(stored) != stored)
+    throw Error(say<"it holds %1 where ids are whole numbers from 0">(std::to_string(stored)));
+  return static_cast<std::uint32_t>(stored);
+}
+
+PlaneData readPlane(const std::filesystem::path& folder, const Manifest& manifest, const CapturedFrame& frame,
+                    PlaneKind kind) {
+  const PlaneSource* source = manifest.plane(frame, kind);
+  if (!source) throw Error(say<"frame %1 has no %2">(frame.number, planeName(kind)));
+  ReadingJob job{{requestOf(manifest, frame, kind, *source)}, {}, {}};
+  read(folder, manifest, frame, job);
+  return std::move(job.planes.front());
+}
+
+FramePlanes readPlanes(const std::filesystem::path& folder, const Manifest& manifest,
+                       const CapturedFrame& frame) {
+  std::vector<ReadingJob> jobs = jobsOf(manifest, frame);
+  readAll(jobs, folder, manifest, frame);
+  return collected(std::move(jobs));
+}
+
+} // namespace taa::capture

@@ -1,0 +1,302 @@
+#include "core/capture/planes/RawFormats.h"
+
+#include "core/capture/planes/Planes.h"
+#include "core/capture/planes/SmallFloats.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+namespace taa::capture {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "raw planes are little-endian");
+
+/// What the values of a pixel are: components of one kind, or packed into words.
+enum class Layout : std::uint8_t {
+  Half,
+  Float,
+  Unorm8,
+  Srgb8,
+  Unorm16,
+  Uint8,
+  Uint16,
+  Uint32,
+  PackedFloats,
+  DepthLow24,
+  DepthHigh24,
+  FloatOfEight,
+};
+
+struct FormatRow {
+  RawFormat format;
+  Layout layout;
+  std::uint8_t channels, bytes;
+};
+
+constexpr FormatRow kRows[] = {
+    {RawFormat::R11G11B10F, Layout::PackedFloats, 3, 4},
+    {RawFormat::RGBA16F, Layout::Half, 4, 8},
+    {RawFormat::RGBA32F, Layout::Float, 4, 16},
+    {RawFormat::RG16F, Layout::Half, 2, 4},
+    {RawFormat::RG32F, Layout::Float, 2, 8},
+    {RawFormat::RG16_UNORM, Layout::Unorm16, 2, 4},
+    {RawFormat::RGBA8_UNORM, Layout::Unorm8, 4, 4},
+    {RawFormat::RGBA8_SRGB, Layout::Srgb8, 4, 4},
+    {RawFormat::R16F, Layout::Half, 1, 2},
+    {RawFormat::R32F, Layout::Float, 1, 4},
+    {RawFormat::D32F, Layout::Float, 1, 4},
+    {RawFormat::D24S8, Layout::DepthLow24, 1, 4},
+    {RawFormat::D32F_S8, Layout::FloatOfEight, 1, 8},
+    {RawFormat::R16_UNORM, Layout::Unorm16, 1, 2},
+    {RawFormat::R8_UNORM, Layout::Unorm8, 1, 1},
+    {RawFormat::RG8_UNORM, Layout::Unorm8, 2, 2},
+    {RawFormat::R8_UINT, Layout::Uint8, 1, 1},
+    {RawFormat::R16_UINT, Layout::Uint16, 1, 2},
+    {RawFormat::R32_UINT, Layout::Uint32, 1, 4},
+    {RawFormat::D24S8_GL, Layout::DepthHigh24, 1, 4},
+};
+static_assert(std::size(kRows) == kRawFormats);
+
+constexpr bool rowsAreInOrder() {
+  for (std::size_t i = 0; i < std::size(kRows); ++i)
+    if (static_cast<std::size_t>(kRows[i].format) != i) return false;
+  return true;
+}
+static_assert(rowsAreInOrder());
+
+const FormatRow& rowOf(RawFormat format) {
+  return kRows[static_cast<std::size_t>(format)];
+}
+
+template <typename T>
+T load(const std::byte* at) {
+  T value;
+  std::memcpy(&value, at, sizeof(T));
+  return value;
+}
+
+template <typename T>
+void store(std::byte* at, T value) {
+  std::memcpy(at, &value, sizeof(T));
+}
+
+double linearOfSrgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double srgbOfLinear(double value) {
+  return value <= 0.0031308 ? value * 12.92 : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+}
+
+const std::array<float, 256>& srgbTable() {
+  static const std::array<float, 256> kTable = [] {
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+      table[i] = static_cast<float>(linearOfSrgb(static_cast<double>(i) / 255.0));
+    return table;
+  }();
+  return kTable;
+}
+
+/// Calls `value(stored, channel)` for the first `channels` of the `stride` components of each pixel.
+template <typename Stored, typename Value>
+void decodeComponents(const std::byte* row, int stride, int channels, std::span<float> out,
+                      const Value& value) {
+  if (stride == channels) {
+    // Blocks of a size that the compiler knows become vectors at any level of optimization.
+    constexpr std::size_t kBlock = 16;
+    std::size_t i = 0;
+    for (; i + kBlock <= out.size(); i += kBlock) {
+      std::array<Stored, kBlock> stored;
+      std::array<float, kBlock> values;
+      std::memcpy(stored.data(), row + i * sizeof(Stored), sizeof(stored));
+      for (std::size_t k = 0; k < kBlock; ++k) values[k] = value(stored[k]);
+      std::memcpy(out.data() + i, values.data(), sizeof(values));
+    }
+    for (; i < out.size(); ++i) out[i] = value(load<Stored>(row + i * sizeof(Stored)));
+    return;
+  }
+  const std::size_t kept = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < out.size(); i += kept, row += sizeof(Stored) * stride)
+    for (std::size_t channel = 0; channel < kept; ++channel)
+      out[i + channel] = value(load<Stored>(row + channel * sizeof(Stored)));
+}
+
+void decodeSrgb(const std::byte* row, int channels, std::span<float> out) {
+  const std::array<float, 256>& table = srgbTable();
+  const std::size_t kept = static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < out.size(); i += kept, row += 4)
+    for (std::size_t channel = 0; channel < kept; ++channel) {
+      const auto stored = static_cast<std::uint8_t>(row[channel]);
+      out[i + channel] = channel < 3 ? table[stored] : static_cast<float>(stored) / 255.0f;
+    }
+}
+
+void decodePackedFloats(const std::byte* row, int channels, std::span<float> out) {
+  // As halves first, in blocks: that loop becomes vectors.
+  constexpr std::size_t kBlock = 16;
+  const std::size_t kept = static_cast<std::size_t>(channels);
+  const std::size_t pixels = out.size() / kept;
+  for (std::size_t first = 0; first < pixels; first += kBlock) {
+    const std::size_t count = std::min(kBlock, pixels - first);
+    std::array<std::uint32_t, kBlock> bits{};
+    std::array<std::array<float, kBlock>, 3> planes;
+    std::memcpy(bits.data(), row + first * 4, count * 4);
+    for (std::size_t k = 0; k < kBlock; ++k) planes[0][k] = floatOf11Bits(bits[k]);
+    for (std::size_t k = 0; k < kBlock; ++k) planes[1][k] = floatOf11Bits(bits[k] >> 11u);
+    for (std::size_t k = 0; k < kBlock; ++k) planes[2][k] = floatOf10Bits(bits[k] >> 22u);
+    float* to = out.data() + first * kept;
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t channel = 0; channel < kept; ++channel) *to++ = planes[channel][k];
+  }
+}
+
+/// Rounds `value`, clamped to 0…1, to a whole number of 1/`most`; NaN is 0, as Direct3D has it.
+std::uint32_t unormOf(float value, double most) {
+  if (!(value > 0.0f)) return 0;
+  return static_cast<std::uint32_t>(std::nearbyint(std::min(static_cast<double>(value), 1.0) * most));
+}
+
+std::uint32_t integerOf(float value, std::uint32_t most) {
+  if (!(value > 0.0f)) return 0;
+  return static_cast<std::uint32_t>(
+      std::min(std::nearbyint(static_cast<double>(value)), static_cast<double>(most)));
+}
+
+void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
+  switch (layout) {
+  case Layout::Half:
+    return store(at, halfOf(value));
+  case Layout::Unorm8:
+    return store(at, static_cast<std::uint8_t>(unormOf(value, 255.0)));
+  case Layout::Unorm16:
+    return store(at, static_cast<std::uint16_t>(unormOf(value, 65535.0)));
+  case Layout::Uint8:
+    return store(at, static_cast<std::uint8_t>(integerOf(value, 0xffu)));
+  case Layout::Uint16:
+    return store(at, static_cast<std::uint16_t>(integerOf(value, 0xffffu)));
+  case Layout::Uint32:
+    return store(at, integerOf(value, 0xffffffffu));
+  case Layout::DepthLow24:
+    return store(at, unormOf(value, 16777215.0));
+  case Layout::DepthHigh24:
+    return store(at, unormOf(value, 16777215.0) << 8u);
+  case Layout::FloatOfEight:
+    store(at + 4, std::uint32_t{0});
+    return store(at, value);
+  case Layout::Srgb8: {
+    const float clamped = std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f);
+    const double encoded = channel < 3 ? srgbOfLinear(clamped) : clamped;
+    return store(at, static_cast<std::uint8_t>(std::nearbyint(encoded * 255.0)));
+  }
+  case Layout::Float:
+  case Layout::PackedFloats:
+    break;
+  }
+  store(at, value);
+}
+
+void encodePixel(const FormatRow& row, const float* values, std::byte* at) {
+  if (row.layout == Layout::PackedFloats)
+    return store(at, unsignedFloatOf(values[0], 6) | unsignedFloatOf(values[1], 6) << 11u |
+                         unsignedFloatOf(values[2], 5) << 22u);
+  const int bytes = row.bytes / row.channels;
+  for (int channel = 0; channel < row.channels; ++channel)
+    encodeComponent(row.layout, values[channel], channel, at + channel * bytes);
+}
+
+} // namespace
+
+std::size_t bytesPerPixel(RawFormat format) {
+  return rowOf(format).bytes;
+}
+
+int rawChannels(RawFormat format) {
+  return rowOf(format).channels;
+}
+
+bool isInteger(RawFormat format) {
+  const Layout layout = rowOf(format).layout;
+  return layout == Layout::Uint8 || layout == Layout::Uint16 || layout == Layout::Uint32;
+}
+
+void decodeRow(RawFormat format, const std::byte* row, int channels, std::span<float> out) {
+  const int stride = rawChannels(format);
+  assert(channels >= 1 && channels <= stride && out.size() % static_cast<std::size_t>(channels) == 0);
+  const auto decode = [&]<typename Stored>(Stored, int words, const auto& value) {
+    decodeComponents<Stored>(row, words, channels, out, value);
+  };
+  const auto plain = [](auto stored) { return static_cast<float>(stored); };
+  const std::uint32_t word = 0;
+  switch (rowOf(format).layout) {
+  case Layout::Half:
+    return decode(std::uint16_t{}, stride, [](std::uint16_t v) { return floatOfHalf(v); });
+  case Layout::Float:
+    return decode(0.0f, stride, plain);
+  case Layout::Unorm8:
+    return decode(std::uint8_t{}, stride, [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+  case Layout::Unorm16:
+    return decode(std::uint16_t{}, stride, [](std::uint16_t v) { return static_cast<float>(v) / 65535.0f; });
+  case Layout::Uint8:
+    return decode(std::uint8_t{}, stride, plain);
+  case Layout::Uint16:
+    return decode(std::uint16_t{}, stride, plain);
+  case Layout::Uint32:
+    return decode(word, stride, plain);
+  case Layout::DepthLow24:
+    return decode(word, 1, [](std::uint32_t v) {
+      return static_cast<float>(static_cast<std::int32_t>(v & 0xffffffu)) / 16777215.0f;
+    });
+  case Layout::DepthHigh24:
+    return decode(word, 1, [](std::uint32_t v) {
+      return static_cast<float>(static_cast<std::int32_t>(v >> 8u)) / 16777215.0f;
+    });
+  case Layout::FloatOfEight:
+    return decode(0.0f, 2, plain);
+  case Layout::Srgb8:
+    return decodeSrgb(row, channels, out);
+  case Layout::PackedFloats:
+    return decodePackedFloats(row, channels, out);
+  }
+}
+
+void decodeIds(RawFormat format, const std::byte* row, std::span<std::uint32_t> out) {
+  assert(isInteger(format));
+  const std::size_t bytes = bytesPerPixel(format);
+  if (bytes == sizeof(std::uint32_t)) {
+    std::memcpy(out.data(), row, out.size_bytes());
+    return;
+  }
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = bytes == 1 ? load<std::uint8_t>(row + i) : load<std::uint16_t>(row + i * 2);
+}
+
+void encodeRow(RawFormat format, std::span<const float> values, int channels, std::byte* row) {
+  const std::size_t given = static_cast<std::size_t>(channels);
+  assert(channels >= 1 && values.size() % given == 0);
+  const FormatRow& layout = rowOf(format);
+  const std::size_t kept = std::min<std::size_t>(given, layout.channels);
+  for (std::size_t i = 0; i < values.size(); i += given, row += layout.bytes) {
+    std::array<float, 4> pixel{0.0f, 0.0f, 0.0f, 1.0f};
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i), kept, pixel.begin());
+    encodePixel(layout, pixel.data(), row);
+  }
+}
+
+void encodeIds(RawFormat format, std::span<const std::uint32_t> ids, std::byte* row) {
+  assert(isInteger(format));
+  const std::size_t bytes = bytesPerPixel(format);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    assert(bytes == 4 || ids[i] >> (8u * bytes) == 0);
+    std::memcpy(row + i * bytes, &ids[i], bytes);
+  }
+}
+
+} // namespace taa::capture
