@@ -1,6 +1,7 @@
 #include "app/menus/Commands.h"
 
 #include <QAction>
+#include <QVariant>
 
 #include <utility>
 
@@ -10,6 +11,13 @@ QList<QKeySequence> keys(std::initializer_list<const char*> names) {
   QList<QKeySequence> list;
   for (const char* name : names) list << QKeySequence(QLatin1String(name));
   return list;
+}
+
+void allow(QAction* action, const QString& whyNot) {
+  constexpr const char* kOwn = "ownToolTip";
+  if (!action->property(kOwn).isValid()) action->setProperty(kOwn, action->toolTip());
+  action->setEnabled(whyNot.isEmpty());
+  action->setToolTip(whyNot.isEmpty() ? action->property(kOwn).toString() : whyNot);
 }
 
 QAction* Commands::add(QMenu* menu, const QString& text, const QList<QKeySequence>& shortcuts,

@@ -19,6 +19,9 @@ namespace taa::app {
 /// Keys by their names, "Ctrl+O".
 QList<QKeySequence> keys(std::initializer_list<const char*> names);
 
+/// Enables an action, or disables it and says in its tooltip why; empty: there is nothing against it.
+void allow(QAction* action, const QString& whyNot);
+
 class Commands : public QObject {
   Q_OBJECT
  public:

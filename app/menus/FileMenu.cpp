@@ -15,6 +15,9 @@ FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, Exports& exports, 
   add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
     keeper.askWhatToOpen();
   })->setIcon(themedIcon(QStringLiteral("open")));
+  add(tr("Open &capture…"), {}, [&keeper] {
+    keeper.askForCapture();
+  })->setToolTip(tr("The folder of frames that an engine wrote, with its capture.json."));
   addRecent();
   add(tr("Start &anew"), {}, [&keeper] {
     keeper.startAnew();

@@ -7,6 +7,8 @@
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 
+#include "core/render/CaptureFacts.h"
+
 #include <QAction>
 
 #include <algorithm>
@@ -90,6 +92,12 @@ void FrameMenu::addSizes(GoToPrompts& prompts) {
     });
   }
   commands_.add(menu, tr("Other…"), {}, [&prompts] { prompts.askForSize(); });
+  menu->setToolTipsVisible(true);
+  onRefresh([&session, menu] {
+    const auto& capture = session.status().capture;
+    const QString whyNot = capture ? sentence(whyOneSize(*capture)) : QString();
+    for (QAction* action : menu->actions()) allow(action, whyNot);
+  });
 }
 
 void FrameMenu::addBudgets() {

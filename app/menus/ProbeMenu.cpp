@@ -4,6 +4,7 @@
 #include "app/commands/ProbeCommands.h"
 #include "app/panels/ProbePanel.h"
 #include "app/session/PinnedProbes.h"
+#include "app/session/SceneChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -18,6 +19,7 @@ namespace taa::app {
 
 ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
     : CommandMenu(tr("Pr&obe"), commands, parent) {
+  setToolTipsVisible(true);
   addPlaces(on);
   addSeparator();
   addPins(on);
@@ -54,9 +56,10 @@ void ProbeMenu::addPins(const Targets& on) {
       tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")), [&probes](bool isOnSurface) {
         probes.setFollow(probes.activePin(), isOnSurface ? Follow::Surface : Follow::Screen);
       });
-  onRefresh([&probes, follows] {
+  onRefresh([&probes, &scene = on.scene, follows] {
     const int pin = probes.activePin();
-    follows->setEnabled(pin >= 0);
+    allow(follows, scene.whyNoSurfaces());
+    if (pin < 0) follows->setEnabled(false);
     follows->setChecked(pin >= 0 && probes.pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
   });
 }

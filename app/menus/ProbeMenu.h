@@ -9,6 +9,7 @@ class GoToPrompts;
 class PinnedProbes;
 class ProbeCommands;
 class ProbePanel;
+class SceneChoices;
 class ViewArea;
 
 class ProbeMenu : public CommandMenu {
@@ -20,6 +21,7 @@ class ProbeMenu : public CommandMenu {
     ProbePanel& panel;
     ProbeCommands& probe;
     GoToPrompts& prompts;
+    const SceneChoices& scene;
   };
   ProbeMenu(Commands& commands, const Targets& on, QWidget* parent);
 

@@ -8,6 +8,7 @@
 #include "app/style/Text.h"
 
 #include <QAction>
+#include <QString>
 
 #include <array>
 #include <cstddef>
@@ -16,7 +17,8 @@
 namespace taa::app {
 
 SceneMenu::SceneMenu(Commands& commands, const Targets& on, QWidget* parent)
-    : CommandMenu(tr("&Scene"), commands, parent) {
+    : CommandMenu(tr("&Scene"), commands, parent), choices_(on.choices) {
+  setToolTipsVisible(true);
   addFlight(on.flight);
   addCameras(on.cameras);
   addSeparator();
@@ -24,7 +26,10 @@ SceneMenu::SceneMenu(Commands& commands, const Targets& on, QWidget* parent)
   addSelection(on.scene);
   QAction* all =
       add(tr("Show &all objects"), keys({"Ctrl+Shift+H"}), [&scene = on.scene] { scene.showAll(); });
-  onRefresh([all, &choices = on.choices] { all->setEnabled(!(choices.objectFilter() == ObjectFilter{})); });
+  onRefresh([this, all] {
+    allow(all, whyFixed());
+    if (all->isEnabled()) all->setEnabled(!(choices_.objectFilter() == ObjectFilter{}));
+  });
 }
 
 void SceneMenu::addFlight(Flight& flight) {
@@ -32,8 +37,10 @@ void SceneMenu::addFlight(Flight& flight) {
                           [&flight](bool on) { flight.setOn(on); });
   QAction* record =
       add(tr("&Record a flight"), keys({"Ctrl+Shift+R"}), [&flight] { flight.toggleRecording(); });
-  add(tr("&Back to the scene's camera"), keys({"Backspace"}), [&flight] { flight.reset(); });
-  onRefresh([fly, record, &flight] {
+  QAction* back = add(tr("&Back to the scene's camera"), keys({"Backspace"}), [&flight] { flight.reset(); });
+  onRefresh([this, fly, record, back, &flight] {
+    for (QAction* action : {fly, record, back}) allow(action, whyFixed());
+    if (flight.isOn() && !whyFixed().isEmpty()) flight.setOn(false);
     fly->setChecked(flight.isOn());
     record->setText(flight.isRecording() ? tr("End the &recording") : tr("&Record a flight"));
   });
@@ -41,12 +48,13 @@ void SceneMenu::addFlight(Flight& flight) {
 
 void SceneMenu::addCameras(CameraFiles& cameras) {
   QAction* save = add(tr("Sa&ve the flown camera…"), {}, [&cameras] { cameras.askWhereToSave(); });
-  add(tr("Open a recorded &camera…"), {}, [&cameras] { cameras.askForFile(); });
+  QAction* open = add(tr("Open a recorded &camera…"), {}, [&cameras] { cameras.askForFile(); });
   QAction* rename =
       add(tr("Re&name the flown camera…"), keys({"Ctrl+F2"}), [&cameras] { cameras.askForName(); });
   QAction* remove =
       add(tr("&Delete the flown camera"), keys({"Ctrl+Shift+Del"}), [&cameras] { cameras.remove(); });
-  onRefresh([save, rename, remove, &cameras] {
+  onRefresh([this, save, open, rename, remove, &cameras] {
+    allow(open, whyFixed());
     for (QAction* action : {save, rename, remove}) action->setEnabled(cameras.flown() != nullptr);
   });
 }
@@ -78,9 +86,14 @@ void SceneMenu::addSelection(ScenePanel& scene) {
     commands_.add(classes, ScenePanel::classLabel(offered),
                   {QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(++number))},
                   [&scene, offered] { scene.setClassOfSelected(offered); });
-  onRefresh([needSelection, motion, classes, &scene] {
-    for (QAction* action : needSelection) action->setEnabled(scene.selected() >= 0);
-    for (QMenu* choices : {motion, classes}) choices->setEnabled(scene.selected() >= 0);
+  onRefresh([this, needSelection, motion, classes, &scene] {
+    const bool isSelected = scene.selected() >= 0;
+    const auto& [hide, isolate, probe] = needSelection;
+    probe->setEnabled(isSelected);
+    for (QAction* action : {hide, isolate, motion->menuAction(), classes->menuAction()}) {
+      allow(action, whyFixed());
+      if (!isSelected) action->setEnabled(false);
+    }
   });
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/menus/Commands.h"
+#include "app/session/SceneChoices.h"
 
 namespace taa::app {
 
 class CameraFiles;
 class Flight;
 class LeftArea;
-class SceneChoices;
 class ScenePanel;
 
 class SceneMenu : public CommandMenu {
@@ -26,8 +26,11 @@ class SceneMenu : public CommandMenu {
  private:
   void addFlight(Flight& flight);
   void addCameras(CameraFiles& cameras);
+  QString whyFixed() const { return choices_.whyFixed(); }
   void addTree(LeftArea& left, ScenePanel& scene);
   void addSelection(ScenePanel& scene);
+
+  const SceneChoices& choices_;
 };
 
 } // namespace taa::app

@@ -8,6 +8,7 @@
 #include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/ProbePanel.h"
+#include "app/session/SceneChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -21,6 +22,7 @@ namespace taa::app {
 
 ViewMenu::ViewMenu(Commands& commands, const Targets& on, QWidget* parent)
     : CommandMenu(tr("&View"), commands, parent) {
+  setToolTipsVisible(true);
   addViews(on);
   addSeparator();
   addZoom(on.views);
@@ -42,7 +44,19 @@ void ViewMenu::addViews(const Targets& on) {
   QAction* linked = addCheck(tr("&Look at the same place in all"), QKeySequence(QStringLiteral("L")),
                              [&views](bool isLinked) { views.setLinked(isLinked); });
   onRefresh([&views, linked] { linked->setChecked(views.areLinked()); });
+  addEngine(on);
   addArrangement(views);
+}
+
+void ViewMenu::addEngine(const Targets& on) {
+  ViewArea& views = on.views;
+  QAction* beside = add(tr("&Ours beside the engine's"), keys({"Ctrl+Shift+U"}), [&views] {
+    if (views.viewCount() < 2) views.setViewCount(2);
+    views.view(0)->setIntermediate(IntermediateId::resolved);
+    views.view(1)->setIntermediate(IntermediateId::engineOutput);
+    views.setLinked(true);
+  });
+  onRefresh([&scene = on.scene, beside] { allow(beside, scene.whyNoEngineOutput()); });
 }
 
 void ViewMenu::addZoom(ViewArea& views) {

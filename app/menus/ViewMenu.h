@@ -11,6 +11,7 @@ class PipelinePanel;
 class PlotsPanel;
 class PresetChoices;
 class ProbePanel;
+class SceneChoices;
 class ThemeSetting;
 class ViewArea;
 class ViewChoices;
@@ -20,6 +21,7 @@ class ViewMenu : public CommandMenu {
  public:
   struct Targets {
     const PresetChoices& presets;
+    const SceneChoices& scene;
     ViewArea& views;
     ViewChoices& choices;
     LeftArea& left;
@@ -33,6 +35,7 @@ class ViewMenu : public CommandMenu {
 
  private:
   void addViews(const Targets& on);
+  void addEngine(const Targets& on);
   void addZoom(ViewArea& views);
   void addPanels(const Targets& on);
   void addLowerPages(LowerArea& lower);

@@ -18,6 +18,7 @@ struct AlphaSeries {
   /// Of the active probe, oldest first, up to `frame`; empty: not known.
   std::vector<double> measured;
   QString place;                       ///< of that probe: "(412, 207)"
+  std::vector<glm::vec2> jitterPx;     ///< of a capture, one period; empty: as the settings say
   std::optional<glm::dvec2> jitterWay; ///< of the frame, where it is known
 
   /// Frames since history started, as many as can still count.

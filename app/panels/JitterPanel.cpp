@@ -28,6 +28,22 @@ QString pair(const glm::dvec2& value) {
   return QStringLiteral("(%1, %2)").arg(fixed(value.x, 3), fixed(value.y, 3));
 }
 
+int periodOf(const AlphaSeries& series) {
+  return series.jitterPx.empty() ? jitterPeriod(series.settings.jitter)
+                                 : static_cast<int>(series.jitterPx.size());
+}
+
+JitterPattern patternOf(const AlphaSeries& series, const std::vector<double>& weights) {
+  if (!series.jitterPx.empty()) return jitterPattern(series.jitterPx, series.frame, weights);
+  return jitterPattern(series.settings.jitter, series.frame, weights, series.jitterWay.value_or(kFirstWay));
+}
+
+QString patternName(const AlphaSeries& series) {
+  if (!series.jitterPx.empty()) return JitterPanel::tr("The capture's own");
+  const Parameter& row = parameter("jitter.sequence");
+  return tableText(row.choices[static_cast<std::size_t>(row.get(series.settings))].label);
+}
+
 } // namespace
 
 JitterPanel::JitterPanel(QWidget* parent)
@@ -52,8 +68,8 @@ JitterPanel::JitterPanel(QWidget* parent)
   columns->addLayout(texts, 5);
   connect(view_, &JitterView::hovered, this, &JitterPanel::highlight);
   connect(view_, &JitterView::chosen, this, [this](int index) {
-    const int period = jitterPeriod(series().settings.jitter);
-    const int back = (jitterIndex(series().settings.jitter, series().frame) - index + period) % period;
+    const int period = periodOf(series());
+    const int back = (series().frame % period - index + period) % period;
     Q_EMIT seekRequested(std::max(0, series().frame - back));
   });
 }
@@ -85,16 +101,12 @@ void JitterPanel::refresh() {
   const JitterSettings& jitter = series().settings.jitter;
   const bool isMeasured = !series().measured.empty();
   const std::vector<double> weights = frameWeights(isMeasured ? series().measured : series().nominal());
-  const JitterPattern pattern =
-      jitterPattern(jitter, series().frame, weights, series().jitterWay.value_or(kFirstWay));
-  const int current = jitterIndex(jitter, series().frame);
+  const JitterPattern pattern = patternOf(series(), weights);
+  const int current = series().frame % periodOf(series());
   view_->setPattern(pattern, current);
   showTable(pattern, current);
   const int period = static_cast<int>(pattern.samples.size());
-  const Parameter& row = parameter("jitter.sequence");
-  const auto choice = static_cast<std::size_t>(row.get(series().settings));
-  title_->setText(
-      tr("%1, index %2 of %3").arg(tableText(row.choices[choice].label)).arg(current).arg(period));
+  title_->setText(tr("%1, index %2 of %3").arg(patternName(series())).arg(current).arg(period));
   QStringList lines;
   lines << (isMeasured ? tr("Weights as measured at %1. Frames: %2.").arg(series().place).arg(weights.size())
                        : tr("Weights by the settings, where nothing moves or changes. Frames: %1.")
@@ -104,7 +116,7 @@ void JitterPanel::refresh() {
                .arg(period);
   lines << tr("Covers %1 % of %2×%2 cells.").arg(fixed(100.0 * pattern.coverage, 0)).arg(pattern.cells);
   lines << tr("Middle %1 px, with weights %2 px.").arg(pair(pattern.mean), pair(pattern.weightedMean));
-  if (jitter.sequence == JitterSequence::Perpendicular)
+  if (series().jitterPx.empty() && jitter.sequence == JitterSequence::Perpendicular)
     lines << (series().jitterWay ? tr("The samples lie across the way the camera moves in this frame.")
                                  : tr("The samples are shown as for a camera that moves to the right."));
   setSummary(lines, QLatin1Char('\n'));

@@ -10,6 +10,7 @@
 #include "app/widgets/parameters/ChoiceButton.h"
 #include "app/widgets/parameters/ParameterRow.h"
 
+#include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
 
 #include <QFileInfo>
@@ -215,8 +216,23 @@ void PipelinePanel::layOut(const Section& section) {
 
 void PipelinePanel::setSettings(const Settings& settings, const Settings& preset) {
   for (ParameterRow* row : parameterRows_) row->display(settings, preset);
+  settings_ = settings;
+  showSummaries();
+}
+
+void PipelinePanel::showSummaries() {
   for (std::size_t i = 0; i < sections_.size(); ++i)
-    sections_[i].header->setSummary(summary(kStages[i].stage, settings));
+    sections_[i].header->setSummary(capture_ && kStages[i].stage == Stage::Jitter
+                                        ? tr("The capture's own")
+                                        : summary(kStages[i].stage, settings_));
+}
+
+void PipelinePanel::setCapture(const std::shared_ptr<const CaptureFacts>& capture) {
+  if (capture == capture_) return;
+  capture_ = capture;
+  for (ParameterRow* row : parameterRows_)
+    row->setFixed(capture && isFixedBy(*capture, row->row()) ? sentence(whyFixed(row->row())) : QString());
+  showSummaries();
 }
 
 void PipelinePanel::setPreset(const QString& id, bool changed) {

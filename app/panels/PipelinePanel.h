@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,8 @@ class PipelinePanel : public QWidget {
   explicit PipelinePanel(QWidget* parent = nullptr);
 
   void setSettings(const Settings& settings, const Settings& preset);
+  /// What of the settings is fixed by the capture that is open; null: a scene is.
+  void setCapture(const std::shared_ptr<const CaptureFacts>& capture);
   void setPreset(const QString& id, bool changed);
   /// The user's own, which can be chosen after the built-in ones.
   void setUserPresets(const std::vector<UserPreset>& presets);
@@ -91,6 +94,7 @@ class PipelinePanel : public QWidget {
   QWidget* makeTop();
   Section makeSection(const StageInfo& stage);
   void layOut(const Section& section);
+  void showSummaries();
   void applySearch();
   QString presetAt(int index) const;
   void wantThumbnails(bool visible);
@@ -103,6 +107,8 @@ class PipelinePanel : public QWidget {
   int sharesFrame_ = -1; ///< that the headings speak of; −1: none
   std::vector<ParameterRow*> parameterRows_;
   std::vector<IntermediateRow*> intermediateRows_;
+  std::shared_ptr<const CaptureFacts> capture_; // shared with the status
+  Settings settings_;                           ///< on show
   bool showsThumbnails_ = true;
   std::uint64_t firstShotVersion_ = 0; ///< of thumbnails to show
   QSize pictureSize_{16, 9}, wanted_{0, 0};

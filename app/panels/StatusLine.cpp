@@ -3,6 +3,7 @@
 #include "app/style/Icons.h"
 #include "app/style/Theme.h"
 
+#include "core/render/CaptureFacts.h"
 #include "core/render/SceneRenderer.h"
 #include "core/requests/RequestKinds.h"
 
@@ -15,8 +16,10 @@ namespace {
 
 /// "rendered at 640 × 360 · " where that is not the picture's size.
 QString drawnText(const Status& status) {
-  if (!isUpsampled(status.settings)) return {};
-  const glm::ivec2 drawn = drawnSize({status.width, status.height}, status.settings.inputs.renderScale);
+  const glm::ivec2 picture(status.width, status.height);
+  const glm::ivec2 drawn =
+      status.capture ? status.capture->renderPx : drawnSize(picture, status.settings.inputs.renderScale);
+  if (drawn == picture) return {};
   return StatusLine::tr("rendered at %1 × %2 · ").arg(drawn.x).arg(drawn.y);
 }
 

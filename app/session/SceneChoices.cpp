@@ -1,8 +1,10 @@
 #include "app/session/SceneChoices.h"
 
 #include "app/session/Outbox.h"
+#include "app/style/Text.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/CameraTrackJson.h"
+#include "core/render/CaptureFacts.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -94,6 +96,19 @@ void SceneChoices::setObjectFilter(const ObjectFilter& filter) {
   noteChange(filter_, filter, &SceneChoices::setObjectFilter, tr("change of what is drawn"));
   // Also where it is the same: what was just opened has none.
   filter_.sent(filter, outbox_.post(request::SetObjectFilter{filter}));
+}
+
+QString SceneChoices::whyFixed() const {
+  return status_.capture ? sentence(whyNoScene()) : QString();
+}
+
+QString SceneChoices::whyNoSurfaces() const {
+  return status_.capture ? tr("A capture has no surfaces to follow, only pictures of them.") : QString();
+}
+
+QString SceneChoices::whyNoEngineOutput() const {
+  const bool hasOutput = status_.capture && status_.capture->hasOutput;
+  return hasOutput ? QString() : sentence(taa::whyNoEngineOutput());
 }
 
 void SceneChoices::setHidden(const std::string& object, bool hidden) {

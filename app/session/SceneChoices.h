@@ -26,6 +26,13 @@ class SceneChoices : public QObject {
   /// `status` is that of the frame on show; it outlives this.
   SceneChoices(Outbox& outbox, UndoStack& undo, const Status& status);
 
+  /// Why cameras, objects and size cannot be chosen: a capture is open. Empty: they can.
+  QString whyFixed() const;
+  /// Why no probe can follow a surface; empty: it can.
+  QString whyNoSurfaces() const;
+  /// Why there is no output of an engine to compare with; empty: there is one.
+  QString whyNoEngineOutput() const;
+
   // Objects, while this scene is open; named as by nodeKey(), and with what is below them
   /// Which are hidden or isolated, by the requests so far.
   const ObjectFilter& objectFilter() const { return filter_.value(); }

@@ -128,10 +128,19 @@ void SessionKeeper::openSource(const QString& source) {
 void SessionKeeper::askWhatToOpen() {
   auto* dialog = new QFileDialog(
       window_, tr("Open a scene or a session"), {},
-      tr("Scenes and sessions (*.gltf *.glb *.taa.json);;glTF 2.0 scenes (*.gltf *.glb);;Sessions "
-         "(*.taa.json);;All files (*)"));
+      tr("Scenes, captures and sessions (*.gltf *.glb capture.json *.taa.json);;glTF 2.0 scenes (*.gltf "
+         "*.glb);;Captures (capture.json);;Sessions (*.taa.json);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::openSource);
+  dialog->open();
+}
+
+void SessionKeeper::askForCapture() {
+  auto* dialog = new QFileDialog(window_, tr("Open the folder of a capture"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly, false); // its files are what one knows it by
   connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::openSource);
   dialog->open();
 }

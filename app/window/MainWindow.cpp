@@ -39,6 +39,7 @@
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/bars/FlightBar.h"
+#include "app/widgets/bars/PinBar.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "app/window/Dialogs.h"
 #include "app/window/FlightFeed.h"
@@ -200,13 +201,15 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FileMenu(all, *keeper_, *exports_, bar));
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
-  bar->addMenu(new ViewMenu(
-      all, {session_.presets(), *views_, *choices_, *left_, *pipeline_, *probe_, *lower_, *plots_, *theme_},
-      bar));
+  bar->addMenu(new ViewMenu(all,
+                            {session_.presets(), session_.scene(), *views_, *choices_, *left_, *pipeline_,
+                             *probe_, *lower_, *plots_, *theme_},
+                            bar));
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
-  bar->addMenu(new ProbeMenu(all, {session_.probes(), *views_, *probe_, *probeCommands_, *prompts_}, bar));
+  bar->addMenu(new ProbeMenu(
+      all, {session_.probes(), *views_, *probe_, *probeCommands_, *prompts_, session_.scene()}, bar));
   bar->addMenu(new HelpMenu(all, session_, *lists_, bar));
 }
 
@@ -244,8 +247,11 @@ void MainWindow::connectPanels() {
           &PresetChoices::prepareParameter);
   connect(pipeline_, &PipelinePanel::presetConsidered, &session_.presets(), &PresetChoices::preparePreset);
   connect(&session_, &Session::stageSharesArrived, pipeline_, &PipelinePanel::setShares);
-  connect(&session_, &Session::statusChanged, pipeline_,
-          [this] { pipeline_->setFrame(session_.status().info.frame, session_.status().playing); });
+  connect(&session_, &Session::statusChanged, pipeline_, [this] {
+    pipeline_->setFrame(session_.status().info.frame, session_.status().playing);
+    pipeline_->setCapture(session_.status().capture);
+    probe_->pins()->setWhyNoSurfaces(session_.scene().whyNoSurfaces());
+  });
   connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
   connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
   connect(timeline_, &TimelinePanel::playToggled, &session_, &Session::togglePlaying);

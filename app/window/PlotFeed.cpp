@@ -6,6 +6,7 @@
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
 #include "app/session/Session.h"
+#include "core/render/CaptureFacts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -62,6 +63,11 @@ void PlotFeed::showAlphas() {
   AlphaSeries series;
   series.settings = session_.presets().settings();
   series.frame = status.info.frame;
+  if (status.capture) {
+    series.settings = settingsOn(*status.capture, series.settings);
+    const auto& all = status.capture->jitterPx;
+    series.jitterPx.assign(all.begin(), all.begin() + status.capture->jitterPeriod);
+  }
   if (status.settings.jitter.sequence == JitterSequence::Perpendicular)
     series.jitterWay = status.info.jitterWay;
   for (const std::vector<int>* starts : {&status.cuts, &status.restarts})

@@ -32,13 +32,13 @@ std::vector<Settings> usedOn(const CaptureFacts* capture, std::vector<Settings> 
   return lanes;
 }
 
-// A capture's size is its own, and what of the settings it was not made with is.
-void takeCapture(const std::vector<Settings>& lanes, ShotState& next) {
-  const auto capture = next.frames->capture();
-  next.lanes = usedOn(capture.get(), lanes);
-  if (!capture) return;
-  next.width = capture->outputPx.x;
-  next.height = capture->outputPx.y;
+// A capture's size is its own, and what of the settings only a renderer can be asked for.
+void takeOwn(const CaptureFacts* capture, const std::vector<Settings>& lanes, const glm::ivec2& scenePx,
+             ShotState& next) {
+  next.lanes = usedOn(capture, lanes);
+  const glm::ivec2 sizePx = capture ? capture->outputPx : scenePx;
+  next.width = sizePx.x;
+  next.height = sizePx.y;
 }
 
 } // namespace
@@ -53,7 +53,9 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.source = source;
   next.scene = std::move(opened.scene);
   next.frames = std::move(opened.frames);
-  takeCapture(lanes_, next);
+  const auto captured = next.frames->capture();
+  const glm::ivec2 scenePx = scenePx_.value_or(player_.picturePx());
+  takeOwn(captured.get(), lanes_, scenePx, next);
   const glm::ivec2 sizePx{next.width, next.height};
   const bool isResized = sizePx != player_.picturePx();
   if (isResized) requirePicture(driver_, next.lanes, sizePx, player_.watched(), !next.scene->fog.empty());
@@ -65,6 +67,7 @@ void InspectedShot::open(const std::string& source, const Progress& progress) {
   next.restarts.clear();
   next.frames->warmUp(next.request(0), progress);
   player_.open(std::move(next));
+  scenePx_ = captured ? std::optional(scenePx) : std::nullopt;
   if (isResized) player_.freeTextures();
   reference_.forget();
 }

@@ -12,9 +12,12 @@
 #include "core/settings/Lanes.h"
 #include "core/settings/Settings.h"
 
+#include <glm/vec2.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -153,6 +156,7 @@ class InspectedShot {
   const ShotProfiler& profiler_;
   BackgroundCompiler compiler_;
   std::vector<Settings> lanes_{Settings{}}; // as they were set
+  std::optional<glm::ivec2> scenePx_;       // while a capture is open: the size of what was open before
 };
 
 } // namespace taa

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace taa {
@@ -81,15 +82,22 @@ std::vector<double> calmAlphas(const Settings& settings, int frames) {
 
 JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights,
                             const glm::dvec2& way) {
+  std::vector<glm::vec2> points;
+  for (int index = 0; index < jitterPeriod(settings); ++index)
+    points.push_back(jitterPx(settings, index, way));
+  return jitterPattern(points, frame, weights);
+}
+
+JitterPattern jitterPattern(std::span<const glm::vec2> pointsPx, int frame, std::span<const double> weights) {
+  assert(!pointsPx.empty());
   JitterPattern pattern;
-  const int period = jitterPeriod(settings);
-  pattern.samples.resize(static_cast<std::size_t>(period));
+  const int period = static_cast<int>(pointsPx.size());
+  pattern.samples.resize(pointsPx.size());
   // Content is moved by the jitter, so the sample at the pixel's center shows what lies the other way.
-  for (int index = 0; index < period; ++index)
-    pattern.samples[static_cast<std::size_t>(index)].position =
-        0.5 - glm::dvec2(jitterPx(settings, index, way));
+  for (std::size_t index = 0; index < pointsPx.size(); ++index)
+    pattern.samples[index].position = 0.5 - glm::dvec2(pointsPx[index]);
   for (std::size_t age = 0; age < weights.size() && static_cast<int>(age) <= frame; ++age) {
-    const int index = jitterIndex(settings, frame - static_cast<int>(age));
+    const int index = (frame - static_cast<int>(age)) % period;
     pattern.samples[static_cast<std::size_t>(index)].weight += weights[weights.size() - 1 - age];
   }
   pattern.cells = std::max(1, static_cast<int>(std::floor(std::sqrt(static_cast<double>(period)))));

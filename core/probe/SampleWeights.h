@@ -46,5 +46,7 @@ struct JitterPattern {
 /// lay a little otherwise, are shown there too.
 JitterPattern jitterPattern(const JitterSettings& settings, int frame, std::span<const double> weights,
                             const glm::dvec2& way = kFirstWay);
+/// As above, of a pattern whose points are known: displacements of content, px, one for each index.
+JitterPattern jitterPattern(std::span<const glm::vec2> pointsPx, int frame, std::span<const double> weights);
 
 } // namespace taa

@@ -19,6 +19,8 @@
 
 namespace taa {
 
+struct CaptureFacts;
+
 struct ProbeResult {
   ProbePin pin{}; ///< whose, with its anchor
   PinSpot spot{}; ///< where it is now; there is nothing around one that is off screen or gone
@@ -69,8 +71,9 @@ struct Status {
   std::shared_ptr<const SceneOutline> outline; ///< made once, when it was opened
   ObjectFilter filter;
   std::vector<ClassOverride> objectClasses;
-  std::vector<CameraTrackHandle> tracks; ///< flown cameras, which are among `cameras`
-  CameraPose pose;                       ///< of the camera at this frame
+  std::shared_ptr<const CaptureFacts> capture; ///< null: a scene is open, not a capture
+  std::vector<CameraTrackHandle> tracks;       ///< flown cameras, which are among `cameras`
+  CameraPose pose;                             ///< of the camera at this frame
   bool recording = false;
   int recordedFrames = 0; ///< poses of the recording so far
   RequestId opened = 0;   ///< the request that opened the scene

@@ -28,11 +28,18 @@ PinBar::PinBar(QWidget* parent) : QWidget(parent) {
   follow_ = new SegmentedButtons({tr("Screen"), tr("Surface")});
   follow_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   follow_->setAccessibleName(tr("What the probe follows"));
-  follow_->setExplanations({tr("Stays on this pixel of the screen"),
-                            tr("Stays on the point of the surface that is here now, wherever it goes")});
+  setWhyNoSurfaces({});
   connect(follow_, &SegmentedButtons::chosen, this,
           [this](int index) { Q_EMIT followChosen(static_cast<Follow>(index)); });
   line->addWidget(follow_);
+}
+
+void PinBar::setWhyNoSurfaces(const QString& whyNot) {
+  follow_->setEnabled(whyNot.isEmpty());
+  follow_->setExplanations({tr("Stays on this pixel of the screen"),
+                            whyNot.isEmpty()
+                                ? tr("Stays on the point of the surface that is here now, wherever it goes")
+                                : whyNot});
 }
 
 void PinBar::setPins(const std::vector<ProbePin>& pins, int active) {

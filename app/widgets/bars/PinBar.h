@@ -20,6 +20,8 @@ class PinBar : public QWidget {
   explicit PinBar(QWidget* parent = nullptr);
 
   void setPins(const std::vector<ProbePin>& pins, int active);
+  /// Disables to follow surfaces and says why; empty: they can be followed.
+  void setWhyNoSurfaces(const QString& whyNot);
   QToolButton* button(int pin) const { return buttons_.at(static_cast<std::size_t>(pin)); }
   SegmentedButtons* follow() const { return follow_; }
 

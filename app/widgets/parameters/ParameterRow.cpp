@@ -112,6 +112,13 @@ void ParameterRow::display(const Settings& settings, const Settings& preset) {
   label_->setState(value_ != presetValue_, dimmed);
 }
 
+void ParameterRow::setFixed(const QString& why) {
+  setEnabled(why.isEmpty());
+  const QString tip = why.isEmpty() ? parameterToolTip(row_) : why.toHtmlEscaped();
+  label_->setToolTip(tip);
+  editor_->setToolTip(tip);
+}
+
 bool ParameterRow::isChanged() const {
   return label_->isChanged();
 }

@@ -24,6 +24,8 @@ class ParameterRow : public QWidget {
   double value() const { return value_; }
   /// Shows the row of `settings`; `preset` tells whether it is changed. Emits nothing.
   void display(const Settings& settings, const Settings& preset);
+  /// Disables the editor and says why in the tooltips; empty: it can be used.
+  void setFixed(const QString& why);
   bool isChanged() const;
   bool isDimmed() const;
   /// Whether a search for `text` finds it.

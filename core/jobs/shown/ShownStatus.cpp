@@ -1,5 +1,6 @@
 #include "core/jobs/shown/ShownStatus.h"
 
+#include "core/render/CaptureFacts.h"
 #include "core/render/jitter/Jitter.h"
 
 #include <utility>
@@ -18,7 +19,8 @@ void ShownStatus::deliver() {
   status.width = shot.width();
   status.height = shot.height();
   status.settings = shot.settings();
-  status.jitterPeriod = jitterPeriod(status.settings.jitter);
+  status.capture = shot.capture();
+  status.jitterPeriod = status.capture ? status.capture->jitterPeriod : jitterPeriod(status.settings.jitter);
   status.playing = transport_.isPlaying();
   status.driver = shot.driver();
   status.referenceGoal = wanted_.referenceSamples;
