@@ -34,19 +34,20 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::max_element ranges::min ranges::min_element ranges::none_of ranges::nth_element "
      "remove_if stable_partition ranges::remove_copy_if ranges::reverse ranges::sort "
      "ranges::stable_partition ranges::stable_sort "
-     "ranges::set_symmetric_difference ranges::transform ranges::unique ranges::upper_bound ranges::contains "
+     "ranges::mismatch ranges::set_symmetric_difference ranges::transform ranges::unique ranges::upper_bound "
+     "ranges::contains "
      "ranges::replace "
      "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax"},
     {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
-    {"bit", "bit_cast bit_width has_single_bit countr_zero popcount"},
+    {"bit", "bit_cast bit_width endian has_single_bit countr_zero popcount"},
     {"cctype", "isalnum isalpha isdigit isspace tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},
     {"chrono", "chrono chrono_literals milli"},
     {"cmath", "abs acos asin atan atan2 cbrt ceil copysign cos exp exp2 expm1 fabs floor fmax fmin fmod "
               "frexp hypot ilogb "
               "isfinite isinf isnan ldexp log log10 log1p log2 lround modf nan nanf nextafter pow remainder "
-              "round signbit "
+              "nearbyint round signbit "
               "sin sqrt tan trunc erf"},
     {"complex", "complex norm polar"},
     {"concepts", "integral same_as invocable floating_point convertible_to"},
@@ -92,7 +93,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"regex", "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator "
               "cregex_iterator regex_error"},
     {"set", "begin end erase erase_if multiset ptrdiff_t set size size_t initializer_list"},
-    {"span", "as_bytes begin end ptrdiff_t size size_t span initializer_list"},
+    {"span", "as_bytes begin end ptrdiff_t size size_t span initializer_list as_writable_bytes"},
     {"sstream", "fixed ios istringstream ostream ostringstream streamsize stringstream"},
     {"stdexcept", "invalid_argument logic_error out_of_range runtime_error"},
     {"string", "begin end erase erase_if getline initializer_list ptrdiff_t size size_t stod stof stoi stol "
