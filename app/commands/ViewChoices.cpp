@@ -20,12 +20,12 @@ namespace taa::app {
 namespace {
 
 /// What a chosen line of the list means; nothing: the number of a frame is asked for.
-struct Choice {
+struct ComparisonChoice {
   ChooserEntry entry;
   std::optional<Comparison> comparison;
 };
 
-void addPresets(std::vector<Choice>& choices, const QString& group, const QString& folder) {
+void addPresets(std::vector<ComparisonChoice>& choices, const QString& group, const QString& folder) {
   QString heading = group;
   for (const Preset& preset : builtinPresets()) {
     const QString id = QString::fromStdString(preset.id);
@@ -63,7 +63,7 @@ void ViewChoices::chooseIntermediate(int view) {
 }
 
 void ViewChoices::chooseComparison(int view) {
-  std::vector<Choice> choices;
+  std::vector<ComparisonChoice> choices;
   choices.push_back({{tr("Nothing"), {}, {}, {}}, Comparison{}});
   addPresets(choices, tr("The same with another preset"), presetFolder_);
   const QString frames = tr("The same in another frame");

@@ -35,7 +35,7 @@ QString fileOf(const StageInfo& stage) {
   return QStringLiteral("shaders/taa/") + qtext(stage.id) + QStringLiteral(".glsl");
 }
 
-QString textOf(const QString& what, const Settings& settings, const std::string& title) {
+QString glslText(const QString& what, const Settings& settings, const std::string& title) {
   try {
     if (what == kProgram) return QString::fromStdString(resolveSource(settings).text());
     if (what == kExport) return QString::fromStdString(exportedGlsl(settings, title));
@@ -110,7 +110,7 @@ void GlslWindow::refresh() {
   const std::string title = settingsTitle(presets.presetId(), presets.settings(), presets.presetSettings());
   QThreadPool::globalInstance()->start(
       [self = QPointer<GlslWindow>(this), what, title, settings = presets.settings(), asked = ++asked_] {
-        const QString text = textOf(what, settings, title);
+        const QString text = glslText(what, settings, title);
         QMetaObject::invokeMethod(
             qApp,
             [self, text, asked] {

@@ -19,17 +19,17 @@ namespace taa::app {
 namespace {
 
 constexpr std::array kDashes{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine, Qt::DashDotDotLine};
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int channel) {
   std::vector<QPointF> points;
   int expected = 0;
   for (const auto& [frame, sample] : trace.samples()) {
-    if (!points.empty() && frame != expected) points.emplace_back(expected, kGap);
+    if (!points.empty() && frame != expected) points.emplace_back(expected, kNoValue);
     const float value = twin::at(sample.record, id)[channel];
     const bool isValue =
         twin::isKnown(sample.record, id) && std::isfinite(value) && std::abs(value) < kNoPreviousPosition;
-    points.emplace_back(frame, isValue ? static_cast<double>(value) : kGap);
+    points.emplace_back(frame, isValue ? static_cast<double>(value) : kNoValue);
     expected = frame + 1;
   }
   return points;

@@ -20,10 +20,9 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
-constexpr int kFraction = 12;      ///< characters kept free after the whole part of a value
+constexpr int kFraction = 12; ///< characters kept free after the whole part of a value
 
-QString valueText(const Intermediate& row, const glm::vec4& value, const SpaceSettings& space) {
+QString cellText(const Intermediate& row, const glm::vec4& value, const SpaceSettings& space) {
   const std::vector<std::string> names = channelNames(row, space);
   QStringList lines;
   for (int channel = 0; channel < row.channels; ++channel) {
@@ -48,15 +47,17 @@ ProbeModel::ProbeModel(QObject* parent)
 }
 
 void ProbeModel::setPixel(const ProbeResult& result) {
-  setRecord(result.around.at(kMiddle));
+  setRecord(result.around.at(kProbedMiddle));
   pixel_ = result;
 }
 
 RowStory ProbeModel::storyOf(IntermediateId id) const {
   if (!pixel_ || !pixel_->details) return {};
-  return taa::storyOf(
-      id,
-      {pixel_->around[kMiddle], *pixel_->details, pixel_->settings, pixel_->info, {pixel_->x, pixel_->y}});
+  return taa::storyOf(id, {pixel_->around[kProbedMiddle],
+                           *pixel_->details,
+                           pixel_->settings,
+                           pixel_->info,
+                           {pixel_->x, pixel_->y}});
 }
 
 void ProbeModel::setRecord(const std::optional<twin::PixelRecord>& record) {
@@ -115,7 +116,7 @@ QString ProbeModel::cell(const Intermediate& row, int column) const {
   const Settings& settings = pixel_ ? pixel_->settings : Settings{};
   if (column == Meaning) return qtext(meaningOf(row.id, *record_, settings));
   if (!twin::isKnown(*record_, row.id)) return QStringLiteral("—");
-  return valueText(row, twin::at(*record_, row.id), settings.space);
+  return cellText(row, twin::at(*record_, row.id), settings.space);
 }
 
 QVariant ProbeModel::data(const QModelIndex& index, int role) const {

@@ -1,5 +1,6 @@
 #include "app/panels/PipelinePanel.h"
 
+#include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/widgets/IconButton.h"
@@ -46,16 +47,10 @@ QString summary(Stage stage, const Settings& settings) {
   return {};
 }
 
-QString percent(double share) {
-  const double value = 100.0 * share;
-  return value < 0.1 ? QStringLiteral("< 0.1 %")
-                     : QStringLiteral("%1 %").arg(value, 0, 'f', value < 10.0 ? 1 : 0);
-}
-
 /// What a stage did to the frame, in a few words.
-QString shareText(const StageShare& stage, bool startsHistory) {
+QString stageShareText(const StageShare& stage, bool startsHistory) {
   const bool isNone = stage.share == 0.0;
-  const QString share = percent(stage.share);
+  const QString share = percentText(100.0 * stage.share);
   switch (stage.stage) {
   case Stage::DilateMotion:
     return isNone ? PipelinePanel::tr("changed nothing")
@@ -264,7 +259,8 @@ void PipelinePanel::setShown(const std::vector<IntermediateId>& views, int activ
 void PipelinePanel::setShares(const StageShares& shares) {
   sharesFrame_ = shares.frame;
   for (const StageShare& stage : shares.stages)
-    sections_[static_cast<std::size_t>(stage.stage)].header->setNote(shareText(stage, shares.startsHistory));
+    sections_[static_cast<std::size_t>(stage.stage)].header->setNote(
+        stageShareText(stage, shares.startsHistory));
 }
 
 // What was said of another frame is not true of this one.

@@ -33,8 +33,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kRefresh = 100;    ///< ms
-constexpr int kChartHeight = 72; ///< three of them fit in the area as it opens
+constexpr int kPlotsRefresh = 100; ///< ms
+constexpr int kChartHeight = 72;   ///< three of them fit in the area as it opens
 
 } // namespace
 
@@ -58,7 +58,7 @@ PlotsPanel::PlotsPanel(QWidget* parent) : QWidget(parent) {
   area->setWidget(content);
   rows->addWidget(area, 100);
   refresh_.setSingleShot(true);
-  refresh_.setInterval(kRefresh);
+  refresh_.setInterval(kPlotsRefresh);
   connect(&refresh_, &QTimer::timeout, this, &PlotsPanel::refresh);
   setRows(firstPlotRows());
 }

@@ -55,9 +55,8 @@ double finite(const QJsonValue& value, double otherwise) {
 
 constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::historyRectified,
                                          IntermediateId::resolved};
-constexpr std::size_t kMiddle = 4; ///< of the 3×3 records
-constexpr int kValueColumn = 18;   ///< characters
-constexpr int kCellMargins = 14;   ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
+constexpr int kValueColumn = 18;  ///< characters
+constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
 
 } // namespace
 
@@ -220,15 +219,15 @@ void ProbePanel::fitColumns() {
     name = std::max(name, widthOf(tableText(row.label)));
     unit = std::max(unit, widthOf(tableText(row.unit)));
   }
-  const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kCellMargins;
-  const int unitWidth = unit + kCellMargins;
+  const int valueWidth = digits.horizontalAdvance(QString(kValueColumn, QLatin1Char('0'))) + kValueMargins;
+  const int unitWidth = unit + kValueMargins;
   const int room = width() - table_->verticalScrollBar()->sizeHint().width() - valueWidth - unitWidth;
-  const int nameWidth = std::min(room, name + table_->indentation() + kCellMargins);
+  const int nameWidth = std::min(room, name + table_->indentation() + kValueMargins);
   table_->setColumnWidth(ProbeModel::Name, nameWidth);
   table_->setColumnWidth(ProbeModel::Value, valueWidth);
   table_->setColumnWidth(ProbeModel::Unit, unitWidth);
   table_->setColumnHidden(ProbeModel::Meaning,
-                          room - nameWidth < widthOf(QObject::tr("the pixel itself")) + kCellMargins);
+                          room - nameWidth < widthOf(QObject::tr("the pixel itself")) + kValueMargins);
 }
 
 void ProbePanel::resizeEvent(QResizeEvent*) {
@@ -259,9 +258,9 @@ void ProbePanel::setPins(const std::vector<ProbePin>& pins, int active) {
 }
 
 void ProbePanel::setResult(const ProbeResult& result) {
-  if (result.around.size() <= kMiddle) return showLost(result);
+  if (result.around.size() <= kProbedMiddle) return showLost(result);
   result_ = result;
-  const PixelRecord& record = result.around[kMiddle];
+  const PixelRecord& record = result.around[kProbedMiddle];
   place_->setText(tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame));
   QStringList lines;
   for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
@@ -278,7 +277,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
 void ProbePanel::showColors() {
   const ProbeResult& result = *result_;
   for (std::size_t i = 0; i < swatches_.size(); ++i) {
-    if (!twin::isKnown(result.around[kMiddle], kNeighbors[i])) {
+    if (!twin::isKnown(result.around[kProbedMiddle], kNeighbors[i])) {
       swatches_[i]->setColors({});
       continue;
     }
@@ -319,7 +318,7 @@ QString ProbePanel::valueText(IntermediateId fallback) const {
   if (!result_) return {};
   const auto selected = table_->hasFocus() ? model_->idOf(table_->currentIndex()) : std::nullopt;
   const IntermediateId id = selected.value_or(fallback);
-  const PixelRecord& record = result_->around[kMiddle];
+  const PixelRecord& record = result_->around[kProbedMiddle];
   if (!twin::isKnown(record, id))
     return model_->data(model_->indexOf(id, ProbeModel::Meaning), Qt::DisplayRole).toString();
   return rowText(intermediate(id), twin::at(record, id));

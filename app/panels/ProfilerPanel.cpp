@@ -24,13 +24,13 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kRefresh = 200; ///< ms
+constexpr int kProfilerRefresh = 200; ///< ms
 
 QString ms(double value) {
   return QString::number(value, 'f', value < 10.0 ? 3 : 2);
 }
 
-QString percent(double part) {
+QString percentNumber(double part) {
   return QString::number(100.0 * part, 'f', 1);
 }
 
@@ -71,7 +71,7 @@ ProfilerPanel::ProfilerPanel(QWidget* parent) : QWidget(parent) {
   columns->addWidget(titled(new QLabel(tr("Memory on the GPU")), memory_), 8);
   rows->addLayout(columns, 1);
   refresh_.setSingleShot(true);
-  refresh_.setInterval(kRefresh);
+  refresh_.setInterval(kProfilerRefresh);
   connect(&refresh_, &QTimer::timeout, this, &ProfilerPanel::refresh);
 }
 
@@ -133,7 +133,7 @@ void ProfilerPanel::refresh() {
 void ProfilerPanel::showPasses() {
   std::vector<ValueTable::Row> rows;
   for (const ProfileSeries::Row& row : series_.rows())
-    rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percent(row.share)},
+    rows.push_back({{tableText(row.name), ms(row.last), ms(row.median), percentNumber(row.share)},
                     ProfileChart::colorOf(rows.size())});
   rows.push_back({{tr("All"), ms(series_.last().totalMs), ms(series_.medianTotal()), {}}, {}, true});
   passes_->setRows(rows);
@@ -155,7 +155,7 @@ void ProfilerPanel::setStageCosts(const StageCosts& costs) {
   costs_ = costs;
   std::vector<ValueTable::Row> rows;
   const auto share = [&](double time) {
-    return percent(costs.whole.median > 0.0 ? time / costs.whole.median : 0.0);
+    return percentNumber(costs.whole.median > 0.0 ? time / costs.whole.median : 0.0);
   };
   for (const StageCost& cost : costs.stages) {
     const bool isClear = cost.verdict() == CostVerdict::Clear, isNoise = cost.verdict() == CostVerdict::Noise;

@@ -14,7 +14,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kSettleMs = 2000, kAlwaysMs = 10000;
+constexpr int kAutosaveSettleMs = 2000, kAlwaysMs = 10000;
 constexpr int kMaxLeft = 8, kMaxKept = 20; ///< files; the oldest go
 
 QString ending() {
@@ -57,7 +57,7 @@ Autosave::Autosave(const QString& folder, Text text, QObject* parent)
   lock_.setStaleLockTime(0); // only the end of its program frees a lock, however old it is
   lock_.tryLock(0);
   soon_.setSingleShot(true);
-  soon_.setInterval(kSettleMs);
+  soon_.setInterval(kAutosaveSettleMs);
   connect(&soon_, &QTimer::timeout, this, &Autosave::save);
   connect(&always_, &QTimer::timeout, this, &Autosave::save);
   always_.start(kAlwaysMs);

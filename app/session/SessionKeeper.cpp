@@ -52,7 +52,7 @@ QString pathKey() {
   return QStringLiteral("path");
 }
 
-std::string textOf(const QJsonObject& window) {
+std::string windowText(const QJsonObject& window) {
   return QJsonDocument(window).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -75,7 +75,7 @@ SessionKeeper::SessionKeeper(Session& session, StateAccess state, QSettings* set
 
 SessionFile SessionKeeper::file() const {
   SessionFile file = session_.file();
-  file.window = textOf(state_.capture());
+  file.window = windowText(state_.capture());
   return file;
 }
 
@@ -87,7 +87,7 @@ SessionFile SessionKeeper::wholeFile() const {
   QJsonObject window = state_.capture();
   window[geometryKey()] = QString::fromLatin1(window_->saveGeometry().toBase64());
   if (!path_.isEmpty()) window[pathKey()] = QFileInfo(path_).absoluteFilePath();
-  file.window = textOf(window);
+  file.window = windowText(window);
   return file;
 }
 

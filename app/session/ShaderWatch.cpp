@@ -8,7 +8,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kSettleMs = 150;
+constexpr int kShadersSettleMs = 150;
 
 QHash<QString, QByteArray> digestsIn(const QString& folder) {
   QHash<QString, QByteArray> digests;
@@ -29,7 +29,7 @@ QHash<QString, QByteArray> digestsIn(const QString& folder) {
 ShaderWatch::ShaderWatch(const QString& folder, QObject* parent)
     : QObject(parent), folder_(folder), digests_(digestsIn(folder)) {
   settles_.setSingleShot(true);
-  settles_.setInterval(kSettleMs);
+  settles_.setInterval(kShadersSettleMs);
   connect(&settles_, &QTimer::timeout, this, &ShaderWatch::look);
   const auto wait = [this] { settles_.start(); };
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);

@@ -1,5 +1,6 @@
 #include "app/style/Numbers.h"
 
+#include <QObject>
 #include <QStringList>
 
 #include <algorithm>
@@ -45,6 +46,11 @@ QString alignedText(float value, int fraction) {
   const QString text = shownText(value);
   const qsizetype after = text.size() - wholeLength(text);
   return text + QString(std::max<qsizetype>(0, fraction - after), QChar(QChar::Nbsp));
+}
+
+QString percentText(double percent) {
+  if (percent > 0 && percent < 0.1) return QObject::tr("< 0.1 %");
+  return QObject::tr("%1 %").arg(percent, 0, 'f', percent < 10 ? 1 : 0);
 }
 
 } // namespace taa::app

@@ -15,6 +15,8 @@ QString shownText(float value);
 QString shortText(double value, int digits = 3);
 /// "(0.184, 0.22, 0.305)" or "0.184".
 QString tupleText(std::span<const float> values, int digits = 4);
+/// "< 0.1 %", "3.2 %", "45 %".
+QString percentText(double percent);
 /// shownText padded so that `fraction` characters follow the whole part: in a column aligned to the right the
 /// decimal points line up. Padded with spaces that do not break.
 QString alignedText(float value, int fraction);

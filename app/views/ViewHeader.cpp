@@ -22,10 +22,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kLetter = 18;
-constexpr int kGap = 4;
-constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
-                              ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
+constexpr int kHeaderLetter = 18;
+constexpr int kHeaderGap = 4;
 
 QString zoomText(double zoom) {
   return zoom >= 1.0 ? QStringLiteral("%1×").arg(shortText(zoom))
@@ -63,7 +61,7 @@ void ViewHeader::makeControls() {
   map_ = new ChoiceButton(this);
   map_->setToolTip(tr("Color map (M)"));
   QStringList maps;
-  for (const ColorMap map : kMaps) maps << tableText(colorMapName(map));
+  for (const ColorMap map : kColorMaps) maps << tableText(colorMapName(map));
   map_->setChoices(maps);
   compare_ = new IconButton(QStringLiteral("compare"),
                             tr("Compare with another intermediate, preset or frame (C)"), this);
@@ -105,7 +103,7 @@ void ViewHeader::connectControls() {
           [this](int index) { Q_EMIT showingChosen(static_cast<Showing>(index)); });
   connect(map_, &ChoiceButton::chosen, this, [this](int index) {
     ViewStyle style = style_;
-    style.map = kMaps[index];
+    style.map = kColorMaps[index];
     editStyle(style);
   });
   const auto edits = [this](NumberField* field, float ViewStyle::*member) {
@@ -150,8 +148,8 @@ void ViewHeader::setContent(const Intermediate& row, const ViewStyle& style, con
   low_->setValue(style.low);
   high_->setValue(style.high);
   exposure_->setValue(style.exposure);
-  for (int index = 0; index < static_cast<int>(std::size(kMaps)); ++index)
-    if (kMaps[index] == style.map) map_->setCurrent(index);
+  for (int index = 0; index < static_cast<int>(std::size(kColorMaps)); ++index)
+    if (kColorMaps[index] == style.map) map_->setCurrent(index);
   arrange();
 }
 
@@ -235,10 +233,10 @@ bool fitInto(Items& items, int room, int gap) {
 
 void ViewHeader::arrange() {
   std::vector<Item> all = items();
-  int left = 2 * kUnit + kLetter + kGap;
+  int left = 2 * kUnit + kHeaderLetter + kHeaderGap;
   const int room = width() - left - kUnit, moreWidth = more_->sizeHint().width();
-  const bool isAll = fitInto(all, room, kGap);
-  if (!isAll) fitInto(all, room - moreWidth - kGap, kGap);
+  const bool isAll = fitInto(all, room, kHeaderGap);
+  if (!isAll) fitInto(all, room - moreWidth - kHeaderGap, kHeaderGap);
   more_->setVisible(!isAll);
   int right = width() - kUnit;
   for (const Item& item : all) {
@@ -249,11 +247,11 @@ void ViewHeader::arrange() {
     if (item.widget == zoom_) {
       right -= item.width; // at the right end
       item.widget->setGeometry(right, top, item.width, kRowHeight);
-      right -= kGap;
+      right -= kHeaderGap;
       continue;
     }
     item.widget->setGeometry(left, top, item.width, kRowHeight);
-    left += item.width + kGap;
+    left += item.width + kHeaderGap;
   }
   if (!isAll) more_->setGeometry(right - moreWidth, (kHeight - kRowHeight) / 2, moreWidth, kRowHeight);
 }
@@ -281,7 +279,8 @@ void ViewHeader::paintEvent(QPaintEvent*) {
   const ThemeColors& colors = themeColors(this);
   QPainter painter(this);
   painter.fillRect(rect(), colors.panel);
-  paintViewLetter(painter, {2 * kUnit, (kHeight - kLetter) / 2, kLetter, kLetter}, letter_, active_, colors);
+  paintViewLetter(painter, {2 * kUnit, (kHeight - kHeaderLetter) / 2, kHeaderLetter, kHeaderLetter}, letter_,
+                  active_, colors);
 }
 
 void ViewHeader::resizeEvent(QResizeEvent*) {

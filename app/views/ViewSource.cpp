@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace taa::app {
 
@@ -20,12 +19,6 @@ namespace {
 
 constexpr std::array<const char*, kOverlayCount> kOverlayKeys = {"clipped", "rejected", "outlines",
                                                                  "arrows",  "grid",     "wholeLegend"};
-constexpr ColorMap kMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
-                              ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
-
-QString textOf(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 float numberOf(const QJsonObject& json, const char* key, float otherwise) {
   const double number = json.value(QLatin1String(key)).toDouble(static_cast<double>(otherwise));
@@ -37,7 +30,7 @@ QJsonObject jsonOf(const ViewStyle& style) {
           {QStringLiteral("high"), static_cast<double>(style.high)},
           {QStringLiteral("exposure"), static_cast<double>(style.exposure)},
           {QStringLiteral("channels"), QJsonArray{style.red, style.green, style.blue}},
-          {QStringLiteral("map"), textOf(colorMapName(style.map))},
+          {QStringLiteral("map"), qtext(colorMapName(style.map))},
           {QStringLiteral("marks"), style.markInvalid}};
 }
 
@@ -49,8 +42,8 @@ ViewStyle styleOf(const QJsonObject& json, ViewStyle style) {
   style.red = channels.at(0).toBool(style.red);
   style.green = channels.at(1).toBool(style.green);
   style.blue = channels.at(2).toBool(style.blue);
-  for (const ColorMap map : kMaps)
-    if (json.value(QLatin1String("map")).toString() == textOf(colorMapName(map))) style.map = map;
+  for (const ColorMap map : kColorMaps)
+    if (json.value(QLatin1String("map")).toString() == qtext(colorMapName(map))) style.map = map;
   style.markInvalid = json.value(QLatin1String("marks")).toBool(style.markInvalid);
   return style;
 }
@@ -166,17 +159,17 @@ std::optional<OtherSide> ViewSource::otherSide(const QStringList& presets) const
 QJsonObject ViewSource::state() const {
   QJsonObject styles;
   for (const auto& [id, style] : remembered_)
-    if (!(style == defaultStyle(intermediate(id)))) styles[textOf(intermediate(id).name)] = jsonOf(style);
-  styles[textOf(intermediate(id_).name)] = jsonOf(style_);
+    if (!(style == defaultStyle(intermediate(id)))) styles[qtext(intermediate(id).name)] = jsonOf(style);
+  styles[qtext(intermediate(id_).name)] = jsonOf(style_);
   QJsonObject overlays;
   for (int index = 0; index < kOverlayCount; ++index)
     overlays[QLatin1String(kOverlayKeys[static_cast<std::size_t>(index)])] =
         shows(static_cast<Overlay>(index));
-  return {{QStringLiteral("intermediate"), textOf(intermediate(id_).name)},
+  return {{QStringLiteral("intermediate"), qtext(intermediate(id_).name)},
           {QStringLiteral("styles"), styles},
           {QStringLiteral("difference"), jsonOf(difference_)},
           {QStringLiteral("comparedWith"), QString::fromStdString(comparisonText(comparison_))},
-          {QStringLiteral("shows"), textOf(showingName(showing_))},
+          {QStringLiteral("shows"), qtext(showingName(showing_))},
           {QStringLiteral("overlays"), overlays}};
 }
 
@@ -184,7 +177,7 @@ void ViewSource::setState(const QJsonObject& state) {
   const QJsonObject styles = state.value(QLatin1String("styles")).toObject();
   remembered_.clear();
   for (const Intermediate& row : kIntermediates)
-    if (const QJsonValue style = styles.value(textOf(row.name)); style.isObject())
+    if (const QJsonValue style = styles.value(qtext(row.name)); style.isObject())
       remembered_[row.id] = styleOf(style.toObject(), defaultStyle(row));
   id_ = read(state.value(QLatin1String("intermediate")), intermediateNamed).value_or(id_);
   style_ = rememberedStyle(id_);

@@ -18,7 +18,7 @@ namespace taa::app {
 namespace {
 
 constexpr int kIcon = 12;
-constexpr int kLetter = 14;
+constexpr int kRowLetter = 14;
 
 } // namespace
 
@@ -83,7 +83,7 @@ void IntermediateRow::paintEvent(QPaintEvent*) {
                      iconPixmap(QStringLiteral("picture"), colors.secondary, kIcon, devicePixelRatioF()));
   QRect inside = rect().adjusted(left + kIcon + 2 * kUnit, 0, -2 * kUnit, 0);
   for (qsizetype i = letters_.size() - 1; i >= 0; --i) {
-    const QRect box(inside.right() - kLetter + 1, (height() - kLetter) / 2, kLetter, kLetter);
+    const QRect box(inside.right() - kRowLetter + 1, (height() - kRowLetter) / 2, kRowLetter, kRowLetter);
     paintViewLetter(painter, box, letters_[i], letters_[i] == active_, colors);
     inside.setRight(box.left() - kUnit);
   }

@@ -23,7 +23,7 @@ struct HoverTexts {
 
 using Values = std::optional<std::vector<float>>;
 
-QString valueText(const Values& values, IntermediateId id, bool startsHistory) {
+QString hoveredText(const Values& values, IntermediateId id, bool startsHistory) {
   if (isOfHistory(id) && startsHistory) return HoverTexts::tr("no history yet");
   const auto count = std::min(values->size(), static_cast<std::size_t>(intermediate(id).channels));
   return tupleText(std::span(*values).first(count), 5);
@@ -38,7 +38,7 @@ QString hoverText(const ViewPanel& view, bool startsHistory) {
   const QChar letter(static_cast<char16_t>('A' + view.index()));
   QString text = QStringLiteral("%1 (%2, %3)").arg(letter).arg(pixel->x).arg(pixel->y);
   const auto add = [&](const Values& values, IntermediateId id, const QString& before) {
-    if (values) text += before + valueText(values, id, startsHistory);
+    if (values) text += before + hoveredText(values, id, startsHistory);
   };
   add(viewport->valueAt(*pixel), view.id(),
       view.isDifference() ? HoverTexts::tr("  difference ") : QStringLiteral("  "));

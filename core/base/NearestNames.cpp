@@ -8,7 +8,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kLongest = 100; ///< bytes of a name that are compared
+constexpr std::size_t kLongestCompared = 100; ///< bytes of a name that are compared
 
 // Levenshtein's distance.
 std::size_t editDistance(std::string_view a, std::string_view b) {
@@ -31,7 +31,7 @@ std::vector<std::string_view> nearestNames(std::string_view name, std::span<cons
                                            std::size_t count) {
   std::vector<std::pair<std::size_t, std::string_view>> ranked;
   for (const std::string_view known : names)
-    ranked.emplace_back(editDistance(name.substr(0, kLongest), known), known);
+    ranked.emplace_back(editDistance(name.substr(0, kLongestCompared), known), known);
   std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
   std::vector<std::string_view> nearest;
   for (const auto& [distance, known] : ranked)

@@ -18,7 +18,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kFrames = 2;          // on show, and being made
+constexpr std::size_t kFramesInUse = 2;     // on show, and being made
 constexpr std::size_t kHistoriesOfLane = 3; // resolved from, shown, resolved into
 constexpr std::size_t kFreeHistories = 4;   // at most, that the pool holds for later
 
@@ -51,13 +51,13 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     const auto before = lanes.begin() + static_cast<std::ptrdiff_t>(lane);
     if (std::none_of(lanes.begin(), before,
                      [&](const Settings& other) { return sameInputs(other, settings); }))
-      need.inputs += kFrames * inputBytes(settings.inputs, picturePx, hasFog);
+      need.inputs += kFramesInUse * inputBytes(settings.inputs, picturePx, hasFog);
     scratch = std::max(scratch, scratchBytes(settings.inputs, picturePx, hasFog));
     const std::size_t history = historyBytes(picturePx.x, picturePx.y, settings);
     largestHistory = std::max(largestHistory, history);
     need.histories += kHistoriesOfLane * history;
-    need.exposures += kFrames * exposureBytes(ExposureLayout(watched, rowSources(settings)),
-                                              {0, 0, picturePx.x, picturePx.y});
+    need.exposures += kFramesInUse * exposureBytes(ExposureLayout(watched, rowSources(settings)),
+                                                   {0, 0, picturePx.x, picturePx.y});
   }
   for (const IntermediateId id : watched) {
     if (!isOfReference(id)) continue;

@@ -36,8 +36,8 @@ std::vector<IntermediateId> rowsOf(const std::vector<Metric>& wanted) {
   return inTableOrder(std::move(ids));
 }
 
-void addRows(FrameMetrics& metrics, const std::vector<Metric>& wanted, const std::vector<IntermediateId>& ids,
-             const std::vector<Image>& rows) {
+void addRowMetrics(FrameMetrics& metrics, const std::vector<Metric>& wanted,
+                   const std::vector<IntermediateId>& ids, const std::vector<Image>& rows) {
   for (const Metric metric : wanted)
     if (const auto id = rowOf(metric))
       metrics.at(metric) =
@@ -72,7 +72,7 @@ FrameMetrics MetricsOfShot::measure(const std::vector<Metric>& wanted, int lane)
   FrameMetrics metrics{
       .frame = player_.shown().frame, .lane = lane, .exact = player_.lane(lane).exact, .values = {}};
   const std::vector<IntermediateId> ids = rowsOf(wanted);
-  addRows(metrics, wanted, ids, views_.images(ids, lane));
+  addRowMetrics(metrics, wanted, ids, views_.images(ids, lane));
   if (const std::optional<int> samples = flicker_.samples(lane))
     addFlicker(metrics, wanted, flicker_.maps(lane), *samples);
   ReferenceRows* const rows =
@@ -107,7 +107,7 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
     const Exposure exposure = maker.expose(state, made, ids, 0);
     for (const IntermediateId id : ids) rows.push_back(exposure.image(id));
   }
-  addRows(metrics, wanted, ids, rows);
+  addRowMetrics(metrics, wanted, ids, rows);
   Image output;
   if (reference || isOverTime)
     output = maker.expose(state, made, {IntermediateId::output}, 0).image(IntermediateId::output);

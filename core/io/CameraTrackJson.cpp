@@ -18,10 +18,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::uintmax_t kMaxBytes = std::uintmax_t(64) << 20;
-constexpr std::size_t kNumbers = 6, kMinNumbers = 5;
+constexpr std::uintmax_t kMaxTrackBytes = std::uintmax_t(64) << 20;
+constexpr std::size_t kMaxNumbers = 6, kMinNumbers = 5;
 
-std::array<float, kNumbers> numbersOf(const CameraPose& pose) {
+std::array<float, kMaxNumbers> numbersOf(const CameraPose& pose) {
   return {pose.position.x, pose.position.y, pose.position.z, pose.yaw, pose.pitch, pose.fovY};
 }
 
@@ -31,7 +31,7 @@ CameraPose poseFrom(const std::vector<float>& numbers) {
   pose.position = {numbers[0], numbers[1], numbers[2]};
   pose.yaw = numbers[3];
   pose.pitch = numbers[4];
-  if (numbers.size() == kNumbers) pose.fovY = numbers[5];
+  if (numbers.size() == kMaxNumbers) pose.fovY = numbers[5];
   return pose;
 }
 
@@ -55,7 +55,7 @@ CameraPose parseCameraPose(const std::string& text) {
     if (!rest.empty()) rest.remove_prefix(1);
     numbers.push_back(number);
   }
-  if (!isRight || numbers.size() < kMinNumbers || numbers.size() > kNumbers)
+  if (!isRight || numbers.size() < kMinNumbers || numbers.size() > kMaxNumbers)
     throw Error(say<"\"%1\" is not x,y,z,yaw,pitch or x,y,z,yaw,pitch,fov, for example 0,1.6,4,0,-10">(text));
   CameraPose pose = poseFrom(numbers);
   checkCameraTrack({kFreeCamera, 0, {pose}});
@@ -79,7 +79,7 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
     track.firstFrame = json.at("firstFrame").get<int>();
     for (const ordered_json& row : json.at("poses")) {
       const auto numbers = row.get<std::vector<float>>();
-      if (numbers.size() < kMinNumbers || numbers.size() > kNumbers)
+      if (numbers.size() < kMinNumbers || numbers.size() > kMaxNumbers)
         throw Error(say<"a pose is [x, y, z, yaw, pitch, fov]">());
       track.poses.push_back(poseFrom(numbers));
     }
@@ -92,7 +92,7 @@ CameraTrack cameraTrackFrom(const ordered_json& json) {
 }
 
 CameraTrack readCameraTrack(const std::filesystem::path& path) {
-  const std::string text = readFile(path, kMaxBytes);
+  const std::string text = readFile(path, kMaxTrackBytes);
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   try {
     return cameraTrackFrom(json);

@@ -2,6 +2,7 @@
 
 #include "core/base/Files.h"
 #include "core/base/Say.h"
+#include "core/base/Text.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/rows/ChannelNames.h"
 
@@ -87,12 +88,6 @@ std::vector<std::string> namesIn(OIIO::ImageInput& input) {
   // Asking for the part after the last one leaves a message behind.
   (void)input.geterror();
   return names;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 OpenPart openPart(const std::filesystem::path& path, const std::string& part) {

@@ -3,13 +3,12 @@
 
 #include "core/base/Error.h"
 #include "core/base/Files.h"
+#include "core/base/Json.h"
 #include "core/base/Say.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/settings/Lanes.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -20,21 +19,20 @@
 namespace taa {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 namespace {
 
-constexpr int kFormat = 1;
-constexpr std::uintmax_t kMaxBytes = 4u << 20;
+constexpr int kSessionFormat = 1;
+constexpr std::uintmax_t kMaxSessionBytes = 4u << 20;
 constexpr int kDeepest = 32; ///< levels of the JSON
-constexpr std::size_t kLongest = 4096, kMaxModes = 4096;
+constexpr std::size_t kLongestName = 4096, kMaxModes = 4096;
 constexpr std::size_t kMaxFurtherLanes = kMaxLanes - 1;
 constexpr int kMaxFrame = 1'000'000, kMaxSide = 32768, kMinSide = 4, kMaxMiB = 1 << 20;
 
 enum class Part { Session, Lane };
 
-void checkKeys(const json& object, Part part, std::initializer_list<std::string_view> known) {
+void checkKeys(const Json& object, Part part, std::initializer_list<std::string_view> known) {
   const bool isLane = part == Part::Lane;
   if (!object.is_object())
     throw Error(isLane ? say<"a lane is not an object">() : say<"the session is not an object">());
@@ -46,20 +44,20 @@ void checkKeys(const json& object, Part part, std::initializer_list<std::string_
   }
 }
 
-const json& field(const json& object, const char* key) {
+const Json& field(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) throw Error(say<"the field \"%1\" is missing">(key));
   return *found;
 }
 
-std::string textOf(const json& value, const char* key) {
+std::string textOf(const Json& value, const char* key) {
   if (!value.is_string()) throw Error(say<"\"%1\" is not text">(key));
   std::string text = value.get<std::string>();
-  if (text.size() > kLongest) throw Error(say<"\"%1\" is too long">(key));
+  if (text.size() > kLongestName) throw Error(say<"\"%1\" is too long">(key));
   return text;
 }
 
-int numberOf(const json& value, const char* key, int least, int most) {
+int numberOf(const Json& value, const char* key, int least, int most) {
   const auto refuse = [&] {
     throw Error(say<"\"%1\" wants a whole number from %2 to %3">(key, least, most));
   };
@@ -71,7 +69,7 @@ int numberOf(const json& value, const char* key, int least, int most) {
 
 using Notes = std::vector<std::string>;
 
-SessionLane laneFromJson(const json& preset, const json& settings, const json* presetSettings, Notes& notes) {
+SessionLane laneFromJson(const Json& preset, const Json& settings, const Json* presetSettings, Notes& notes) {
   SessionLane lane;
   lane.preset = textOf(preset, "preset");
   std::ranges::copy(fromJson(settings, lane.settings), std::back_inserter(notes));
@@ -84,7 +82,7 @@ SessionLane laneFromJson(const json& preset, const json& settings, const json* p
   return lane;
 }
 
-SessionLane laneFromJson(const json& object, Notes& notes) {
+SessionLane laneFromJson(const Json& object, Notes& notes) {
   const auto own = object.find("presetSettings");
   return laneFromJson(field(object, "preset"), field(object, "settings"),
                       own == object.end() ? nullptr : &*own, notes);
@@ -99,80 +97,80 @@ void laneToJson(const SessionLane& lane, ordered_json& object) {
   object["settings"] = toJson(lane.settings);
 }
 
-std::vector<std::string> namesFromJson(const json& object, const char* key) {
-  const json list = object.value(key, json::array());
+std::vector<std::string> namesFromJson(const Json& object, const char* key) {
+  const Json list = object.value(key, Json::array());
   if (!list.is_array() || list.size() > kMaxModes)
     throw Error(say<"\"%1\" is not a list of at most %2 names">(key, kMaxModes));
   std::vector<std::string> names;
-  for (const json& name : list) names.push_back(textOf(name, key));
+  for (const Json& name : list) names.push_back(textOf(name, key));
   return names;
 }
 
-std::vector<ClassOverride> classesFromJson(const json& object) {
+std::vector<ClassOverride> classesFromJson(const Json& object) {
   if (!object.is_object() || object.size() > kMaxModes)
     throw Error(say<"\"%1\" is not an object of at most %2 names">("classes", kMaxModes));
   std::vector<ClassOverride> classes;
   for (const auto& [name, given] : object.items())
-    classes.push_back(parseClassOverride(name.substr(0, kLongest) + "=" + textOf(given, "classes")));
+    classes.push_back(parseClassOverride(name.substr(0, kLongestName) + "=" + textOf(given, "classes")));
   return classes;
 }
 
-std::vector<int> restartsFromJson(const json& list) {
+std::vector<int> restartsFromJson(const Json& list) {
   if (!list.is_array() || list.size() > kMaxModes)
     throw Error(say<"\"%1\" is not a list of at most %2">("restarts", kMaxModes));
   std::vector<int> frames;
-  for (const json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMaxFrame));
+  for (const Json& frame : list) frames.push_back(numberOf(frame, "restarts", 0, kMaxFrame));
   return frames;
 }
 
-std::vector<MotionOverride> modesFromJson(const json& object) {
+std::vector<MotionOverride> modesFromJson(const Json& object) {
   if (!object.is_object() || object.size() > kMaxModes)
     throw Error(say<"\"%1\" is not an object of at most %2 names">("motionModes", kMaxModes));
   std::vector<MotionOverride> modes;
   for (const auto& [node, mode] : object.items())
-    modes.push_back(parseMotionOverride(node.substr(0, kLongest) + "=" + textOf(mode, "motionModes")));
+    modes.push_back(parseMotionOverride(node.substr(0, kLongestName) + "=" + textOf(mode, "motionModes")));
   return modes;
 }
 
-json parsed(const std::string& text) {
-  return json::parse(text, [](int depth, json::parse_event_t, json&) {
+Json parsed(const std::string& text) {
+  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
     if (depth > kDeepest) throw Error(say<"it is nested deeper than %1 levels">(kDeepest));
     return true;
   });
 }
 
-SessionFile sessionFromJson(const json& object) {
+SessionFile sessionFromJson(const Json& object) {
   checkKeys(object, Part::Session,
             {"format", "source", "camera", "frame", "size", "preset", "presetSettings", "settings", "lanes",
              "track", "hidden", "isolated", "motionModes", "classes", "restarts", "checkpointsMiB",
              "window"});
-  if (const json& format = field(object, "format"); format != kFormat)
-    throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kFormat));
+  if (const Json& format = field(object, "format"); format != kSessionFormat)
+    throw Error(say<"its format is %1, this program reads %2">(format.dump().substr(0, 20), kSessionFormat));
   SessionFile session;
   session.source = textOf(field(object, "source"), "source");
-  session.camera = textOf(object.value("camera", json("")), "camera");
+  session.camera = textOf(object.value("camera", Json("")), "camera");
   session.frame = numberOf(field(object, "frame"), "frame", 0, kMaxFrame);
-  const json& size = field(object, "size");
+  const Json& size = field(object, "size");
   if (!size.is_array() || size.size() != 2) throw Error(say<"\"%1\" wants [width, height]">("size"));
   session.size = {numberOf(size[0], "size", kMinSide, kMaxSide),
                   numberOf(size[1], "size", kMinSide, kMaxSide)};
   session.settings = laneFromJson(object, session.notes);
-  const json lanes = object.value("lanes", json::array());
+  const Json lanes = object.value("lanes", Json::array());
   if (!lanes.is_array() || lanes.size() > kMaxFurtherLanes)
     throw Error(say<"\"%1\" is not a list of at most %2">("lanes", kMaxFurtherLanes));
-  for (const json& lane : lanes) {
+  for (const Json& lane : lanes) {
     checkKeys(lane, Part::Lane, {"preset", "presetSettings", "settings"});
     session.lanes.push_back(laneFromJson(lane, session.notes));
   }
   if (const auto track = object.find("track"); track != object.end())
     session.track = cameraTrackFrom(ordered_json::parse(track->dump()));
   session.filter = {namesFromJson(object, "hidden"), namesFromJson(object, "isolated")};
-  session.motionModes = modesFromJson(object.value("motionModes", json::object()));
-  session.objectClasses = classesFromJson(object.value("classes", json::object()));
-  session.restarts = restartsFromJson(object.value("restarts", json::array()));
+  session.motionModes = modesFromJson(object.value("motionModes", Json::object()));
+  session.objectClasses = classesFromJson(object.value("classes", Json::object()));
+  session.restarts = restartsFromJson(object.value("restarts", Json::array()));
   session.checkpointsMiB =
-      numberOf(object.value("checkpointsMiB", json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
-  const json window = object.value("window", json::object());
+      numberOf(object.value("checkpointsMiB", Json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
+  const Json window = object.value("window", Json::object());
   if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
   session.window = window.dump();
   return session;
@@ -191,7 +189,7 @@ bool isSessionName(std::string_view path) {
 SessionFile sessionFromText(const std::string& text, const std::string& place) {
   try {
     return sessionFromJson(parsed(text));
-  } catch (const json::exception& error) {
+  } catch (const Json::exception& error) {
     throw Error(say<"cannot open the session %1: %2">(place, error.what()));
   } catch (const Error& error) {
     throw Error(say<"cannot open the session %1: %2">(place, error.what()));
@@ -200,7 +198,7 @@ SessionFile sessionFromText(const std::string& text, const std::string& place) {
 
 std::string sessionToText(const SessionFile& session) {
   ordered_json object;
-  object["format"] = kFormat;
+  object["format"] = kSessionFormat;
   object["source"] = session.source;
   object["camera"] = session.camera;
   object["frame"] = session.frame;
@@ -214,11 +212,11 @@ std::string sessionToText(const SessionFile& session) {
   if (session.track) object["track"] = cameraTrackJson(*session.track);
   if (!session.filter.hidden.empty()) object["hidden"] = session.filter.hidden;
   if (!session.filter.isolated.empty()) object["isolated"] = session.filter.isolated;
-  json modes = json::object(); // by name
+  Json modes = Json::object(); // by name
   for (const MotionOverride& mode : session.motionModes)
     modes[mode.node] = kMotionModes.at(static_cast<std::size_t>(mode.mode)).id;
   object["motionModes"] = modes;
-  json classes = json::object();
+  Json classes = Json::object();
   for (const ClassOverride& given : session.objectClasses)
     classes[given.object] = kObjectClasses.at(static_cast<std::size_t>(given.objectClass)).id;
   if (!classes.empty()) object["classes"] = classes;
@@ -229,7 +227,7 @@ std::string sessionToText(const SessionFile& session) {
 }
 
 SessionFile readSession(const fs::path& path) {
-  SessionFile session = sessionFromText(readFile(path, kMaxBytes), path.string());
+  SessionFile session = sessionFromText(readFile(path, kMaxSessionBytes), path.string());
   if (isPath(session.source) && fs::path(session.source).is_relative())
     session.source = (fs::absolute(path).parent_path() / session.source).lexically_normal().string();
   return session;

@@ -6,7 +6,7 @@ namespace taa {
 
 namespace {
 
-void addRows(std::vector<IntermediateId>& ids, IntermediateId id, const ViewStyle& style) {
+void addViewRows(std::vector<IntermediateId>& ids, IntermediateId id, const ViewStyle& style) {
   ids.push_back(id);
   if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
   if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
@@ -18,8 +18,8 @@ std::vector<IntermediateId> Wanted::rows() const {
   std::vector<IntermediateId> ids;
   for (const ViewRequest& view : views) {
     if (!isShown(view)) continue;
-    addRows(ids, view.id, view.style);
-    if (view.other) addRows(ids, view.other->id, view.other->style);
+    addViewRows(ids, view.id, view.style);
+    if (view.other) addViewRows(ids, view.other->id, view.other->style);
   }
   return ids;
 }

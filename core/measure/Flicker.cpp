@@ -35,7 +35,7 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& positionPx) {
 }
 
 /// Sums of values less the first of them: where all are the same, all are exactly 0.
-class Spread {
+class ColorVariance {
  public:
   void add(const glm::dvec3& value) {
     if (count_++ == 0) first_ = value;
@@ -56,7 +56,7 @@ class Spread {
 };
 
 struct FollowedPixel {
-  Spread shown, reference;
+  ColorVariance shown, reference;
 };
 
 FollowedPixel follow(std::span<const FlickerFrame* const> newestFirst, int x, int y, bool isCompared) {

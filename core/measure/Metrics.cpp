@@ -14,7 +14,7 @@ namespace taa {
 namespace {
 
 // Linear light to what a screen is sent (IEC 61966-2-1).
-double shown(float linear) {
+double displayed(float linear) {
   const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
   return value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
 }
@@ -43,7 +43,7 @@ Image shownColors(const Image& linear) {
   for (int y = 0; y < linear.height; ++y)
     for (int x = 0; x < linear.width; ++x)
       std::transform(linear.at(x, y), linear.at(x, y) + 3, colors.at(x, y),
-                     [](float value) { return static_cast<float>(shown(value)); });
+                     [](float value) { return static_cast<float>(displayed(value)); });
   return colors;
 }
 
@@ -52,7 +52,7 @@ PictureError pictureError(const Image& picture, const Image& reference) {
   assert(picture.channels >= 3 && reference.channels >= 3 && !picture.empty());
   PictureError error;
   error.rmseLinear = std::sqrt(meanSquare(picture, reference, [](float value) { return double(value); }));
-  const double square = meanSquare(picture, reference, shown);
+  const double square = meanSquare(picture, reference, displayed);
   error.rmse = std::sqrt(square);
   error.psnr = square == 0.0 ? std::numeric_limits<double>::infinity() : -10.0 * std::log10(square);
   return error;

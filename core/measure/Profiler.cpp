@@ -11,7 +11,7 @@ namespace taa {
 namespace {
 
 // The pass's own label (RenderPass), and how it is called where people read it.
-constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+constexpr std::pair<std::string_view, std::string_view> kPassNames[] = {
     {"GBufferPass", "G-buffer"},
     {"SkyPass", "Sky"},
     {"GBufferPass blended", "Blended surfaces"},
@@ -24,11 +24,11 @@ constexpr std::pair<std::string_view, std::string_view> kNames[] = {
     {"OutputPass", "Output"},
 };
 
-std::string nameOf(const gl::PassTime& time) {
+std::string timeName(const gl::PassTime& time) {
   if (!time.group.empty()) return time.group;
   const auto* const found =
-      std::ranges::find(kNames, std::string_view(time.pass), [](const auto& row) { return row.first; });
-  return found != std::end(kNames) ? std::string(found->second) : time.pass;
+      std::ranges::find(kPassNames, std::string_view(time.pass), [](const auto& row) { return row.first; });
+  return found != std::end(kPassNames) ? std::string(found->second) : time.pass;
 }
 
 } // namespace
@@ -42,7 +42,7 @@ std::string_view timingWords(gl::TimingMethod method) {
 std::vector<std::string_view> passNames() {
   std::vector<std::string_view> names{pass_group::kExposure,   pass_group::kViews,     pass_group::kProbe,
                                       pass_group::kThumbnails, pass_group::kReference, kBetweenPasses};
-  for (const auto& [label, name] : kNames) names.push_back(name);
+  for (const auto& [label, name] : kPassNames) names.push_back(name);
   return names;
 }
 
@@ -50,7 +50,7 @@ std::vector<PassCost> addedUp(const std::vector<gl::PassTime>& times, double fra
   std::vector<PassCost> costs;
   double rest = frameMs;
   for (const gl::PassTime& time : times) {
-    const std::string name = nameOf(time);
+    const std::string name = timeName(time);
     auto row = std::ranges::find(costs, name, &PassCost::name);
     if (row == costs.end()) row = costs.insert(row, {name});
     row->milliseconds += time.milliseconds;

@@ -14,7 +14,7 @@ namespace taa {
 
 namespace {
 
-void add(const Image& color, std::vector<double>& sums) {
+void addColors(const Image& color, std::vector<double>& sums) {
   const std::size_t pixels = sums.size() / 3;
   const auto stride = static_cast<std::size_t>(color.channels);
   for (std::size_t pixel = 0; pixel < pixels; ++pixel)
@@ -25,7 +25,7 @@ void add(const Image& color, std::vector<double>& sums) {
 // The mean of any number of samples: products and quotient are exact, because a float has 24 bits.
 void take(const Image& given, int samples, ReferencePicture& picture) {
   std::ranges::fill(picture.sums, 0.0);
-  add(given, picture.sums);
+  addColors(given, picture.sums);
   for (double& sum : picture.sums) sum *= samples;
   picture.samples = samples;
 }
@@ -86,7 +86,7 @@ void References::refine(FrameSource& frames, const ReferenceKey& key, int sample
     request.jitterPx = referencePointPx(picture.samples);
     frames.draw(request, key.frame, drawn_);
     gl::checkErrors(say<"drawing the reference of frame %1">(key.frame));
-    add(drawn_.color.download(), picture.sums);
+    addColors(drawn_.color.download(), picture.sums);
     ++picture.samples;
     report(progress, say<"Reference">(), picture.samples, samples);
   }

@@ -19,9 +19,10 @@ struct Row {
   float untouched;
 };
 
-constexpr std::array kRows{Row{IntermediateId::onScreen, 1.0f},     Row{IntermediateId::clipAmount, 0.0f},
-                           Row{IntermediateId::rejectReason, 0.0f}, Row{IntermediateId::sharpenDetail, 0.0f},
-                           Row{IntermediateId::blurTrust, 1.0f},    Row{IntermediateId::overlayAlpha, 0.0f}};
+constexpr std::array kStageRows{
+    Row{IntermediateId::onScreen, 1.0f},     Row{IntermediateId::clipAmount, 0.0f},
+    Row{IntermediateId::rejectReason, 0.0f}, Row{IntermediateId::sharpenDetail, 0.0f},
+    Row{IntermediateId::blurTrust, 1.0f},    Row{IntermediateId::overlayAlpha, 0.0f}};
 
 /// On a surface that leans all pixels follow a neighbor, with the same motion: only another one is a change.
 constexpr std::array kMotions{IntermediateId::motion, IntermediateId::dilatedMotion};
@@ -48,24 +49,24 @@ Stage stageOf(const Row& row) {
 const std::vector<IntermediateId>& shareRows() {
   static const std::vector<IntermediateId> ids = [] {
     std::vector<IntermediateId> list(kMotions.begin(), kMotions.end());
-    for (const Row& row : kRows) list.push_back(row.id);
+    for (const Row& row : kStageRows) list.push_back(row.id);
     return list;
   }();
   return ids;
 }
 
 std::vector<StageShare> sharesOf(const std::vector<Image>& rows, const Settings& settings) {
-  assert(rows.size() == kMotions.size() + kRows.size());
+  assert(rows.size() == kMotions.size() + kStageRows.size());
   std::vector<StageShare> shares{
       {Stage::DilateMotion, shareOfOtherMotion(rows[0], rows[1], settings.inputs.renderScale)}};
   std::vector<ChangedRow> ofStage;
-  for (std::size_t index = 0; index < kRows.size(); ++index) {
-    const Stage stage = stageOf(kRows[index]);
+  for (std::size_t index = 0; index < kStageRows.size(); ++index) {
+    const Stage stage = stageOf(kStageRows[index]);
     if (shares.empty() || shares.back().stage != stage) {
       shares.push_back({stage, 0.0});
       ofStage.clear();
     }
-    ofStage.push_back({rows[kMotions.size() + index], kRows[index].untouched});
+    ofStage.push_back({rows[kMotions.size() + index], kStageRows[index].untouched});
     shares.back().share = shareOfChanged(ofStage);
   }
   return shares;

@@ -3,6 +3,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/base/Text.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ struct NumberKey {
   std::string_view key;
   float ViewStyle::*field;
 };
-constexpr NumberKey kNumbers[] = {
+constexpr NumberKey kNumberKeys[] = {
     {"low", &ViewStyle::low}, {"high", &ViewStyle::high}, {"exposure", &ViewStyle::exposure}};
 
 struct ChannelKey {
@@ -41,11 +42,6 @@ constexpr SwitchKey kSwitches[] = {{"marks", &ViewStyle::markInvalid},
 constexpr std::array<std::string_view, 6> kMaps{"gray",      "viridis", "inferno",
                                                 "diverging", "cyclic",  "categorical"};
 
-std::string numberText(float value) {
-  char text[64];
-  return {text, std::to_chars(text, text + sizeof(text), value).ptr};
-}
-
 std::string channelsText(const ViewStyle& style) {
   std::string text;
   for (const ChannelKey& channel : kChannels)
@@ -53,7 +49,7 @@ std::string channelsText(const ViewStyle& style) {
   return text.empty() ? "none" : text;
 }
 
-[[noreturn]] void refuse(std::string_view assignment, const std::string& expected) {
+[[noreturn]] void refuseStyle(std::string_view assignment, const std::string& expected) {
   throw Error(say<"cannot read the style \"%1\": %2">(assignment, expected));
 }
 
@@ -61,13 +57,13 @@ float readNumber(std::string_view value, std::string_view assignment) {
   float read = 0.0f;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), read);
   if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(read))
-    refuse(assignment, say<"expected a number">());
+    refuseStyle(assignment, say<"expected a number">());
   return read;
 }
 
 void applyChannels(ViewStyle& style, std::string_view value, std::string_view assignment) {
   if (value != "none" && (value.empty() || value.find_first_not_of("rgb") != value.npos))
-    refuse(assignment, say<"channels are letters of rgb, or none">());
+    refuseStyle(assignment, say<"channels are letters of rgb, or none">());
   for (const ChannelKey& channel : kChannels)
     style.*channel.field = value != "none" && value.find(channel.letter) != value.npos;
 }
@@ -76,9 +72,9 @@ void applyChannels(ViewStyle& style, std::string_view value, std::string_view as
 
 std::vector<std::string> styleDifferences(const ViewStyle& style, const ViewStyle& base) {
   std::vector<std::string> texts;
-  for (const NumberKey& number : kNumbers)
+  for (const NumberKey& number : kNumberKeys)
     if (style.*number.field != base.*number.field)
-      texts.push_back(std::string(number.key) + "=" + numberText(style.*number.field));
+      texts.push_back(std::string(number.key) + "=" + shortestText(style.*number.field));
   if (channelsText(style) != channelsText(base)) texts.push_back("channels=" + channelsText(style));
   if (style.map != base.map)
     texts.push_back("map=" + std::string(kMaps.at(static_cast<std::size_t>(style.map))));
@@ -92,24 +88,25 @@ void applyStyle(ViewStyle& style, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string_view key = assignment.substr(0, equals);
   const std::string_view value = equals == assignment.npos ? "" : assignment.substr(equals + 1);
-  for (const NumberKey& number : kNumbers)
+  for (const NumberKey& number : kNumberKeys)
     if (key == number.key) {
       style.*number.field = readNumber(value, assignment);
       return;
     }
   for (const SwitchKey& choice : kSwitches)
     if (key == choice.key) {
-      if (value != "on" && value != "off") refuse(assignment, say<"expected on or off">());
+      if (value != "on" && value != "off") refuseStyle(assignment, say<"expected on or off">());
       style.*choice.field = value == "on";
       return;
     }
   if (key == "channels") return applyChannels(style, value, assignment);
   if (key != "map")
-    refuse(assignment, say<"write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "
-                           "arrows (on or off), = and a value">());
+    refuseStyle(assignment,
+                say<"write low, high, exposure, channels, map, or marks, clipped, rejected, outlines, "
+                    "arrows (on or off), = and a value">());
   const auto found = std::ranges::find(kMaps, value);
   if (found == kMaps.end())
-    refuse(assignment, say<"there are gray, viridis, inferno, diverging, cyclic and categorical">());
+    refuseStyle(assignment, say<"there are gray, viridis, inferno, diverging, cyclic and categorical">());
   style.map = static_cast<ColorMap>(found - kMaps.begin());
 }
 

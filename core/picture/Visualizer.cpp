@@ -17,15 +17,6 @@
 
 namespace taa {
 
-namespace {
-
-constexpr std::array<std::string_view, 10> kVisuals = {"Color",  "Box",      "Depth",  "Scalar", "Signed",
-                                                       "Vector", "Position", "Normal", "Mask",   "Index"};
-constexpr std::size_t kKeptTargets = 4; // viewports of as many sizes are drawn in turn
-
-// Half of the longest arrow, share of its cell, and half of the shortest one that is no dot, units.
-constexpr float kArrowReach = 0.45f, kMinReach = 2.0f;
-
 /// What kind of texture a layer is read from.
 enum class Reading : std::uint8_t { Array, Plain, Integers };
 
@@ -42,7 +33,7 @@ constexpr LayerUnit kLayerUnits[] = {{0, "layer", &DrawnLayers::row},
 using Readings = std::array<Reading, std::size(kLayerUnits)>;
 
 /// What a program is made for: all that decides which of its branches are taken.
-struct Variant {
+struct VisualVariant {
   Visual visual = Visual::Color;
   int channels = 1, alone = -1;
   ColorMap map = ColorMap::Gray;
@@ -54,8 +45,17 @@ struct Variant {
     return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
                       tintsRejected, outlines, hasArrows, readings);
   }
-  bool operator<(const Variant& other) const { return key() < other.key(); }
+  bool operator<(const VisualVariant& other) const { return key() < other.key(); }
 };
+
+namespace {
+
+constexpr std::array<std::string_view, 10> kVisuals = {"Color",  "Box",      "Depth",  "Scalar", "Signed",
+                                                       "Vector", "Position", "Normal", "Mask",   "Index"};
+constexpr std::size_t kKeptTargets = 4; // viewports of as many sizes are drawn in turn
+
+// Half of the longest arrow, share of its cell, and half of the shortest one that is no dot, units.
+constexpr float kArrowReach = 0.45f, kMinReach = 2.0f;
 
 Readings readingsOf(const DrawnLayers& layers) {
   Readings readings{};
@@ -83,7 +83,7 @@ std::string samplers(const Readings& readings) {
   return text;
 }
 
-std::string prelude(const Variant& variant) {
+std::string prelude(const VisualVariant& variant) {
   std::string text = samplers(variant.readings);
   const auto add = [&](std::string_view type, std::string_view name, int value) {
     text.append("const ").append(type).append(" ").append(name);
@@ -105,7 +105,7 @@ std::string prelude(const Variant& variant) {
   return text;
 }
 
-gl::Program compile(const Variant& variant) {
+gl::Program compileVisual(const VisualVariant& variant) {
   const auto index = static_cast<std::size_t>(variant.visual);
   return {gl::ShaderSource("include/fullscreen.vert"),
           gl::ShaderSource("inspect/visualize.frag", prelude(variant)),
@@ -128,8 +128,8 @@ int channelAlone(const Intermediate& row, const ViewStyle& style) {
 }
 
 // The branches that a picture takes. A difference is a signed value, whatever the row is.
-Variant variantOf(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
-                  const ViewTransform& transform) {
+VisualVariant variantOf(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
+                        const ViewTransform& transform) {
   const bool isDifference = layers.minus.texture != nullptr;
   return {.visual = isDifference ? Visual::Signed : row.visual,
           .channels = row.channels,
@@ -174,19 +174,20 @@ struct Visualizer::Parts {
     gl::Texture texture;
     gl::Framebuffer framebuffer;
   };
-  std::map<Variant, gl::Program> programs; // compiled when first used
+  std::map<VisualVariant, gl::Program> programs; // compiled when first used
   gl::Texture colorMaps = uploadColorMaps();
   gl::Sampler sampler{gl::SamplerState{}};
   gl::Buffer blocks{sizeof(shared::ViewBlock), nullptr, "ViewBlock"};
   std::vector<Target> targets; // the one used last at the end
 
-  const gl::Program& program(const Variant& variant);
+  const gl::Program& program(const VisualVariant& variant);
   Target& target(int width, int height);
 };
 
-const gl::Program& Visualizer::Parts::program(const Variant& variant) {
+const gl::Program& Visualizer::Parts::program(const VisualVariant& variant) {
   const auto found = programs.find(variant);
-  return found != programs.end() ? found->second : programs.emplace(variant, compile(variant)).first->second;
+  return found != programs.end() ? found->second
+                                 : programs.emplace(variant, compileVisual(variant)).first->second;
 }
 
 Visualizer::Parts::Target& Visualizer::Parts::target(int width, int height) {

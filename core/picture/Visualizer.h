@@ -18,6 +18,9 @@ namespace taa {
 
 enum class ColorMap : std::uint8_t { Gray, Viridis, Inferno, Diverging, Cyclic, Categorical };
 
+inline constexpr ColorMap kColorMaps[] = {ColorMap::Gray,      ColorMap::Viridis, ColorMap::Inferno,
+                                          ColorMap::Diverging, ColorMap::Cyclic,  ColorMap::Categorical};
+
 /// How an intermediate is shown; each intermediate remembers its own.
 struct ViewStyle {
   float low = 0.0f, high = 1.0f; ///< values drawn as the ends of the range

@@ -14,12 +14,12 @@
 
 namespace taa {
 
-namespace {
-
-struct Job {
+struct CompileJob {
   CompileRequest request;
   std::shared_ptr<const ShaderTexts> shaders;
 };
+
+namespace {
 
 // As small as can be; but llvmpipe compiles anew for sides that are powers of two.
 int smallSide(int side) {
@@ -30,7 +30,7 @@ int smallSide(int side) {
 class Compiler {
  public:
   // Some drivers compile a program only when something is drawn with it, for just these targets and textures.
-  void compile(const Job& job) {
+  void compile(const CompileJob& job) {
     if (job.shaders != shaders_) pass_ = TaaPass();
     useShaders(shaders_ = job.shaders);
     const Settings& settings = job.request.settings;
@@ -62,7 +62,7 @@ class Compiler {
 struct BackgroundCompiler::Parts {
   std::mutex mutex; // held for a moment only: never while GL works
   std::condition_variable changed;
-  std::optional<Job> next;
+  std::optional<CompileJob> next;
   bool isBusy = false, ends = false;
   std::thread thread; // begun with the first job
 
@@ -75,7 +75,7 @@ void BackgroundCompiler::Parts::run() {
   while (true) {
     changed.wait(lock, [&] { return ends || next; });
     if (ends) return;
-    const Job job = *std::exchange(next, {});
+    const CompileJob job = *std::exchange(next, {});
     isBusy = true;
     lock.unlock();
     try {
@@ -103,7 +103,7 @@ BackgroundCompiler::~BackgroundCompiler() {
 void BackgroundCompiler::want(CompileRequest request) {
   {
     const std::lock_guard lock(parts_->mutex);
-    parts_->next = Job{std::move(request), shadersInUse()};
+    parts_->next = CompileJob{std::move(request), shadersInUse()};
   }
   parts_->changed.notify_all();
   if (!parts_->thread.joinable()) parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });

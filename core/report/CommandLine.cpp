@@ -1,24 +1,19 @@
 // What is shown, said in flags.
 #include "core/report/CommandLine.h"
 
+#include "core/base/Text.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/picture/StyleText.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
 namespace taa {
 
 namespace {
-
-std::string numberText(double value) {
-  char text[64];
-  return {text, std::to_chars(text, text + sizeof(text), value).ptr};
-}
 
 class Line {
  public:
@@ -62,7 +57,7 @@ void addComparison(Line& line, const CommandView& view) {
   if (!view.comparison || view.showing == Showing::First) return;
   line.add("--compare", comparisonText(view.comparison));
   line.add("--compare-as", std::string(showingName(view.showing)));
-  if (view.showing == Showing::Wipe && view.divider != 0.5) line.add("--divider", numberText(view.divider));
+  if (view.showing == Showing::Wipe && view.divider != 0.5) line.add("--divider", shortestText(view.divider));
   if (view.showing == Showing::Difference) return;
   // Without more the same row looks the same on both sides.
   const bool isSameRow = view.comparison.kind != OtherKind::Row || view.comparison.id == view.id;

@@ -17,7 +17,7 @@ namespace taa {
 namespace {
 
 /// A text of a table as Markdown shows it letter by letter, in a cell of a table too.
-std::string escaped(std::string_view text) {
+std::string markdownText(std::string_view text) {
   std::string out;
   for (const char letter : text) {
     if (std::string_view("\\|*_<[]`~").find(letter) != std::string_view::npos) out += '\\';
@@ -74,7 +74,7 @@ ManualPage coveragePage() {
   return page;
 }
 
-std::string rangeText(const Parameter& row) {
+std::string rangeCell(const Parameter& row) {
   if (row.kind == ParameterKind::Choice) return "";
   if (row.kind == ParameterKind::Toggle) return "On or off";
   return valueText(row, row.minimum) + " to " + valueText(row, row.maximum) +
@@ -82,28 +82,29 @@ std::string rangeText(const Parameter& row) {
 }
 
 std::string parameterText(const Parameter& row) {
-  std::string text = "\n### " + escaped(row.label) + " " + code(row.path) + "\n\n" + escaped(row.tooltip);
-  if (!row.formula.empty()) text += " Formula: " + escaped(row.formula) + ".";
+  std::string text =
+      "\n### " + markdownText(row.label) + " " + code(row.path) + "\n\n" + markdownText(row.tooltip);
+  if (!row.formula.empty()) text += " Formula: " + markdownText(row.formula) + ".";
   text += "\n\n";
-  if (const std::string range = rangeText(row); !range.empty())
+  if (const std::string range = rangeCell(row); !range.empty())
     text += range + ", by";
   else
     text += "By";
   text += " default " + code(valueText(row, row.defaultValue())) + ".";
   if (const std::string when = relevantWhen(row); !when.empty())
     text += " Has an effect with " + code(when) + ".";
-  text += " Source: " + escaped(row.source) + ".\n";
+  text += " Source: " + markdownText(row.source) + ".\n";
   if (row.kind != ParameterKind::Choice) return text;
   text += "\n" + head({"choice", "shown as", "what it does"});
   for (const Choice& choice : row.choices)
-    text += cells({code(choice.id), escaped(choice.label), escaped(choice.explanation)});
+    text += cells({code(choice.id), markdownText(choice.label), markdownText(choice.explanation)});
   return text;
 }
 
 /// The heading of a stage and its sentence; empty where nothing of the stage follows.
 std::string stageText(const StageInfo& stage, const std::string& rows) {
   if (rows.empty()) return "";
-  return "\n## " + escaped(stage.label) + "\n\n" + escaped(stage.description) + "\n" + rows;
+  return "\n## " + markdownText(stage.label) + "\n\n" + markdownText(stage.description) + "\n" + rows;
 }
 
 ManualPage settingsPage() {
@@ -128,8 +129,8 @@ ManualPage intermediatesPage() {
     std::string rows;
     for (const Intermediate& row : kIntermediates)
       if (row.stage == stage.stage)
-        rows += cells({code(row.name), escaped(row.label), escaped(row.description),
-                       escaped(channelNamesText(row)), escaped(row.unit)});
+        rows += cells({code(row.name), markdownText(row.label), markdownText(row.description),
+                       markdownText(channelNamesText(row)), markdownText(row.unit)});
     if (!rows.empty()) rows = "\n" + head({"id", "shown as", "what it is", "channels", "unit"}) + rows;
     page.text += stageText(stage, rows);
   }
@@ -143,10 +144,10 @@ ManualPage presetsPage() {
                            "are named in [Sources](sources.md). A step adds one listing of its source "
                            "to those before it.");
   for (const PresetGroup& group : kPresetGroups) {
-    page.text += "\n## " + escaped(group.label) + "\n\n" + head({"id", "shown as", "what it is"});
+    page.text += "\n## " + markdownText(group.label) + "\n\n" + head({"id", "shown as", "what it is"});
     for (const Preset& preset : builtinPresets())
       if (preset.group == group.id)
-        page.text += cells({code(preset.id), escaped(preset.label), escaped(preset.description)});
+        page.text += cells({code(preset.id), markdownText(preset.label), markdownText(preset.description)});
   }
   return page;
 }
@@ -157,7 +158,8 @@ ManualPage scenesPage() {
                                    "them.") +
               "\n" + head({"scene", "shown as", "what it shows"});
   for (const BuiltinScene& scene : builtinScenes())
-    page.text += cells({code("builtin:" + scene.id), escaped(scene.label), escaped(scene.description)});
+    page.text +=
+        cells({code("builtin:" + scene.id), markdownText(scene.label), markdownText(scene.description)});
   return page;
 }
 

@@ -48,7 +48,7 @@ std::string inMarkdown(const std::string& text) {
   return escaped;
 }
 
-std::string listOf(const std::vector<std::string>& lines) {
+std::string bulletList(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += "- " + line + "\n";
   return text;
@@ -61,7 +61,7 @@ std::string placeText(const ProbeReport& report, const LaneFacts& lane) {
 }
 
 /// What the window tells of a row; nothing without details.
-RowStory storyOf(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
+RowStory laneStory(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
   if (!lane.details) return {};
   return taa::storyOf(id, {lane.record, *lane.details, lane.lane.settings, lane.lane.info, pixel});
 }
@@ -72,7 +72,7 @@ std::string formulaText(const RowStory& story) {
 }
 
 /// Words and formula as lines below a row.
-std::string linesOf(const RowStory& story, const std::string& indent) {
+std::string storyLines(const RowStory& story, const std::string& indent) {
   std::string text;
   for (const std::string& line : {story.words, formulaText(story)})
     if (!line.empty()) text += indent + line + "\n";
@@ -86,7 +86,7 @@ std::vector<std::string> headlineOf(const ProbedLane& lane) {
 ordered_json storiesJson(const ProbedLane& lane, const glm::ivec2& pixel) {
   ordered_json json;
   for (const Intermediate& row : kIntermediates) {
-    const RowStory story = storyOf(lane, pixel, row.id);
+    const RowStory story = laneStory(lane, pixel, row.id);
     ordered_json& told = json[std::string(row.name)] = {{"words", story.words}};
     if (const std::string meaning = meaningOf(row.id, lane.record, lane.lane.settings); !meaning.empty())
       told["meaning"] = meaning;
@@ -151,7 +151,7 @@ std::string probeText(const ProbeReport& report) {
     forEachRow([&](const StageInfo&, const Intermediate& row, bool) {
       text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
-      text += "\n" + linesOf(storyOf(lane, report.pixel, row.id), "  ");
+      text += "\n" + storyLines(laneStory(lane, report.pixel, row.id), "  ");
     });
   }
   return text;
@@ -169,7 +169,7 @@ std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
       isAny = true;
       text += "  " + std::string(row.label) + "  " + valuesText(row, lane.record, "  ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
-      text += "\n" + linesOf(storyOf(lane, pixel, row.id), "      ");
+      text += "\n" + storyLines(laneStory(lane, pixel, row.id), "      ");
     }
   }
   return text;
@@ -179,12 +179,12 @@ std::string probeMarkdown(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
     text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) + "\n\n" +
-            listOf(headlineOf(lane)) +
+            bulletList(headlineOf(lane)) +
             "\n| Stage | Intermediate | Value | Unit | What happened |\n|---|---|---|---|---|\n";
     forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
       text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +
               valuesText(row, lane.record, ", ") + " | " + std::string(row.unit) + " | " +
-              inMarkdown(storyOf(lane, report.pixel, row.id).words) + " |\n";
+              inMarkdown(laneStory(lane, report.pixel, row.id).words) + " |\n";
     });
   }
   return text;

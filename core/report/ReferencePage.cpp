@@ -13,7 +13,7 @@ namespace taa {
 
 namespace {
 
-std::string escaped(std::string_view text) {
+std::string htmlText(std::string_view text) {
   std::string out;
   for (char letter : text) {
     switch (letter) {
@@ -34,40 +34,40 @@ std::string escaped(std::string_view text) {
 }
 
 /// A text of the tables, in the user's language.
-std::string shown(std::string_view text) {
-  return escaped(sayLabel(text));
+std::string htmlLabel(std::string_view text) {
+  return htmlText(sayLabel(text));
 }
 
-std::string rangeText(const Parameter& row) {
+std::string htmlRange(const Parameter& row) {
   if (row.kind == ParameterKind::Toggle) return say<"on, off">();
   if (row.kind != ParameterKind::Choice)
     return valueText(row, row.minimum) + " … " + valueText(row, row.maximum) +
            (row.unit.empty() ? "" : " " + sayLabel(row.unit));
   std::string text;
   for (const Choice& choice : row.choices)
-    text += (text.empty() ? "" : "<br>") + escaped(choice.id) + ": " + shown(choice.explanation);
+    text += (text.empty() ? "" : "<br>") + htmlText(choice.id) + ": " + htmlLabel(choice.explanation);
   return text;
 }
 
 std::string parameterHtml(const Parameter& row) {
-  std::string text = "<tr><td><b>" + shown(row.label) + "</b><br><code>" + escaped(row.path) +
-                     "</code></td><td>" + shown(row.tooltip);
-  if (!row.formula.empty()) text += "<br><i>" + shown(row.formula) + "</i>";
-  return text + "<br>" + shown(row.source) + "</td><td>" + rangeText(row) + "</td><td>" +
-         escaped(valueText(row, row.defaultValue())) + "</td></tr>\n";
+  std::string text = "<tr><td><b>" + htmlLabel(row.label) + "</b><br><code>" + htmlText(row.path) +
+                     "</code></td><td>" + htmlLabel(row.tooltip);
+  if (!row.formula.empty()) text += "<br><i>" + htmlLabel(row.formula) + "</i>";
+  return text + "<br>" + htmlLabel(row.source) + "</td><td>" + htmlRange(row) + "</td><td>" +
+         htmlText(valueText(row, row.defaultValue())) + "</td></tr>\n";
 }
 
 std::string intermediateHtml(const Intermediate& row) {
-  return "<tr><td><b>" + shown(row.label) + "</b><br><code>" + std::string(row.name) + "</code></td><td>" +
-         shown(row.description) + "</td><td>" + escaped(channelNamesText(row)) + "</td><td>" +
-         shown(row.unit) + "</td></tr>\n";
+  return "<tr><td><b>" + htmlLabel(row.label) + "</b><br><code>" + std::string(row.name) +
+         "</code></td><td>" + htmlLabel(row.description) + "</td><td>" + htmlText(channelNamesText(row)) +
+         "</td><td>" + htmlLabel(row.unit) + "</td></tr>\n";
 }
 
-constexpr std::string_view kTable = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
+constexpr std::string_view kTableTag = "<table cellpadding=\"4\" cellspacing=\"0\" width=\"100%\">\n";
 
 std::string headHtml(const std::vector<std::string>& columns) {
   std::string text = "<tr>";
-  for (const std::string& column : columns) text += "<th align=\"left\">" + escaped(column) + "</th>";
+  for (const std::string& column : columns) text += "<th align=\"left\">" + htmlText(column) + "</th>";
   return text + "</tr>\n";
 }
 
@@ -77,13 +77,13 @@ std::string stageHtml(const StageInfo& stage) {
     if (row.stage == stage.stage) parametersText += parameterHtml(row);
   for (const Intermediate& row : kIntermediates)
     if (row.stage == stage.stage) intermediatesText += intermediateHtml(row);
-  std::string text = "<h2>" + shown(stage.label) + "</h2>\n<p>" + shown(stage.description) + "</p>\n";
+  std::string text = "<h2>" + htmlLabel(stage.label) + "</h2>\n<p>" + htmlLabel(stage.description) + "</p>\n";
   if (!parametersText.empty())
-    text += std::string(kTable) +
+    text += std::string(kTableTag) +
             headHtml({say<"Parameter">(), say<"What it does">(), say<"Range">(), say<"Default">()}) +
             parametersText + "</table>\n";
   if (!intermediatesText.empty())
-    text += std::string(kTable) +
+    text += std::string(kTableTag) +
             headHtml({say<"Intermediate">(), say<"What it is">(), say<"Channels">(), say<"Unit">()}) +
             intermediatesText + "</table>\n";
   return text;
@@ -93,7 +93,7 @@ std::string stageHtml(const StageInfo& stage) {
 
 std::string referencePageHtml() {
   std::string text =
-      "<h1>" + escaped(say<"Settings and intermediates">()) + "</h1>\n<p>" +
+      "<h1>" + htmlText(say<"Settings and intermediates">()) + "</h1>\n<p>" +
       say<"Each frame goes through these stages from top to bottom. Parameters can be set in the pipeline "
           "panel, in presets, and by %1; intermediates can be viewed, probed and exported.">(
           "<code>--set path=value</code>") +

@@ -9,6 +9,7 @@
 #include "core/requests/RequestKinds.h"
 #include "core/scene/SceneOutline.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,11 +22,14 @@ namespace taa {
 
 struct CaptureFacts;
 
+/// Index of the pixel itself in ProbeResult::around.
+inline constexpr std::size_t kProbedMiddle = 4;
+
 struct ProbeResult {
   ProbePin pin{}; ///< whose, with its anchor
   PinSpot spot{}; ///< where it is now; there is nothing around one that is off screen or gone
   int x = 0, y = 0, frame = 0;
-  std::vector<PixelRecord> around{}; ///< 3×3 row-major, [4] is the pixel itself
+  std::vector<PixelRecord> around{}; ///< 3×3 row-major
   bool exact = true;
   Settings settings{}; ///< that made the values
   FrameInfo info{};

@@ -9,7 +9,7 @@ namespace taa {
 
 namespace {
 
-void add(Bounds& sum, const Bounds& other) {
+void addBounds(Bounds& sum, const Bounds& other) {
   if (other.isEmpty()) return;
   sum.add(other.min);
   sum.add(other.max);
@@ -97,7 +97,8 @@ Bounds deformedBounds(const DeformedPrimitive& deformed, double time) {
   const std::size_t joints = std::min(extent.joints.size(), deformed.jointMatrices.size());
   for (std::size_t joint = 0; joint < joints; ++joint)
     if (!extent.joints[joint].isEmpty())
-      add(world, moved(sumOf(isCached ? start : extent.joints[joint], way), deformed.jointMatrices[joint]));
+      addBounds(world,
+                moved(sumOf(isCached ? start : extent.joints[joint], way), deformed.jointMatrices[joint]));
   return widened(world);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/scene/ObjectFilter.h"
 #include "core/scene/Scene.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace taa {
 
 namespace {
-
-constexpr std::size_t kMaxNamesInMessage = 24;
 
 bool isBetween(double moment, double after, double until) {
   return moment > after && moment <= until;

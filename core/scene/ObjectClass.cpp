@@ -13,13 +13,13 @@ namespace taa {
 
 namespace {
 
-using Given = std::vector<std::optional<ObjectClass>>;
+using GivenClasses = std::vector<std::optional<ObjectClass>>;
 
 /// Of a tree that is given by its keys and parents, parents first.
 template <class Key, class Parent>
-Given givenClasses(std::size_t count, Key keyOf, Parent parentOf,
-                   const std::vector<ClassOverride>& overrides) {
-  Given given(count);
+GivenClasses givenClasses(std::size_t count, Key keyOf, Parent parentOf,
+                          const std::vector<ClassOverride>& overrides) {
+  GivenClasses given(count);
   if (overrides.empty()) return given;
   std::unordered_map<std::string, ObjectClass> byName;
   for (const ClassOverride& replaced : overrides) byName[replaced.object] = replaced.objectClass;

@@ -12,8 +12,6 @@ namespace taa {
 
 namespace {
 
-constexpr std::size_t kMaxNamesInMessage = 24;
-
 using Names = std::unordered_set<std::string>;
 
 Names asSet(const std::vector<std::string>& names) {

@@ -1,6 +1,7 @@
 // Which objects of a scene are drawn: some hidden, or only a few shown.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct ObjectFilter {
   std::vector<std::string> isolated; ///< when there are any, nothing else is drawn
   bool operator==(const ObjectFilter&) const = default;
 };
+
+/// Names that a sentence about an unknown object tells at most.
+inline constexpr std::size_t kMaxNamesInMessage = 24;
 
 /// What a node is called where it must be told from others: its name, or "#7" for a node without one.
 std::string nodeKey(const Scene& scene, std::size_t node);

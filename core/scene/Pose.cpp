@@ -52,7 +52,7 @@ struct KeyPlace {
   bool holds = true; ///< no way to the next key: before the first or after the last
 };
 
-KeyPlace placeOf(const std::vector<float>& times, double time) {
+KeyPlace keyPlace(const std::vector<float>& times, double time) {
   const auto after = std::ranges::upper_bound(times, time, {}, [](float t) { return double(t); });
   if (after == times.begin()) return {};
   if (after == times.end()) return {times.size() - 1, 0.0f, true};
@@ -66,14 +66,14 @@ glm::vec4 sample(const AnimationChannel& channel, double time) {
   const std::vector<float>& times = channel.times;
   const bool cubic = channel.interpolation == Interpolation::CubicSpline;
   assert(!times.empty() && channel.values.size() == times.size() * (cubic ? 3 : 1));
-  const KeyPlace place = placeOf(times, time);
+  const KeyPlace place = keyPlace(times, time);
   if (place.holds) return channel.values[cubic ? 3 * place.key + 1 : place.key];
   return interpolate(channel, place.key, place.u);
 }
 
 /// Morph weights at `time`, into those of the channel's node.
 void applyWeights(const AnimationChannel& channel, double time, std::span<float> weights) {
-  const KeyPlace place = placeOf(channel.times, time);
+  const KeyPlace place = keyPlace(channel.times, time);
   const bool cubic = channel.interpolation == Interpolation::CubicSpline;
   const std::size_t count = weights.size(), stride = cubic ? 3 * count : count;
   assert(channel.weights.size() == channel.times.size() * stride);
@@ -123,7 +123,7 @@ glm::mat4 matrixOf(const Transform& transform) {
 }
 
 /// `time` brought into one run of the animation.
-double wrapped(double time, double duration) {
+double loopedTime(double time, double duration) {
   return duration > 0.0 ? std::max(0.0, time - std::floor(time / duration) * duration) : 0.0;
 }
 
@@ -138,7 +138,7 @@ Pose poseAt(const Scene& scene, double time) {
   pose.morphWeights = scene.morphWeights;
   if (!scene.animations.empty()) {
     const Animation& animation = scene.animations.front();
-    const double animationTime = wrapped(time, animation.duration);
+    const double animationTime = loopedTime(time, animation.duration);
     for (const AnimationChannel& channel : animation.channels) {
       const auto node = static_cast<std::size_t>(channel.node);
       if (channel.path == AnimationPath::Weights)

@@ -42,7 +42,7 @@ std::string idsOf(const Parameter& row) {
   return ids;
 }
 
-[[noreturn]] void refuse(const Parameter& row, std::string_view text) {
+[[noreturn]] void refuseValue(const Parameter& row, std::string_view text) {
   if (row.kind == ParameterKind::Choice)
     throw Error(say<"cannot set %1 to \"%2\": give one of %3">(row.path, text, idsOf(row)));
   if (row.kind == ParameterKind::Toggle)
@@ -62,12 +62,12 @@ int choiceIndex(const Parameter& row, std::string_view id) {
 double parseNumber(const Parameter& row, std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) refuse(row, text);
+  if (error != std::errc() || end != text.data() + text.size()) refuseValue(row, text);
   // What is stored is a float; 0.1 must be the float 0.1 wherever it is compared.
   if (row.kind == ParameterKind::Number) value = static_cast<double>(static_cast<float>(value));
-  if (row.kind == ParameterKind::Integer && value != std::floor(value)) refuse(row, text);
+  if (row.kind == ParameterKind::Integer && value != std::floor(value)) refuseValue(row, text);
   if (!(value >= static_cast<double>(static_cast<float>(row.minimum)) && value <= row.maximum))
-    refuse(row, text);
+    refuseValue(row, text);
   return value;
 }
 
@@ -89,7 +89,7 @@ bool isProgramConstant(const Parameter& row) {
   return row.effect == Effect::Program || row.effect == Effect::Storage || row.effect == Effect::Whole;
 }
 
-bool isDrawn(const Parameter& row) {
+bool changesDrawing(const Parameter& row) {
   return row.effect == Effect::Inputs || row.effect == Effect::Whole;
 }
 
@@ -151,7 +151,7 @@ double valueFromJson(const Parameter& row, const nlohmann::json& json) {
   if (row.kind == ParameterKind::Choice && json.is_string()) return parseValue(row, json.get<std::string>());
   const bool wantsNumber = row.kind == ParameterKind::Integer || row.kind == ParameterKind::Number;
   if (wantsNumber && json.is_number()) return parseNumber(row, json.dump());
-  refuse(row, json.dump());
+  refuseValue(row, json.dump());
 }
 
 } // namespace
@@ -197,16 +197,16 @@ double parseValue(const Parameter& row, std::string_view text) {
   switch (row.kind) {
   case ParameterKind::Choice:
     if (const int index = choiceIndex(row, text); index >= 0) return index;
-    refuse(row, text);
+    refuseValue(row, text);
   case ParameterKind::Toggle:
     if (text == "on" || text == "true" || text == "1") return 1.0;
     if (text == "off" || text == "false" || text == "0") return 0.0;
-    refuse(row, text);
+    refuseValue(row, text);
   case ParameterKind::Integer:
   case ParameterKind::Number:
     return parseNumber(row, text);
   }
-  refuse(row, text);
+  refuseValue(row, text);
 }
 
 void applyAssignment(Settings& settings, std::string_view assignment) {
@@ -301,8 +301,8 @@ std::vector<std::byte> settingsBlock(const Settings& settings) {
 }
 
 bool sameInputs(const Settings& a, const Settings& b) {
-  return std::ranges::all_of(parameters(),
-                             [&](const Parameter& row) { return !isDrawn(row) || row.get(a) == row.get(b); });
+  return std::ranges::all_of(
+      parameters(), [&](const Parameter& row) { return !changesDrawing(row) || row.get(a) == row.get(b); });
 }
 
 } // namespace taa

@@ -19,19 +19,19 @@ namespace taa {
 
 namespace {
 
-constexpr int kFormat = 1;
-constexpr std::string_view kFields[] = {"format", "id",          "label", "group",   "order",
-                                        "step",   "description", "base",  "settings"};
+constexpr int kPresetFormat = 1;
+constexpr std::string_view kPresetFields[] = {"format", "id",          "label", "group",   "order",
+                                              "step",   "description", "base",  "settings"};
 
 /// Settings of the preset of this id, which others change.
 using SettingsOf = std::function<Settings(const std::string& id)>;
 
 Preset presetFromJson(const nlohmann::json& json, const SettingsOf& settingsOf) {
   for (const auto& [key, value] : json.items())
-    if (std::ranges::find(kFields, key) == std::end(kFields))
+    if (std::ranges::find(kPresetFields, key) == std::end(kPresetFields))
       throw Error(say<"there is no preset field \"%1\"">(key));
-  if (json.at("format") != kFormat)
-    throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kFormat));
+  if (json.at("format") != kPresetFormat)
+    throw Error(say<"its format is %1, this program reads %2">(json.at("format").dump(), kPresetFormat));
   Preset row{json.at("id"),
              json.at("label"),
              json.value("group", ""),
@@ -55,7 +55,7 @@ Preset readPreset(const std::string& place, Read read) {
   }
 }
 
-std::size_t placeOf(const std::string& group) {
+std::size_t groupIndex(const std::string& group) {
   return static_cast<std::size_t>(std::ranges::find(kPresetGroups, group, &PresetGroup::id) -
                                   kPresetGroups.begin());
 }
@@ -73,7 +73,8 @@ std::vector<Preset> loadBuiltinPresets() {
   std::vector<Preset> presets;
   for (const auto& [id, json] : files)
     presets.push_back(readPreset(id, [&] { return presetFromJson(json, settingsOf); }));
-  std::ranges::sort(presets, {}, [](const Preset& row) { return std::pair(placeOf(row.group), row.order); });
+  std::ranges::sort(presets, {},
+                    [](const Preset& row) { return std::pair(groupIndex(row.group), row.order); });
   return presets;
 }
 
@@ -96,7 +97,7 @@ const std::vector<Preset>& wholePresets() {
 
 const PresetGroup* startedGroup(const Preset& preset) {
   const auto first = std::ranges::find(builtinPresets(), preset.group, &Preset::group);
-  const std::size_t group = placeOf(preset.group);
+  const std::size_t group = groupIndex(preset.group);
   return first != builtinPresets().end() && first->id == preset.id && group > 0 ? &kPresetGroups.at(group)
                                                                                 : nullptr;
 }
@@ -124,7 +125,7 @@ Preset presetFromText(const std::string& text, const std::string& place) {
 
 std::string presetToText(const Preset& row) {
   nlohmann::ordered_json json;
-  json["format"] = kFormat;
+  json["format"] = kPresetFormat;
   json["id"] = row.id;
   json["label"] = row.label;
   if (!row.group.empty()) {

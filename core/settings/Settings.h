@@ -10,6 +10,9 @@ namespace taa {
 // The order of enumerators is the order of the choices in the table.
 
 enum class Switch : std::int32_t { Off, On };
+constexpr bool isOn(Switch value) {
+  return value == Switch::On;
+}
 
 enum class JitterSequence : std::int32_t {
   None,

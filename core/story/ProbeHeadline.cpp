@@ -21,7 +21,6 @@ namespace {
 
 using story::countsLess;
 using story::Id;
-using story::isOn;
 using story::numberText;
 using story::percentText;
 using story::tupleText;

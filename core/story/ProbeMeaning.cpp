@@ -15,7 +15,6 @@ namespace taa {
 
 using story::countsLess;
 using story::Id;
-using story::isOn;
 using story::percentText;
 using story::Values;
 

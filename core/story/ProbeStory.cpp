@@ -65,10 +65,6 @@ std::string call(const std::string& function, std::span<const std::string> argum
   return text + ")";
 }
 
-bool isOn(Switch value) {
-  return value == Switch::On;
-}
-
 namespace {
 
 std::string depthWords(float depth) {
@@ -76,7 +72,7 @@ std::string depthWords(float depth) {
                        : say<"1 at the near plane, 0 in the distance">();
 }
 
-std::string motionWords(const Teller& t) {
+std::string surfaceMotionWords(const Teller& t) {
   if (t.value(Id::motion) >= kNoPreviousPosition)
     return t.settings().inputs.motion == MotionSource::ObjectsAsPrinted
                ? say<"the surface was behind the previous camera, or its motion as printed is beyond all "
@@ -116,7 +112,7 @@ RowStory viewDepthStory(const Teller& t) {
 }
 
 /// Of inputs that are read as they are.
-std::string readWords(Id id, const Teller& t) {
+std::string inputWords(Id id, const Teller& t) {
   switch (id) {
   case Id::color:
     return t.settings().jitter.projection == JitterProjection::Translation
@@ -127,7 +123,7 @@ std::string readWords(Id id, const Teller& t) {
   case Id::depth:
     return depthWords(t.value(id));
   case Id::motion:
-    return motionWords(t);
+    return surfaceMotionWords(t);
   case Id::normal:
     return t.color(id) == glm::vec3(0.0f) ? say<"the sky has none">()
                                           : say<"the way the surface faces, in the world">();
@@ -157,7 +153,7 @@ std::string readWords(Id id, const Teller& t) {
 } // namespace
 
 RowStory inputStory(Id id, const Teller& t) {
-  return id == Id::depthView ? viewDepthStory(t) : RowStory{readWords(id, t), "", ""};
+  return id == Id::depthView ? viewDepthStory(t) : RowStory{inputWords(id, t), "", ""};
 }
 
 /// Of rows that are otherwise where TAA is off.

@@ -122,7 +122,7 @@ RowStory restartStory(const Teller& t) {
 }
 
 /// Mixed in each channel by its own α.
-RowStory channelsStory(const Teller& t) {
+RowStory mixedChannelsStory(const Teller& t) {
   const ToneWeight tone = t.settings().blend.tone;
   std::string share = t.tuple(Id::alphaChannels);
   if (tone == ToneWeight::Luma || tone == ToneWeight::LumaAsPrinted) {
@@ -152,7 +152,7 @@ RowStory resolvedStory(const Teller& t) {
             t.equals(storedText(t, t.tuple(Id::currentFiltered)), Id::resolved), ""};
   const std::string words = storedWords(t, say<"%1 current, the rest history">(t.percent(Id::blendFactor)));
   if (twin::mixesCompressed(t.settings().blend.tone)) return boundedStory(t, words);
-  if (isPerChannel(t)) return channelsStory(t);
+  if (isPerChannel(t)) return mixedChannelsStory(t);
   const std::string history = t.tuple(Id::historyRectified);
   return {words,
           t.equals(storedText(t, history + " + " + t.number(Id::blendFactor) + " × (" +

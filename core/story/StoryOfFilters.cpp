@@ -63,7 +63,7 @@ std::string ending(const Teller& t, Id id) {
 }
 
 /// By what history is read, and where.
-std::string readWords(const Teller& t, bool isEdge) {
+std::string historyReadWords(const Teller& t, bool isEdge) {
   const glm::vec2 at = t.details().readPosition;
   const std::string fraction =
       t.tuple((at - 0.5f) - glm::vec2(std::floor(at.x - 0.5f), std::floor(at.y - 0.5f)));
@@ -78,7 +78,7 @@ RowStory rawStory(const Teller& t) {
   const HistorySettings& history = t.settings().history;
   const bool isEdge = t.value(Id::depthEdge) != 0.0f;
   const twin::Taps& taps = t.details().historyTaps;
-  const std::string read = readWords(t, isEdge);
+  const std::string read = historyReadWords(t, isEdge);
   if (taps.count == 0) return {read, "", ""};
   if (taps.count == 1)
     return {say<"%1: one tap">(read), t.equals(t.tuple(taps.each[0].color), Id::historyRaw), ""};
@@ -213,7 +213,7 @@ RowStory currentStory(const Teller& t) {
   return story;
 }
 
-RowStory boxStory(const Teller& t) {
+RowStory filteredBoxStory(const Teller& t) {
   const std::string at = t.tuple(t.details().sampleOffset);
   return {t.value(Id::sampleConfidence) > 0.0f
               ? say<"the nearest sample lies in HDRP's box: %1 px from the pixel's center">(at)
@@ -257,7 +257,7 @@ RowStory confidenceStory(const Teller& t) {
   case UpsampleKernel::SampleWeight:
     return nearestStory(t);
   case UpsampleKernel::Hdrp:
-    return boxStory(t);
+    return filteredBoxStory(t);
   case UpsampleKernel::HdrpGaussian:
     return bellStory(t);
   case UpsampleKernel::Lanczos2:

@@ -14,7 +14,7 @@ namespace taa::story {
 namespace {
 
 /// Whose motion, that of the neighbor at `offset` or, if that is zero, the pixel's own.
-std::string motionWords(const Teller& t, const glm::vec2& offset) {
+std::string sampleMotionWords(const Teller& t, const glm::vec2& offset) {
   const bool isOwn = offset == glm::vec2(0.0f);
   if (isUpsampled(t.settings()))
     return isOwn ? say<"motion of the pixel itself, in px of the picture">()
@@ -35,8 +35,8 @@ RowStory dilateStory(Id id, const Teller& t) {
   if (id == Id::dilatedDepth)
     return {isOwn ? say<"depth of the pixel itself">() : say<"depth of the neighbor at %1">(t.tuple(offset)),
             "", ""};
-  if (!isUpsampled(t.settings())) return {motionWords(t, offset), "", ""};
-  return {motionWords(t, offset),
+  if (!isUpsampled(t.settings())) return {sampleMotionWords(t, offset), "", ""};
+  return {sampleMotionWords(t, offset),
           t.equals(t.tuple(t.details().drawnMotion) + " / " + t.tuple(t.details().renderRatio), id), ""};
 }
 

@@ -46,7 +46,7 @@ RowStory allowedStory(const Teller& t) {
   return {words, t.equals(text, Id::depthAllowed), ""};
 }
 
-RowStory flickerStory(const Teller& t) {
+RowStory geometricFlickerStory(const Teller& t) {
   if (!findsFlicker(t.settings())) return {say<"not asked for">(), "", ""};
   if (t.value(Id::geometricFlicker) > 0.0f)
     return {say<"nothing parts by more than %1 px, and what is nearer is thin: single frames miss it">(
@@ -162,7 +162,7 @@ RowStory validateStory(Id id, const Teller& t) {
   case Id::depthAllowed:
     return allowedStory(t);
   case Id::geometricFlicker:
-    return flickerStory(t);
+    return geometricFlickerStory(t);
   case Id::historyObjectId:
     if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
     return {t.value(id) == 0.0f                    ? say<"the sky, or not kept">()

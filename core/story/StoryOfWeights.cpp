@@ -68,7 +68,7 @@ RowStory floorStory(const Teller& t) {
           t.equals(call("min", {t.number(Id::alphaBase), minimum}), Id::alphaFloor), ""};
 }
 
-RowStory flickerStory(const Teller& t) {
+RowStory lumaFlickerStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   const twin::WeightInputs& weighed = t.details().weighed;
   if (!isOn(weight.lumaFlicker)) return {say<"not asked for">(), "", ""};
@@ -315,7 +315,7 @@ std::string alphaText(const Teller& t, bool withBase) {
 }
 
 /// Red with a base of its own: the same terms, but those that look at α itself.
-RowStory channelsStory(const Teller& t) {
+RowStory channelAlphasStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   if (weight.source != AlphaSource::ContrastPerChannel)
     return {say<"α in each, %1">(t.number(Id::alpha)), "", ""};
@@ -390,7 +390,7 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alphaFloor:
     return floorStory(t);
   case Id::alphaLumaFlicker:
-    return flickerStory(t);
+    return lumaFlickerStory(t);
   case Id::alphaNearClamp:
     return clampStory(t);
   case Id::alphaHistoryContrast:
@@ -419,7 +419,7 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alpha:
     return alphaStory(t);
   case Id::alphaChannels:
-    return channelsStory(t);
+    return channelAlphasStory(t);
   default: // no row of this stage
     return {};
   }

@@ -72,7 +72,6 @@ std::string storedText(const Teller& teller, const std::string& expression, int 
 std::string speedText(const Teller& teller, SpeedUnit unit);
 /// Label of the choice that the settings have.
 std::string choiceLabel(std::string_view path, const Settings& settings);
-bool isOn(Switch value);
 
 // By stages; each tells nothing of rows of others.
 RowStory inputStory(Id id, const Teller& teller);

@@ -9,10 +9,6 @@ namespace taa {
 
 namespace {
 
-bool isOn(Switch value) {
-  return value == Switch::On;
-}
-
 constexpr HistoryLayer kLayers[] = {
     {"object", "vec2", gl::Format::RG32F, &History::object,
      [](const Settings& s) { return isOn(s.validate.object) || isOn(s.validate.objectClass); }},

@@ -25,9 +25,6 @@ struct Phrase {
 inline float valueOf(const ProbedPixel& p, Id id) {
   return twin::at(p.record, id).x;
 }
-inline bool isOn(Switch value) {
-  return value == Switch::On;
-}
 inline float maskOf(const ProbedPixel& p) {
   return std::max(valueOf(p, Id::reactive), valueOf(p, Id::responsive));
 }

@@ -103,9 +103,7 @@ class Writer {
 
 /// "1.2 %", exact enough that nothing that is there is 0.
 QString shareText(int count, int total) {
-  const double share = 100.0 * count / std::max(1, total);
-  if (share > 0 && share < 0.1) return QObject::tr("< 0.1 %");
-  return QObject::tr("%1 %").arg(share, 0, 'f', share < 10 ? 1 : 0);
+  return percentText(100.0 * count / std::max(1, total));
 }
 
 static_assert(kReasonCount == static_cast<int>(intermediate(IntermediateId::rejectReason).high) + 1);

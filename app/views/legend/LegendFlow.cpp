@@ -13,7 +13,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kLeft = 2 * kUnit, kRight = kUnit, kGap = 2 * kUnit, kGluedGap = kUnit + 2;
+constexpr int kLeft = 2 * kUnit, kRight = kUnit, kFlowGap = 2 * kUnit, kGluedGap = kUnit + 2;
 
 } // namespace
 
@@ -55,7 +55,7 @@ std::vector<LegendFlow::Place> LegendFlow::places(int width) const {
     for (std::size_t index = first; index < last; ++index) {
       const int room = std::max(0, end - left);
       places[index] = {line, left, std::min(items_[index].size.width(), room)};
-      left += places[index].width + (index + 1 < last ? kGluedGap : kGap);
+      left += places[index].width + (index + 1 < last ? kGluedGap : kFlowGap);
     }
     first = last;
   }

@@ -15,7 +15,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kFoot = 20, kHead = 6; // px below and above the columns
+constexpr int kFoot = 20, kRoomAbove = 6; // px below and above the columns
 
 } // namespace
 
@@ -104,7 +104,7 @@ void RangeHistogram::paintEvent(QPaintEvent*) {
 }
 
 void RangeHistogram::paintColumns(QPainter& painter, const ThemeColors& colors) const {
-  const int foot = height() - kFoot, tallest = foot - kHead;
+  const int foot = height() - kFoot, tallest = foot - kRoomAbove;
   const int most = *std::ranges::max_element(counts_);
   for (std::size_t bin = 0; bin < counts_.size(); ++bin) {
     if (counts_[bin] == 0) continue;
@@ -122,7 +122,7 @@ void RangeHistogram::paintRange(QPainter& painter, const ThemeColors& colors) co
   for (const bool high : {false, true}) {
     const auto value = static_cast<double>(high ? range_.high : range_.low);
     const int x = static_cast<int>(std::lround(position(value)));
-    painter.fillRect(x, kHead, 1, foot - kHead, colors.accent);
+    painter.fillRect(x, kRoomAbove, 1, foot - kRoomAbove, colors.accent);
     // Which is which by its shape: the low end is a full triangle, the high one an empty one.
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colors.accent);

@@ -9,12 +9,12 @@
 namespace taa::app {
 
 namespace {
-constexpr int kRefresh = 100; ///< ms
+constexpr int kHistoryRefresh = 100; ///< ms
 } // namespace
 
 AlphaPage::AlphaPage(QWidget* parent) : QWidget(parent), summary_(makeNote()) {
   refresh_.setSingleShot(true);
-  refresh_.setInterval(kRefresh);
+  refresh_.setInterval(kHistoryRefresh);
   connect(&refresh_, &QTimer::timeout, this, [this] {
     if (isVisible()) refresh();
   });

@@ -12,14 +12,14 @@ namespace taa::app {
 
 namespace {
 
-constexpr double kGap = kUnit; ///< px between plot and labels
+constexpr double kAxisGap = kUnit; ///< px between plot and labels
 
 /// In the middle of a pixel, where a thin line is sharp.
 double sharp(double place) {
   return std::floor(place) + 0.5;
 }
 
-QString textOf(double tick) {
+QString tickText(double tick) {
   return QString::asprintf("%g", tick);
 }
 
@@ -35,20 +35,21 @@ void ChartAxes::layOut(const ChartAxis& x, const ChartAxis& y, const QRectF& are
   // Charts above each other have one left edge unless a label is wider than most.
   double widest = metrics.horizontalAdvance(QStringLiteral("0.0000"));
   for (const double tick : ticksOf(y.range, y.step))
-    widest = std::max(widest, metrics.horizontalAdvance(textOf(tick)));
-  plot_ = area.adjusted(widest + kGap + (y.title.isEmpty() ? 0.0 : line), 0.5 * line, 0.0,
-                        -line - kGap - (x.title.isEmpty() ? 0.0 : line));
+    widest = std::max(widest, metrics.horizontalAdvance(tickText(tick)));
+  plot_ = area.adjusted(widest + kAxisGap + (y.title.isEmpty() ? 0.0 : line), 0.5 * line, 0.0,
+                        -line - kAxisGap - (x.title.isEmpty() ? 0.0 : line));
   for (const double tick : ticksOf(y.range, y.step)) {
-    const double width = metrics.horizontalAdvance(textOf(tick));
+    const double width = metrics.horizontalAdvance(tickText(tick));
     const double middle = pointOf({x.range.low, tick}).y();
-    labels_.push_back({textOf(tick), {plot_.left() - kGap - width, middle - 0.5 * line, width, line}});
+    labels_.push_back({tickText(tick), {plot_.left() - kAxisGap - width, middle - 0.5 * line, width, line}});
   }
   for (const double tick : ticksOf(x.range, x.step)) {
-    const double width = metrics.horizontalAdvance(textOf(tick));
+    const double width = metrics.horizontalAdvance(tickText(tick));
     // Neither beside the lowest label of the other axis nor over the edge.
-    const double left = std::max(
-        plot_.left() - kGap, std::min(pointOf({tick, y.range.low}).x() - 0.5 * width, area.right() - width));
-    labels_.push_back({textOf(tick), {left, plot_.bottom() + kGap, width, line}});
+    const double left =
+        std::max(plot_.left() - kAxisGap,
+                 std::min(pointOf({tick, y.range.low}).x() - 0.5 * width, area.right() - width));
+    labels_.push_back({tickText(tick), {left, plot_.bottom() + kAxisGap, width, line}});
   }
 }
 

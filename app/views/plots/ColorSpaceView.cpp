@@ -18,43 +18,44 @@
 
 namespace taa::app {
 
-namespace {
-
-enum class Shape { Dot, Ring, Diamond, FilledDiamond, Square, Cross, Dotted, Dashed, Solid, Thin, Arrow };
+enum class PlotShape { Dot, Ring, Diamond, FilledDiamond, Square, Cross, Dotted, Dashed, Solid, Thin, Arrow };
 
 /// What the plot shows one of: its points, lines, and their styles.
-struct Item {
-  Shape shape;
+struct PlotItem {
+  PlotShape shape;
   QString label;
   QColor color;
   std::vector<glm::vec3> points{};
   std::vector<Segment> lines{};
 };
 
-QPen penOf(Shape shape, const QColor& color) {
-  QPen pen(color, shape == Shape::Solid ? 1.6 : 1.1);
-  if (shape == Shape::Dotted) pen.setStyle(Qt::DotLine);
-  if (shape == Shape::Dashed) pen.setStyle(Qt::DashLine);
+namespace {
+
+QPen penOf(PlotShape shape, const QColor& color) {
+  QPen pen(color, shape == PlotShape::Solid ? 1.6 : 1.1);
+  if (shape == PlotShape::Dotted) pen.setStyle(Qt::DotLine);
+  if (shape == PlotShape::Dashed) pen.setStyle(Qt::DashLine);
   return pen;
 }
 
-void drawMark(QPainter& painter, QPointF place, Shape shape, const QColor& color) {
+void drawMark(QPainter& painter, QPointF place, PlotShape shape, const QColor& color) {
   constexpr double r = 4.5;
-  const bool isFilled = shape == Shape::Dot || shape == Shape::FilledDiamond || shape == Shape::Square;
+  const bool isFilled =
+      shape == PlotShape::Dot || shape == PlotShape::FilledDiamond || shape == PlotShape::Square;
   painter.setPen(QPen(color, 1.4));
   painter.setBrush(isFilled ? QBrush(color) : QBrush(Qt::NoBrush));
   switch (shape) {
-  case Shape::Dot:
+  case PlotShape::Dot:
     return painter.drawEllipse(place, r, r);
-  case Shape::Ring:
+  case PlotShape::Ring:
     return painter.drawEllipse(place, r - 1.5, r - 1.5);
-  case Shape::Diamond:
-  case Shape::FilledDiamond: {
+  case PlotShape::Diamond:
+  case PlotShape::FilledDiamond: {
     const std::array<QPointF, 4> corners{place + QPointF(0, -r - 1), place + QPointF(r + 1, 0),
                                          place + QPointF(0, r + 1), place + QPointF(-r - 1, 0)};
     return painter.drawPolygon(corners.data(), 4);
   }
-  case Shape::Square:
+  case PlotShape::Square:
     return painter.drawRect(QRectF(place.x() - r + 0.5, place.y() - r + 0.5, 2 * r - 1, 2 * r - 1));
   default:
     painter.drawLine(place + QPointF(-3, -3), place + QPointF(3, 3));
@@ -69,44 +70,46 @@ std::vector<Segment> edgesOf(const Corners& corners) {
   return edges;
 }
 
-std::vector<Item> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
-  std::vector<Item> items{
-      {Shape::Dotted, ColorSpaceView::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
-      {Shape::Dashed, ColorSpaceView::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
-      {Shape::Solid, ColorSpaceView::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
+std::vector<PlotItem> itemsOf(const ColorScene& scene, const ThemeColors& colors) {
+  std::vector<PlotItem> items{
+      {PlotShape::Dotted, ColorSpaceView::tr("min-max box"), colors.secondary, {}, edgesOf(scene.minMax)},
+      {PlotShape::Dashed, ColorSpaceView::tr("variance box"), colors.secondary, {}, edgesOf(scene.variance)},
+      {PlotShape::Solid, ColorSpaceView::tr("final box"), colors.text, {}, edgesOf(scene.box)}};
   if (!scene.hull.empty())
-    items.push_back({Shape::Thin, ColorSpaceView::tr("hull"), colors.accent, {}, scene.hull});
+    items.push_back({PlotShape::Thin, ColorSpaceView::tr("hull"), colors.accent, {}, scene.hull});
   if (!scene.variants.empty())
-    items.push_back({Shape::Cross, ColorSpaceView::tr("what if"), colors.secondary, scene.variants});
-  items.push_back({Shape::Ring,
+    items.push_back({PlotShape::Cross, ColorSpaceView::tr("what if"), colors.secondary, scene.variants});
+  items.push_back({PlotShape::Ring,
                    ColorSpaceView::tr("samples"),
                    colors.text,
                    {scene.samples.begin(), scene.samples.end()}});
   if (!scene.taps.empty())
-    items.push_back({Shape::Ring, ColorSpaceView::tr("taps"), colors.accent, scene.taps});
+    items.push_back({PlotShape::Ring, ColorSpaceView::tr("taps"), colors.accent, scene.taps});
   if (scene.historyRaw && scene.historyRectified) {
-    Item way{Shape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
+    PlotItem way{PlotShape::Arrow, ColorSpaceView::tr("clip ray"), colors.caution, {}, {}};
     if (*scene.historyRaw != *scene.historyRectified)
       way.lines.emplace_back(*scene.historyRaw, *scene.historyRectified);
     if (scene.target) way.lines.emplace_back(*scene.historyRectified, *scene.target);
     if (!way.lines.empty()) items.push_back(std::move(way));
-    items.push_back({Shape::Diamond, ColorSpaceView::tr("history"), colors.caution, {*scene.historyRaw}});
-    items.push_back(
-        {Shape::FilledDiamond, ColorSpaceView::tr("rectified"), colors.caution, {*scene.historyRectified}});
+    items.push_back({PlotShape::Diamond, ColorSpaceView::tr("history"), colors.caution, {*scene.historyRaw}});
+    items.push_back({PlotShape::FilledDiamond,
+                     ColorSpaceView::tr("rectified"),
+                     colors.caution,
+                     {*scene.historyRectified}});
   }
-  items.push_back({Shape::Dot, ColorSpaceView::tr("current"), colors.text, {scene.current}});
-  items.push_back({Shape::Square, ColorSpaceView::tr("resolved"), colors.accent, {scene.resolved}});
+  items.push_back({PlotShape::Dot, ColorSpaceView::tr("current"), colors.text, {scene.current}});
+  items.push_back({PlotShape::Square, ColorSpaceView::tr("resolved"), colors.accent, {scene.resolved}});
   return items;
 }
 
 using Place = std::function<QPointF(const glm::vec3&)>;
 
-void paintItem(QPainter& painter, const Item& item, const Place& placeOf) {
+void paintItem(QPainter& painter, const PlotItem& item, const Place& placeOf) {
   bool isFirst = true;
   for (const auto& [a, b] : item.lines) {
     QPen pen = penOf(item.shape, item.color);
     // The part of the way that history went is drawn through, the rest of it dotted.
-    if (item.shape == Shape::Arrow && !isFirst) pen.setStyle(Qt::DotLine);
+    if (item.shape == PlotShape::Arrow && !isFirst) pen.setStyle(Qt::DotLine);
     painter.setPen(pen);
     painter.drawLine(placeOf(a), placeOf(b));
     isFirst = false;
@@ -123,7 +126,7 @@ QString rangeText(float low, float high) {
 
 struct ColorSpaceView::Content {
   const ThemeColors& colors;
-  std::vector<Item> items;
+  std::vector<PlotItem> items;
 };
 
 ColorSpaceView::ColorSpaceView(QWidget* parent) : QWidget(parent) {
@@ -192,7 +195,7 @@ void ColorSpaceView::paintPlot(QPainter& painter, const Content& content) const 
   for (std::size_t corner = 0; corner < 8; ++corner)
     frame[corner] = low + size * glm::vec3(corner & 1 ? 1 : 0, corner & 2 ? 1 : 0, corner & 4 ? 1 : 0);
   for (const auto& [a, b] : edgesOf(frame)) painter.drawLine(placeOf(a), placeOf(b));
-  for (const Item& item : content.items) paintItem(painter, item, place);
+  for (const PlotItem& item : content.items) paintItem(painter, item, place);
   for (int axis = 0; axis < 3; ++axis) {
     glm::vec3 end = low;
     end[axis] = range_.high[axis] + 0.08f * size[axis];
@@ -216,7 +219,7 @@ void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, 
   painter.drawRect(rect);
   painter.save();
   painter.setClipRect(rect);
-  for (const Item& item : content.items)
+  for (const PlotItem& item : content.items)
     paintItem(painter, item, [&](const glm::vec3& color) { return flatPlace(color, index); });
   painter.restore();
   painter.setPen(content.colors.secondary);
@@ -230,7 +233,7 @@ void ColorSpaceView::paintProjection(QPainter& painter, const Content& content, 
 void ColorSpaceView::paintLegend(QPainter& painter, const Content& content) const {
   const double line = fontMetrics().height() + 2;
   double x = 2 * kUnit, y = height() - legendHeight();
-  for (const Item& item : content.items) {
+  for (const PlotItem& item : content.items) {
     const double wide = 24 + fontMetrics().horizontalAdvance(item.label) + 3 * kUnit;
     if (x + wide > width() && x > 2 * kUnit) x = 2 * kUnit, y += line;
     const QPointF middle(x + 9, y + line / 2);
@@ -270,7 +273,7 @@ QString ColorSpaceView::textAt(QPointF place) const {
   constexpr double kNear = 9.0;
   double least = kNear;
   QString text;
-  for (const Item& item : itemsOf(*scene_, themeColors(this)))
+  for (const PlotItem& item : itemsOf(*scene_, themeColors(this)))
     for (const glm::vec3& point : item.points)
       for (int plot = -1; plot < 3; ++plot) {
         const QPointF away = (plot < 0 ? placeOf(point) : flatPlace(point, plot)) - place;

@@ -17,8 +17,8 @@ namespace taa::app {
 namespace {
 constexpr int kDragStart = 5; ///< px that the mouse moves before it is a drag
 constexpr double kMinSpan = 4.0, kZoomStep = 1.25;
-constexpr double kTickSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
-constexpr double kDotRadius = 2.5;                      ///< px
+constexpr double kColumnSpace = 56.0, kValueSpace = 28.0; ///< px between ticks at least
+constexpr double kDotRadius = 2.5;                        ///< px
 } // namespace
 
 CurveChart::CurveChart(const QString& title, const QString& xTitle, QWidget* parent)
@@ -75,7 +75,7 @@ void CurveChart::fitAxes() {
       span = span ? Span{std::min(span->low, values->low), std::max(span->high, values->high)} : *values;
   const int rows = std::max(2, static_cast<int>((height() - 2 * legend_.height()) / kValueSpace));
   const Span scale = roundedSpan(span.value_or(Span{}), rows);
-  const int columns = std::max(2, static_cast<int>(width() / kTickSpace));
+  const int columns = std::max(2, static_cast<int>(width() / kColumnSpace));
   const Span frames{shown_.low, std::max(shown_.high, shown_.low + 1e-9)};
   axes_.layOut({frames, std::max(1.0, roundStep(shown_.length(), columns))},
                {scale, roundStep(scale.length(), rows)},

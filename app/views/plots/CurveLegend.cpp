@@ -12,8 +12,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr double kLineHeight = 18.0, kBaseline = 13.0;
-constexpr double kMargin = 2.0 * kUnit, kGap = 4.0 * kUnit;
+constexpr double kLineHeight = 18.0, kFirstBaseline = 13.0;
+constexpr double kLegendMargin = 2.0 * kUnit, kTitleGap = 4.0 * kUnit;
 constexpr double kLongSample = 26.0, kShortSample = 16.0; ///< of the dashes
 
 QFontMetricsF metrics() {
@@ -38,8 +38,8 @@ std::vector<double> CurveLegend::widthsOf(const std::vector<Curve>& curves) cons
 
 void CurveLegend::layOut(const QString& title, const std::vector<Curve>& curves, double width,
                          double placeWidth) {
-  width_ = width - 2.0 * kMargin;
-  const double start = metrics().horizontalAdvance(title) + kGap, firstEnd = width_ - placeWidth;
+  width_ = width - 2.0 * kLegendMargin;
+  const double start = metrics().horizontalAdvance(title) + kTitleGap, firstEnd = width_ - placeWidth;
   for (const bool isShortened : {false, true}) {
     isShortened_ = isShortened;
     places_ = placeLegend(widthsOf(curves), start, firstEnd, width_);
@@ -57,14 +57,14 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
                         const QString& place) const {
   painter.setFont(secondaryFont());
   painter.setPen(colors.text);
-  painter.drawText(QPointF(kMargin, kBaseline), title);
+  painter.drawText(QPointF(kLegendMargin, kFirstBaseline), title);
   const std::vector<double> widths = widthsOf(curves);
-  double firstEnd = metrics().horizontalAdvance(title) + kGap;
+  double firstEnd = metrics().horizontalAdvance(title) + kTitleGap;
   const double sample = isShortened_ ? kShortSample : kLongSample;
   for (std::size_t index = 0; index < std::min(curves.size(), places_.size()); ++index) {
     const Curve& curve = curves[index];
-    const double baseline = kBaseline + places_[index].line * kLineHeight;
-    double left = kMargin + places_[index].left;
+    const double baseline = kFirstBaseline + places_[index].line * kLineHeight;
+    double left = kLegendMargin + places_[index].left;
     if (places_[index].line == 0) firstEnd = places_[index].left + widths[index];
     painter.setPen(QPen(curve.color, 1.5, curve.dash, Qt::FlatCap));
     painter.drawLine(QPointF(left, baseline - 4.0), QPointF(left + sample, baseline - 4.0));
@@ -78,7 +78,8 @@ void CurveLegend::paint(QPainter& painter, const ThemeColors& colors, const QStr
   }
   const QString shown = metrics().elidedText(place, Qt::ElideRight, width_ - firstEnd);
   painter.setPen(colors.secondary);
-  painter.drawText(QPointF(kMargin + width_ - metrics().horizontalAdvance(shown), kBaseline), shown);
+  painter.drawText(QPointF(kLegendMargin + width_ - metrics().horizontalAdvance(shown), kFirstBaseline),
+                   shown);
 }
 
 } // namespace taa::app

@@ -11,7 +11,7 @@
 namespace taa::app {
 
 namespace {
-constexpr double kMargin = 10.0;
+constexpr double kJitterMargin = 10.0;
 constexpr double kMinRadius = 2.0;
 constexpr double kFullRadius = 0.16; ///< of the pixel's side: one sample that is all of the picture
 constexpr std::size_t kMaxNumbers = 64, kLongestPath = 64; ///< more could not be told apart
@@ -42,7 +42,7 @@ QRectF JitterView::square() const {
     const double inside = std::min({at.x, at.y, 1.0 - at.x, 1.0 - at.y});
     out = std::max(out, kFullRadius * std::sqrt(std::max(0.0, sample.weight)) - inside);
   }
-  const double side = (std::min(width(), height()) - 2.0 * kMargin) / (1.0 + 2.0 * out);
+  const double side = (std::min(width(), height()) - 2.0 * kJitterMargin) / (1.0 + 2.0 * out);
   return {0.5 * (width() - side), 0.5 * (height() - side), side, side};
 }
 

@@ -21,9 +21,8 @@ namespace taa::app {
 
 namespace {
 
-constexpr std::size_t kMiddle = 4;                               ///< of the 3×3 records
 constexpr int kName = 0, kResolved = 1, kChange = 2, kAlpha = 3; ///< columns of "What if"
-constexpr int kCellMargins = 3 * kUnit;                          ///< of a cell, both sides
+constexpr int kPageMargins = 3 * kUnit;                          ///< of a cell, both sides
 
 QLabel* makeNote() {
   auto* note = new QLabel;
@@ -113,9 +112,9 @@ void ColorSpacePage::setResult(const std::optional<ProbeResult>& result) {
 }
 
 void ColorSpacePage::show() {
-  if (!result_ || !result_->details || result_->around.size() <= kMiddle) return view_->setScene({});
-  view_->setScene(
-      colorScene(result_->around[kMiddle], *result_->details, result_->settings, chosen_, result_->whatIf));
+  if (!result_ || !result_->details || result_->around.size() <= kProbedMiddle) return view_->setScene({});
+  view_->setScene(colorScene(result_->around[kProbedMiddle], *result_->details, result_->settings, chosen_,
+                             result_->whatIf));
   const bool isBounded = result_->settings.space.tone != ToneSpace::Linear;
   note_->setText(isBounded ? tr("highlights bounded, as the box has them") : tr("scene-linear"));
 }
@@ -156,9 +155,9 @@ void WhatIfPage::fitColumns() {
     int width = names.horizontalAdvance(table_->headerItem()->text(column));
     for (const ValueTable::Row& row : table_->rows())
       width = std::max(width, digits.horizontalAdvance(row.cells.value(column)));
-    room -= width + kCellMargins;
+    room -= width + kPageMargins;
   }
-  table_->setColumnHidden(kResolved, room < name + kCellMargins);
+  table_->setColumnHidden(kResolved, room < name + kPageMargins);
 }
 
 void WhatIfPage::resizeEvent(QResizeEvent*) {

@@ -15,17 +15,17 @@
 namespace taa::app {
 
 namespace {
-constexpr double kMargin = 14;          ///< room for half a label at either end
-constexpr int kBaseline = 21;           ///< y of the line the ticks stand on
-constexpr int kKeptTop = kBaseline + 3; ///< bars of the frames that are kept
+constexpr double kRulerMargin = 14;      ///< room for half a label at either end
+constexpr int kRulerLine = 21;           ///< y of the line the ticks stand on
+constexpr int kKeptTop = kRulerLine + 3; ///< bars of the frames that are kept
 constexpr int kKeptHeight = 3;
 constexpr int kHeadTop = kKeptTop + kKeptHeight + 1;
 constexpr int kHeadHeight = 10;
-constexpr int kHeight = kHeadTop + kHeadHeight + 2;
-constexpr int kStripTop = kHeight + 1, kStripHeight = 22;
+constexpr int kTimelineHeight = kHeadTop + kHeadHeight + 2;
+constexpr int kStripTop = kTimelineHeight + 1, kStripHeight = 22;
 constexpr double kHandleWidth = 7;
-constexpr double kTickSpace = 5;   ///< least distance of ticks
-constexpr double kLabelSpace = 56; ///< and of labels
+constexpr double kRulerTickSpace = 5; ///< least distance of ticks
+constexpr double kLabelSpace = 56;    ///< and of labels
 } // namespace
 
 Timeline::Timeline(QWidget* parent) : QWidget(parent) {
@@ -38,7 +38,7 @@ Timeline::Timeline(QWidget* parent) : QWidget(parent) {
 }
 
 QSize Timeline::sizeHint() const {
-  return {300, strip_.name.isEmpty() ? kHeight : kStripTop + kStripHeight};
+  return {300, strip_.name.isEmpty() ? kTimelineHeight : kStripTop + kStripHeight};
 }
 
 void Timeline::setFrameCount(int count) {
@@ -93,13 +93,13 @@ void Timeline::setStrip(const TimelineStrip& strip) {
 }
 
 TimelineScale Timeline::scale() const {
-  return {frameCount_, kMargin, width() - 2 * kMargin};
+  return {frameCount_, kRulerMargin, width() - 2 * kRulerMargin};
 }
 
 QRectF Timeline::handle(bool isLast) const {
   const auto [first, last] = range();
   const double x = scale().position(isLast ? last : first);
-  return {isLast ? x + 1 : x - kHandleWidth, kBaseline - 5, kHandleWidth, 14};
+  return {isLast ? x + 1 : x - kHandleWidth, kRulerLine - 5, kHandleWidth, 14};
 }
 
 QString Timeline::textAt(int frame) const {
@@ -121,15 +121,15 @@ QString Timeline::textAt(int frame) const {
 void Timeline::paintTicks(QPainter& painter) const {
   const ThemeColors& colors = themeColors(this);
   const TimelineScale ruler = scale();
-  painter.fillRect(QRectF(ruler.left, kBaseline, ruler.width, 1), colors.secondary);
-  for (const int frame : ruler.ticks(ruler.tickStep(kTickSpace)))
-    painter.fillRect(QRectF(ruler.position(frame), kBaseline - 3, 1, 3), colors.line);
+  painter.fillRect(QRectF(ruler.left, kRulerLine, ruler.width, 1), colors.secondary);
+  for (const int frame : ruler.ticks(ruler.tickStep(kRulerTickSpace)))
+    painter.fillRect(QRectF(ruler.position(frame), kRulerLine - 3, 1, 3), colors.line);
   painter.setFont(secondaryFont());
   for (const int frame : ruler.ticks(ruler.tickStep(kLabelSpace))) {
     const double x = ruler.position(frame);
-    painter.fillRect(QRectF(x, kBaseline - 6, 1, 6), colors.secondary);
+    painter.fillRect(QRectF(x, kRulerLine - 6, 1, 6), colors.secondary);
     painter.setPen(colors.secondary);
-    painter.drawText(QRectF(x - 28, 0, 56, kBaseline - 7), Qt::AlignHCenter | Qt::AlignBottom,
+    painter.drawText(QRectF(x - 28, 0, 56, kRulerLine - 7), Qt::AlignHCenter | Qt::AlignBottom,
                      QString::number(frame));
   }
 }
@@ -148,8 +148,8 @@ void Timeline::paintRange(QPainter& painter) const {
   const auto [first, last] = range();
   const QColor color = range_ ? colors.accent : colors.secondary;
   if (range_)
-    painter.fillRect(QRectF(QPointF(scale().position(first), kBaseline - 1),
-                            QPointF(scale().position(last) + 1, kBaseline + 2)),
+    painter.fillRect(QRectF(QPointF(scale().position(first), kRulerLine - 1),
+                            QPointF(scale().position(last) + 1, kRulerLine + 2)),
                      color);
   // Brackets that open towards what is repeated.
   for (const bool isLast : {false, true}) {
@@ -178,13 +178,13 @@ void Timeline::paintMarks(QPainter& painter) const {
   for (const auto& [frame, name] : marks_) {
     const double x = scale().position(frame) + 0.5;
     const QPointF diamond[] = {
-        {x, kBaseline - 12.0}, {x + 5, kBaseline - 7.0}, {x, kBaseline - 2.0}, {x - 5, kBaseline - 7.0}};
+        {x, kRulerLine - 12.0}, {x + 5, kRulerLine - 7.0}, {x, kRulerLine - 2.0}, {x - 5, kRulerLine - 7.0}};
     if (!name.isEmpty()) {
       const int wide = metrics.horizontalAdvance(name);
       const double left = std::min(x + 8, width() - wide - 2.0);
-      painter.fillRect(QRectF(left - 2, 0, wide + 4, kBaseline - 3), colors.window);
+      painter.fillRect(QRectF(left - 2, 0, wide + 4, kRulerLine - 3), colors.window);
       painter.setPen(colors.text);
-      painter.drawText(QPointF(left, kBaseline - 8), name);
+      painter.drawText(QPointF(left, kRulerLine - 8), name);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(colors.text);
@@ -229,7 +229,7 @@ void Timeline::paintHead(QPainter& painter, int frame) const {
   painter.setBrush(colors.accent);
   painter.drawPolygon(head, 5);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.fillRect(QRectF(x - 1, kBaseline - 8, 2, top - kBaseline + 9), colors.accent);
+  painter.fillRect(QRectF(x - 1, kRulerLine - 8, 2, top - kRulerLine + 9), colors.accent);
   if (!strip_.name.isEmpty()) painter.fillRect(QRectF(x - 1, kStripTop, 2, kStripHeight), colors.accent);
 }
 
@@ -242,7 +242,7 @@ void Timeline::paintEvent(QPaintEvent*) {
   paintStrip(painter);
   paintMarks(painter);
   if (hovered_ >= 0 && dragged_ < 0 && !handle_)
-    painter.fillRect(QRectF(scale().position(hovered_), kBaseline - 8, 1, height() - kBaseline + 8),
+    painter.fillRect(QRectF(scale().position(hovered_), kRulerLine - 8, 1, height() - kRulerLine + 8),
                      colors.text);
   paintHead(painter, dragged_ >= 0 ? dragged_ : frame_);
 }

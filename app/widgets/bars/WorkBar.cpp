@@ -15,13 +15,13 @@ namespace taa::app {
 
 namespace {
 constexpr int kBar = 3;
-constexpr int kGap = 8;     ///< around the words
-constexpr int kDelay = 300; ///< ms until work counts as long
+constexpr int kWordsGap = 8; ///< around the words
+constexpr int kDelay = 300;  ///< ms until work counts as long
 } // namespace
 
 WorkBar::WorkBar(QWidget* over, int top) : QWidget(over), top_(top), label_(new QLabel) {
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * kUnit, kBar + kGap, kGap + 2, 0);
+  layout->setContentsMargins(2 * kUnit, kBar + kWordsGap, kWordsGap + 2, 0);
   layout->addStretch(1);
   layout->setSpacing(2 * kUnit);
   label_->setFont(secondaryFont());
@@ -60,11 +60,12 @@ QString WorkBar::text() const {
 
 QRect WorkBar::words() const {
   const int wordsWidth = layout()->sizeHint().width();
-  return {width() - wordsWidth - kGap + 2 * kUnit, kBar + kGap, wordsWidth - 2 * kUnit, kRowHeight + 2};
+  return {width() - wordsWidth - kWordsGap + 2 * kUnit, kBar + kWordsGap, wordsWidth - 2 * kUnit,
+          kRowHeight + 2};
 }
 
 void WorkBar::place() {
-  setGeometry(0, top_, parentWidget()->width(), kBar + kGap + kRowHeight + 2);
+  setGeometry(0, top_, parentWidget()->width(), kBar + kWordsGap + kRowHeight + 2);
   // Only the bar and the words take room from what is below.
   setMask(QRegion(0, 0, width(), kBar) + words());
 }

@@ -13,7 +13,7 @@
 namespace taa::app {
 
 namespace {
-constexpr int kPadding = 6;
+constexpr int kChoicePadding = 6;
 constexpr int kChevron = 12;
 } // namespace
 
@@ -66,7 +66,7 @@ QSize ChoiceButton::sizeHint() const {
   if (caption_.isEmpty())
     for (const QString& label : labels_) width = std::max(width, fontMetrics().horizontalAdvance(label));
   // The frame takes a pixel at either end.
-  return {width + 2 * kPadding + (plain_ ? 0 : kUnit + kChevron) + 2, kRowHeight};
+  return {width + 2 * kChoicePadding + (plain_ ? 0 : kUnit + kChevron) + 2, kRowHeight};
 }
 
 void ChoiceButton::paintEvent(QPaintEvent*) {
@@ -79,12 +79,13 @@ void ChoiceButton::paintEvent(QPaintEvent*) {
     painter.drawRect(box);
   }
   painter.setPen(dimmed_ ? colors.secondary : colors.text);
-  const QRect inside = box.adjusted(kPadding, 0, -kPadding - (plain_ ? 0 : kChevron + kUnit) + 1, 0);
+  const QRect inside =
+      box.adjusted(kChoicePadding, 0, -kChoicePadding - (plain_ ? 0 : kChevron + kUnit) + 1, 0);
   painter.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(caption(), Qt::ElideRight, inside.width()));
   if (plain_) return;
   painter.drawPixmap(
-      box.right() - kPadding - kChevron + 2, box.center().y() - kChevron / 2 + 1,
+      box.right() - kChoicePadding - kChevron + 2, box.center().y() - kChevron / 2 + 1,
       iconPixmap(QStringLiteral("chevron-down"), colors.secondary, kChevron, devicePixelRatioF()));
 }
 

@@ -17,7 +17,7 @@
 namespace taa::app {
 
 namespace {
-constexpr int kPadding = 6;
+constexpr int kFieldPadding = 6;
 } // namespace
 
 NumberField::NumberField(const NumberScale& scale, QWidget* parent) : QWidget(parent), scale_(scale) {
@@ -54,7 +54,7 @@ void NumberField::setDimmed(bool dimmed) {
 }
 
 QSize NumberField::sizeHint() const {
-  int width = 2 * kPadding + QFontMetrics(numberFont()).horizontalAdvance(QStringLiteral("−0.0000"));
+  int width = 2 * kFieldPadding + QFontMetrics(numberFont()).horizontalAdvance(QStringLiteral("−0.0000"));
   const QFontMetrics small(secondaryFont());
   if (!unit_.isEmpty()) width += small.horizontalAdvance(unit_) + kUnit;
   if (!prefix_.isEmpty()) width += small.horizontalAdvance(prefix_) + kUnit;
@@ -73,7 +73,7 @@ void NumberField::paintEvent(QPaintEvent*) {
   painter.setPen(hasFocus() ? colors.accent : underMouse() ? colors.secondary : colors.line);
   painter.drawRect(box);
 
-  QRect inside = box.adjusted(kPadding, 0, -kPadding + 1, 0);
+  QRect inside = box.adjusted(kFieldPadding, 0, -kFieldPadding + 1, 0);
   painter.setFont(secondaryFont());
   painter.setPen(colors.secondary);
   const QFontMetrics small(secondaryFont());

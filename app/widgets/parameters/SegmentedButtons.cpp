@@ -13,7 +13,7 @@
 namespace taa::app {
 
 namespace {
-constexpr int kPadding = 7; ///< beside a label
+constexpr int kSegmentPadding = 7; ///< beside a label
 } // namespace
 
 SegmentedButtons::SegmentedButtons(const QStringList& labels, QWidget* parent)
@@ -37,7 +37,7 @@ void SegmentedButtons::setDimmed(bool dimmed) {
 }
 
 int SegmentedButtons::labelWidth(int index) const {
-  return fontMetrics().horizontalAdvance(labels_[index]) + 2 * kPadding;
+  return fontMetrics().horizontalAdvance(labels_[index]) + 2 * kSegmentPadding;
 }
 
 int SegmentedButtons::allLabels() const {

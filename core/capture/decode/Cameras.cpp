@@ -11,14 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace taa::capture {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// What matrices that went through 32-bit floats leave where there should be 0, relative to their elements.
 constexpr double kRounding = 1e-5;
 

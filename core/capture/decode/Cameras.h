@@ -7,9 +7,13 @@
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace taa::capture {
+
+/// Distance of a far plane that is none, and of the sky.
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A camera and the planes that its stated projection has, m; the far one may be infinite.
 struct StatedCamera {

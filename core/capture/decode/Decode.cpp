@@ -16,7 +16,7 @@ namespace taa::capture {
 
 namespace {
 
-void check(const Manifest& manifest, std::size_t index) {
+void checkFrame(const Manifest& manifest, std::size_t index) {
   const bool hasSize = manifest.sizePx.x > 0 && manifest.sizePx.y > 0;
   if (!hasSize || manifest.sizePx.x > kMaxCaptureSide || manifest.sizePx.y > kMaxCaptureSide)
     throw Error(say<"the capture's frames are %1×%2; a side is 1 to %3 pixels">(
@@ -80,7 +80,7 @@ void takeGeometry(const Manifest& manifest, const StatedCamera* camera, PlaneSha
 } // namespace
 
 DecodedFrame decode(const Manifest& manifest, std::size_t index, FramePlanes&& planes) {
-  check(manifest, index);
+  checkFrame(manifest, index);
   const CapturedFrame& frame = manifest.frames[index];
   DecodedFrame out;
   takeInfo(manifest, index, out);

@@ -9,16 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace taa::capture {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-void check(const DepthConventions& depth) {
+void checkDepth(const DepthConventions& depth) {
   if (!std::isfinite(depth.scale) || depth.scale == 0.0)
     throw Error(say<"depth.scale is no number that distances can be scaled by; it is not 0">());
   const bool hasNear = std::isfinite(depth.nearPlane) && depth.nearPlane >= 0.0;
@@ -50,7 +47,7 @@ void forPixels(Image& image, const Value& value) {
 DepthDecoder::DepthDecoder(const Manifest& manifest, const StatedCamera* camera, const glm::dvec2& jitterPx)
     : kind_(manifest.conventions.depth.kind), nothing_(manifest.conventions.depth.nothing) {
   const DepthConventions& depth = manifest.conventions.depth;
-  check(depth);
+  checkDepth(depth);
   if (depth.jittered) jitterPx_ = jitterPx;
   if (camera) {
     hasCamera_ = true;

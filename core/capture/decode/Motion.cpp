@@ -34,7 +34,7 @@ bool isFiniteAndNot0(double value) {
   return std::isfinite(value) && value != 0.0;
 }
 
-void check(const MotionConventions& motion) {
+void checkMotion(const MotionConventions& motion) {
   if (!isFiniteAndNot0(motion.scale.x) || !isFiniteAndNot0(motion.scale.y))
     throw Error(
         say<"motion.scaleX and motion.scaleY are not numbers that motion can be scaled by; neither is "
@@ -82,7 +82,7 @@ double decodedValue(float stored, double offset) {
 MotionDecoder::MotionDecoder(const Manifest& manifest, const MotionInputs& inputs)
     : conventions_(manifest.conventions.motion), inputs_(inputs), pxPerValue_(pxPerValueOf(manifest)),
       jitterLeft_(jitterLeftOf(conventions_.jitter, inputs)), notWritten_(conventions_.notWritten) {
-  check(conventions_);
+  checkMotion(conventions_);
   if (conventions_.encoding == MotionEncoding::Unreal && !conventions_.notWritten)
     notWritten_ = StoredValue(0.0);
   if (!inputs_.depth) conventions_.whereNothing = {};

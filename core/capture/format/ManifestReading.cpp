@@ -242,7 +242,7 @@ void readAbout(const json& object, Manifest& manifest) {
     manifest.conventions = readConventions(*conventions, manifest.conventions);
 }
 
-Manifest readManifest(const json& object) {
+Manifest manifestFrom(const json& object) {
   requireObject(object, "");
   requireFormat(object);
   requireKeys(object, "", kManifestKeys);
@@ -264,7 +264,7 @@ Manifest readManifest(const json& object) {
 
 Manifest parseManifest(std::string_view text, const std::string& where) {
   try {
-    Manifest manifest = readManifest(parseLimited(text));
+    Manifest manifest = manifestFrom(parseLimited(text));
     requireConsistent(manifest);
     return manifest;
   } catch (const Error& error) {

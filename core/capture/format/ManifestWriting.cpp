@@ -98,7 +98,7 @@ ordered_json headJson(const Manifest& manifest) {
   return object;
 }
 
-std::string textOf(const Manifest& manifest) {
+std::string jsonText(const Manifest& manifest) {
   std::string text = headJson(manifest).dump(1);
   text.resize(text.size() - 2); // "\n}": the frames follow
   text += ",\n \"frames\": [";
@@ -112,7 +112,7 @@ std::string textOf(const Manifest& manifest) {
 std::string manifestText(const Manifest& manifest) {
   try {
     requireConsistent(manifest);
-    std::string text = textOf(manifest);
+    std::string text = jsonText(manifest);
     if (text.size() > kMaxJsonBytes)
       throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), kMaxJsonBytes));
     return text;

@@ -36,6 +36,8 @@ std::size_t bytesOf(const DecodedFrame& frame) {
   return values * sizeof(float);
 }
 
+} // namespace
+
 /// Frames by when they were last asked for, within a budget.
 class FrameCache {
  public:
@@ -71,8 +73,6 @@ class FrameCache {
   std::size_t budget_;
   Entries kept_;
 };
-
-} // namespace
 
 struct Capture::Impl {
   Impl(fs::path folder_, Manifest manifest_, std::size_t budget)

@@ -21,7 +21,7 @@ Image insideHalves(const Image& color) {
   return inside;
 }
 
-Image resized(const Image& image, int width, int height) {
+Image scaled(const Image& image, int width, int height) {
   Image other(width, height, image.channels);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
@@ -32,7 +32,7 @@ Image resized(const Image& image, int width, int height) {
 
 void upload(const Image& image, gl::Texture& texture) {
   if (image.width != texture.width() || image.height != texture.height())
-    return upload(resized(image, texture.width(), texture.height()), texture);
+    return upload(scaled(image, texture.width(), texture.height()), texture);
   if (!gl::isHalf(texture.format())) return texture.upload(image);
   // Drivers differ in how they round.
   std::vector<std::uint16_t> halves(image.pixels.size());

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kNearPlaneOfNoCamera = 0.1; // m; of what is only a place to stand
 
-bool hasPlane(const Manifest& manifest, PlaneKind kind) {
+bool startsWithPlane(const Manifest& manifest, PlaneKind kind) {
   return manifest.plane(manifest.frames.front(), kind) != nullptr;
 }
 
@@ -50,10 +50,10 @@ std::shared_ptr<const CaptureFacts> factsOf(const Manifest& manifest) {
   facts->jitterPeriod = periodOf(facts->jitterPx);
   facts->hasCamera = std::ranges::all_of(
       manifest.frames, [](const CapturedFrame& frame) { return frame.view && frame.projection; });
-  facts->hasMask = hasPlane(manifest, PlaneKind::Mask);
-  facts->hasOverlay = hasPlane(manifest, PlaneKind::Overlay);
-  facts->hasOutput = hasPlane(manifest, PlaneKind::Output);
-  facts->hasReference = hasPlane(manifest, PlaneKind::Reference);
+  facts->hasMask = startsWithPlane(manifest, PlaneKind::Mask);
+  facts->hasOverlay = startsWithPlane(manifest, PlaneKind::Overlay);
+  facts->hasOutput = startsWithPlane(manifest, PlaneKind::Output);
+  facts->hasReference = startsWithPlane(manifest, PlaneKind::Reference);
   return facts;
 }
 

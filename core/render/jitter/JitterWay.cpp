@@ -17,8 +17,8 @@ namespace taa {
 
 namespace {
 
-constexpr double kShare = 0.2;       // of the angle, a frame
-constexpr std::size_t kLongest = 64; // frames of motion that are looked back over
+constexpr double kShare = 0.2;          // of the angle, a frame
+constexpr std::size_t kLongestWay = 64; // frames of motion that are looked back over
 
 /// Motion across the view, px axes; nothing for one that rests. `before`, `now`: view from world.
 std::optional<glm::dvec2> wayBetween(const glm::mat4& before, const glm::mat4& now) {
@@ -46,7 +46,7 @@ glm::dvec2 turnedTowards(const glm::dvec2& way, const glm::dvec2& goal) {
 glm::dvec2 jitterWay(const Scene& scene, const FrameRequest& request, int frame) {
   std::vector<glm::dvec2> ways; // the latest first
   glm::mat4 now = cameraOf(scene, request, frame).viewFromWorld;
-  for (; !isCut(scene, frame) && ways.size() < kLongest; --frame) {
+  for (; !isCut(scene, frame) && ways.size() < kLongestWay; --frame) {
     const glm::mat4 before = cameraOf(scene, request, frame - 1).viewFromWorld;
     if (const auto way = wayBetween(before, now)) ways.push_back(*way);
     now = before;

@@ -7,7 +7,7 @@ namespace taa {
 
 namespace {
 
-gl::Program compile(MotionSource source) {
+gl::Program compileCameraMotion(MotionSource source) {
   const auto constant = [](const char* name, MotionSource value) {
     return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
   };
@@ -31,13 +31,13 @@ CameraMotionPass::CameraMotionPass() : nearest_(gl::SamplerState{}) {}
 
 CameraMotionPass CameraMotionPass::reloaded() const {
   CameraMotionPass pass;
-  for (const auto& [source, program] : programs_) pass.programs_.emplace(source, compile(source));
+  for (const auto& [source, program] : programs_) pass.programs_.emplace(source, compileCameraMotion(source));
   return pass;
 }
 
 void CameraMotionPass::draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out) {
   assert(isFromDepth(source));
-  if (!programs_.contains(source)) programs_.emplace(source, compile(source));
+  if (!programs_.contains(source)) programs_.emplace(source, compileCameraMotion(source));
   const gl::Framebuffer target({{&out.motion}, {&out.previousDepth}}, nullptr, "camera motion");
   gl::RenderPass pass(target, {}, "CameraMotionPass");
   pass.program(programs_.at(source));

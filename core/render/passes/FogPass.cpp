@@ -16,7 +16,7 @@ void fitTo(const gl::Texture& color, gl::Texture& texture, const char* label) {
   texture = gl::Texture(color.size(), color.format(), label);
 }
 
-std::string historyPrelude(FogHistory history) {
+std::string fogHistoryPrelude(FogHistory history) {
   const auto constant = [](const char* name, FogHistory value) {
     return std::string("const int ") + name + " = " + std::to_string(static_cast<int>(value)) + ";\n";
   };
@@ -28,7 +28,7 @@ std::string historyPrelude(FogHistory history) {
 } // namespace
 
 FogPass::Programs FogPass::compile(const Variant& variant) {
-  const std::string prelude = noisePrelude(variant.noise) + historyPrelude(variant.history) +
+  const std::string prelude = noisePrelude(variant.noise) + fogHistoryPrelude(variant.history) +
                               "const bool kExact = " + (variant.isExact ? "true" : "false") + ";\n";
   const gl::ShaderSource vertices("include/fullscreen.vert");
   return {{vertices, gl::ShaderSource("scene/fog_march.frag", prelude), "FogPass march"},

@@ -25,7 +25,7 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
 }
 
-constexpr float kFarthest = std::numeric_limits<float>::max();
+constexpr float kBeyondAll = std::numeric_limits<float>::max();
 
 /// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
 /// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
@@ -33,7 +33,7 @@ constexpr float kFarthest = std::numeric_limits<float>::max();
 /// more.
 std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx,
                                    const glm::vec4& jitter) {
-  if (box.isEmpty()) return kFarthest;
+  if (box.isEmpty()) return kBeyondAll;
   constexpr float marginPx = 3.0f;
   const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
   std::array<int, 5> outside{};
@@ -244,7 +244,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
     else
       // What deforms comes last.
       visible_.push_back(
-          {item.variant.masked, item.variant.deforms() ? kFarthest : distance.value_or(kFarthest), index});
+          {item.variant.masked, item.variant.deforms() ? kBeyondAll : distance.value_or(kBeyondAll), index});
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.

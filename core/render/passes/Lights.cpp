@@ -7,7 +7,7 @@ namespace taa {
 
 namespace {
 
-bool isDrawn(const Light& light, bool directional) {
+bool isDrawnAs(const Light& light, bool directional) {
   return light.node >= 0 && (light.kind == LightKind::Directional) == directional;
 }
 
@@ -39,8 +39,8 @@ void fillLight(const Light& light, const Pose& pose, shared::LightBlock& block, 
 LightCounts lightCounts(const Scene& scene) {
   LightCounts counts{.directional = scene.sky.sunEnabled ? 1 : 0};
   for (const Light& light : scene.lights) {
-    counts.directional += isDrawn(light, true);
-    counts.near += isDrawn(light, false);
+    counts.directional += isDrawnAs(light, true);
+    counts.near += isDrawnAs(light, false);
   }
   counts.directional = std::min(counts.directional, shared::kMaxLights);
   counts.near = std::min(counts.near, shared::kMaxLights - counts.directional);
@@ -57,7 +57,7 @@ shared::LightBlock lightBlock(const Scene& scene, const Pose& pose) {
   }
   for (const bool directional : {true, false})
     for (const Light& light : scene.lights)
-      if (isDrawn(light, directional) && index < shared::kMaxLights) fillLight(light, pose, block, index++);
+      if (isDrawnAs(light, directional) && index < shared::kMaxLights) fillLight(light, pose, block, index++);
   return block;
 }
 

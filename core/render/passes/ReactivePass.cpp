@@ -4,7 +4,7 @@ namespace taa {
 
 namespace {
 
-gl::Program compile() {
+gl::Program compileReactive() {
   return {gl::ShaderSource("include/fullscreen.vert"), gl::ShaderSource("scene/reactive.frag"),
           "ReactivePass"};
 }
@@ -15,7 +15,7 @@ ReactivePass::ReactivePass() : nearest_(gl::SamplerState{}) {}
 
 ReactivePass ReactivePass::reloaded() const {
   ReactivePass pass;
-  if (program_.id() != 0) pass.program_ = compile();
+  if (program_.id() != 0) pass.program_ = compileReactive();
   return pass;
 }
 
@@ -28,7 +28,7 @@ void ReactivePass::keepOpaque(const gl::Texture& color) {
 }
 
 void ReactivePass::draw(const gl::Texture& color, const gl::Texture& mask) {
-  if (program_.id() == 0) program_ = compile();
+  if (program_.id() == 0) program_ = compileReactive();
   const gl::Framebuffer target({{&mask}}, nullptr, "reactive");
   gl::RenderPass pass(target, {}, "ReactivePass");
   pass.program(program_);

@@ -15,8 +15,8 @@ namespace taa {
 
 namespace {
 
-constexpr float kSeconds = 4.0f; // of the loop
-constexpr int kRows = 26, kColumns = 24;
+constexpr float kCrowdSeconds = 4.0f; // of the loop
+constexpr int kCrowdRows = 26, kCrowdColumns = 24;
 constexpr float kSpacing = 1.35f; // meters
 /// Takes z, around which lathes, rings and spins go, to the vertical.
 const glm::quat kUpright(std::sqrt(0.5f), -std::sqrt(0.5f), 0.0f, 0.0f);
@@ -62,7 +62,7 @@ int addHoops(SceneBuilder& builder) {
 }
 
 /// A rim and spokes a centimeter thick, which soon are thinner than a pixel.
-int addRotor(SceneBuilder& builder) {
+int addCrowdRotor(SceneBuilder& builder) {
   constexpr int kSpokes = 16;
   MeshBuilder rotor;
   rotor.ring(glm::vec3(0.0f), 0.45f, 0.012f, 96, 10);
@@ -94,7 +94,7 @@ int addLantern(SceneBuilder& builder, int metal) {
 }
 
 /// A test chart behind bars: two patterns finer than a pixel that cross.
-int addBoard(SceneBuilder& builder, int metal) {
+int addPoster(SceneBuilder& builder, int metal) {
   constexpr int kBars = 24;
   constexpr float kWidth = 0.9f, kHeight = kWidth * kPosterAspect;
   Material chart = paintOf(glm::vec3(1.0f), 0.9f);
@@ -119,9 +119,9 @@ Figures addFigures(SceneBuilder& builder) {
                   addPeg(builder, "blue peg", {0.05f, 0.1f, 0.35f})};
   figures.hoops = addHoops(builder);
   figures.pole = addPole(builder, metal);
-  figures.rotor = addRotor(builder);
+  figures.rotor = addCrowdRotor(builder);
   figures.lantern = addLantern(builder, metal);
-  figures.board = addBoard(builder, metal);
+  figures.board = addPoster(builder, metal);
   MeshBuilder ball;
   ball.ball({0, 0, 0.45f}, 0.42f, 56);
   figures.ball = addMesh(builder, "ball", {ball.build(builder.addMaterial(tile))});
@@ -148,7 +148,7 @@ void addFigure(SceneBuilder& builder, const Figures& figures, int kind, const st
   case 4: {
     place(builder, "pole" + name, figures.pole, at, row);
     const int rotor = place(builder, "rotor" + name, figures.rotor, at + glm::vec3(0, 1.3f, 0.03f), row);
-    builder.animateSpin(rotor, kSeconds, 2 + static_cast<int>(builder.scene().nodes.size() % 3) * 2);
+    builder.animateSpin(rotor, kCrowdSeconds, 2 + static_cast<int>(builder.scene().nodes.size() % 3) * 2);
     return;
   }
   case 5:
@@ -159,7 +159,8 @@ void addFigure(SceneBuilder& builder, const Figures& figures, int kind, const st
     return;
   case 7: {
     const int stand = builder.addNode("stand" + name, at, kUpright, row);
-    builder.animateSpin(place(builder, "ball" + name, figures.ball, glm::vec3(0.0f), stand), kSeconds, 2);
+    builder.animateSpin(place(builder, "ball" + name, figures.ball, glm::vec3(0.0f), stand), kCrowdSeconds,
+                        2);
     return;
   }
   default:
@@ -168,18 +169,18 @@ void addFigure(SceneBuilder& builder, const Figures& figures, int kind, const st
 }
 
 /// Rows behind each other; every third one walks to and fro, and its neighbors are uncovered behind it.
-void addRows(SceneBuilder& builder, const Figures& figures) {
-  for (int row = 0; row < kRows; ++row) {
+void addCrowdRows(SceneBuilder& builder, const Figures& figures) {
+  for (int row = 0; row < kCrowdRows; ++row) {
     const glm::vec3 at(0.0f, 0.0f, -kSpacing * static_cast<float>(row));
     const int carrier = builder.addNode("row " + std::to_string(row), at);
     if (row % 3 == 1) {
       const float width = row % 2 == 0 ? 0.9f : -1.4f;
       builder.animateLoop(
-          carrier, kSeconds, [&](float angle) { return at + glm::vec3(width * std::sin(angle), 0, 0); },
+          carrier, kCrowdSeconds, [&](float angle) { return at + glm::vec3(width * std::sin(angle), 0, 0); },
           [&](float angle) { return glm::vec3(width * std::cos(angle), 0, 0); });
     }
-    for (int column = 0; column < kColumns; ++column) {
-      const float x = kSpacing * (static_cast<float>(column) - 0.5f * (kColumns - 1) +
+    for (int column = 0; column < kCrowdColumns; ++column) {
+      const float x = kSpacing * (static_cast<float>(column) - 0.5f * (kCrowdColumns - 1) +
                                   0.25f * static_cast<float>(row % 2));
       addFigure(builder, figures, (5 * row + 3 * column + row * column % 5) % 8,
                 " " + std::to_string(row) + "." + std::to_string(column), {x, 0.0f, 0.0f}, carrier);
@@ -196,7 +197,7 @@ void addRunners(SceneBuilder& builder, const Figures& figures) {
     const int node = place(builder, "runner " + std::to_string(runner),
                            figures.pegs[static_cast<std::size_t>(runner % 3)], {0, 0, z}, -1, kUpright);
     builder.animateLoop(
-        node, kSeconds, [&](float angle) { return glm::vec3(reach * std::sin(angle + phase), 0, z); },
+        node, kCrowdSeconds, [&](float angle) { return glm::vec3(reach * std::sin(angle + phase), 0, z); },
         [&](float angle) { return glm::vec3(reach * std::cos(angle + phase), 0, 0); });
   }
 }
@@ -206,12 +207,12 @@ void addRunners(SceneBuilder& builder, const Figures& figures) {
 Scene makeCrowdScene() {
   SceneBuilder builder("builtin:crowd");
   const Figures figures = addFigures(builder);
-  addRows(builder, figures);
+  addCrowdRows(builder, figures);
   addRunners(builder, figures);
   const glm::vec3 eye(0.0f, 2.6f, 4.5f);
   const int camera = builder.addCamera("front", eye, {0.0f, -0.2f, -1.0f}, 0.8f);
   builder.animateLoop(
-      camera, kSeconds,
+      camera, kCrowdSeconds,
       [&](float angle) { return eye + glm::vec3(0.3f * std::sin(angle), 0, 0.25f * std::cos(angle)); },
       [](float angle) { return glm::vec3(0.3f * std::cos(angle), 0, -0.25f * std::sin(angle)); });
   builder.scene().shot = {240, 60.0, "gltf:front", {}};

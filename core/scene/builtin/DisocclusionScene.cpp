@@ -12,8 +12,8 @@ namespace taa {
 namespace {
 
 /// A board on the floor that slides `reach` meters to both sides, `turns` times in the loop.
-void addBoard(SceneBuilder& builder, int material, float width, float z, float reach, int turns,
-              float phase) {
+void addMovingBoard(SceneBuilder& builder, int material, float width, float z, float reach, int turns,
+                    float phase) {
   MeshBuilder mesh;
   mesh.box({-0.5f * width, 0.0f, -0.05f}, {0.5f * width, 2.7f, 0.05f}, 0.7f);
   const int node = builder.addObject("board", {mesh.build(material)});
@@ -47,10 +47,10 @@ Scene makeDisocclusionScene() {
   builder.addObject("charts", {charts.build(builder.addMaterial(chart))});
   const int board = builder.addMaterial(wood), red = builder.addMaterial(paintOf({0.7f, 0.08f, 0.05f}, 0.5f)),
             steel = builder.addMaterial(paintOf({0.7f, 0.72f, 0.75f}, 0.25f, 1.0f));
-  addBoard(builder, board, 1.1f, 0.6f, 2.6f, 1, 0.0f);
-  addBoard(builder, red, 0.5f, -0.6f, 3.2f, 2, 1.2f);
-  addBoard(builder, steel, 0.22f, 1.4f, 1.5f, 1, 2.8f);
-  addBoard(builder, red, 0.3f, -1.8f, 3.8f, 1, 4.4f);
+  addMovingBoard(builder, board, 1.1f, 0.6f, 2.6f, 1, 0.0f);
+  addMovingBoard(builder, red, 0.5f, -0.6f, 3.2f, 2, 1.2f);
+  addMovingBoard(builder, steel, 0.22f, 1.4f, 1.5f, 1, 2.8f);
+  addMovingBoard(builder, red, 0.3f, -1.8f, 3.8f, 1, 4.4f);
   const glm::vec3 eye(0.0f, 1.7f, 5.6f);
   const int camera = builder.addCamera("strafe", eye, {0.0f, -0.06f, -1.0f}, 0.75f);
   builder.animateLoop(

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -15,11 +14,10 @@ namespace taa {
 
 namespace {
 
-constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-constexpr float kLoopSeconds = 4.0f;
-constexpr int kTurns = 4;             ///< in the loop: 6° a frame at 60 Hz, 25 px at a blade's tip at 720p
+constexpr float kFanSeconds = 4.0f;
+constexpr int kFanTurns = 4;          ///< in the loop: 6° a frame at 60 Hz, 25 px at a blade's tip at 720p
 constexpr float kBladeLength = 1.13f; ///< meters from the axis
-constexpr float kGuardRadius = 1.24f, kTable = -1.42f, kWall = -0.85f;
+constexpr float kGuardRadius = 1.24f, kTableHeight = -1.42f, kWall = -0.85f;
 
 glm::vec3 around(float radius, float angle, float z) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
@@ -53,7 +51,7 @@ void addBlade(MeshBuilder& mesh, float angle) {
   mesh.sheet(points, kAlong);
 }
 
-void addRotor(SceneBuilder& builder) {
+void addFanRotor(SceneBuilder& builder) {
   Material cream = paintOf({0.86f, 0.82f, 0.72f}, 0.35f), coral = paintOf({0.80f, 0.19f, 0.08f}, 0.35f);
   cream.doubleSided = coral.doubleSided = true;
   const int creamId = builder.addMaterial(cream), coralId = builder.addMaterial(coral);
@@ -71,7 +69,7 @@ void addRotor(SceneBuilder& builder) {
   hub.lathe(glm::vec3(0.0f), kHub, 40);
   const int rotor = builder.addObject(
       "rotor", {creamBlades.build(creamId), coralBlades.build(coralId), hub.build(brass), beads.build(glow)});
-  builder.animateSpin(rotor, kLoopSeconds, kTurns);
+  builder.animateSpin(rotor, kFanSeconds, kFanTurns);
 }
 
 /// The cage: rings and spokes of wire, about one pixel thick at 720p.
@@ -104,11 +102,11 @@ void addStand(SceneBuilder& builder) {
   constexpr std::array<glm::vec2, 5> kMotor{
       {{0.20f, -0.12f}, {0.24f, -0.2f}, {0.22f, -0.45f}, {0.12f, -0.55f}, {0.0f, -0.56f}}};
   stand.lathe(glm::vec3(0.0f), kMotor, 40);
-  const std::array<glm::vec3, 2> pole{{{0.0f, -0.15f, -0.38f}, {0.0f, kTable, -0.38f}}};
+  const std::array<glm::vec3, 2> pole{{{0.0f, -0.15f, -0.38f}, {0.0f, kTableHeight, -0.38f}}};
   stand.tube(pole, 0.05f, 20);
   for (int step = 0; step < 3; ++step) {
     const float half = 0.62f - 0.07f * static_cast<float>(step),
-                y = kTable + 0.03f * static_cast<float>(step);
+                y = kTableHeight + 0.03f * static_cast<float>(step);
     stand.box({-half, y, -0.38f - 0.5f * half}, {half, y + 0.03f, -0.38f + 0.8f * half});
   }
   builder.addObject("stand", {stand.build(enamel)});
@@ -123,8 +121,8 @@ void addRoom(SceneBuilder& builder) {
   table.baseColorTexture = textureSlot(builder.addImage(tileImage()));
   chart.baseColorTexture = textureSlot(builder.addImage(posterImage()));
   MeshBuilder wallMesh, tableMesh, chartMesh;
-  wallMesh.quad({-4.5f, kTable, kWall}, {9.0f, 0, 0}, {0, 4.2f, 0}, {7.5f, 3.5f});
-  tableMesh.quad({-4.5f, kTable, 2.2f}, {9.0f, 0, 0}, {0, 0, kWall - 2.2f}, {7.5f, 2.54f});
+  wallMesh.quad({-4.5f, kTableHeight, kWall}, {9.0f, 0, 0}, {0, 4.2f, 0}, {7.5f, 3.5f});
+  tableMesh.quad({-4.5f, kTableHeight, 2.2f}, {9.0f, 0, 0}, {0, 0, kWall - 2.2f}, {7.5f, 2.54f});
   chartMesh.quad({-2.35f, -0.75f, kWall + 0.02f}, {1.35f, 0, 0}, {0, kPosterAspect * 1.35f, 0});
   builder.addObject("wall", {wallMesh.build(builder.addMaterial(wall))});
   builder.addObject("table", {tableMesh.build(builder.addMaterial(table))});
@@ -162,11 +160,11 @@ void addOrnaments(SceneBuilder& builder) {
   const int copper = builder.addMaterial(paintOf({0.95f, 0.55f, 0.38f}, 0.3f, 1.0f));
   const int lamp = builder.addMaterial(glowOf({1.6f, 0.95f, 0.5f}));
   MeshBuilder left, right, globe, beads;
-  left.ball({-1.62f, kTable + 0.27f, 0.15f}, 0.27f, 48);
-  right.ball({1.42f, kTable + 0.17f, 0.45f}, 0.17f, 40);
-  globe.ball({1.95f, kTable + 0.24f, -0.1f}, 0.24f, 48);
+  left.ball({-1.62f, kTableHeight + 0.27f, 0.15f}, 0.27f, 48);
+  right.ball({1.42f, kTableHeight + 0.17f, 0.45f}, 0.17f, 40);
+  globe.ball({1.95f, kTableHeight + 0.24f, -0.1f}, 0.24f, 48);
   for (int i = 0; i < 15; ++i)
-    beads.ball({-1.05f + 0.15f * static_cast<float>(i), kTable + 0.022f,
+    beads.ball({-1.05f + 0.15f * static_cast<float>(i), kTableHeight + 0.022f,
                 0.75f + 0.07f * std::sin(1.9f * static_cast<float>(i))},
                0.022f, 12);
   builder.addObject("mirror ball", {left.build(mirror)});
@@ -181,14 +179,14 @@ Scene makeFanScene() {
   SceneBuilder builder("builtin:fan");
   addRoom(builder);
   addStand(builder);
-  addRotor(builder);
+  addFanRotor(builder);
   addGuard(builder);
   addLights(builder);
   addOrnaments(builder);
   const glm::vec3 eye(0.0f, 0.30f, 4.35f);
   const int camera = builder.addCamera("front", eye, {0.0f, -0.075f, -1.0f}, 0.70f);
   builder.animateLoop(
-      camera, kLoopSeconds,
+      camera, kFanSeconds,
       [&](float angle) { return eye + glm::vec3(0.28f * std::sin(angle), 0.05f * std::cos(angle), 0.0f); },
       [&](float angle) { return glm::vec3(0.28f * std::cos(angle), -0.05f * std::sin(angle), 0.0f); });
   Scene& scene = builder.scene();

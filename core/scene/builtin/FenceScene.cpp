@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -14,8 +13,7 @@ namespace taa {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kLoopSeconds = 4.0f;
+constexpr float kFenceSeconds = 4.0f;
 constexpr float kPanel = 2.4f; ///< meters, length of a section of fence
 constexpr int kPanels = 26;
 constexpr float kFenceX =
@@ -206,8 +204,8 @@ Scene makeFenceScene() {
   const int camera = builder.addCamera("pass", eye, {0.16f, -0.03f, -1.0f}, 0.80f);
   const auto swing = [](float angle) { return 0.55f * std::sin(angle); };
   builder.animateLoop(
-      camera, kLoopSeconds, [&](float angle) { return eye + glm::vec3(swing(angle), 0, 0); },
-      [&](float angle) { return glm::vec3(swing(angle + 0.5f * kPi), 0, 0); });
+      camera, kFenceSeconds, [&](float angle) { return eye + glm::vec3(swing(angle), 0, 0); },
+      [&](float angle) { return glm::vec3(swing(angle + 0.25f * kTurn), 0, 0); });
   Scene& scene = builder.scene();
   scene.sky.sunDirection = {-0.6f, 0.5f, 0.55f};
   scene.sky.sunColor = {3.2f, 2.75f, 2.2f};

@@ -14,10 +14,6 @@ namespace {
 /// Meters: the largest spark's radius. From the nearest of them, 4 m away, a pixel of 720 lines is 4.4 mm.
 constexpr float kSpark = 0.002f;
 
-float fraction(float value) {
-  return value - std::floor(value);
-}
-
 Material sparkOf(const glm::vec3& radiance) {
   Material material = paintOf(glm::vec3(0.0f), 1.0f);
   material.emissive = radiance;
@@ -29,8 +25,8 @@ Primitive sparks(int count, float radius, int seed, int material) {
   MeshBuilder mesh;
   for (int i = 0; i < count; ++i) {
     const float n = static_cast<float>(i + 17 * seed);
-    mesh.ball({-4.0f + 8.0f * fraction(0.7548777f * n), 0.2f + 2.6f * fraction(0.5698403f * n),
-               -5.0f + 5.0f * fraction(0.3819660f * n)},
+    mesh.ball({-4.0f + 8.0f * glm::fract(0.7548777f * n), 0.2f + 2.6f * glm::fract(0.5698403f * n),
+               -5.0f + 5.0f * glm::fract(0.3819660f * n)},
               radius, 6);
   }
   return mesh.build(material);

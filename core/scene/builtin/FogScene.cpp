@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -16,7 +15,7 @@ namespace taa {
 
 namespace {
 
-constexpr float kLoopSeconds = 4.0f;
+constexpr float kFogSeconds = 4.0f;
 
 /// A lamp at its node's origin that shines along −z.
 struct Lamp {
@@ -29,8 +28,8 @@ struct Lamp {
 };
 
 /// What of a lamp can be touched, then its light and the fog in it; all on one node.
-void addLamp(SceneBuilder& builder, const Lamp& lamp, int parent, const glm::vec3& place,
-             const glm::vec3& direction) {
+void addFogLamp(SceneBuilder& builder, const Lamp& lamp, int parent, const glm::vec3& place,
+                const glm::vec3& direction) {
   constexpr float kDepth = 0.34f;
   MeshBuilder body, glass;
   const float rim = 1.25f * lamp.mouth, neck = 0.45f * lamp.mouth;
@@ -98,7 +97,7 @@ void addThings(SceneBuilder& builder) {
   builder.addObject("ball", {ball.build(white)});
   const int turning = builder.addObject("ring", {ring.build(gold)});
   builder.scene().nodes[static_cast<std::size_t>(turning)].translation = {1.45f, 1.3f, -1.35f};
-  builder.animateSpin(turning, kLoopSeconds, 1);
+  builder.animateSpin(turning, kFogSeconds, 1);
   for (int i = 0; i < 5; ++i) {
     MeshBuilder rope;
     const float x = 2.1f + 0.3f * static_cast<float>(i);
@@ -121,18 +120,18 @@ Scene makeFogScene() {
   addHall(builder);
   addThings(builder);
   const int still = builder.addNode("still lamp's hook", {-2.7f, 4.3f, -0.9f});
-  addLamp(builder, {"still lamp", {1.0f, 0.72f, 0.42f}, 60.0f, 0.16f, 5.2f, 1.15f}, still, glm::vec3(0.0f),
-          {0.42f, -1.0f, 0.05f});
+  addFogLamp(builder, {"still lamp", {1.0f, 0.72f, 0.42f}, 60.0f, 0.16f, 5.2f, 1.15f}, still, glm::vec3(0.0f),
+             {0.42f, -1.0f, 0.05f});
   const int hook = builder.addNode("sweeping lamp's hook", {1.6f, 4.2f, -1.6f});
-  addLamp(builder, {"sweeping lamp", {0.35f, 0.6f, 1.0f}, 60.0f, 0.14f, 5.0f, 0.85f}, hook, glm::vec3(0.0f),
-          {0.0f, -1.0f, 0.12f});
-  builder.animateSwing(hook, kLoopSeconds, 0.5f, 1);
+  addFogLamp(builder, {"sweeping lamp", {0.35f, 0.6f, 1.0f}, 60.0f, 0.14f, 5.0f, 0.85f}, hook,
+             glm::vec3(0.0f), {0.0f, -1.0f, 0.12f});
+  builder.animateSwing(hook, kFogSeconds, 0.5f, 1);
   builder.addPointLight("work light", {3.5f, 3.6f, 3.5f}, {0.75f, 0.8f, 1.0f}, 2.5f);
   const glm::vec3 eye(0.0f, 1.75f, 6.2f);
   builder.addCamera("front", eye, {0.0f, 0.02f, -1.0f}, 0.72f);
   const int slide = builder.addCamera("slide", eye, {0.0f, 0.02f, -1.0f}, 0.72f);
   builder.animateLoop(
-      slide, kLoopSeconds, [&](float angle) { return eye + glm::vec3(0.8f * std::sin(angle), 0, 0); },
+      slide, kFogSeconds, [&](float angle) { return eye + glm::vec3(0.8f * std::sin(angle), 0, 0); },
       [](float angle) { return glm::vec3(0.8f * std::cos(angle), 0, 0); });
   Scene& scene = builder.scene();
   scene.sky.zenith = {0.05f, 0.06f, 0.10f};

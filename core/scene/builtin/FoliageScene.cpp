@@ -7,17 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 namespace taa {
 
 namespace {
-
-constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-
-float fraction(float value) {
-  return value - std::floor(value);
-}
 
 /// The wind's frequency in whole waves a loop of four seconds, so that the shot's end is its start.
 Wind windOf(float amplitude, float waveNumber, int wavesInLoop, const glm::vec3& direction) {
@@ -37,10 +30,10 @@ Primitive blades(int count, float height, float width, int seed, int material) {
   MeshBuilder mesh;
   for (int i = 0; i < count; ++i) {
     const float n = static_cast<float>(i + 31 * seed);
-    const float angle = kTurn * fraction(0.6180340f * n),
-                tall = height * (0.6f + 0.4f * fraction(0.3819660f * n));
-    const glm::vec3 root(-5.0f + 10.0f * fraction(0.7548777f * n), 0.0f,
-                         -7.5f + 8.5f * fraction(0.5698403f * n));
+    const float angle = kTurn * glm::fract(0.6180340f * n),
+                tall = height * (0.6f + 0.4f * glm::fract(0.3819660f * n));
+    const glm::vec3 root(-5.0f + 10.0f * glm::fract(0.7548777f * n), 0.0f,
+                         -7.5f + 8.5f * glm::fract(0.5698403f * n));
     const glm::vec3 across = width * glm::vec3(std::cos(angle), 0.0f, std::sin(angle));
     const glm::vec3 lean = 0.25f * tall * glm::vec3(std::sin(angle), 0.0f, std::cos(angle));
     const glm::vec3 middle = root + glm::vec3(0, 0.55f * tall, 0) + 0.4f * lean;
@@ -64,7 +57,7 @@ SceneImage leafImage() {
                   v = 1.0f - (static_cast<float>(y) + 0.5f) / kSize;
       const float half = 0.42f * std::sin(3.1415927f * std::sqrt(v)) * (1.0f - 0.25f * v);
       const bool isRib =
-          std::abs(u) < 0.012f || std::abs(fraction(6.0f * (v - 0.7f * std::abs(u))) - 0.5f) < 0.05f;
+          std::abs(u) < 0.012f || std::abs(glm::fract(6.0f * (v - 0.7f * std::abs(u))) - 0.5f) < 0.05f;
       const float shade = isRib ? 0.75f : 0.5f + 0.12f * std::sin(40.0f * u) * std::sin(31.0f * v);
       for (const float channel : {0.55f * shade, shade, 0.22f * shade})
         image.rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0f * channel)));
@@ -78,7 +71,7 @@ Primitive bush(const glm::vec3& place, float size, int cards, int material) {
   MeshBuilder mesh;
   for (int i = 0; i < cards; ++i) {
     const float n = static_cast<float>(i);
-    const float turn = kTurn * fraction(0.7548777f * n), up = 0.1f + 0.9f * fraction(0.5698403f * n);
+    const float turn = kTurn * glm::fract(0.7548777f * n), up = 0.1f + 0.9f * glm::fract(0.5698403f * n);
     const glm::vec3 out(std::cos(turn), 0.0f, std::sin(turn));
     const glm::vec3 at =
         place + size * (0.75f * std::sqrt(1.0f - up * up * 0.8f) * out + glm::vec3(0, 1.4f * up, 0));

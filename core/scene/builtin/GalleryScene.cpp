@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,19 +18,18 @@ namespace taa {
 
 namespace {
 
-constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-constexpr float kStep = 1.15f;  ///< meters from pedestal to pedestal
-constexpr float kHeight = 0.8f; ///< of a pedestal
+constexpr float kStep = 1.15f;          ///< meters from pedestal to pedestal
+constexpr float kPedestalHeight = 0.8f; ///< of a pedestal
 constexpr int kCount = 7;
 
-glm::vec3 placeOf(int index) {
-  return {kStep * (static_cast<float>(index) - 0.5f * (kCount - 1)), kHeight, 0.0f};
+glm::vec3 pedestalTop(int index) {
+  return {kStep * (static_cast<float>(index) - 0.5f * (kCount - 1)), kPedestalHeight, 0.0f};
 }
 
 void addPedestal(SceneBuilder& builder, int index, std::string_view label, int stone) {
-  const glm::vec3 top = placeOf(index);
+  const glm::vec3 top = pedestalTop(index);
   MeshBuilder block, plate;
-  block.box({top.x - 0.4f, 0.0f, -0.4f}, {top.x + 0.4f, kHeight, 0.4f}, 0.8f);
+  block.box({top.x - 0.4f, 0.0f, -0.4f}, {top.x + 0.4f, kPedestalHeight, 0.4f}, 0.8f);
   plate.quad({top.x - 0.38f, 0.5f, 0.405f}, {0.76f, 0, 0}, {0, 0.19f, 0});
   SceneImage image = plainImage(std::string(label), 256, 64, {30, 32, 36});
   const int scale = label.size() > 7 ? 4 : 5;
@@ -198,17 +196,17 @@ Scene makeGalleryScene() {
   MeshBuilder still, rigid;
   still.ball({0, 0.38f, 0}, 0.38f, 48);
   builder.addObject("camera", {still.build(steel)});
-  builder.scene().nodes.back().translation = placeOf(0);
+  builder.scene().nodes.back().translation = pedestalTop(0);
   rigid.box({-0.42f, -0.1f, -0.1f}, {0.42f, 0.1f, 0.1f});
   rigid.box({-0.1f, -0.42f, -0.1f}, {0.1f, 0.42f, 0.1f});
   const int cross = builder.addObject("rigid", {rigid.build(blue)});
-  builder.scene().nodes.back().translation = placeOf(1) + glm::vec3(0, 0.55f, 0);
+  builder.scene().nodes.back().translation = pedestalTop(1) + glm::vec3(0, 0.55f, 0);
   builder.animateSpin(cross, 4.0f, 2);
-  addSkinned(builder, placeOf(2), builder.addMaterial(striped));
-  addMorph(builder, placeOf(3), green);
-  addFlag(builder, placeOf(4), steel);
-  addCache(builder, placeOf(5), builder.addMaterial(sea));
-  addInstances(builder, placeOf(6), gold);
+  addSkinned(builder, pedestalTop(2), builder.addMaterial(striped));
+  addMorph(builder, pedestalTop(3), green);
+  addFlag(builder, pedestalTop(4), steel);
+  addCache(builder, pedestalTop(5), builder.addMaterial(sea));
+  addInstances(builder, pedestalTop(6), gold);
   const glm::vec3 eye(0.0f, 1.6f, 7.0f);
   const int camera = builder.addCamera("visit", eye, {0.0f, -0.07f, -1.0f}, 0.72f);
   builder.animateLoop(

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -17,9 +16,7 @@ namespace taa {
 
 namespace {
 
-constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
-constexpr std::array<std::uint8_t, 3> kDark{24, 26, 30}, kLight{222, 220, 210}, kAmber{255, 176, 40},
-    kNight{10, 14, 24};
+constexpr std::array<std::uint8_t, 3> kDark{24, 26, 30}, kLight{222, 220, 210}, kNight{10, 14, 24};
 
 void fill(SceneImage& image, int left, int top, int width, int height,
           const std::array<std::uint8_t, 3>& color) {
@@ -42,14 +39,14 @@ SceneImage wallImage() {
   return image;
 }
 
-constexpr int kColumns = 4, kRows = 4; ///< of the flip-book
+constexpr int kPageColumns = 4, kPageRows = 4; ///< of the flip-book
 
 /// Sixteen pictures of a clock: its number, and a bar that fills.
 SceneImage flipBookImage() {
   constexpr int kCell = 128;
-  SceneImage image = plainImage("flip-book", kColumns * kCell, kRows * kCell, kNight);
-  for (int i = 0; i < kColumns * kRows; ++i) {
-    const int left = i % kColumns * kCell, top = i / kColumns * kCell;
+  SceneImage image = plainImage("flip-book", kPageColumns * kCell, kPageRows * kCell, kNight);
+  for (int i = 0; i < kPageColumns * kPageRows; ++i) {
+    const int left = i % kPageColumns * kCell, top = i / kPageColumns * kCell;
     const std::string number = std::to_string(i + 1);
     paintText(image, left + (number.size() > 1 ? 12 : 40), top + 16, 9, number, kAmber);
     fill(image, left + 8, top + 100, 7 * (i + 1), 16, kLight);
@@ -57,7 +54,7 @@ SceneImage flipBookImage() {
   return image;
 }
 
-SceneImage tickerImage() {
+SceneImage glassTickerImage() {
   SceneImage image = plainImage("ticker", 512, 32, kNight);
   paintText(image, 8, 4, 3, "NO MOTION VECTOR FOLLOWS THIS", kAmber);
   return image;
@@ -157,11 +154,12 @@ void addScreens(SceneBuilder& builder) {
   MeshBuilder book, ticker;
   book.quad({-2.6f, 1.15f, -2.2f}, {1.1f, 0, 0}, {0, 1.1f, 0});
   ticker.quad({-2.6f, 0.75f, -2.2f}, {2.4f, 0, 0}, {0, 0.25f, 0}, {0.8f, 1.0f});
-  Material pages = screenOf(builder, flipBookImage(), {kColumns, kRows, 12.0f});
+  Material pages = screenOf(builder, flipBookImage(), {kPageColumns, kPageRows, 12.0f});
   pages.baseColorTexture.sampler.mipmaps = Mipmaps::None; // a coarse level would mix neighboring pictures
   builder.addObject("flip-book", {book.build(builder.addMaterial(pages))});
   builder.addObject(
-      "ticker", {ticker.build(builder.addMaterial(screenOf(builder, tickerImage(), {1, 1, 0, {0.5f, 0}})))});
+      "ticker",
+      {ticker.build(builder.addMaterial(screenOf(builder, glassTickerImage(), {1, 1, 0, {0.5f, 0}})))});
 }
 
 void addCrystal(SceneBuilder& builder, const glm::vec3& place) {

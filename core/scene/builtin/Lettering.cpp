@@ -10,12 +10,12 @@ namespace taa {
 
 namespace {
 
-constexpr int kWidth = 5, kHeight = 7;
+constexpr int kLetterWidth = 5, kLetterHeight = 7;
 
 /// Rows from the top, the leftmost dot in bit 4.
 struct Glyph {
   char letter;
-  std::array<std::uint8_t, kHeight> rows;
+  std::array<std::uint8_t, kLetterHeight> rows;
 };
 
 constexpr Glyph kGlyphs[] = {
@@ -63,9 +63,9 @@ void paintText(SceneImage& image, int x, int y, int scale, std::string_view text
     const auto glyph = std::ranges::find(kGlyphs, text[i], &Glyph::letter);
     if (glyph == std::end(kGlyphs)) continue;
     const int left = x + static_cast<int>(i) * kLetterStep * scale;
-    for (int row = 0; row < kHeight; ++row)
-      for (int column = 0; column < kWidth; ++column)
-        if (glyph->rows[static_cast<std::size_t>(row)] >> (kWidth - 1 - column) & 1)
+    for (int row = 0; row < kLetterHeight; ++row)
+      for (int column = 0; column < kLetterWidth; ++column)
+        if (glyph->rows[static_cast<std::size_t>(row)] >> (kLetterWidth - 1 - column) & 1)
           paintDot(image, left + column * scale, y + row * scale, scale, color);
   }
 }

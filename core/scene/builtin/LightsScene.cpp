@@ -16,8 +16,8 @@ namespace {
 /// A point light that burns in the steps where `pattern` has a 1 and lies far below else. Its bulb hangs
 /// there all the time; only a thin glowing skin comes and goes with the light, at known moments, so that no
 /// pixel's motion or depth tells of the change.
-void addLamp(SceneBuilder& builder, const glm::vec3& place, const glm::vec3& color, float candela,
-             std::string_view pattern) {
+void addFlashingLamp(SceneBuilder& builder, const glm::vec3& place, const glm::vec3& color, float candela,
+                     std::string_view pattern) {
   constexpr float kBulb = 0.07f, kSkin = 0.001f; // meters
   MeshBuilder fitting, skin;
   fitting.ball(place, kBulb, 20);
@@ -62,9 +62,10 @@ Scene makeLightsScene() {
   builder.addObject("floor", {floor.build(builder.addMaterial(tile))});
   builder.addObject("things", {things.build(builder.addMaterial(paintOf({0.8f, 0.78f, 0.7f}, 0.6f))),
                                metal.build(builder.addMaterial(paintOf({0.9f, 0.75f, 0.5f}, 0.25f, 1.0f)))});
-  addLamp(builder, {-2.4f, 2.4f, -0.4f}, {1.0f, 0.62f, 0.3f}, 9.0f, "11110000");
-  addLamp(builder, {0.2f, 2.9f, -0.2f}, {0.5f, 0.75f, 1.0f}, 9.0f, "1011011101001101");
-  addLamp(builder, {2.6f, 2.2f, -0.4f}, {1.0f, 0.25f, 0.2f}, 7.0f, "10101010101010101010101010101010");
+  addFlashingLamp(builder, {-2.4f, 2.4f, -0.4f}, {1.0f, 0.62f, 0.3f}, 9.0f, "11110000");
+  addFlashingLamp(builder, {0.2f, 2.9f, -0.2f}, {0.5f, 0.75f, 1.0f}, 9.0f, "1011011101001101");
+  addFlashingLamp(builder, {2.6f, 2.2f, -0.4f}, {1.0f, 0.25f, 0.2f}, 7.0f,
+                  "10101010101010101010101010101010");
   const glm::vec3 eye(0.0f, 1.7f, 5.2f);
   const int camera = builder.addCamera("front", eye, {0.0f, -0.1f, -1.0f}, 0.75f);
   builder.animateLoop(

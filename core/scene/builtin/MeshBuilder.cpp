@@ -6,15 +6,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace taa {
 
 namespace {
-
-constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
 
 float fraction(int i, int count) {
   return static_cast<float>(i) / static_cast<float>(count);

@@ -4,9 +4,13 @@
 #include "core/scene/Scene.h"
 
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace taa {
+
+/// Radians.
+inline constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
 
 /// Collects triangles, counter-clockwise seen from outside; lengths in meters.
 class MeshBuilder {

@@ -12,7 +12,7 @@ namespace taa {
 
 namespace {
 
-constexpr int kSize = 512; ///< pixels on a side
+constexpr int kTextureSize = 512; ///< pixels on a side
 
 /// Rounds as lround does, which is a slow call; a double holds the sum exactly.
 std::uint8_t toByte(float value) {
@@ -23,19 +23,19 @@ std::uint8_t toByte(float value) {
 /// Asks `color(u, v)` (RGBA, 0 to 1, as the file would hold it) at each pixel's center.
 template <class Color>
 SceneImage paint(std::string name, Color color) {
-  SceneImage image{std::move(name), kSize, kSize, {}};
-  image.rgba.resize(static_cast<std::size_t>(kSize) * kSize * 4);
+  SceneImage image{std::move(name), kTextureSize, kTextureSize, {}};
+  image.rgba.resize(static_cast<std::size_t>(kTextureSize) * kTextureSize * 4);
   auto byte = image.rgba.begin();
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kTextureSize; ++y)
+    for (int x = 0; x < kTextureSize; ++x) {
       const glm::vec4 value =
-          color((static_cast<float>(x) + 0.5f) / kSize, (static_cast<float>(y) + 0.5f) / kSize);
+          color((static_cast<float>(x) + 0.5f) / kTextureSize, (static_cast<float>(y) + 0.5f) / kTextureSize);
       for (int channel = 0; channel < 4; ++channel) *byte++ = toByte(value[channel]);
     }
   return image;
 }
 
-int wrapped(int i, int period) {
+int wrappedIndex(int i, int period) {
   if (i >= 0 && i < period) return i; // nearly always, and the division is slow
   return ((i % period) + period) % period;
 }
@@ -44,19 +44,19 @@ int wrapped(int i, int period) {
 template <class Height>
 SceneImage paintNormals(std::string name, Height height) {
   std::vector<float> heights;
-  heights.reserve(static_cast<std::size_t>(kSize) * kSize);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
-      heights.push_back(
-          height((static_cast<float>(x) + 0.5f) / kSize, (static_cast<float>(y) + 0.5f) / kSize));
+  heights.reserve(static_cast<std::size_t>(kTextureSize) * kTextureSize);
+  for (int y = 0; y < kTextureSize; ++y)
+    for (int x = 0; x < kTextureSize; ++x)
+      heights.push_back(height((static_cast<float>(x) + 0.5f) / kTextureSize,
+                               (static_cast<float>(y) + 0.5f) / kTextureSize));
   const auto at = [&](int x, int y) {
-    return heights[static_cast<std::size_t>(wrapped(y, kSize)) * kSize +
-                   static_cast<std::size_t>(wrapped(x, kSize))];
+    return heights[static_cast<std::size_t>(wrappedIndex(y, kTextureSize)) * kTextureSize +
+                   static_cast<std::size_t>(wrappedIndex(x, kTextureSize))];
   };
   return paint(std::move(name), [&](float u, float v) {
-    const int x = static_cast<int>(u * kSize), y = static_cast<int>(v * kSize);
-    const float slopeU = 0.5f * kSize * (at(x + 1, y) - at(x - 1, y));
-    const float slopeUp = 0.5f * kSize * (at(x, y - 1) - at(x, y + 1));
+    const int x = static_cast<int>(u * kTextureSize), y = static_cast<int>(v * kTextureSize);
+    const float slopeU = 0.5f * kTextureSize * (at(x + 1, y) - at(x - 1, y));
+    const float slopeUp = 0.5f * kTextureSize * (at(x, y - 1) - at(x, y + 1));
     const glm::vec3 normal = glm::normalize(glm::vec3(-slopeU, -slopeUp, 1.0f));
     return glm::vec4(0.5f * normal + 0.5f, 1.0f);
   });
@@ -77,7 +77,9 @@ float noise(float u, float v, int cells, int seed) {
   const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
   const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
   const float sx = fx * fx * (3 - 2 * fx), sy = fy * fy * (3 - 2 * fy);
-  const auto at = [&](int i, int j) { return random(wrapped(x0 + i, cells), wrapped(y0 + j, cells), seed); };
+  const auto at = [&](int i, int j) {
+    return random(wrappedIndex(x0 + i, cells), wrappedIndex(y0 + j, cells), seed);
+  };
   const float top = at(0, 0) + sx * (at(1, 0) - at(0, 0)), bottom = at(0, 1) + sx * (at(1, 1) - at(0, 1));
   return top + sy * (bottom - top);
 }
@@ -106,10 +108,10 @@ struct Block {
 Block blockAt(float u, float v, int columns, int rows, float shiftPerRow) {
   const float y = v * static_cast<float>(rows);
   const int row = static_cast<int>(y);
-  const float x = u * static_cast<float>(columns) + shiftPerRow * static_cast<float>(wrapped(row, 2));
+  const float x = u * static_cast<float>(columns) + shiftPerRow * static_cast<float>(wrappedIndex(row, 2));
   const int column = static_cast<int>(x);
   const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
-  return {wrapped(column, columns), wrapped(row, rows),
+  return {wrappedIndex(column, columns), wrappedIndex(row, rows),
           std::min(std::min(fx, 1 - fx) / static_cast<float>(columns),
                    std::min(fy, 1 - fy) / static_cast<float>(rows))};
 }
@@ -128,7 +130,7 @@ Block plankAt(float u) {
   const float x = u * kPlanks;
   const int column = static_cast<int>(x);
   const float fx = x - static_cast<float>(column);
-  return {wrapped(column, kPlanks), 0, std::min(fx, 1 - fx) / kPlanks};
+  return {wrappedIndex(column, kPlanks), 0, std::min(fx, 1 - fx) / kPlanks};
 }
 
 float plankHeight(float u, float v) {

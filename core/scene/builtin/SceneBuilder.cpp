@@ -16,7 +16,7 @@ namespace taa {
 namespace {
 
 template <class T>
-int add(std::vector<T>& list, T item) {
+int appendTo(std::vector<T>& list, T item) {
   list.push_back(std::move(item));
   return static_cast<int>(list.size()) - 1;
 }
@@ -28,16 +28,16 @@ SceneBuilder::SceneBuilder(std::string name) {
 }
 
 int SceneBuilder::addImage(SceneImage image) {
-  return add(scene_.images, std::move(image));
+  return appendTo(scene_.images, std::move(image));
 }
 
 int SceneBuilder::addMaterial(const Material& material) {
-  return add(scene_.materials, material);
+  return appendTo(scene_.materials, material);
 }
 
 int SceneBuilder::addObject(const std::string& name, std::vector<Primitive> primitives, int parent) {
   const int object = addNode(name, glm::vec3(0.0f), {1, 0, 0, 0}, parent);
-  scene_.nodes.back().mesh = add(scene_.meshes, Mesh{name, std::move(primitives)});
+  scene_.nodes.back().mesh = appendTo(scene_.meshes, Mesh{name, std::move(primitives)});
   return object;
 }
 
@@ -45,7 +45,7 @@ int SceneBuilder::addInstance(int object, const glm::vec3& translation, const gl
   Node node = scene_.nodes[static_cast<std::size_t>(object)];
   node.translation = translation;
   node.scale = scale;
-  return add(scene_.nodes, std::move(node));
+  return appendTo(scene_.nodes, std::move(node));
 }
 
 int SceneBuilder::addNode(const std::string& name, const glm::vec3& translation, const glm::quat& rotation,
@@ -55,7 +55,7 @@ int SceneBuilder::addNode(const std::string& name, const glm::vec3& translation,
   node.translation = translation;
   node.rotation = rotation;
   node.parent = parent;
-  return add(scene_.nodes, std::move(node));
+  return appendTo(scene_.nodes, std::move(node));
 }
 
 void SceneBuilder::addPointLight(const std::string& name, const glm::vec3& position, const glm::vec3& color,
@@ -65,7 +65,7 @@ void SceneBuilder::addPointLight(const std::string& name, const glm::vec3& posit
   light.color = color;
   light.intensity = candela;
   light.node = addNode(name, position);
-  scene_.nodes.back().light = add(scene_.lights, light);
+  scene_.nodes.back().light = appendTo(scene_.lights, light);
 }
 
 int SceneBuilder::addCamera(const std::string& name, const glm::vec3& eye, const glm::vec3& direction,
@@ -76,7 +76,7 @@ int SceneBuilder::addCamera(const std::string& name, const glm::vec3& eye, const
   camera.nearPlane = 0.05f;
   camera.node = addNode(name, eye, lookRotation(direction));
   const int node = camera.node;
-  scene_.nodes.back().camera = add(scene_.cameras, std::move(camera));
+  scene_.nodes.back().camera = appendTo(scene_.cameras, std::move(camera));
   return node;
 }
 
@@ -90,7 +90,6 @@ Animation& SceneBuilder::animation(float seconds) {
 void SceneBuilder::animateLoop(int node, float seconds, const std::function<glm::vec3(float)>& position,
                                const std::function<glm::vec3(float)>& derivative) {
   constexpr int kKeys = 8; // cubic splines through eighths of a sine are within 0.1 % of it
-  constexpr float kTurn = 2.0f * std::numbers::pi_v<float>;
   AnimationChannel channel;
   channel.node = node;
   channel.path = AnimationPath::Translation;

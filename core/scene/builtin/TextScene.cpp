@@ -16,8 +16,7 @@ namespace taa {
 
 namespace {
 
-constexpr std::array<std::uint8_t, 3> kPaper{236, 232, 220}, kInk{28, 26, 30}, kScreen{10, 16, 20},
-    kAmber{255, 176, 40};
+constexpr std::array<std::uint8_t, 3> kPaper{236, 232, 220}, kInk{28, 26, 30}, kScreen{10, 16, 20};
 
 constexpr std::string_view kProse =
     "A PICTURE MOVES BY A FRACTION OF A PIXEL IN EACH FRAME, AND EACH TIME THE HISTORY IS READ BETWEEN ITS "
@@ -93,7 +92,7 @@ SceneImage checkerImage() {
   });
 }
 
-SceneImage tickerImage() {
+SceneImage screenTickerImage() {
   SceneImage image = plainImage("ticker", 1024, 64, kScreen);
   paintText(image, 8, 18, 4, "FRAME N IS A FUNCTION - STEP BACK", kAmber);
   return image;
@@ -120,7 +119,7 @@ Scene makeTextScene() {
   builder.addObject("page", {page.build(builder.addMaterial(printed(builder, pageImage())))});
   builder.addObject("zone plate", {zone.build(builder.addMaterial(printed(builder, zoneImage())))});
   builder.addObject("checkers", {checkers.build(builder.addMaterial(printed(builder, checkerImage())))});
-  Material amber = printed(builder, tickerImage());
+  Material amber = printed(builder, screenTickerImage());
   amber.emissive = glm::vec3(1.5f);
   amber.emissiveTexture = amber.baseColorTexture;
   const int band = builder.addObject("ticker", {ticker.build(builder.addMaterial(amber))});

@@ -2,6 +2,7 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/scene/Pose.h"
+#include "core/scene/camera/CameraTrack.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -24,12 +25,10 @@ constexpr float kMargin = 1.08f;      ///< room left around the bounds
 constexpr float kPanAngle = 0.12f;    ///< radians to either side; in 4 s at 720p at most 2.7 px a frame
 constexpr float kDollyNearest = 0.6f; ///< of the fitted distance
 constexpr double kOrbitSeconds = 8.0; ///< shortest full turn; about 5 px a frame at 720p and 60 Hz
-constexpr float kNearOfRadius =
-    0.01f; ///< reversed float depth keeps its precision with a near plane this close
 constexpr std::string_view kScenePrefix = "gltf:";
 
 /// What the fitted paths look at; finite and of some size whatever the scene.
-struct Subject {
+struct PathSubject {
   Bounds bounds;
   float radius = 1.0f;
 };
@@ -38,12 +37,12 @@ bool isFinite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Subject subjectOf(const Scene& scene) {
+PathSubject subjectOf(const Scene& scene) {
   const float radius = scene.bounds.radius();
   if (isFinite(scene.bounds.min) && isFinite(scene.bounds.max) && std::isfinite(radius) && radius > 0.0f &&
       isFinite(scene.bounds.center()))
     return {scene.bounds, radius};
-  Subject subject; // empty, a single point, or not finite: look at a unit sphere where it is
+  PathSubject subject; // empty, a single point, or not finite: look at a unit sphere where it is
   const bool isPoint = radius == 0.0f && !scene.bounds.isEmpty() && isFinite(scene.bounds.center());
   const glm::vec3 center = isPoint ? scene.bounds.center() : glm::vec3(0.0f);
   subject.bounds.add(center - glm::vec3(0.5f));
@@ -58,7 +57,7 @@ glm::vec3 outward(float yaw, float pitch) {
 }
 
 /// The smallest distance from the center at which all corners of the bounds are in the picture.
-float fittedDistance(const Subject& subject, float yaw, float pitch, float aspect) {
+float fittedDistance(const PathSubject& subject, float yaw, float pitch, float aspect) {
   const float slopeY = std::tan(0.5f * kFovY) / kMargin, slopeX = slopeY * aspect;
   const glm::vec3 back = outward(yaw, pitch);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
@@ -74,7 +73,7 @@ float fittedDistance(const Subject& subject, float yaw, float pitch, float aspec
   return distance;
 }
 
-float orbitDistance(const Subject& subject, float aspect) {
+float orbitDistance(const PathSubject& subject, float aspect) {
   constexpr int kDirections = 16;
   float distance = 0.0f;
   for (int i = 0; i < kDirections; ++i)
@@ -94,7 +93,7 @@ float loopAngle(double time, double period) {
   return static_cast<float>(2.0 * std::numbers::pi * (loops - std::floor(loops)));
 }
 
-CameraState fittedCamera(const Subject& subject, const glm::vec3& eye, const glm::vec3& target,
+CameraState fittedCamera(const PathSubject& subject, const glm::vec3& eye, const glm::vec3& target,
                          float aspect) {
   CameraState camera;
   camera.nearPlane = kNearOfRadius * subject.radius;
@@ -104,14 +103,14 @@ CameraState fittedCamera(const Subject& subject, const glm::vec3& eye, const glm
 }
 
 CameraState stillAt(const Scene& scene, double /*time*/, float aspect) {
-  const Subject subject = subjectOf(scene);
+  const PathSubject subject = subjectOf(scene);
   const glm::vec3 center = subject.bounds.center();
   const float distance = fittedDistance(subject, kYaw, kPitch, aspect);
   return fittedCamera(subject, center + distance * outward(kYaw, kPitch), center, aspect);
 }
 
 CameraState panAt(const Scene& scene, double time, float aspect) {
-  const Subject subject = subjectOf(scene);
+  const PathSubject subject = subjectOf(scene);
   const float distance = fittedDistance(subject, kYaw, kPitch, aspect);
   const glm::vec3 eye = subject.bounds.center() + distance * outward(kYaw, kPitch);
   const float turn = kPanAngle * std::sin(loopAngle(time, shotSeconds(scene)));
@@ -119,7 +118,7 @@ CameraState panAt(const Scene& scene, double time, float aspect) {
 }
 
 CameraState orbitAt(const Scene& scene, double time, float aspect) {
-  const Subject subject = subjectOf(scene);
+  const PathSubject subject = subjectOf(scene);
   const glm::vec3 center = subject.bounds.center();
   // A whole number of shots makes one turn, so that a long shot loops and a short one is not a blur.
   const double shot = shotSeconds(scene), period = shot * std::ceil(kOrbitSeconds / shot);
@@ -129,7 +128,7 @@ CameraState orbitAt(const Scene& scene, double time, float aspect) {
 }
 
 CameraState dollyAt(const Scene& scene, double time, float aspect) {
-  const Subject subject = subjectOf(scene);
+  const PathSubject subject = subjectOf(scene);
   const glm::vec3 center = subject.bounds.center();
   const float swing = 0.5f + 0.5f * std::cos(loopAngle(time, shotSeconds(scene)));
   const float distance =

@@ -14,8 +14,7 @@ namespace taa {
 
 namespace {
 
-constexpr float kNearOfRadius = 0.01f; ///< as of the fitted paths, so that depth reads the same
-constexpr float kFarAway = 1e6f;       ///< of a position, world units: farther away floats have no detail
+constexpr float kFarAway = 1e6f; ///< of a position, world units: farther away floats have no detail
 constexpr float kMinFov = 1.0f, kMaxFov = 160.0f; ///< degrees
 
 bool isIn(float value, float least, float most) {

@@ -19,6 +19,10 @@ struct CameraPose {
   bool operator==(const CameraPose&) const = default;
 };
 
+/// Near plane of fitted paths and flown cameras, so that depth reads the same: reversed float depth keeps its
+/// precision with one this close.
+inline constexpr float kNearOfRadius = 0.01f;
+
 /// Straight up and down have no yaw.
 inline constexpr float kMaxPitch = 89.0f;
 

@@ -15,8 +15,6 @@
 
 namespace taa {
 
-using nlohmann::json;
-
 namespace {
 
 constexpr std::uint64_t kMaxElements = 1u << 25;                  ///< of an accessor
@@ -24,18 +22,18 @@ constexpr std::uint64_t kMaxBufferBytes = std::uint64_t(1) << 31; ///< of all bu
 
 constexpr std::uint64_t kMaxImageBytes = std::uint64_t(1) << 30; ///< of all images together, as files
 
-std::string placeOf(std::string_view list, std::size_t index) {
+std::string listPlace(std::string_view list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]: ";
 }
 
 /// The list `name`, empty when it is absent.
-const json& listOf(const json& object, const char* name) {
-  static const json kEmpty = json::array();
+const Json& arrayOf(const Json& object, const char* name) {
+  static const Json kEmpty = Json::array();
   const auto found = object.find(name);
   return found == object.end() ? kEmpty : *found;
 }
 
-std::uint64_t countOf(const json& object, const char* name) {
+std::uint64_t countOf(const Json& object, const char* name) {
   return object.value(name, std::uint64_t(0));
 }
 
@@ -60,7 +58,7 @@ std::uint64_t dataUriBytes(const std::string& uri) {
 }
 
 /// How many bytes the buffer really has.
-std::uint64_t bufferBytes(const GltfDocument& document, const json& buffer, std::size_t index) {
+std::uint64_t bufferBytes(const GltfDocument& document, const Json& buffer, std::size_t index) {
   const auto uri = buffer.find("uri");
   if (uri == buffer.end()) {
     if (!document.isBinary || index != 0)
@@ -74,7 +72,7 @@ std::uint64_t bufferBytes(const GltfDocument& document, const json& buffer, std:
 
 void checkBuffers(GltfDocument& document) {
   if (!document.json.contains("buffers")) return;
-  json& buffers = document.json["buffers"];
+  Json& buffers = document.json["buffers"];
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < buffers.size(); ++i) try {
       const std::uint64_t declared = countOf(buffers[i], "byteLength"),
@@ -85,28 +83,28 @@ void checkBuffers(GltfDocument& document) {
       if (total > kMaxBufferBytes) throw Error(say<"the buffers have more than %1 bytes">(kMaxBufferBytes));
       buffers[i]["byteLength"] = there; // may be longer by padding; tinygltf wants it exact
     } catch (const Error& error) {
-      throw Error(placeOf("buffers", i) + error.what());
+      throw Error(listPlace("buffers", i) + error.what());
     }
 }
 
-void checkViews(const json& root) {
-  const json& views = listOf(root, "bufferViews");
+void checkViews(const Json& root) {
+  const Json& views = arrayOf(root, "bufferViews");
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const json& view = views[i];
+    const Json& view = views[i];
     const std::uint64_t offset = countOf(view, "byteOffset"), length = countOf(view, "byteLength");
     const std::uint64_t holds =
         root["buffers"][view["buffer"].get<std::size_t>()]["byteLength"].get<std::uint64_t>();
     if (offset + length > holds)
       throw Error(
-          placeOf("bufferViews", i) +
+          listPlace("bufferViews", i) +
           say<"%1 bytes from byte %2 on reach past the %3 bytes of its buffer">(length, offset, holds));
     const std::uint64_t stride = countOf(view, "byteStride");
     if (stride != 0 && (stride < 4 || stride > 252 || stride % 4 != 0))
-      throw Error(placeOf("bufferViews", i) + say<"%1 %2 is none of 4, 8, … 252">("byteStride", stride));
+      throw Error(listPlace("bufferViews", i) + say<"%1 %2 is none of 4, 8, … 252">("byteStride", stride));
   }
 }
 
-std::uint64_t componentBytes(const json& object) {
+std::uint64_t componentBytes(const Json& object) {
   switch (object["componentType"].get<int>()) {
   case 5120:
   case 5121:
@@ -122,7 +120,7 @@ std::uint64_t componentBytes(const json& object) {
   }
 }
 
-std::uint64_t elementBytes(const json& accessor) {
+std::uint64_t elementBytes(const Json& accessor) {
   constexpr std::array<std::pair<std::string_view, std::uint64_t>, 7> kTypes{
       {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
   const std::string type = accessor["type"].get<std::string>();
@@ -132,8 +130,8 @@ std::uint64_t elementBytes(const json& accessor) {
 }
 
 /// `count` elements of `bytes` bytes in what `reference` (bufferView, byteOffset) points at.
-void checkSpan(const json& root, const json& reference, std::uint64_t count, std::uint64_t bytes) {
-  const json& view = root["bufferViews"][reference["bufferView"].get<std::size_t>()];
+void checkSpan(const Json& root, const Json& reference, std::uint64_t count, std::uint64_t bytes) {
+  const Json& view = root["bufferViews"][reference["bufferView"].get<std::size_t>()];
   const std::uint64_t stride = std::max(countOf(view, "byteStride"), bytes),
                       holds = countOf(view, "byteLength");
   const std::uint64_t end = countOf(reference, "byteOffset") + stride * (count - 1) + bytes;
@@ -142,36 +140,36 @@ void checkSpan(const json& root, const json& reference, std::uint64_t count, std
         say<"%1 elements of %2 bytes need %3 bytes; its %4 has %5">(count, bytes, end, "bufferView", holds));
 }
 
-void checkAccessor(const json& root, const json& accessor) {
+void checkAccessor(const Json& root, const Json& accessor) {
   const std::uint64_t count = countOf(accessor, "count"), bytes = elementBytes(accessor);
   if (count > kMaxElements)
     throw Error(say<"%1 %2 is more than the %3 that can be opened">("count", count, kMaxElements));
   if (accessor.contains("bufferView")) checkSpan(root, accessor, count, bytes);
   if (!accessor.contains("sparse")) return;
-  const json& sparse = accessor["sparse"];
+  const Json& sparse = accessor["sparse"];
   const std::uint64_t changed = countOf(sparse, "count");
   if (changed > count) throw Error("sparse: " + say<"%1 elements of %2">(changed, count));
   checkSpan(root, sparse["indices"], changed, componentBytes(sparse["indices"]));
   checkSpan(root, sparse["values"], changed, bytes);
 }
 
-void checkAccessors(const json& root) {
-  const json& accessors = listOf(root, "accessors");
+void checkAccessors(const Json& root) {
+  const Json& accessors = arrayOf(root, "accessors");
   for (std::size_t i = 0; i < accessors.size(); ++i) try {
       checkAccessor(root, accessors[i]);
     } catch (const Error& error) {
-      throw Error(placeOf("accessors", i) + error.what());
+      throw Error(listPlace("accessors", i) + error.what());
     }
-  const json& meshes = listOf(root, "meshes");
+  const Json& meshes = arrayOf(root, "meshes");
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    for (const json& primitive : meshes[i]["primitives"])
+    for (const Json& primitive : meshes[i]["primitives"])
       if (primitive.contains("indices") &&
           !accessors[primitive["indices"].get<std::size_t>()].contains("bufferView"))
-        throw Error(placeOf("meshes", i) + say<"the accessor of its indices has no %1">("bufferView"));
+        throw Error(listPlace("meshes", i) + say<"the accessor of its indices has no %1">("bufferView"));
 }
 
 void checkImages(const GltfDocument& document) {
-  const json& images = listOf(document.json, "images");
+  const Json& images = arrayOf(document.json, "images");
   std::uint64_t total = 0;
   for (std::size_t i = 0; i < images.size(); ++i) try {
       const auto uri = images[i].find("uri");
@@ -186,18 +184,18 @@ void checkImages(const GltfDocument& document) {
       if (bytes == 0) throw Error(say<"it is empty">());
       if (total > kMaxImageBytes) throw Error(say<"the images have more than %1 bytes">(kMaxImageBytes));
     } catch (const Error& error) {
-      throw Error(placeOf("images", i) + error.what());
+      throw Error(listPlace("images", i) + error.what());
     }
 }
 
 /// The parent of each node, −1 for roots. Throws Error when a node has two or the way up never ends.
-std::vector<int> parentsOf(const json& nodes) {
+std::vector<int> parentsOf(const Json& nodes) {
   std::vector<int> parents(nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (const json& child : listOf(nodes[i], "children")) {
+    for (const Json& child : arrayOf(nodes[i], "children")) {
       int& parent = parents[child.get<std::size_t>()];
       if (parent >= 0)
-        throw Error(placeOf("nodes", child.get<std::size_t>()) +
+        throw Error(listPlace("nodes", child.get<std::size_t>()) +
                     say<"it is a child of both nodes[%1] and nodes[%2]">(parent, i));
       parent = static_cast<int>(i);
     }
@@ -206,7 +204,7 @@ std::vector<int> parentsOf(const json& nodes) {
     for (int at = static_cast<int>(i); at >= 0; at = parents[static_cast<std::size_t>(at)]) {
       int& passed = walk[static_cast<std::size_t>(at)];
       if (passed == static_cast<int>(i))
-        throw Error(placeOf("nodes", static_cast<std::size_t>(at)) +
+        throw Error(listPlace("nodes", static_cast<std::size_t>(at)) +
                     say<"it is its own ancestor: the nodes form a cycle">());
       if (passed >= 0) break; // an earlier walk found the end from here
       passed = static_cast<int>(i);
@@ -214,33 +212,33 @@ std::vector<int> parentsOf(const json& nodes) {
   return parents;
 }
 
-void checkScenes(const json& root, const std::vector<int>& parents) {
-  const json& scenes = listOf(root, "scenes");
+void checkScenes(const Json& root, const std::vector<int>& parents) {
+  const Json& scenes = arrayOf(root, "scenes");
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     std::vector<bool> listed(parents.size(), false);
-    for (const json& node : listOf(scenes[i], "nodes")) {
+    for (const Json& node : arrayOf(scenes[i], "nodes")) {
       const std::size_t index = node.get<std::size_t>();
       if (parents[index] >= 0)
-        throw Error(placeOf("scenes", i) +
+        throw Error(listPlace("scenes", i) +
                     say<"nodes[%1] is the child of nodes[%2], not a root">(index, parents[index]));
-      if (listed[index]) throw Error(placeOf("scenes", i) + say<"it lists nodes[%1] twice">(index));
+      if (listed[index]) throw Error(listPlace("scenes", i) + say<"it lists nodes[%1] twice">(index));
       listed[index] = true;
     }
   }
 }
 
-void checkAnimations(const json& root) {
-  const json& animations = listOf(root, "animations");
+void checkAnimations(const Json& root) {
+  const Json& animations = arrayOf(root, "animations");
   for (std::size_t i = 0; i < animations.size(); ++i)
-    for (const json& channel : animations[i]["channels"])
+    for (const Json& channel : animations[i]["channels"])
       if (channel["sampler"].get<std::uint64_t>() >= animations[i]["samplers"].size())
-        throw Error(placeOf("animations", i) +
+        throw Error(listPlace("animations", i) +
                     say<"a channel asks for samplers[%1]; there are %2">(channel["sampler"].dump(),
                                                                          animations[i]["samplers"].size()));
 }
 
 /// Removes extras and unknown extensions at every level.
-void stripLevel(json& value) {
+void stripLevel(Json& value) {
   if (value.is_object()) {
     value.erase("extras");
     if (const auto extensions = value.find("extensions");
@@ -250,7 +248,7 @@ void stripLevel(json& value) {
             isKnownGltfExtension(extension.key()) ? std::next(extension) : extensions->erase(extension);
   }
   if (value.is_structured())
-    for (json& part : value) stripLevel(part);
+    for (Json& part : value) stripLevel(part);
 }
 
 } // namespace
@@ -262,12 +260,12 @@ void checkGltfData(GltfDocument& document) {
   checkImages(document);
 }
 
-void checkGltfGraph(const json& root) {
-  checkScenes(root, parentsOf(listOf(root, "nodes")));
+void checkGltfGraph(const Json& root) {
+  checkScenes(root, parentsOf(arrayOf(root, "nodes")));
   checkAnimations(root);
 }
 
-void stripGltf(json& root) {
+void stripGltf(Json& root) {
   stripLevel(root);
   const auto animations = root.find("animations");
   if (animations == root.end()) return;

@@ -28,6 +28,10 @@ struct GltfContext {
   }
 };
 
+inline float toFloat(double value) {
+  return static_cast<float>(value);
+}
+
 /// "meshes[3]"
 inline std::string gltfPlace(const char* list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";

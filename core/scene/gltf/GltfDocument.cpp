@@ -13,7 +13,6 @@
 namespace taa {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 namespace {
 
@@ -25,7 +24,7 @@ constexpr std::array<std::string_view, 6> kExtensions{
     "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_emissive_strength",
     "KHR_materials_unlit",     "KHR_mesh_quantization", "KHR_texture_transform"};
 
-constexpr std::string_view kMagic = "glTF";
+constexpr std::string_view kGlbMagic = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 std::uint32_t word(const std::string& bytes, std::size_t offset) {
@@ -64,29 +63,29 @@ Chunks splitBinary(const std::string& bytes) {
   return chunks;
 }
 
-json parseJson(const std::string& text) {
+Json parseJson(const std::string& text) {
   if (text.size() > kMaxJsonBytes)
     throw Error(say<"JSON: %1 bytes are more than can be opened">(text.size()));
   try {
-    return json::parse(text, [](int depth, json::parse_event_t, const json&) {
+    return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
       if (depth > kMaxDepth) throw Error(say<"JSON: nested deeper than %1 levels">(kMaxDepth));
       return true;
     });
-  } catch (const json::exception& exception) {
+  } catch (const Json::exception& exception) {
     std::string reason = exception.what(); // "[json.exception.parse_error.101] parse error at line 1, …"
     if (const std::size_t end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
     throw Error(say<"it is not glTF: %1">(reason));
   }
 }
 
-void checkVersionText(const json& version, const std::string& place) {
+void checkVersionText(const Json& version, const std::string& place) {
   if (!version.is_string()) throw Error(place + ": " + say<"missing or not a text">());
   const std::string text = version.get<std::string>();
   if (!text.starts_with("2."))
     throw Error(place + ": " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">(text));
 }
 
-void checkVersion(const json& root) {
+void checkVersion(const Json& root) {
   if (!root.is_object()) throw Error(say<"JSON: the file holds no object">());
   const auto asset = root.find("asset");
   const bool isOld = asset == root.end() &&
@@ -95,15 +94,15 @@ void checkVersion(const json& root) {
     throw Error("asset: " + say<"it is glTF %1; only glTF 2.0 can be opened, export it anew">("1.0"));
   if (asset == root.end() || !asset->is_object())
     throw Error("asset: " + say<"missing; it is not a glTF file">());
-  checkVersionText(asset->value("version", json()), "asset.version");
+  checkVersionText(asset->value("version", Json()), "asset.version");
   if (asset->contains("minVersion")) checkVersionText((*asset)["minVersion"], "asset.minVersion");
 }
 
-void checkExtensions(const json& root) {
+void checkExtensions(const Json& root) {
   const auto required = root.find("extensionsRequired");
   if (required == root.end()) return;
   if (!required->is_array()) throw Error("extensionsRequired: " + say<"not a list">());
-  for (const json& name : *required) {
+  for (const Json& name : *required) {
     if (!name.is_string()) throw Error("extensionsRequired: " + say<"not a list of texts">());
     if (!isKnownGltfExtension(name.get<std::string>()))
       throw Error("extensionsRequired: " +
@@ -166,7 +165,7 @@ GltfDocument readGltfDocument(const fs::path& file) {
   std::string bytes = readGltfFile(file, kMaxFileBytes);
   GltfDocument document;
   document.folder = file.parent_path();
-  if (bytes.starts_with(kMagic)) {
+  if (bytes.starts_with(kGlbMagic)) {
     Chunks chunks = splitBinary(bytes);
     document.isBinary = true;
     document.binary = std::move(chunks.binary);

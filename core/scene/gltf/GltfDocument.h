@@ -2,7 +2,7 @@
 // with it.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "core/base/Json.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace taa {
 
 struct GltfDocument {
-  nlohmann::json json;
+  Json json;
   std::string binary;           ///< the BIN chunk of a .glb
   bool isBinary = false;        ///< a .glb
   std::filesystem::path folder; ///< where the files lie that it names
@@ -23,16 +23,16 @@ struct GltfDocument {
 GltfDocument readGltfDocument(const std::filesystem::path& file);
 
 /// The type of every property and the range of every index, from one table.
-void checkGltfTypes(const nlohmann::json& root);
+void checkGltfTypes(const Json& root);
 
 /// Buffers (which get their real lengths), views, accessors and images: everything lies inside what holds it.
 void checkGltfData(GltfDocument& document);
 
 /// Nodes are trees, scenes list their roots, animations refer to their own samplers.
-void checkGltfGraph(const nlohmann::json& root);
+void checkGltfGraph(const Json& root);
 
 /// Takes out what nobody here reads: extras and unknown extensions.
-void stripGltf(nlohmann::json& root);
+void stripGltf(Json& root);
 
 /// Whether `name` is an extension the loader understands.
 bool isKnownGltfExtension(const std::string& name);

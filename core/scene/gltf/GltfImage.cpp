@@ -16,8 +16,8 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-constexpr int kMaxSide = 16384; ///< pixels; what every GL 4.5 driver holds
-constexpr std::size_t kMaxPixels = std::size_t(1) << 26;
+constexpr int kMaxImageSide = 16384; ///< pixels; what every GL 4.5 driver holds
+constexpr std::size_t kMaxImagePixels = std::size_t(1) << 26;
 
 struct Size {
   std::size_t width = 0, height = 0;
@@ -61,7 +61,7 @@ Size sizeOf(Bytes bytes) {
 SceneImage decodeImage(Bytes bytes) {
   const Size size = sizeOf(bytes);
   if (size.width == 0 || size.height == 0) throw Error(say<"its picture is damaged: it has no size">());
-  if (size.width > kMaxSide || size.height > kMaxSide || size.width * size.height > kMaxPixels)
+  if (size.width > kMaxImageSide || size.height > kMaxImageSide || size.width * size.height > kMaxImagePixels)
     throw Error(say<"its picture of %1×%2 pixels is too large">(size.width, size.height));
   tinygltf::Image decoded;
   std::string error, warning;

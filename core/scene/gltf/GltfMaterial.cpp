@@ -20,10 +20,6 @@ namespace {
 using tinygltf::ExtensionMap;
 using tinygltf::Value;
 
-float toFloat(double value) {
-  return static_cast<float>(value);
-}
-
 /// A number of an extension's object, or `fallback`.
 float numberOr(const Value& object, const char* key, float fallback) {
   return object.Has(key) ? toFloat(object.Get(key).GetNumberAsDouble()) : fallback;

@@ -19,10 +19,6 @@ namespace {
 
 constexpr std::size_t kMaxNodes = 200000;
 
-float toFloat(double value) {
-  return static_cast<float>(value);
-}
-
 glm::vec3 vectorOr(const std::vector<double>& list, const glm::vec3& fallback) {
   return list.size() == 3 ? glm::vec3(toFloat(list[0]), toFloat(list[1]), toFloat(list[2])) : fallback;
 }

@@ -65,7 +65,7 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& fallback) {
 }
 
 /// What else than vertices the attributes tell.
-struct Given {
+struct GivenAttributes {
   bool normals = false, tangents = false;
 };
 
@@ -81,8 +81,8 @@ void readPositions(GltfContext& context, AttributeReader& attributes, Primitive&
     primitive.vertices[i].position = glm::vec3(positions->at(i));
 }
 
-Given readSurface(AttributeReader& attributes, std::vector<Vertex>& vertices) {
-  Given given;
+GivenAttributes readSurface(AttributeReader& attributes, std::vector<Vertex>& vertices) {
+  GivenAttributes given;
   if (const auto normals = attributes.readTame("NORMAL", 3, 3)) {
     given.normals = true;
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -225,7 +225,7 @@ void unroll(const std::vector<std::uint32_t>& order, int mode, Primitive& primit
 }
 
 /// Makes the normals and tangents that the file leaves out.
-void complete(GltfContext& context, const Given& given, Primitive& primitive) {
+void complete(GltfContext& context, const GivenAttributes& given, Primitive& primitive) {
   if (!given.normals) {
     context.vertices += primitive.indices.size(); // flat triangles share no vertices
     if (context.vertices > kMaxVertices)
@@ -246,7 +246,7 @@ Primitive readPrimitive(GltfContext& context, const tinygltf::Primitive& source)
   AttributeReader attributes(context, source);
   readPositions(context, attributes, primitive);
   if (primitive.vertices.empty()) return primitive;
-  const Given given = readSurface(attributes, primitive.vertices);
+  const GivenAttributes given = readSurface(attributes, primitive.vertices);
   readInfluences(attributes, primitive);
   readTargets(context, source, primitive);
   readVelocities(attributes, primitive);

@@ -12,8 +12,6 @@
 
 namespace taa {
 
-using nlohmann::json;
-
 namespace {
 
 enum class Kind { Object, List, Text, Boolean, Integer, Count, Positive, Number, Index };
@@ -197,7 +195,7 @@ std::string_view takeStep(std::string_view& path) {
 
 class TypeCheck {
  public:
-  explicit TypeCheck(const json& root) : root_(root) {}
+  explicit TypeCheck(const Json& root) : root_(root) {}
 
   void check(std::string_view path, const Rule& rule) {
     rule_ = &rule;
@@ -207,7 +205,7 @@ class TypeCheck {
 
  private:
   std::size_t sizeOf(std::string_view path) const {
-    const json* at = &root_;
+    const Json* at = &root_;
     while (!path.empty()) {
       const std::string_view step = takeStep(path);
       if (!at->is_object()) return 0;
@@ -218,7 +216,7 @@ class TypeCheck {
     return at->is_array() ? at->size() : 0;
   }
 
-  void walk(const json& value, std::string_view path) {
+  void walk(const Json& value, std::string_view path) {
     if (path.empty()) return checkValue(value);
     const std::string_view step = takeStep(path);
     if (step == "[]") {
@@ -244,20 +242,20 @@ class TypeCheck {
     }
   }
 
-  void enterMember(std::string_view name, const json& value, std::string_view path) {
+  void enterMember(std::string_view name, const Json& value, std::string_view path) {
     place_.enter(name);
     walk(value, path);
     place_.leave();
   }
 
-  void checkValue(const json& value) {
+  void checkValue(const Json& value) {
     if (rule_->size == 0) return checkSingle(value);
     if (!value.is_array() || value.size() != rule_->size)
       place_.fail(say<"not a list of %1 numbers">(rule_->size));
-    for (const json& element : value) checkSingle(element);
+    for (const Json& element : value) checkSingle(element);
   }
 
-  void checkSingle(const json& value) const {
+  void checkSingle(const Json& value) const {
     switch (rule_->kind) {
     case Kind::Object:
       return expect(value.is_object(), say<"not an object">);
@@ -286,7 +284,7 @@ class TypeCheck {
       place_.fail(say<"there is no %1[%2]; there are %3">(rule_->list, value.dump(), listSize_));
   }
 
-  void expectInteger(const json& value, std::uint64_t max) const {
+  void expectInteger(const Json& value, std::uint64_t max) const {
     expect(value.is_number_integer(), say<"not a whole number">);
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > max)
       place_.fail(say<"%1 is out of range">(value.dump()));
@@ -299,7 +297,7 @@ class TypeCheck {
 
   static constexpr std::uint64_t kMaxCount = std::numeric_limits<int>::max(); // what tinygltf can hold
 
-  const json& root_;
+  const Json& root_;
   const Rule* rule_ = nullptr;
   std::size_t listSize_ = 0;
   Place place_;
@@ -307,7 +305,7 @@ class TypeCheck {
 
 } // namespace
 
-void checkGltfTypes(const json& root) {
+void checkGltfTypes(const Json& root) {
   TypeCheck types(root);
   for (const Rule& rule : kRules) types.check(rule.path, rule);
   for (const std::string_view info : kTextureInfos)

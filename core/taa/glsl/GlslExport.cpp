@@ -222,7 +222,7 @@ std::string constantNumbers(const Settings& settings, const gl::ShaderSource& so
   return constants;
 }
 
-std::string joined(const std::vector<std::string>& lines) {
+std::string joinedLines(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
   return text;
@@ -230,7 +230,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 /// A shader with its constants before it, all inputs still declared.
 std::string bodyOf(const gl::ShaderSource& source, const Settings& settings) {
-  std::string body = joined(Readable(source).lines);
+  std::string body = joinedLines(Readable(source).lines);
   std::string constants = constantNumbers(settings, source, body);
   constants += constantWeights(settings, body);
   return (constants.empty() ? "" : "// ---- settings\n" + constants) + body;
@@ -270,8 +270,8 @@ std::string exportedGlsl(const Settings& settings, const std::string& title) {
   static constexpr const char* kVersion = "#version 450 core\n";
   const std::vector<std::string> all = linesOf(bodyOf(resolveSource(settings), settings));
   const std::vector<std::string> allOutput = linesOf(outputBody(settings));
-  const std::string resolve = joined(withoutUnusedInputs(all, allOutput));
-  const std::string output = joined(withoutUnusedInputs(allOutput, all));
+  const std::string resolve = joinedLines(withoutUnusedInputs(all, allOutput));
+  const std::string output = joinedLines(withoutUnusedInputs(allOutput, all));
   const std::string head = kVersion + glslHead(settings, title, resolve, output) + "\n";
   if (output.empty()) return head + resolve;
   return head + "#ifndef " + kOutputMacro + "\n// ==== the resolve\n\n" + resolve + "\n#else // " +

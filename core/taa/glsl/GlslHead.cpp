@@ -63,7 +63,7 @@ constexpr Input kMembers[] = {
 };
 
 // The text in comment lines of at most 110 characters, the later ones indented.
-std::string wrapped(const std::string& text, const std::string& indent) {
+std::string wrappedComment(const std::string& text, const std::string& indent) {
   std::istringstream words(text);
   std::string out, line = "// ", word;
   while (words >> word) {
@@ -77,7 +77,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
 }
 
 std::string item(const std::string& text) {
-  return "//   " + wrapped(text, "    ").substr(3);
+  return "//   " + wrappedComment(text, "    ").substr(3);
 }
 
 bool isKernelOfPlace(CurrentFilter filter) {
@@ -224,7 +224,7 @@ std::string settingsText(const Settings& settings, bool hasOutput) {
 std::string passesText(bool hasOutput) {
   static const std::string kMacro = kOutputMacro;
   if (!hasOutput)
-    return wrapped(
+    return wrappedComment(
         "What is shown is o_color: with these settings nothing follows the resolve (stage Output of "
         "the inspector). What you do to it must not find its way into the history.",
         "");
@@ -261,7 +261,7 @@ std::string glslHead(const Settings& settings, const std::string& title, const s
   std::string text = std::string("// Temporal anti-aliasing: the resolve of one pixel") +
                      (hasOutput ? ", and what is shown of it" : "") + ". Settings: " + title + ".\n";
   text += "// Made by TAA Inspector " TAA_VERSION "; see the license below.\n//\n";
-  text += wrapped(
+  text += wrappedComment(
       (hasOutput ? std::string("Fragment shaders") : std::string("A fragment shader")) +
           " without further needs: draw one triangle that covers the target, without blending. Row 0 of "
           "every "
@@ -271,7 +271,7 @@ std::string glslHead(const Settings& settings, const std::string& title, const s
           "the picture.",
       "");
   if (isUpsampled(settings))
-    text += wrapped(
+    text += wrappedComment(
         "The inputs are smaller than the picture (render scale " +
             valueText(parameter("inputs.renderScale"), static_cast<double>(settings.inputs.renderScale)) +
             "): it upsamples.",

@@ -1,6 +1,7 @@
 #include "core/taa/rows/ChannelNames.h"
 
 #include "core/base/Say.h"
+#include "core/base/Text.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -23,12 +24,6 @@ std::vector<std::string> boxNames(ColorSpace color) {
     break;
   }
   return {"Y", "Co", "Cg"};
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 } // namespace

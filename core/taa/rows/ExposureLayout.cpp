@@ -39,7 +39,7 @@ std::string macro(IntermediateId id, const std::string& body) {
          (body.empty() ? "" : " " + body) + "\n";
 }
 
-std::string nameOf(std::size_t slot) {
+std::string targetName(std::size_t slot) {
   return "o_exposed" + std::to_string(slot);
 }
 
@@ -50,7 +50,7 @@ std::string macros(std::span<const ExposedSlot> slots) {
     for (const ExposedSlot::Part& part : slots[index].parts) {
       const auto channels = static_cast<std::size_t>(intermediate(part.id).channels);
       const std::string swizzle = std::string("xyzw").substr(static_cast<std::size_t>(part.first), channels);
-      const std::string target = nameOf(index) + (slots[index].channels == 1 ? "" : "." + swizzle);
+      const std::string target = targetName(index) + (slots[index].channels == 1 ? "" : "." + swizzle);
       bodies[static_cast<std::size_t>(part.id)] = target + " = (value)";
     }
   std::string text;
@@ -197,7 +197,7 @@ std::string exposeAsTargets(std::span<const ExposedSlot> slots, std::size_t take
   for (std::size_t index = 0; index < slots.size(); ++index) {
     const int channels = slots[index].channels;
     text += "layout(location = " + std::to_string(taken + index) + ") out " +
-            (channels == 1 ? "float" : "vec" + std::to_string(channels)) + " " + nameOf(index) + ";\n";
+            (channels == 1 ? "float" : "vec" + std::to_string(channels)) + " " + targetName(index) + ";\n";
   }
   return text + macros(slots) + "#define store_exposed()\n";
 }
@@ -206,9 +206,9 @@ std::string exposeAsStores(std::span<const ExposedSlot> slots) {
   std::string text = "layout(rgba32f, binding = 0) uniform writeonly image2DArray u_exposed;\n", stores;
   for (std::size_t index = 0; index < slots.size(); ++index) {
     assert(slots[index].channels == 4);
-    text += "vec4 " + nameOf(index) + " = vec4(0.0);\n";
+    text += "vec4 " + targetName(index) + " = vec4(0.0);\n";
     stores += "imageStore(u_exposed, ivec3(ivec2(gl_FragCoord.xy), " + std::to_string(slots[index].layer) +
-              "), " + nameOf(index) + "); ";
+              "), " + targetName(index) + "); ";
   }
   return text + macros(slots) + "#define store_exposed() " + stores + "\n";
 }

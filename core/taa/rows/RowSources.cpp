@@ -12,10 +12,6 @@ namespace {
 
 using enum IntermediateId;
 
-bool isOn(Switch value) {
-  return value == Switch::On;
-}
-
 /// `value` where nothing computes the row.
 std::optional<float> unless(bool isComputed, float value) {
   return isComputed ? std::nullopt : std::optional(value);
@@ -150,7 +146,7 @@ constexpr auto kBoxIsMinMax = [](const Settings& s) {
          !isOn(s.neighborhood.includeFiltered);
 };
 
-constexpr SameRow kSame[] = {
+constexpr SameRow kSameRows[] = {
     {alpha, alphaChannels,
      [](const Settings& s) { return s.weight.source != AlphaSource::ContrastPerChannel; }},
     {historyKeptLength, historyRawLength,
@@ -173,7 +169,7 @@ RowSources rowSources(const Settings& settings) {
   }
   for (const HeldEntry& entry : kHeld)
     if (entry.isHeld(settings)) at(entry.id).held = entry.row;
-  for (const SameRow& row : kSame)
+  for (const SameRow& row : kSameRows)
     if (row.isSame(settings)) at(row.id).same = row.as;
   sources.historyTargets = historyTargets(settings);
   return sources;

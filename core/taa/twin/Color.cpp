@@ -243,6 +243,10 @@ glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3&
   return result;
 }
 
+glm::ivec2 texelOf(const glm::vec2& position) {
+  return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
+}
+
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs) {
   return {within(pixel.x, inputs.outputWidth()), within(pixel.y, inputs.outputHeight())};
 }

@@ -41,11 +41,19 @@ SpaceSettings withoutClamp(const SpaceSettings& space);
 /// Luma of a color of that space.
 float boxLuma(const glm::vec3& box, const SpaceSettings& space);
 
-// Channel by channel, by comparisons, so that what NaN does is defined.
+// By comparisons, so that what NaN does is defined; of colors channel by channel.
+inline float minimum(float a, float b) {
+  return a < b ? a : b;
+}
+inline float maximum(float a, float b) {
+  return a > b ? a : b;
+}
 glm::vec3 minimum(const glm::vec3& a, const glm::vec3& b);
 glm::vec3 maximum(const glm::vec3& a, const glm::vec3& b);
 glm::vec3 clamped(const glm::vec3& value, const glm::vec3& low, const glm::vec3& high);
 
+/// The texel that a position in texels lies in.
+glm::ivec2 texelOf(const glm::vec2& position);
 /// The pixel of the picture, so of its history, nearest to `pixel`.
 glm::ivec2 clampedToPicture(const glm::ivec2& pixel, const Inputs& inputs);
 /// The texel of what was drawn nearest to `texel`.

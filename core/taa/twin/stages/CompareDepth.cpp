@@ -34,10 +34,6 @@ float storedDepth(const Inputs& inputs, const glm::ivec2& place) {
   return inputs.historySurface.texel(texel.x, texel.y).y;
 }
 
-glm::ivec2 texelOf(const glm::vec2& position) {
-  return {static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
-}
-
 /// 3×3 in reading order.
 std::vector<glm::ivec2> square(const glm::ivec2& middle) {
   std::vector<glm::ivec2> texels;
@@ -102,7 +98,8 @@ bool isAtRest(const Inputs& inputs, const ValidateSettings& settings, const glm:
 
 /// Of the nearer of the two surfaces, in its own frame: seen past on opposite sides, in history, which is
 /// dilated by a texel to all sides, a texel farther out. Now the pixel's own sample may see past it too.
-bool isThin(const Inputs& inputs, const DepthTest& depth, const glm::ivec2& drawn, const glm::ivec2& middle) {
+bool isNearerThin(const Inputs& inputs, const DepthTest& depth, const glm::ivec2& drawn,
+                  const glm::ivec2& middle) {
   const bool wasNearer = distance(depth.stored) < distance(depth.expected);
   const float farther = wasNearer ? depth.expected : depth.stored;
   const auto isSeenPast = [&](const glm::ivec2& step) {
@@ -139,7 +136,7 @@ DepthTest compareDepth(const Inputs& inputs, const ValidateSettings& settings, c
   if (!isAtRest(inputs, settings, dilated.motion, position)) return result;
   takeBest(inputs, settings, square(middle), result);
   result.isOther = result.mismatch > result.allowed;
-  result.isFlicker = result.isOther && findsFlicker && isThin(inputs, result, drawn, middle);
+  result.isFlicker = result.isOther && findsFlicker && isNearerThin(inputs, result, drawn, middle);
   result.isOther = result.isOther && !result.isFlicker;
   return result;
 }

@@ -73,7 +73,7 @@ double kernelWeight(const CurrentSettings& settings, double x, double y, const g
   return place == 0.0 ? 1.0 : 0.0;
 }
 
-glm::vec3 mixed(const glm::vec3& a, const glm::vec3& b, float share) {
+glm::vec3 interpolated(const glm::vec3& a, const glm::vec3& b, float share) {
   return a + share * (b - a);
 }
 
@@ -156,9 +156,10 @@ glm::vec3 tapAt(const Inputs& inputs, const glm::ivec2& texel, const glm::vec2& 
   const glm::vec2 f = far - whole;
   const glm::ivec2 x(offset.x < 0.0f ? -1 : 1, 0), y(0, offset.y < 0.0f ? -1 : 1);
   const glm::ivec2 from = texel + static_cast<int>(whole.x) * x + static_cast<int>(whole.y) * y;
-  const glm::vec3 near = mixed(currentColor(inputs, from), currentColor(inputs, from + x), f.x);
-  const glm::vec3 beyond = mixed(currentColor(inputs, from + y), currentColor(inputs, from + x + y), f.x);
-  return storable(mixed(near, beyond, f.y));
+  const glm::vec3 near = interpolated(currentColor(inputs, from), currentColor(inputs, from + x), f.x);
+  const glm::vec3 beyond =
+      interpolated(currentColor(inputs, from + y), currentColor(inputs, from + x + y), f.x);
+  return storable(interpolated(near, beyond, f.y));
 }
 
 glm::vec3 sharpenCurrent(const Inputs& inputs, const CurrentSettings& settings, const glm::ivec2& texel,

@@ -141,10 +141,6 @@ glm::vec3 meanOf(const Taps& taps, const HistorySettings& settings) {
   return settings.dering == Switch::On ? clamped(result, low, high) : result;
 }
 
-glm::ivec2 texelOf(const glm::vec2& positionPx) {
-  return {static_cast<int>(std::floor(positionPx.x)), static_cast<int>(std::floor(positionPx.y))};
-}
-
 glm::vec3 filteredHistory(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& q) {
   if (settings.filter == HistoryFilter::Bilinear) return bilinearHistory(inputs, q, settings.border);
   const Taps taps = historyTaps(inputs, settings, q);

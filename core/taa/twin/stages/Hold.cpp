@@ -27,13 +27,6 @@ Lumas lumasOf(const Inputs& inputs, const glm::ivec2& drawn) {
   return lumas;
 }
 
-float minimum(float a, float b) {
-  return a < b ? a : b;
-}
-float maximum(float a, float b) {
-  return a > b ? a : b;
-}
-
 /// The ridge test of FSR2 on luma itself: 1.05⁶.
 bool isThin(const Lumas& lumas) {
   constexpr float kSimilar = 1.340095640625f;

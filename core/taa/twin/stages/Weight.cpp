@@ -7,14 +7,6 @@
 namespace taa::twin {
 namespace {
 
-float maximum(float a, float b) {
-  return a > b ? a : b;
-}
-
-float minimum(float a, float b) {
-  return a < b ? a : b;
-}
-
 /// u² of Lottes and Playdead (manual 13.10): 1 where luma is the same.
 float lumaLikeness(float current, float history) {
   const float most = maximum(maximum(current, history), 0.2f);
