@@ -40,7 +40,7 @@ glm::dmat4 columnVectors(const glm::dmat4& stated, const MatrixConventions& conv
   return isRowMajor == isColumn ? glm::transpose(stated) : stated;
 }
 
-glm::dmat4 read(const StatedMatrix& stated, const MatrixConventions& conventions) {
+glm::dmat4 readMatrix(const StatedMatrix& stated, const MatrixConventions& conventions) {
   glm::dmat4 m;
   for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = stated[static_cast<std::size_t>(i)];
   return columnVectors(m, conventions);
@@ -72,7 +72,7 @@ bool isRegular(double determinant, double lengths) {
 }
 
 glm::dmat4 viewFrom(const StatedMatrix& stated, const MatrixConventions& conventions, const Where& where) {
-  glm::dmat4 view = read(stated, conventions);
+  glm::dmat4 view = readMatrix(stated, conventions);
   if (!isFinite(view))
     throw Error(say<"frame %1: the %2 holds a number that is not finite">(where.frame, where.view));
   const double unit = view[3][3];
@@ -169,7 +169,7 @@ void takeProjection(StatedCamera& out, const StatedMatrix& stated, const Manifes
                     const glm::dvec2& jitterPx, const Where& where) {
   const MatrixConventions& conventions = manifest.conventions.matrices;
   glm::dmat4& clip = out.camera.clipFromView;
-  clip = read(stated, conventions);
+  clip = readMatrix(stated, conventions);
   if (!isFinite(clip))
     throw Error(say<"frame %1: the %2 holds a number that is not finite">(where.frame, where.projection));
   if (conventions.clipY == VerticalAxis::Down) negateRow(clip, 1);

@@ -78,7 +78,7 @@ void requireSide(int side, const std::string& path) {
     throw Error(say<"\"%1\" is %2 pixels, not from 1 to %3">(path, side, kMaxCaptureSide));
 }
 
-void requireSize(glm::ivec2 sizePx, const std::string& path) {
+void requireSide(glm::ivec2 sizePx, const std::string& path) {
   requireSide(sizePx.x, path);
   requireSide(sizePx.y, path);
 }
@@ -106,7 +106,7 @@ void requireRaw(const PlaneSource& source, PlaneKind kind, glm::ivec2 usualPx, c
   if (rawChannels(format) < leastChannelsOf(kind))
     throw Error(say<"\"%1\" is %2 with fewer than the %3 channels of %4">(
         rawPath, rawFormatName(format), leastChannelsOf(kind), planeName(kind)));
-  if (source.sizePx != glm::ivec2(0)) requireSize(source.sizePx, pathOf(path, "size"));
+  if (source.sizePx != glm::ivec2(0)) requireSide(source.sizePx, pathOf(path, "size"));
   const int width = source.sizePx.x > 0 ? source.sizePx.x : usualPx.x;
   const std::size_t row = static_cast<std::size_t>(width) * bytesPerPixel(format);
   if (source.rowPitch > 0 && source.rowPitch < row)
@@ -251,8 +251,8 @@ void requireConsistent(const Manifest& manifest) {
   requireTexts(manifest);
   if (!manifest.like.empty()) startingPoint(manifest.like);
   requireConventions(manifest.conventions);
-  requireSize(manifest.sizePx, "size");
-  if (manifest.outputPx != glm::ivec2(0)) requireSize(manifest.outputPx, "outputSize");
+  requireSide(manifest.sizePx, "size");
+  if (manifest.outputPx != glm::ivec2(0)) requireSide(manifest.outputPx, "outputSize");
   requireWithin(manifest.framesPerSecond, 1e-3, 1e5, "framesPerSecond");
   requirePlanes(manifest.planes, manifest, "planes");
   requireFrames(manifest);

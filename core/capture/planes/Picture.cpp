@@ -87,7 +87,7 @@ struct Selection {
   std::vector<std::vector<int>> channels;
 };
 
-int indexOf(const OIIO::ImageSpec& spec, const std::string& channel) {
+int channelIndex(const OIIO::ImageSpec& spec, const std::string& channel) {
   const auto found = std::ranges::find(spec.channelnames, channel);
   return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
 }
@@ -95,7 +95,7 @@ int indexOf(const OIIO::ImageSpec& spec, const std::string& channel) {
 /// The first channel that the part lacks; empty where it has all.
 std::string missingIn(const OIIO::ImageSpec& spec, const PlaneRequest& request) {
   for (const std::string& channel : request.source->channels)
-    if (indexOf(spec, channel) < 0) return channel;
+    if (channelIndex(spec, channel) < 0) return channel;
   return "";
 }
 
@@ -109,7 +109,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::vector<int> channelsFor(const OIIO::ImageSpec& spec, const PlaneRequest& request) {
   std::vector<int> channels;
-  for (const std::string& channel : request.source->channels) channels.push_back(indexOf(spec, channel));
+  for (const std::string& channel : request.source->channels) channels.push_back(channelIndex(spec, channel));
   if (channels.empty())
     for (int i = 0; i < std::min(spec.nchannels, channelsOf(request.kind)); ++i) channels.push_back(i);
   if (static_cast<int>(channels.size()) > channelsOf(request.kind))
@@ -183,7 +183,7 @@ struct StoredChannel {
 };
 
 template <typename T>
-T load(const std::byte* at) {
+T loadFrom(const std::byte* at) {
   T value;
   std::memcpy(&value, at, sizeof(T));
   return value;
@@ -202,17 +202,17 @@ void unpackFloats(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_
   using Byte = const std::byte*;
   switch (type) {
   case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return floatOfHalf(load<std::uint16_t>(p)); });
+    return each([](Byte p) { return floatOfHalf(loadFrom<std::uint16_t>(p)); });
   case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return load<float>(p); });
+    return each([](Byte p) { return loadFrom<float>(p); });
   case OIIO::TypeDesc::DOUBLE:
-    return each([](Byte p) { return static_cast<float>(load<double>(p)); });
+    return each([](Byte p) { return static_cast<float>(loadFrom<double>(p)); });
   case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return static_cast<float>(load<std::uint8_t>(p)) / 255.0f; });
+    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint8_t>(p)) / 255.0f; });
   case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return static_cast<float>(load<std::uint16_t>(p)) / 65535.0f; });
+    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint16_t>(p)) / 65535.0f; });
   default:
-    return each([](Byte p) { return static_cast<float>(load<std::uint32_t>(p)); });
+    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint32_t>(p)); });
   }
 }
 
@@ -222,17 +222,17 @@ void unpackIds(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_t s
   using Byte = const std::byte*;
   switch (type) {
   case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return load<std::uint8_t>(p); });
+    return each([](Byte p) { return loadFrom<std::uint8_t>(p); });
   case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return load<std::uint16_t>(p); });
+    return each([](Byte p) { return loadFrom<std::uint16_t>(p); });
   case OIIO::TypeDesc::UINT32:
-    return each([](Byte p) { return load<std::uint32_t>(p); });
+    return each([](Byte p) { return loadFrom<std::uint32_t>(p); });
   case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return idOf(floatOfHalf(load<std::uint16_t>(p))); });
+    return each([](Byte p) { return idOf(floatOfHalf(loadFrom<std::uint16_t>(p))); });
   case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return idOf(load<float>(p)); });
+    return each([](Byte p) { return idOf(loadFrom<float>(p)); });
   default:
-    return each([](Byte p) { return idOf(static_cast<float>(load<double>(p))); });
+    return each([](Byte p) { return idOf(static_cast<float>(loadFrom<double>(p))); });
   }
 }
 

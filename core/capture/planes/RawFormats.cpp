@@ -164,7 +164,7 @@ std::uint32_t unormOf(float value, double most) {
   return static_cast<std::uint32_t>(std::nearbyint(std::min(static_cast<double>(value), 1.0) * most));
 }
 
-std::uint32_t integerOf(float value, std::uint32_t most) {
+std::uint32_t integerWithin(float value, std::uint32_t most) {
   if (!(value > 0.0f)) return 0;
   return static_cast<std::uint32_t>(
       std::min(std::nearbyint(static_cast<double>(value)), static_cast<double>(most)));
@@ -179,11 +179,11 @@ void encodeComponent(Layout layout, float value, int channel, std::byte* at) {
   case Layout::Unorm16:
     return store(at, static_cast<std::uint16_t>(unormOf(value, 65535.0)));
   case Layout::Uint8:
-    return store(at, static_cast<std::uint8_t>(integerOf(value, 0xffu)));
+    return store(at, static_cast<std::uint8_t>(integerWithin(value, 0xffu)));
   case Layout::Uint16:
-    return store(at, static_cast<std::uint16_t>(integerOf(value, 0xffffu)));
+    return store(at, static_cast<std::uint16_t>(integerWithin(value, 0xffffu)));
   case Layout::Uint32:
-    return store(at, integerOf(value, 0xffffffffu));
+    return store(at, integerWithin(value, 0xffffffffu));
   case Layout::DepthLow24:
     return store(at, unormOf(value, 16777215.0));
   case Layout::DepthHigh24:

@@ -81,7 +81,7 @@ void decodeInto(PlaneData& plane, const RawLayout& layout, int row, const std::b
 }
 
 /// As many rows at once as fit a block, one where the file holds more than its rows.
-void readRows(const UntrustedFile& file, const RawLayout& layout, bool bottomFirst, PlaneData& plane) {
+void readRawRows(const UntrustedFile& file, const RawLayout& layout, bool bottomFirst, PlaneData& plane) {
   const bool isDense = layout.pitch <= 2 * layout.rowBytes;
   const int rowsAtOnce =
       isDense ? static_cast<int>(std::clamp<std::uintmax_t>(kBlockBytes / layout.pitch, 1, plane.height)) : 1;
@@ -111,7 +111,7 @@ PlaneData readRawPlane(const std::filesystem::path& folder, const Manifest& mani
   const UntrustedFile file = openUntrusted(folder, request.file, std::numeric_limits<std::uintmax_t>::max());
   requireFileSize(file, request.file, layout);
   PlaneData plane = makePlane(request.kind, layout.sizePx, std::min(stored, channelsOf(request.kind)));
-  readRows(file, layout, request.bottomFirst, plane);
+  readRawRows(file, layout, request.bottomFirst, plane);
   return plane;
 }
 
