@@ -65,6 +65,7 @@ class CaptureSourceTest : public test::GlTest {
     EXPECT_EQ(is.outputPx, should.outputPx);
     EXPECT_EQ(is.info.frame, should.info.frame);
     EXPECT_EQ(is.info.time, should.info.time);
+    EXPECT_EQ(is.info.stepSeconds, should.info.stepSeconds);
     EXPECT_EQ(is.info.jitterPx, should.info.jitterPx);
     EXPECT_EQ(is.info.startsHistory, should.info.startsHistory);
     shared::FrameBlock block = is.block; // nothing after the inputs reads the sky
