@@ -45,6 +45,7 @@ class Builder {
 
   bool key(std::string& name) {
     spend(kKeyBytes + name.size());
+    requireRoom();
     const auto [place, isNew] = open_.back()->emplace(name, nullptr);
     if (!isNew) throw Error(say<"the key \"%1\" comes twice in one object">(shownText(name)));
     slot_ = &*place;
@@ -68,10 +69,16 @@ class Builder {
       throw Error(say<"it would take more than %1 MiB of memory">(kMaxJsonMemory >> 20));
   }
 
+  void requireRoom() const {
+    if (open_.back()->size() >= kMaxJsonEntries)
+      throw Error(say<"a list or an object has more than %1 entries">(kMaxJsonEntries));
+  }
+
   json* put(json&& value) {
     spend(kValueBytes);
     if (open_.empty()) return &(root_ = std::move(value));
     if (!open_.back()->is_array()) return &(*slot_ = std::move(value));
+    requireRoom();
     open_.back()->push_back(std::move(value));
     return &open_.back()->back();
   }

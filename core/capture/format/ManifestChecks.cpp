@@ -185,7 +185,6 @@ void requireSame(bool isThere, bool isThereAtFirst, std::size_t i, std::string_v
 }
 
 void requireOrder(const Frames& frames, std::size_t i) {
-  requireSame(frames[i].view.has_value(), frames[0].view.has_value(), i, "view");
   requireSame(frames[i].seconds.has_value(), frames[0].seconds.has_value(), i, "seconds");
   if (i == 0) return;
   if (frames[i].number <= frames[i - 1].number)

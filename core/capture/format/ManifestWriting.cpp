@@ -117,7 +117,7 @@ std::string manifestText(const Manifest& manifest) {
       throw Error(say<"it has %1 bytes, more than the %2 allowed">(text.size(), kMaxJsonBytes));
     return text;
   } catch (const Error& error) {
-    throw Error(say<"cannot write the capture %1: %2">(manifest.name, error.what()));
+    throw Error(say<"cannot write the capture: %1">(error.what()));
   }
 }
 
