@@ -3,6 +3,7 @@
 #include "app/style/Text.h"
 
 #include "core/base/Say.h"
+#include "core/capture/format/Manifest.h"
 #include "core/gl/PassTimer.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/Profiler.h"
@@ -20,6 +21,7 @@
 #include <QStandardPaths>
 #include <QTranslator>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -53,6 +55,17 @@ void addParameters(Collector& texts) {
     texts.add(row.label, row.unit, row.tooltip, row.formula, row.source);
     for (const Choice& choice : row.choices) texts.add(choice.label, choice.explanation);
   }
+}
+
+void addConventions(Collector& texts) {
+  for (const capture::Convention& row : capture::conventions()) {
+    texts.add(row.label, row.unit, row.tooltip);
+    for (const capture::ConventionChoice& choice : row.choices) texts.add(choice.label, choice.explanation);
+  }
+  for (const capture::StartingPoint& point : capture::startingPoints())
+    texts.add(point.label, point.notes, point.source);
+  for (std::size_t kind = 0; kind < capture::kPlaneKinds; ++kind)
+    texts.add(capture::planeDescription(static_cast<capture::PlaneKind>(kind)));
 }
 
 void addRows(Collector& texts) {
@@ -93,6 +106,7 @@ QStringList tableTexts() {
   Collector texts;
   for (const StageInfo& stage : kStages) texts.add(stage.label, stage.description);
   addParameters(texts);
+  addConventions(texts);
   addRows(texts);
   addLists(texts);
   for (const PresetGroup& group : kPresetGroups) texts.add(group.label);

@@ -1,5 +1,6 @@
 #include "core/report/ManualTables.h"
 
+#include "core/capture/format/Manifest.h"
 #include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
 #include "core/scene/SceneSource.h"
@@ -163,10 +164,92 @@ ManualPage scenesPage() {
   return page;
 }
 
+std::string allowedText(const capture::Convention& row) {
+  using Kind = capture::ConventionKind;
+  if (row.kind == Kind::Choice || row.kind == Kind::OptionalChoice) return "";
+  if (row.kind == Kind::Toggle) return "On or off";
+  std::string text = row.kind == Kind::Integer ? "A whole number" : "A number";
+  if (row.kind == Kind::OptionalNumber) return text + " or `none`";
+  return row.unit.empty() ? text : text + ", " + std::string(row.unit);
+}
+
+std::string conventionText(const capture::Convention& row) {
+  std::string text =
+      "\n### " + markdownText(row.label) + " " + code(row.path) + "\n\n" + markdownText(row.tooltip) + "\n\n";
+  if (const std::string allowed = allowedText(row); !allowed.empty())
+    text += allowed + ", by";
+  else
+    text += "By";
+  text += " default " + code(row.text({})) + ".";
+  if (!row.when.empty()) text += " Has a meaning with " + code(row.when) + ".";
+  text += "\n";
+  if (row.choices.empty()) return text;
+  text += "\n" + head({"choice", "shown as", "what it says"});
+  for (const capture::ConventionChoice& choice : row.choices)
+    text += cells({code(choice.id), markdownText(choice.label), markdownText(choice.explanation)});
+  if (row.kind == capture::ConventionKind::OptionalChoice)
+    text += cells({code("none"), "None of these", "What is stored is right."});
+  return text;
+}
+
+/// A heading before the first row of a group: "motion" of "motion.unit".
+std::string groupText(std::string_view path, std::string_view before) {
+  const std::string_view group = path.substr(0, path.find('.'));
+  if (group == before.substr(0, before.find('.'))) return "";
+  const bool isAlone = path.find('.') == std::string_view::npos;
+  return "\n## " + (isAlone ? "Conventions of files" : "Conventions of " + std::string(group)) + "\n";
+}
+
+std::string startingPointsText() {
+  std::string text = "\n## Starting points\n\nWhat `like` names; conventions that are not listed are as by "
+                     "default.\n\n" +
+                     head({"id", "shown as", "conventions", "what to look at", "known from"});
+  for (const capture::StartingPoint& point : capture::startingPoints()) {
+    std::string said;
+    for (const std::string& assignment : capture::differences(point.conventions, {}))
+      said += (said.empty() ? "" : ", ") + code(assignment);
+    text += cells({code(point.id), markdownText(point.label), said, markdownText(point.notes),
+                   markdownText(point.source)});
+  }
+  return text;
+}
+
+std::string planesText() {
+  std::string text = "\n## Planes\n\nValues are in the capture's conventions.\n\n" +
+                     head({"plane", "channels", "what it holds"});
+  for (std::size_t kind = 0; kind < capture::kPlaneKinds; ++kind) {
+    const auto plane = static_cast<capture::PlaneKind>(kind);
+    const int least = capture::leastChannelsOf(plane), most = capture::channelsOf(plane);
+    text += cells({code(capture::planeName(plane)),
+                   std::to_string(least) + (most > least ? " or " + std::to_string(most) : ""),
+                   markdownText(capture::planeDescription(plane))});
+  }
+  text += "\n## Raw formats\n\nWhat `raw` names, channels from the lowest address on:";
+  for (std::size_t format = 0; format < capture::kRawFormats; ++format)
+    text += (format > 0 ? ", " : " ") + code(capture::rawFormatName(static_cast<capture::RawFormat>(format)));
+  return text + ".\n";
+}
+
+ManualPage captureKeysPage() {
+  ManualPage page{"capturekeys.md", "Keys of captures", ""};
+  page.text = pageHead(
+      page.title, "Everything that a [capture](captures.md) can state of the frames of an engine. "
+                  "`motion.unit` stands as `{\"motion\": {\"unit\": …}}` in `conventions` of capture.json, "
+                  "and as `--set motion.unit=…` where a capture is imported.");
+  std::string_view before;
+  for (const capture::Convention& row : capture::conventions()) {
+    page.text += groupText(row.path, before) + conventionText(row);
+    before = row.path;
+  }
+  page.text += startingPointsText() + planesText();
+  return page;
+}
+
 } // namespace
 
 std::vector<ManualPage> manualTables() {
-  return {coveragePage(), settingsPage(), intermediatesPage(), presetsPage(), scenesPage()};
+  return {coveragePage(), settingsPage(), intermediatesPage(),
+          presetsPage(),  scenesPage(),   captureKeysPage()};
 }
 
 } // namespace taa

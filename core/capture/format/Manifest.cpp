@@ -18,13 +18,24 @@ namespace {
 struct PlaneInfo {
   std::string_view name;
   int least, most; ///< channels
+  std::string_view description;
 };
 
 /// By PlaneKind.
 constexpr PlaneInfo kPlanes[] = {
-    {"color", 3, 4},  {"motion", 2, 2},        {"depth", 1, 1},     {"objectId", 1, 1},
-    {"normal", 3, 4}, {"previousDepth", 1, 1}, {"mask", 1, 1},      {"overlay", 4, 4},
-    {"fog", 3, 4},    {"output", 3, 4},        {"reference", 3, 4},
+    {"color", 3, 4, "Red, green, blue before TAA, with the frame's jitter."},
+    {"motion", 2, 2, "x and y of motion."},
+    {"depth", 1, 1, "Depth."},
+    {"objectId", 1, 1, "The whole number of the object that is seen; 0: nothing."},
+    {"normal", 3, 4, "x, y, z in world space; fourth, where known, the number of the object's class."},
+    {"previousDepth", 1, 1,
+     "The distance along the camera's axis that the surface had in the previous frame, in meters; 0: none."},
+    {"mask", 1, 1, "What TAA should trust history less for, 0 to 1: reactive, responsive."},
+    {"overlay", 4, 4,
+     "Red, green, blue, alpha, premultiplied, without jitter: what is laid over the output."},
+    {"fog", 3, 4, "Light that fog scatters to the camera; fourth: what it takes of the surface's."},
+    {"output", 3, 4, "Red, green, blue of what the engine's own TAA made of the frame."},
+    {"reference", 3, 4, "Red, green, blue of a picture to compare with, supersampled."},
 };
 static_assert(std::size(kPlanes) == kPlaneKinds);
 
@@ -50,6 +61,10 @@ std::optional<PlaneKind> planeOf(std::string_view name) {
   const auto found = std::ranges::find(kPlanes, name, &PlaneInfo::name);
   if (found == std::end(kPlanes)) return {};
   return static_cast<PlaneKind>(found - std::begin(kPlanes));
+}
+
+std::string_view planeDescription(PlaneKind kind) {
+  return infoOf(kind).description;
 }
 
 int channelsOf(PlaneKind kind) {

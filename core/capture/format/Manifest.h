@@ -38,6 +38,8 @@ inline constexpr std::size_t kPlaneKinds = 11;
 /// "reference".
 std::string_view planeName(PlaneKind kind);
 std::optional<PlaneKind> planeOf(std::string_view name);
+/// What it holds, in a sentence.
+std::string_view planeDescription(PlaneKind kind);
 /// Channels that decode/ wants of it, 1 to 4.
 int channelsOf(PlaneKind kind);
 /// Channels that it needs: of colors the fourth may be missing, and so may the class of normals.
