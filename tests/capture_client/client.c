@@ -1,5 +1,6 @@
 // A program that is not this renderer: it draws a few triangles with OpenGL as an engine would, reads color,
-// motion, depth and ids back and hands them to taa_capture.h. client FOLDER writes a capture of four frames.
+// motion, depth and ids back and hands them to taa_capture.h. client FOLDER writes a capture of four frames;
+// client FOLDER N dies within frame N.
 // 64 × 48 px, GL's own conventions: rows from the bottom, clip space −1 to 1, depth 0 to 1 with 1 far.
 #if __STDC_VERSION__ != 199901L
 #error "this is a test of C99"
@@ -168,7 +169,7 @@ static void write_plane(taa_capture* capture, const char* name, taa_format forma
   need(taa_capture_plane(capture, name, format, WIDTH, HEIGHT, 0, TAA_ROWS_BOTTOM_FIRST, pixels));
 }
 
-static void write_frame(taa_capture* capture, int number, const float* jitter) {
+static void write_frame(taa_capture* capture, int number, const float* jitter, int dies) {
   // Orthographic, two units wide and high and deep, rows one after another.
   const float projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, 0, 1};
   const double view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -184,6 +185,7 @@ static void write_frame(taa_capture* capture, int number, const float* jitter) {
   write_plane(capture, "color", TAA_RGBA16F, GL_COLOR_ATTACHMENT0, GL_RGBA, GL_HALF_FLOAT);
   write_plane(capture, "motion", TAA_RG16F, GL_COLOR_ATTACHMENT1, GL_RG, GL_HALF_FLOAT);
   write_plane(capture, "objectId", TAA_R16_UINT, GL_COLOR_ATTACHMENT2, GL_RED_INTEGER, GL_UNSIGNED_SHORT);
+  if (dies) _Exit(3); // as an engine that crashes: nothing is closed
   write_plane(capture, "depth", TAA_D32F, 0, GL_DEPTH_COMPONENT, GL_FLOAT);
   need(taa_capture_end(capture));
 }
@@ -202,8 +204,9 @@ int main(int count, char** arguments) {
   taa_capture_desc desc;
   taa_capture* capture = NULL;
   GLuint program;
+  const int last = count == 3 ? atoi(arguments[2]) : FRAMES;
   int frame;
-  require(count == 2, "wants the folder to write to");
+  require(count == 2 || count == 3, "wants the folder to write to");
   setlocale(LC_ALL, ""); // as many programs do; numbers in the capture have points all the same
   make_context();
   program = make_program();
@@ -223,7 +226,7 @@ int main(int count, char** arguments) {
   need(taa_capture_object(capture, 300, "red square"));
   for (frame = 0; frame < FRAMES; ++frame) {
     draw_frame(program, frame, jitters[frame]);
-    write_frame(capture, frame, jitters[frame]);
+    write_frame(capture, frame, jitters[frame], frame == last);
   }
   require(glGetError() == GL_NO_ERROR, "OpenGL reports an error");
   need(taa_capture_close(capture));

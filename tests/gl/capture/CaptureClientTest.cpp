@@ -115,6 +115,17 @@ TEST_F(CaptureClient, ReplacesNoCaptureUnasked) {
   EXPECT_EQ(readFile(folder / kManifestName), before);
 }
 
+TEST_F(CaptureClient, LeavesTheFramesBeforeACrash) {
+  fs::remove_all(folder);
+  const test::ProcessResult crash =
+      test::runProcess({test::binary("taa_capture_client").string(), folder.string(), "2"});
+  ASSERT_EQ(crash.exitCode, 3) << crash.err;
+  const Manifest manifest = readManifest(folder);
+  ASSERT_EQ(manifest.frames.size(), 2u);
+  for (const CapturedFrame& frame : manifest.frames)
+    EXPECT_EQ(countIds(readPlanes(folder, manifest, frame)), 2u * kSquare * kSquare);
+}
+
 TEST_F(CaptureClient, LeavesNothingHalfWritten) {
   std::size_t files = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {

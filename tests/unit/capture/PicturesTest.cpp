@@ -201,7 +201,70 @@ TEST_F(Pictures, AreReadAsStoredWithoutSrgbOrPremultiplying) {
   EXPECT_EQ(read(PlaneKind::Color).image.texel(5, 3), glm::vec4(4.0f, 4.0f, 4.0f, 0.0f));
 }
 
-TEST_F(Pictures, MayBeTiledWithMipLevelsAndUpsideDown) {
+TEST_F(Pictures, OfSeveralMipLevelsGiveTheLargest) {
+  OIIO::ImageSpec spec = specOf({"R", "G", "B"}, OIIO::TypeFloat);
+  spec.tile_width = spec.tile_height = 4;
+  spec.attribute("textureformat", "Plain Texture");
+  spec.attribute("openexr:levelmode", 1);
+  const std::string file = (folder / "levels.exr").string();
+  std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file);
+  ASSERT_TRUE(output->open(file, spec)) << output->geterror();
+  ASSERT_TRUE(output->write_image(OIIO::TypeFloat, ramp(3).data())) << output->geterror();
+  for (const int side : {2, 1}) { // 3 × 2 and 1 × 1 px
+    spec.width = spec.full_width = 2 * side - 1;
+    spec.height = spec.full_height = side;
+    ASSERT_TRUE(output->open(file, spec, OIIO::ImageOutput::AppendMIPLevel)) << output->geterror();
+    ASSERT_TRUE(output->write_image(OIIO::TypeFloat, std::vector<float>(18, -1.0f).data()));
+  }
+  ASSERT_TRUE(output->close()) << output->geterror();
+  output.reset(); // what it keeps in memory is written
+  add(PlaneKind::Color, "levels.exr", {});
+  EXPECT_EQ(read(PlaneKind::Color).image.pixels, ramp(3));
+}
+
+// The header of DirectDraw's files: 32 bits a pixel, blue in the lowest byte.
+TEST_F(Pictures, MayBeDds) {
+  std::vector<std::uint32_t> words(32, 0);
+  words[0] = 0x20534444u; // "DDS "
+  words[1] = 124u;        // bytes of the header
+  words[2] = 0x100fu;     // caps, height, width, pitch, pixel format
+  words[3] = kHeight;
+  words[4] = kWidth;
+  words[5] = 4u * kWidth;
+  words[19] = 32u;   // bytes of the pixel format
+  words[20] = 0x41u; // RGB with alpha
+  words[22] = 32u;
+  words[23] = 0x00ff0000u;
+  words[24] = 0x0000ff00u;
+  words[25] = 0x000000ffu;
+  words[26] = 0xff000000u;
+  words[27] = 0x1000u; // a texture
+  for (int i = 0; i < kWidth * kHeight; ++i) words.push_back(0x33ff6600u);
+  writeFile(folder / "color.dds", {reinterpret_cast<const char*>(words.data()), words.size() * 4});
+  add(PlaneKind::Color, "color.dds", {});
+  EXPECT_EQ(read(PlaneKind::Color).image.texel(3, 2), glm::vec4(1.0f, 0.4f, 0.0f, 0.2f));
+}
+
+TEST_F(Pictures, OfRealEnginesAreRead) {
+  const fs::path data = fs::path(TAA_SHARED_DATA) / "capture-three";
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  folder = data;
+  manifest.sizePx = {480, 270};
+  const char* const file = "frame.{frame:4}.exr";
+  add(PlaneKind::Color, file, {"R", "G", "B"});
+  add(PlaneKind::Motion, file, {"velocity.X", "velocity.Y"});
+  add(PlaneKind::Depth, file, {"depth.Z"});
+  add(PlaneKind::Output, file, {"taa.R", "taa.G", "taa.B"});
+  const FramePlanes planes = readAll();
+  ASSERT_EQ(planes.size(), 4u);
+  // Window depth of GL: within 0 to 1, the sky 1.
+  const auto [least, most] = std::ranges::minmax(planes.at(PlaneKind::Depth).image.pixels);
+  EXPECT_GT(least, 0.5f);
+  EXPECT_EQ(most, 1.0f);
+  EXPECT_NE(planes.at(PlaneKind::Color).image.pixels, planes.at(PlaneKind::Output).image.pixels);
+}
+
+TEST_F(Pictures, MayBeTiledAndUpsideDown) {
   OIIO::ImageSpec spec = specOf({"R", "G", "B"}, OIIO::TypeFloat);
   spec.tile_width = spec.tile_height = 4;
   writePicture(folder / "tiled.exr", spec, OIIO::TypeFloat, ramp(3));
