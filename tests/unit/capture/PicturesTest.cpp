@@ -258,9 +258,9 @@ TEST_F(Pictures, OfRealEnginesAreRead) {
   const FramePlanes planes = readAll();
   ASSERT_EQ(planes.size(), 4u);
   // Window depth of GL: within 0 to 1, the sky 1.
-  const auto [least, most] = std::ranges::minmax(planes.at(PlaneKind::Depth).image.pixels);
-  EXPECT_GT(least, 0.5f);
-  EXPECT_EQ(most, 1.0f);
+  const auto [least, most] = std::ranges::minmax_element(planes.at(PlaneKind::Depth).image.pixels);
+  EXPECT_GT(*least, 0.5f);
+  EXPECT_EQ(*most, 1.0f);
   EXPECT_NE(planes.at(PlaneKind::Color).image.pixels, planes.at(PlaneKind::Output).image.pixels);
 }
 
