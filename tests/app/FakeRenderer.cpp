@@ -1,5 +1,7 @@
 #include "tests/app/FakeRenderer.h"
 
+#include "core/render/CaptureFacts.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -34,6 +36,15 @@ std::shared_ptr<const SceneOutline> fakeOutline(const std::string& source) {
   return std::make_shared<const SceneOutline>(std::move(outline));
 }
 
+std::shared_ptr<const CaptureFacts> fakeCapture() {
+  CaptureFacts facts;
+  facts.renderPx = facts.outputPx = {64, 36};
+  facts.jitterPx = {{0.25f, 0.0f}, {-0.25f, 0.0f}, {0.25f, 0.0f}, {-0.25f, 0.0f}};
+  facts.jitterPeriod = 2;
+  facts.hasOutput = true;
+  return std::make_shared<const CaptureFacts>(facts);
+}
+
 } // namespace
 
 RequestId FakeRenderer::post(Request request) {
@@ -43,7 +54,8 @@ RequestId FakeRenderer::post(Request request) {
 
 void FakeRenderer::take(const request::Open& asked) {
   const auto& [source] = asked;
-  if (!source.starts_with("builtin:")) {
+  const bool isCapture = source.ends_with(kFakeCapture);
+  if (!source.starts_with("builtin:") && !isCapture) {
     tell(Failure{"cannot open " + source + ": there is no such file", RequestKind::Source, requests + 1});
     return;
   }
@@ -52,6 +64,11 @@ void FakeRenderer::take(const request::Open& asked) {
   ++status.shotVersion;
   status.cameras = {"still", "pan"};
   status.camera = "still";
+  status.capture = isCapture ? fakeCapture() : nullptr;
+  if (isCapture) {
+    status.camera = kCaptureCamera;
+    status.cameras = {kCaptureCamera};
+  }
   status.objects = {"floor", "rotor & hub"};
   status.motionModes.clear();
   status.filter = {};

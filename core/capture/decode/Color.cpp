@@ -54,12 +54,14 @@ void forColors(Image& color, const Value& value) {
 
 } // namespace
 
-ColorDecoder::ColorDecoder(const ColorConventions& conventions, double preExposure, int frame)
-    : isSrgb_(conventions.encoding == ColorEncoding::Srgb) {
-  if (!conventions.preExposed) return;
-  if (!(std::isfinite(preExposure) && preExposure > 0.0))
-    throw Error(say<"frame %1: its preExposure is not above 0">(frame));
-  exposure_ = preExposure;
+ColorDecoder::ColorDecoder(const Manifest& manifest, const CapturedFrame& frame, PlaneKind kind) {
+  const PlaneSource* source = manifest.plane(frame, kind);
+  const bool isDoneByFormat = source && source->raw == RawFormat::RGBA8_SRGB;
+  isSrgb_ = manifest.conventions.color.encoding == ColorEncoding::Srgb && !isDoneByFormat;
+  if (!manifest.conventions.color.preExposed) return;
+  if (!(std::isfinite(frame.preExposure) && frame.preExposure > 0.0))
+    throw Error(say<"frame %1: its preExposure is not above 0">(frame.number));
+  exposure_ = frame.preExposure;
 }
 
 void ColorDecoder::decode(Image& color) const {

@@ -2,21 +2,22 @@
 #pragma once
 
 #include "core/base/Image.h"
-#include "core/capture/format/Conventions.h"
+#include "core/capture/format/Manifest.h"
 
 namespace taa::capture {
 
 class ColorDecoder {
  public:
-  /// `preExposure` is used where the conventions say so. Throws Error where it cannot be one.
-  ColorDecoder(const ColorConventions& conventions, double preExposure, int frame);
+  /// Of a plane of color: what RGBA8_SRGB says of itself is done by who reads and writes it, whatever the
+  /// conventions say. Throws Error where the frame's preExposure is needed and cannot be one.
+  ColorDecoder(const Manifest& manifest, const CapturedFrame& frame, PlaneKind kind);
 
   /// In place; four channels, of which the last one stays.
   void decode(Image& color) const;
   void encode(Image& color) const;
 
  private:
-  bool isSrgb_;
+  bool isSrgb_ = false;
   double exposure_ = 1.0;
 };
 

@@ -37,7 +37,6 @@ void takeInfo(const Manifest& manifest, std::size_t index, DecodedFrame& out) {
 
 void takeColors(const Manifest& manifest, const CapturedFrame& frame, PlaneShapes& planes,
                 DecodedFrame& out) {
-  const ColorDecoder decoder(manifest.conventions.color, frame.preExposure, frame.number);
   out.color = planes.takeUnscaled(PlaneKind::Color);
   if (out.color.empty()) throw Error(say<"frame %1 has no color">(frame.number));
   if (glm::ivec2(out.color.width, out.color.height) != manifest.sizePx)
@@ -47,8 +46,13 @@ void takeColors(const Manifest& manifest, const CapturedFrame& frame, PlaneShape
   out.fog = planes.take(PlaneKind::Fog);
   out.output = planes.takeUnscaled(PlaneKind::Output);
   out.reference = planes.takeUnscaled(PlaneKind::Reference);
-  for (Image* image : {&out.color, &out.overlay, &out.fog, &out.output, &out.reference})
-    if (!image->empty()) decoder.decode(*image);
+  const std::pair<PlaneKind, Image*> colors[] = {{PlaneKind::Color, &out.color},
+                                                 {PlaneKind::Overlay, &out.overlay},
+                                                 {PlaneKind::Fog, &out.fog},
+                                                 {PlaneKind::Output, &out.output},
+                                                 {PlaneKind::Reference, &out.reference}};
+  for (const auto& [kind, image] : colors)
+    if (!image->empty()) ColorDecoder(manifest, frame, kind).decode(*image);
 }
 
 /// Depth, previous depth and motion, which are made of each other and the cameras.

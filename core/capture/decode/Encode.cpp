@@ -62,10 +62,9 @@ void putGeometry(const Manifest& manifest, const DecodedFrame& frame, FramePlane
 
 FramePlanes encode(const Manifest& manifest, const DecodedFrame& frame) {
   const CapturedFrame& stated = manifest.frames.at(static_cast<std::size_t>(frame.index));
-  const ColorDecoder color(manifest.conventions.color, stated.preExposure, stated.number);
   FramePlanes planes;
   const auto putColor = [&](PlaneKind kind, Image image) {
-    if (!image.empty()) color.encode(image);
+    if (!image.empty()) ColorDecoder(manifest, stated, kind).encode(image);
     put(planes, kind, std::move(image));
   };
   putColor(PlaneKind::Color, frame.color);

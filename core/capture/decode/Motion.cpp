@@ -87,9 +87,12 @@ MotionDecoder::MotionDecoder(const Manifest& manifest, const MotionInputs& input
     notWritten_ = StoredValue(0.0);
   if (!inputs_.depth) conventions_.whereNothing = {};
   if (!inputs_.depth || !inputs_.camera) conventions_.includesCamera = true;
+  // This program's own value of "no previous position" stands for itself.
+  const bool keepsMarks = !notWritten_.isStated() || (conventions_.fallback == MotionFallback::None &&
+                                                      notWritten_.value() == kNoPreviousPosition);
   isIdentity_ = conventions_.encoding == MotionEncoding::Plain && pxPerValue_ == glm::dvec2(1.0) &&
-                conventions_.jitter == JitterInMotion::Removed && conventions_.includesCamera &&
-                !notWritten_.isStated() && !conventions_.whereNothing;
+                conventions_.jitter == JitterInMotion::Removed && conventions_.includesCamera && keepsMarks &&
+                !conventions_.whereNothing;
 }
 
 glm::vec2 MotionDecoder::cameraMotion(int x, int y) const {

@@ -212,6 +212,11 @@ std::shared_ptr<const DecodedFrame> Capture::frame(int index) const {
   return impl_->frame(index);
 }
 
+bool Capture::isReady(int index) const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->cache.contains(index);
+}
+
 bool isCapture(const std::string& source) {
   std::error_code ignored;
   const fs::path path(source);

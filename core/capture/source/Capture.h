@@ -27,6 +27,8 @@ class Capture {
   /// Decoded now, or kept, or waited for while it is on its way; begins to decode the frame after it in the
   /// background. Throws Error.
   std::shared_ptr<const DecodedFrame> frame(int index) const;
+  /// Whether frame() answers without reading.
+  bool isReady(int index) const;
 
  private:
   struct Impl;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ namespace taa::capture {
 namespace {
 
 constexpr double kNearPlaneOfNoCamera = 0.1; // m; of what is only a place to stand
+constexpr double kSameStep = 1e-6;           // s; times are rounded sums of steps
 
 bool startsWithPlane(const Manifest& manifest, PlaneKind kind) {
   return manifest.plane(manifest.frames.front(), kind) != nullptr;
@@ -133,7 +135,8 @@ FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
   info.stepSeconds = 1.0 / manifest.framesPerSecond;
   info.time = stated.seconds.value_or(frame * info.stepSeconds);
   if (frame > 0 && stated.seconds && manifest.frames[index - 1].seconds)
-    if (const double step = *stated.seconds - *manifest.frames[index - 1].seconds; step > 0.0)
+    if (const double step = *stated.seconds - *manifest.frames[index - 1].seconds;
+        step > 0.0 && std::abs(step - info.stepSeconds) > kSameStep)
       info.stepSeconds = step;
   info.jitterIndex = frame % parts_->facts->jitterPeriod;
   info.jitterPx = parts_->facts->jitterPx[index];
