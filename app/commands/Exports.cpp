@@ -143,6 +143,7 @@ QString Exports::commandLine() const {
   const ViewPanel* view = views_.active();
   CommandView shown = view->commandView();
   shown.referenceSamples = session_.status().referenceGoal;
+  shown.capture = session_.status().capture;
   const SessionFile session = session_.file();
   return QString::fromStdString(renderCommand(session, shown, cameraFile(session).toStdString()));
 }

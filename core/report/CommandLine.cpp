@@ -4,10 +4,12 @@
 #include "core/base/Text.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/picture/StyleText.h"
+#include "core/render/CaptureFacts.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -27,7 +29,13 @@ class Line {
   std::string text_;
 };
 
-void addShot(Line& line, const SessionFile& session, const std::string& cameraFile) {
+// What a capture fixes would be refused.
+bool isRefused(const std::string& assignment, const CaptureFacts* capture) {
+  return capture && isFixedBy(*capture, parameter(assignment.substr(0, assignment.find('='))));
+}
+
+void addShot(Line& line, const SessionFile& session, const CaptureFacts* capture,
+             const std::string& cameraFile) {
   line.add("--size", std::to_string(session.size.x) + "x" + std::to_string(session.size.y));
   if (needsCameraFile(session))
     line.add("--camera-path", cameraFile);
@@ -42,7 +50,7 @@ void addShot(Line& line, const SessionFile& session, const std::string& cameraFi
   const Preset& base = known == builtinPresets().end() ? builtinPresets().front() : *known;
   line.add("--preset", base.id);
   for (const std::string& assignment : differences(session.settings.settings, base.settings))
-    line.add("--set", assignment);
+    if (!isRefused(assignment, capture)) line.add("--set", assignment);
   for (const MotionOverride& mode : session.motionModes)
     line.add("--motion-mode",
              mode.node + "=" + std::string(kMotionModes.at(static_cast<std::size_t>(mode.mode)).id));
@@ -84,7 +92,7 @@ bool needsCameraFile(const SessionFile& session) {
 std::string renderCommand(const SessionFile& session, const CommandView& view,
                           const std::string& cameraFile) {
   Line line("taa-batch render " + shellQuoted(session.source));
-  addShot(line, session, cameraFile);
+  addShot(line, session, view.capture.get(), cameraFile);
   const Intermediate& row = intermediate(view.id);
   line.add("--emit", std::string(row.name));
   const bool isDifference = view.comparison && view.showing == Showing::Difference;

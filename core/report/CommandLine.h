@@ -6,9 +6,12 @@
 #include "core/measure/Metrics.h"
 #include "core/picture/Visualizer.h"
 
+#include <memory>
 #include <string>
 
 namespace taa {
+
+struct CaptureFacts;
 
 /// A word as a POSIX shell reads it back: quoted where it has to be.
 std::string shellQuoted(const std::string& word);
@@ -25,6 +28,8 @@ struct CommandView {
   ViewStyle otherStyle{}; ///< of the other side
   double divider = 0.5;   ///< share of the picture's width
   int referenceSamples = kReferenceSamples;
+  std::shared_ptr<const CaptureFacts> capture =
+      nullptr; ///< of the shot, shared with who knows it; null: a scene
 };
 
 /// "taa-batch render … --format png --out .": the session's shot, frame and settings, and one intermediate in

@@ -194,10 +194,10 @@ enum class Visual : std::uint8_t {
       "before.")                                                                                             \
   ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color, 1e-3,                                  \
       "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.")      \
-  ROW(engineDifference, "Difference to the engine", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,             \
+  ROW(engineDifference, "Engine difference", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                    \
       "Luma of the resolved color less luma of the engine's output, scene-linear: above 0 ours is "          \
       "brighter.")                                                                                           \
-  ROW(engineDifferenceAbs, "Absolute difference to the engine", Reference, 1, "", 0, 0.25, Scalar, 1e-3,     \
+  ROW(engineDifferenceAbs, "Absolute engine difference", Reference, 1, "", 0, 0.25, Scalar, 1e-3,            \
       "Largest difference of the resolved color and the engine's output in red, green or blue, "             \
       "scene-linear.")
 
