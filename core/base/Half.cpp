@@ -32,7 +32,7 @@ namespace {
 
 /// Without branches, so that a compiler makes one instruction of several values. The steps are those of
 /// roundedToHalf().
-inline std::uint16_t halfOf(float value) {
+inline std::uint16_t halfBits(float value) {
   constexpr std::uint32_t kOverflow = 0x477ff000u, kSmallestNormal = 0x38800000u; // 65520, 2⁻¹⁴
   constexpr std::uint32_t kInfinite = 0x7f800000u, kOneHalf = 0x3f000000u;
   constexpr std::uint32_t kBiasDifference = (127u - 15u) << 10u;
@@ -50,7 +50,7 @@ inline std::uint16_t halfOf(float value) {
 
 void toHalves(std::span<const float> values, std::span<std::uint16_t> halves) {
   assert(values.size() == halves.size());
-  for (std::size_t index = 0; index < values.size(); ++index) halves[index] = halfOf(values[index]);
+  for (std::size_t index = 0; index < values.size(); ++index) halves[index] = halfBits(values[index]);
 }
 
 } // namespace taa

@@ -119,7 +119,7 @@ int InspectedShot::height() const {
 void InspectedShot::checkLanes(const std::vector<Settings>& lanes) const {
   if (lanes.empty() || lanes.size() > kMaxLanes)
     throw Error(say<"cannot run %1 lanes: there are one to %2">(lanes.size(), kMaxLanes));
-  requirePicture(driver_, lanes, player_.picturePx(), player_.watched(), player_.hasFog());
+  requirePicture(driver_, used(lanes), player_.picturePx(), player_.watched(), player_.hasFog());
 }
 
 void InspectedShot::setLanes(const std::vector<Settings>& lanes) {

@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace taa {
 

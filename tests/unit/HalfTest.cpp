@@ -49,7 +49,7 @@ TEST(RoundedToHalf, OverflowsHalfwayToTheNextPowerOfTwo) {
 }
 
 /// The value of a half's bits, by its definition.
-float valueOf(std::uint16_t half) {
+float valueOfHalf(std::uint16_t half) {
   const int exponent = (half >> 10) & 31, fraction = half & 1023;
   const float sign = half & 0x8000 ? -1.0f : 1.0f;
   if (exponent == 31) return fraction ? std::nanf("") : sign * std::numeric_limits<float>::infinity();
@@ -70,8 +70,8 @@ TEST(ToHalves, GivesTheBitsOfTheRoundedValue) {
   std::vector<std::uint16_t> halves(values.size());
   toHalves(values, halves);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASSERT_EQ(valueOf(halves[i]), roundedToHalf(values[i])) << values[i];
-    ASSERT_EQ(std::signbit(valueOf(halves[i])), std::signbit(values[i])) << values[i];
+    ASSERT_EQ(valueOfHalf(halves[i]), roundedToHalf(values[i])) << values[i];
+    ASSERT_EQ(std::signbit(valueOfHalf(halves[i])), std::signbit(values[i])) << values[i];
   }
 }
 
@@ -79,7 +79,7 @@ TEST(ToHalves, KeepsWhatIsNoNumber) {
   const float values[] = {std::nanf("")};
   std::uint16_t halves[] = {0};
   toHalves(values, halves);
-  EXPECT_TRUE(std::isnan(valueOf(halves[0])));
+  EXPECT_TRUE(std::isnan(valueOfHalf(halves[0])));
 }
 
 } // namespace

@@ -49,7 +49,7 @@ void uploadColor(const Image& color, gl::Texture& texture) {
   upload(gl::isHalf(texture.format()) ? insideHalves(color) : color, texture);
 }
 
-glm::dmat4 clipFromWorld(const DecodedCamera& camera) {
+glm::dmat4 clipFromWorldOf(const DecodedCamera& camera) {
   return camera.clipFromView * camera.viewFromWorld;
 }
 
@@ -90,7 +90,7 @@ shared::FrameBlock blockOf(const DecodedFrame& frame, const Manifest& manifest, 
                frame.previousJitterPx, JitterProjection::Translation},
               block);
   // Engines state worlds that are kilometers wide: floats would round the difference away.
-  block.previousClipFromClip = previousClipFromClip(clipFromWorld(camera), clipFromWorld(previous));
+  block.previousClipFromClip = previousClipFromClip(clipFromWorldOf(camera), clipFromWorldOf(previous));
   fillStorage(precision, 0.0f, frame.index, block);
   return block;
 }

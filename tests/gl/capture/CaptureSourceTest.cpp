@@ -20,7 +20,7 @@ using capture::CaptureSource;
 using capture::DecodedFrame;
 using test::CapturedShot;
 
-constexpr glm::ivec2 kSize{64, 36};
+constexpr glm::ivec2 kPicturePx{64, 36};
 
 class CaptureSourceTest : public test::GlTest {
  protected:
@@ -83,7 +83,7 @@ TEST_F(CaptureSourceTest, GivesTheTexturesAndTheBlockOfTheRenderer) {
     for (const std::string scene : {"builtin:fan", "builtin:cut"}) {
       Settings settings;
       settings.inputs.precision = precision;
-      CapturedShot shot(scene, kSize, settings, 62);
+      CapturedShot shot(scene, kPicturePx, settings, 62);
       CaptureSource source = sourceOf(shot);
       for (const int frame : {0, 1, 7, 60, 61}) { // builtin:cut cuts at 60
         SCOPED_TRACE(scene + ", frame " + std::to_string(frame));
@@ -98,7 +98,7 @@ TEST_F(CaptureSourceTest, GivesWhatMayBeMissing) {
   settings.inputs.blended = BlendedAs::After;
   for (const std::string scene : {"builtin:glass", "builtin:fog"}) {
     SCOPED_TRACE(scene);
-    CapturedShot shot(scene, kSize, settings, 3);
+    CapturedShot shot(scene, kPicturePx, settings, 3);
     CaptureSource source = sourceOf(shot);
     expectSame(drawn(source, shot.request(), 2), drawn(shot.renderer(), shot.request(), 2));
   }
@@ -107,9 +107,9 @@ TEST_F(CaptureSourceTest, GivesWhatMayBeMissing) {
 TEST_F(CaptureSourceTest, MakesMotionFromDepthAndMatrices) {
   Settings settings;
   settings.inputs.motion = MotionSource::CameraFromDepth;
-  CapturedShot shot("builtin:fence", kSize, settings, 4);
+  CapturedShot shot("builtin:fence", kPicturePx, settings, 4);
   const FrameInputs should = drawn(shot.renderer(), shot.request(), 3);
-  CapturedShot plain("builtin:fence", kSize, Settings{}, 4);
+  CapturedShot plain("builtin:fence", kPicturePx, Settings{}, 4);
   CaptureSource asked = sourceOf(plain);
   EXPECT_TRUE(isSame(drawn(asked, shot.request(), 3).motion, should.motion)) << "because the settings say so";
 
@@ -122,7 +122,7 @@ TEST_F(CaptureSourceTest, MakesMotionFromDepthAndMatrices) {
 }
 
 TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
-  CapturedShot shot("builtin:fence", kSize, Settings{}, 4);
+  CapturedShot shot("builtin:fence", kPicturePx, Settings{}, 4);
   DecodedFrame frame = *shot.frame(3);
   frame.camera = frame.previousCamera = {};
   frame.motion = frame.previousDepth = frame.normal = Image();
@@ -133,8 +133,8 @@ TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
   const FrameInputs inputs = drawn(source, shot.request(), 3);
   const Image motion = inputs.motion.download(), depth = inputs.depth.download(),
               previous = inputs.previousDepth.download(), ids = inputs.objectId.download();
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
+  for (int y = 0; y < kPicturePx.y; ++y)
+    for (int x = 0; x < kPicturePx.x; ++x) {
       ASSERT_EQ(motion.texel(x, y), glm::vec4(0.0f));
       ASSERT_EQ(*ids.at(x, y), 0.0f);
       const float d = *depth.at(x, y);
@@ -145,7 +145,7 @@ TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
 TEST_F(CaptureSourceTest, RoundsToTheNearestHalfAndKeepsColorsFinite) {
   Settings settings;
   settings.inputs.precision = Precision::Full;
-  CapturedShot shot("builtin:fan", kSize, settings, 1);
+  CapturedShot shot("builtin:fan", kPicturePx, settings, 1);
   DecodedFrame frame = *shot.frame(0);
   frame.color.pixels[0] = 1e6f;
   frame.color.pixels[1] = -1e6f;
@@ -163,7 +163,7 @@ TEST_F(CaptureSourceTest, RoundsToTheNearestHalfAndKeepsColorsFinite) {
 }
 
 TEST_F(CaptureSourceTest, StartsHistoryAtCutsAndWhereItIsAskedTo) {
-  CapturedShot shot("builtin:cut", kSize, Settings{}, 62);
+  CapturedShot shot("builtin:cut", kPicturePx, Settings{}, 62);
   const CaptureSource source = sourceOf(shot);
   FrameRequest request = shot.request();
   request.restarts = {5};
@@ -173,7 +173,7 @@ TEST_F(CaptureSourceTest, StartsHistoryAtCutsAndWhereItIsAskedTo) {
 }
 
 TEST_F(CaptureSourceTest, HasOneCameraAndSaysSo) {
-  CapturedShot shot("builtin:fan", kSize, Settings{}, 2);
+  CapturedShot shot("builtin:fan", kPicturePx, Settings{}, 2);
   const CaptureSource source = sourceOf(shot);
   FrameRequest request = shot.request();
   request.camera = kCaptureCamera;

@@ -1,6 +1,7 @@
 // A shot that is written as a capture in this program's own conventions and opened again: everything after
 // the inputs works the same, bit for bit.
 #include "core/base/Error.h"
+#include "core/cli/Commands.h"
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
 #include "tests/support/Paths.h"
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,8 @@ using taa::test::small::kWidth;
 
 namespace {
 
-constexpr int kFrames = 9;
-constexpr int kLast = kFrames - 1;
+constexpr int kCapturedFrames = 9;
+constexpr int kLast = kCapturedFrames - 1;
 
 Settings presetOf(const std::string& id) {
   return std::ranges::find(builtinPresets(), id, &Preset::id)->settings;
@@ -37,13 +39,14 @@ std::string written(const std::string& name, const Settings& settings, bool hasO
   const std::filesystem::path folder = taa::test::temporaryFolder() / name;
   const auto write = [&] {
     const gl::Context context;
-    taa::test::CapturedShot("builtin:fan", {kWidth, kHeight}, settings, kFrames).write(folder, hasOutput);
+    taa::test::CapturedShot("builtin:fan", {kWidth, kHeight}, settings, kCapturedFrames)
+        .write(folder, hasOutput);
   };
   std::async(std::launch::async, write).get();
   return folder.string();
 }
 
-class CaptureTest : public taa::test::small::InspectorTest {
+class CapturedSceneTest : public taa::test::small::InspectorTest {
  protected:
   static std::unique_ptr<Inspector> openedCapture(const std::string& folder,
                                                   const std::vector<Settings>& lanes = {Settings{}}) {
@@ -57,7 +60,7 @@ class CaptureTest : public taa::test::small::InspectorTest {
 
 } // namespace
 
-TEST_F(CaptureTest, EveryIntermediateHasTheBitsOfTheSceneItWasTakenOf) {
+TEST_F(CapturedSceneTest, EveryIntermediateHasTheBitsOfTheSceneItWasTakenOf) {
   for (const std::string preset : {"balanced", "off", "stable", "ue4", "playdead", "fsr2", "hdrp-taau"}) {
     SCOPED_TRACE(preset);
     const Settings settings = presetOf(preset);
@@ -68,10 +71,10 @@ TEST_F(CaptureTest, EveryIntermediateHasTheBitsOfTheSceneItWasTakenOf) {
   }
 }
 
-TEST_F(CaptureTest, SeekingPlayingAndSteppingBackAreTheSame) {
+TEST_F(CapturedSceneTest, SeekingPlayingAndSteppingBackAreTheSame) {
   const std::string folder = written("time", Settings{});
   auto inspector = openedCapture(folder);
-  EXPECT_EQ(inspector->shot().frameCount(), kFrames);
+  EXPECT_EQ(inspector->shot().frameCount(), kCapturedFrames);
   EXPECT_EQ(inspector->shot().width(), kWidth);
   EXPECT_EQ(inspector->shot().height(), kHeight);
   while (inspector->shot().frame() < kLast) inspector->shot().advance();
@@ -85,7 +88,7 @@ TEST_F(CaptureTest, SeekingPlayingAndSteppingBackAreTheSame) {
   expectSame(back, taa::test::small::fresh(Settings{}, 3));
 }
 
-TEST_F(CaptureTest, RestartsAndLanesWorkAsInAScene) {
+TEST_F(CapturedSceneTest, RestartsAndLanesWorkAsInAScene) {
   const std::string folder = written("lanes", Settings{});
   const std::vector<Settings> lanes{Settings{}, taa::test::small::otherSettings()};
   auto inspector = openedCapture(folder, lanes);
@@ -99,7 +102,7 @@ TEST_F(CaptureTest, RestartsAndLanesWorkAsInAScene) {
 }
 
 // Whatever asks a renderer for something else.
-TEST_F(CaptureTest, SettingsOfTheRendererChangeNothing) {
+TEST_F(CapturedSceneTest, SettingsOfTheRendererChangeNothing) {
   const std::string folder = written("own", Settings{});
   auto inspector = openedCapture(folder);
   inspector->shot().seek(4);
@@ -118,7 +121,7 @@ TEST_F(CaptureTest, SettingsOfTheRendererChangeNothing) {
   EXPECT_EQ(inspector->shot().usedSettings().inputs.renderScale, 0.5f);
 }
 
-TEST_F(CaptureTest, WhatACaptureHasNotIsRefusedInASentence) {
+TEST_F(CapturedSceneTest, WhatACaptureHasNotIsRefusedInASentence) {
   const std::string folder = written("refused", Settings{});
   auto inspector = openedCapture(folder);
   InspectedShot& shot = inspector->shot();
@@ -136,7 +139,7 @@ TEST_F(CaptureTest, WhatACaptureHasNotIsRefusedInASentence) {
   expectSame(all(*inspector), taa::test::small::fresh(Settings{}, 2));
 }
 
-TEST_F(CaptureTest, AProbeThatFollowedASurfaceStaysOnItsPixel) {
+TEST_F(CapturedSceneTest, AProbeThatFollowedASurfaceStaysOnItsPixel) {
   const std::string folder = written("pins", Settings{});
   auto inspector = openedCapture(folder);
   inspector->shot().seek(2);
@@ -146,7 +149,7 @@ TEST_F(CaptureTest, AProbeThatFollowedASurfaceStaysOnItsPixel) {
   EXPECT_EQ(inspector->probes().spot(pin).pixel, glm::ivec2(10, 10));
 }
 
-TEST_F(CaptureTest, TheEnginesOutputIsARowLikeAnyOther) {
+TEST_F(CapturedSceneTest, TheEnginesOutputIsARowLikeAnyOther) {
   const std::string folder = written("engine", Settings{}, true);
   auto inspector = openedCapture(folder);
   inspector->shot().seek(4);
@@ -167,7 +170,7 @@ TEST_F(CaptureTest, TheEnginesOutputIsARowLikeAnyOther) {
   EXPECT_EQ(twin::at(record, IntermediateId::engineDifferenceAbs).x, *difference.at(7, 9));
 }
 
-TEST_F(CaptureTest, ASceneThatIsOpenedAfterItHasTheSizeOfBefore) {
+TEST_F(CapturedSceneTest, ASceneThatIsOpenedAfterItHasTheSizeOfBefore) {
   const std::string folder = written("size", Settings{});
   auto inspector = std::make_unique<Inspector>();
   inspector->shot().setSize(32, 20);
@@ -177,4 +180,37 @@ TEST_F(CaptureTest, ASceneThatIsOpenedAfterItHasTheSizeOfBefore) {
   inspector->shot().open("builtin:fence");
   EXPECT_EQ(inspector->shot().width(), 32);
   EXPECT_EQ(inspector->shot().height(), 20);
+}
+
+// The command line takes a capture as it takes a scene, and says what would have no effect.
+TEST_F(CapturedSceneTest, IsProbedFromTheCommandLine) {
+  cli::ProbeArguments probe;
+  probe.shot.source = written("batch", Settings{});
+  probe.pixel = "7,9";
+  probe.frame = 4;
+  probe.json = true;
+  const auto printed = [](const cli::ProbeArguments& arguments) {
+    std::ostringstream out;
+    cli::runProbe(arguments, out, {});
+    return out.str();
+  };
+  // It makes an inspector of its own, so the one context of this thread is not in its way there.
+  const auto aside = [&](const cli::ProbeArguments& arguments) {
+    return std::async(std::launch::async, [&] { return printed(arguments); }).get();
+  };
+  EXPECT_NE(aside(probe).find("\"resolved\""), std::string::npos);
+  probe.shot.size = "48x27";
+  EXPECT_NO_THROW(aside(probe)) << "its own";
+  probe.shot.size = "64x36";
+  EXPECT_THROW(aside(probe), cli::UsageError);
+  probe.shot.size.clear();
+  probe.shot.assignments = {"rectify.method=clamp", "inputs.precision=full"};
+  EXPECT_NO_THROW(aside(probe));
+  for (const char* fixed : {"jitter.sequence=r2", "inputs.renderScale=0.5", "inputs.noise=blue"}) {
+    probe.shot.assignments = {fixed};
+    EXPECT_THROW(aside(probe), cli::UsageError) << fixed;
+  }
+  probe.shot.assignments.clear();
+  probe.shot.camera = "orbit";
+  EXPECT_THROW(aside(probe), Error);
 }
