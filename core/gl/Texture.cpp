@@ -182,6 +182,14 @@ Image Texture::download(const Rect& rect, int layer) const {
   return image;
 }
 
+std::vector<std::uint32_t> Texture::downloadIntegers() const {
+  assert(format_ == Format::R32UI && size_->layers == 0);
+  std::vector<std::uint32_t> integers(static_cast<std::size_t>(width()) * height());
+  const auto bytes = static_cast<GLsizei>(integers.size() * sizeof(std::uint32_t));
+  glGetTextureImage(id_, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, integers.data());
+  return integers;
+}
+
 void Texture::downloadBytes(std::span<std::uint8_t> bytes) const {
   assert(format_ == Format::RGBA8 && bytes.size() == textureBytes({width(), height()}, format_) &&
          size_->layers == 0);

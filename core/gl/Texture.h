@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace taa::gl {
 
@@ -78,6 +79,8 @@ class Texture {
   /// 2^24).
   Image download(const Rect& rect, int layer = 0) const;
   Image download(int layer = 0) const { return download({0, 0, width(), height()}, layer); }
+  /// Level 0 of a plain R32UI texture, every bit: width·height values, row 0 the top.
+  std::vector<std::uint32_t> downloadIntegers() const;
   /// RGBA8 only: width·height·4 bytes, row 0 the top.
   void downloadBytes(std::span<std::uint8_t> bytes) const;
 
