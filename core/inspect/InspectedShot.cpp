@@ -239,6 +239,10 @@ const std::string& InspectedShot::camera() const {
   return player_.state().camera;
 }
 
+FrameCameraPair InspectedShot::shownCameras(int lane) const {
+  return player_.state().cameras(static_cast<std::size_t>(lane), frame());
+}
+
 void InspectedShot::setCamera(const std::string& name) {
   assert(player_.isOpen());
   if (name == camera()) return;

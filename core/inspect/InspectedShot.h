@@ -24,6 +24,7 @@
 namespace taa {
 
 struct CaptureFacts;
+struct FrameCameraPair;
 class ReferenceOfShot;
 class ShotPlayer;
 class ShotProfiler;
@@ -84,6 +85,8 @@ class InspectedShot {
   /// frame's camera does. Throws Error.
   void setFlownCameras(const FlownCameras& cameras);
   CameraPose cameraPose() const; ///< at the frame on show
+  /// Of the frame on show; of a capture without matrices a place to stand.
+  FrameCameraPair shownCameras(int lane = 0) const;
   /// At first 1280 × 720, or 960 × 540 where the driver rasterizes in software.
   /// As setCamera. Throws Error when the size is out of the driver's limits (4 to maxTextureSize a side) or
   /// memory.

@@ -97,6 +97,15 @@ FrameRequest ShotState::request(std::size_t lane) const {
           .restarts = restarts};
 }
 
+FrameCameraPair ShotState::cameras(std::size_t lane, int frame) const {
+  const FrameRequest wanted = request(lane);
+  FrameCameraPair cameras{frames->camera(wanted, frame),
+                          frames->camera(wanted, previousFrame(*scene, frame))};
+  if (wanted.inputs.motion == MotionSource::CurrentProjectionAsPrinted)
+    cameras.previous.clipFromView = cameras.now.clipFromView; // manual §26, D16
+  return cameras;
+}
+
 bool startsHistory(const ShotState& state, int frame) {
   return taa::startsHistory(*state.scene, state.restarts, frame);
 }

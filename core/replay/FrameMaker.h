@@ -7,6 +7,7 @@
 #include "core/render/FrameRequest.h"
 #include "core/render/FrameSource.h"
 #include "core/replay/Checkpoints.h"
+#include "core/scene/Pose.h"
 #include "core/settings/Settings.h"
 #include "core/taa/TaaPass.h"
 
@@ -16,6 +17,11 @@
 #include <vector>
 
 namespace taa {
+
+/// What a frame is seen through, and the frame that its motion refers to: the same where the shot is cut.
+struct FrameCameraPair {
+  CameraState now, previous;
+};
 
 /// All that frame n is a function of, besides n.
 struct ShotState {
@@ -38,6 +44,8 @@ struct ShotState {
   Shot shot() const;
   /// What of it a lane draws.
   FrameRequest request(std::size_t lane) const;
+  /// Of a capture without matrices a place to stand. Throws Error.
+  FrameCameraPair cameras(std::size_t lane, int frame) const;
 };
 
 /// Inputs that are drawn when somebody first wants them. Shared by frames on show that want the same.
