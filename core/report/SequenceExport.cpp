@@ -5,6 +5,7 @@
 #include "core/inspect/Inspector.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
+#include "core/report/CaptureExport.h"
 #include "core/report/FrameExport.h"
 
 #include <unistd.h>
@@ -29,12 +30,14 @@ class Workshop {
   explicit Workshop(const fs::path& target)
       : folder_(fs::absolute(target).parent_path() / (".taa-export." + std::to_string(::getpid()))) {
     std::error_code error;
+    isParentNew_ = !fs::exists(folder_.parent_path(), error);
     fs::create_directories(folder_, error);
     if (error) throw Error(say<"cannot write %1: %2">(target.string(), error.message()));
   }
   ~Workshop() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
+    if (isParentNew_) fs::remove(folder_.parent_path(), ignored); // unless files are in it
   }
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
@@ -47,8 +50,11 @@ class Workshop {
     return sentence;
   }
 
+  const fs::path& folder() const { return folder_; }
+
  private:
   fs::path folder_;
+  bool isParentNew_ = false; ///< the folder they go to was made for them
 };
 
 /// Takes the inspector back to where it was, whatever happens.
@@ -83,32 +89,54 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
   exportFrame(inspector, std::move(frame), request.ids, path);
 }
 
-void writeFrame(Inspector& inspector, const SequenceRequest& request, const fs::path& path, GifWriter* gif,
-                const Progress& stop) {
+/// What is written from frame to frame.
+struct Writers {
+  std::unique_ptr<GifWriter> gif;
+  std::unique_ptr<CaptureExport> capture;
+};
+
+Writers writersOf(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop) {
+  Writers writers;
+  if (request.kind == SequenceKind::Gif)
+    writers.gif =
+        std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.picture.width,
+                                    request.picture.height, request.framesPerSecond);
+  if (request.kind == SequenceKind::Capture)
+    writers.capture =
+        std::make_unique<CaptureExport>(inspector, request.capture, request.first, request.last);
+  return writers;
+}
+
+void writeFrame(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop,
+                const Writers& writers, const Progress& stop) {
+  if (writers.capture) return writers.capture->add(workshop.folder(), stop);
+  const fs::path path = workshop.place(sequenceFile(request, inspector.shot().frame()));
   if (request.kind == SequenceKind::Exr) return writeValues(inspector, request, path, stop);
   const Picture picture = shownPicture(inspector, request.picture, stop);
-  if (gif)
-    gif->add(picture.rgba);
+  if (writers.gif)
+    writers.gif->add(picture.rgba);
   else
     writePng(path, picture.width, picture.height, picture.rgba);
 }
 
-void makeFiles(Inspector& inspector, const SequenceRequest& request, const Workshop& workshop,
-               const Progress& progress) {
-  std::unique_ptr<GifWriter> gif;
-  if (request.kind == SequenceKind::Gif)
-    gif = std::make_unique<GifWriter>(workshop.place(request.target), request.target, request.picture.width,
-                                      request.picture.height, request.framesPerSecond);
+/// Their names.
+std::vector<std::string> makeFiles(Inspector& inspector, const SequenceRequest& request,
+                                   const Workshop& workshop, const Progress& progress) {
+  const Writers writers = writersOf(inspector, request, workshop);
   const int count = request.last - request.first + 1;
   for (int frame = request.first; frame <= request.last; ++frame) {
     const auto tell = [&] { return !progress || progress(say<"Exporting">(), frame - request.first, count); };
     if (!tell()) throw Cancelled();
     const Progress stop = [&](std::string_view, int, int) { return tell(); };
     inspector.shot().seek(frame, stop); // to the first one it may be long
-    writeFrame(inspector, request, workshop.place(sequenceFile(request, frame)), gif.get(), stop);
+    writeFrame(inspector, request, workshop, writers, stop);
   }
   report(progress, say<"Exporting">(), count, count);
-  if (gif) gif->finish();
+  if (writers.capture) return writers.capture->finish(workshop.folder());
+  if (writers.gif) writers.gif->finish();
+  std::vector<std::string> names;
+  for (const fs::path& file : sequenceFiles(request)) names.push_back(file.filename().string());
+  return names;
 }
 
 void moveIntoPlace(const fs::path& from, const fs::path& to) {
@@ -120,7 +148,7 @@ void moveIntoPlace(const fs::path& from, const fs::path& to) {
 } // namespace
 
 fs::path sequenceFile(const SequenceRequest& request, int frame) {
-  if (request.kind == SequenceKind::Gif) return request.target;
+  if (request.kind == SequenceKind::Gif || request.kind == SequenceKind::Capture) return request.target;
   std::ostringstream name;
   name << request.target.stem().string() << '.' << std::setw(4) << std::setfill('0') << frame
        << request.target.extension().string();
@@ -130,23 +158,35 @@ fs::path sequenceFile(const SequenceRequest& request, int frame) {
 
 std::vector<fs::path> sequenceFiles(const SequenceRequest& request) {
   if (request.kind == SequenceKind::Gif) return {request.target};
+  if (request.kind == SequenceKind::Capture)
+    return captureFiles(request.target.parent_path(), request.first, request.last);
   std::vector<fs::path> files;
   for (int frame = request.first; frame <= request.last; ++frame)
     files.push_back(sequenceFile(request, frame));
   return files;
 }
 
-void exportSequence(Inspector& inspector, const SequenceRequest& request, const Progress& progress) {
+std::vector<fs::path> exportSequence(Inspector& inspector, const SequenceRequest& request,
+                                     const Progress& progress) {
   const Return back(inspector);
   const Workshop workshop(request.target);
+  std::vector<std::string> names;
   try {
-    makeFiles(inspector, request, workshop, progress);
+    names = makeFiles(inspector, request, workshop, progress);
   } catch (const Error& error) {
     throw Error(workshop.retold(error.what()));
   }
-  if (request.kind == SequenceKind::Gif) return moveIntoPlace(workshop.place(request.target), request.target);
-  for (int frame = request.first; frame <= request.last; ++frame)
-    moveIntoPlace(workshop.place(sequenceFile(request, frame)), sequenceFile(request, frame));
+  // Planes of one capture are nothing under the capture.json of another, which is written last.
+  if (request.kind == SequenceKind::Capture) {
+    std::error_code ignored;
+    fs::remove(request.target, ignored);
+  }
+  std::vector<fs::path> files;
+  for (const std::string& name : names) {
+    files.push_back(request.target.parent_path() / name);
+    moveIntoPlace(workshop.place(name), files.back());
+  }
+  return files;
 }
 
 } // namespace taa
