@@ -52,13 +52,16 @@ struct RenderArguments {
   std::string frames, folder;                   ///< frames empty: that of the session
   std::vector<std::string> emit = {"resolved"}; ///< ids, or "all"
   std::string format = "exr";
-  int referenceSamples = 64;           ///< of frames whose reference is looked at
-  std::vector<std::string> style;      ///< "key=value" on top of the styles that rows open with
-  std::string compare, compareAs;      ///< of pictures; empty: with nothing, as a wipe
-  std::vector<std::string> otherStyle; ///< as style, of the other side
-  double divider = 0.5;                ///< where it lies in a wipe, share of the width
-  double framesPerSecond = 0.0;        ///< of a GIF; 0: the scene's
-  bool force = false;                  ///< replace files that are there
+  int referenceSamples = 64;            ///< of frames whose reference is looked at
+  bool isReferenceAsked = false;        ///< by the caller, not as the default
+  std::string like;                     ///< starting point of a capture; empty: this program's own
+  std::vector<std::string> conventions; ///< of a capture, "path=value" on top of it
+  std::vector<std::string> style;       ///< "key=value" on top of the styles that rows open with
+  std::string compare, compareAs;       ///< of pictures; empty: with nothing, as a wipe
+  std::vector<std::string> otherStyle;  ///< as style, of the other side
+  double divider = 0.5;                 ///< where it lies in a wipe, share of the width
+  double framesPerSecond = 0.0;         ///< of a GIF; 0: the scene's
+  bool force = false;                   ///< replace files that are there
   bool json = false;
   bool verbose = false;
 };

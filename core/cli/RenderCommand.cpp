@@ -3,12 +3,14 @@
 
 #include "core/base/Error.h"
 #include "core/base/ExistingFiles.h"
+#include "core/capture/format/Manifest.h"
 #include "core/cli/Pictures.h"
 #include "core/inspect/MemoryNeed.h"
 #include "core/io/FrameJson.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
 #include "core/report/FrameExport.h"
+#include "core/report/SequenceExport.h"
 
 #include <unistd.h>
 
@@ -221,6 +223,45 @@ FrameRange rangeOf(const RenderArguments& arguments, const ShotPlan& plan) {
   return {plan.frame, plan.frame};
 }
 
+/// Throws UsageError where it is said what has no effect on a capture, or makes none.
+SequenceRequest captureRequest(const RenderArguments& arguments, const ShotPlan& plan,
+                               const FrameRange& range) {
+  if (plan.lanes.size() > 1)
+    throw UsageError("--format capture is of one lane: leave --lane out, and say --preset");
+  if (arguments.emit != RenderArguments().emit)
+    throw UsageError("--emit: a capture has what the resolve is given and the resolved picture");
+  if (!arguments.compare.empty() || !arguments.style.empty())
+    throw UsageError("--compare and --style are of pictures: they need --format png or gif");
+  if (arguments.isReferenceAsked) checkReferenceSamples(arguments.referenceSamples);
+  SequenceRequest request;
+  request.kind = SequenceKind::Capture;
+  request.target = fs::path(arguments.folder) / capture::kManifestName;
+  request.first = range.first;
+  request.last = range.last;
+  if (!arguments.like.empty()) request.capture.like = arguments.like;
+  request.capture.conventions = arguments.conventions;
+  if (arguments.isReferenceAsked) request.capture.referenceSamples = arguments.referenceSamples;
+  try {
+    conventionsOf(request.capture);
+  } catch (const Error& error) {
+    throw UsageError(std::string("--like, --set-convention: ") + error.what());
+  }
+  return request;
+}
+
+void printRenderJson(const RenderArguments& arguments, const ShotPlan& plan, const FrameRange& range,
+                     const Pictures& pictures, const Inspector& inspector, const ordered_json& files,
+                     std::ostream& out) {
+  ordered_json json = shotJson(inspector);
+  json["frames"] = {range.first, range.last};
+  if (pictures.showsReference()) json["referenceSamples"] = arguments.referenceSamples;
+  if (pictures.compares()) json["compare"] = arguments.compare;
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
+    json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
+  json["files"] = files;
+  out << json.dump(2) << '\n';
+}
+
 } // namespace
 
 void runRender(const RenderArguments& arguments, std::ostream& out, const Progress& progress) {
@@ -230,27 +271,30 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   const Pictures pictures(arguments, ids);
   pictures.addLane(plan);
   if (pictures.showsReference()) checkReferenceSamples(arguments.referenceSamples);
+  std::optional<SequenceRequest> captured;
+  if (arguments.format == "capture")
+    captured = captureRequest(arguments, plan, range);
+  else if (!arguments.like.empty() || !arguments.conventions.empty())
+    throw UsageError("--like and --set-convention are of captures: they need --format capture");
   Inspector inspector;
   if (arguments.verbose) sayMemory(inspector, plan, ids);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
-  if (!arguments.force) refuseToReplace(plannedFiles(arguments, plan, range, ids, pictures));
-  makeFolder(arguments.folder);
+  if (!arguments.force)
+    refuseToReplace(captured ? sequenceFiles(*captured)
+                             : plannedFiles(arguments, plan, range, ids, pictures));
+  if (!captured) makeFolder(arguments.folder);
 
   ordered_json files = ordered_json::array();
-  renderFrames(inspector, arguments, plan, range, pictures, progress, [&](const fs::path& path) {
+  const auto written = [&](const fs::path& path) {
     files.push_back(path.string());
     if (!arguments.json) out << path.string() << '\n' << std::flush;
-  });
-  if (!arguments.json) return;
-  ordered_json json = shotJson(inspector);
-  json["frames"] = {range.first, range.last};
-  if (pictures.showsReference()) json["referenceSamples"] = arguments.referenceSamples;
-  if (pictures.compares()) json["compare"] = arguments.compare;
-  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
-    json["lanes"].push_back(laneJson(inspector, plan.lanes.at(static_cast<std::size_t>(lane)), lane));
-  json["files"] = files;
-  out << json.dump(2) << '\n';
+  };
+  if (captured)
+    std::ranges::for_each(exportSequence(inspector, *captured, progress), written);
+  else
+    renderFrames(inspector, arguments, plan, range, pictures, progress, written);
+  if (arguments.json) printRenderJson(arguments, plan, range, pictures, inspector, files, out);
 }
 
 } // namespace taa::cli

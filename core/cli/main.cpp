@@ -149,6 +149,17 @@ void addComparing(CLI::App& command, RenderArguments& render) {
       ->allow_extra_args(false);
 }
 
+void addConventions(CLI::App& command, RenderArguments& render) {
+  command.add_option("--like", render.like,
+                     "Of a capture: the engine whose conventions and formats it is written in, which are "
+                     "this program's without it: taa-inspector, unreal, unity, godot, bevy, three, babylon, "
+                     "fsr, xess, streamline, metalfx or blender");
+  command
+      .add_option("--set-convention", render.conventions,
+                  "Of a capture: key=value on top of --like, for example motion.unit=ndc; repeat it for more")
+      ->allow_extra_args(false);
+}
+
 void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("render", "Render frames and write their intermediates to files");
   addShotOptions(*command, render.shot);
@@ -163,11 +174,13 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
   command
       ->add_option("--format", render.format,
                    "exr: frame.0007.exr with a part for each intermediate; png: what a view shows, a file "
-                   "for each; gif: "
-                   "the same as one animation for each")
-      ->check(CLI::IsMember({"exr", "png", "gif"}))
+                   "for each; gif: the same as one animation for each; capture: capture.json and raw planes, "
+                   "which every command takes as a source")
+      ->check(CLI::IsMember({"exr", "png", "gif", "capture"}))
       ->capture_default_str();
-  addReferenceSamples(*command, render.referenceSamples, "of references that are emitted, 4 to 1024");
+  addReferenceSamples(*command, render.referenceSamples,
+                      "of references that are emitted, 4 to 1024; a capture has one only where this is said");
+  addConventions(*command, render);
   command
       ->add_option("--style", render.style,
                    "How png and gif show values: low=, high=, exposure=, channels=, map=, marks=, clipped=, "
@@ -180,7 +193,10 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
                     "Say on standard error how much memory it takes, before it is taken");
-  command->callback([&render, &progress] { runRender(render, std::cout, progress); });
+  command->callback([command, &render, &progress] {
+    render.isReferenceAsked = command->count("--reference-samples") > 0;
+    runRender(render, std::cout, progress);
+  });
 }
 
 void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progress) {
