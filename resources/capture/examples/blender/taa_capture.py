@@ -149,7 +149,7 @@ def main():
               "objectId": {"file": file, "channels": [f"{layer}.IndexOB.X"]}}
     if wanted.reference:
         planes["reference"] = {"file": "reference.{frame:4}.exr", "channels": planes["color"]["channels"]}
-    manifest = {"format": "taa-capture", "version": 1, "name": os.path.basename(bpy.data.filepath) or "Blender example",
+    manifest = {"format": 1, "name": os.path.basename(bpy.data.filepath) or "Blender example",
                 "engine": f"Blender {bpy.app.version_string}, Cycles", "like": "blender", "size": [width, height],
                 "framesPerSecond": scene.render.fps / scene.render.fps_base,
                 "objects": {str(each.pass_index): each.name for each in scene.objects if each.pass_index},

@@ -73,6 +73,8 @@ async function take() {
   const capture = new TaaCapture({
     name: 'Babylon.js example', engine: `Babylon.js ${BABYLON.Engine.Version}, TAARenderingPipeline`, like: 'babylon',
     size: [width, height], framesPerSecond,
+    // The scene is left-handed, and the jitter is read before the draw that it is of.
+    conventions: { depth: { scale: 1 }, jitter: { delay: 0 }, matrices: { forward: 'positiveZ' } },
   });
   for (let frame = 0; frame < frames; ++frame) {
     pose(frame / framesPerSecond);

@@ -21,7 +21,7 @@ export class TaaCapture {
    * Rows that WebGL reads come bottom first, which is what `rows` of each plane says.
    */
   constructor(manifest) {
-    this.manifest = { format: 'taa-capture', version: 1, ...manifest, planes: {}, frames: [] };
+    this.manifest = { format: 1, ...manifest, planes: {}, frames: [] };
     this.sent = [];
   }
 

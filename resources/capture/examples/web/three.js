@@ -80,7 +80,7 @@ async function take() {
 
   const capture = new TaaCapture({
     name: 'three.js example', engine: `three.js r${THREE.REVISION}, TRAANode`, like: 'three', size: [width, height], framesPerSecond,
-    conventions: { depth: { near: 0.1, far: 100 } },
+    conventions: { depth: { nearPlane: camera.near, farPlane: camera.far } },
   });
   const read = (target, index = 0) => renderer.readRenderTargetPixelsAsync(target, 0, 0, width, height, index);
   for (let frame = 0; frame < frames; ++frame) {
