@@ -171,14 +171,16 @@ class Animations {
   std::vector<Row> rows_;
 };
 
-void sayMemory(const Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids) {
+void sayMemory(const Inspector& inspector, const std::vector<IntermediateId>& ids) {
   std::vector<Settings> lanes;
-  for (const LaneChoice& lane : plan.lanes) lanes.push_back(lane.settings);
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
+    lanes.push_back(inspector.shot().usedSettings(lane));
   // Rows that are written to files are counted with the export.
   std::vector<IntermediateId> ofReference;
   std::ranges::copy_if(ids, std::back_inserter(ofReference), isOfReference);
-  const MemoryNeed need = memoryNeed(lanes, plan.size, ofReference, !inspector.shot().scene().fog.empty());
-  std::cerr << "memory: about " << bytesText(need.total()) << " for " << plan.size.x << " × " << plan.size.y
+  const glm::ivec2 size(inspector.shot().width(), inspector.shot().height());
+  const MemoryNeed need = memoryNeed(lanes, size, ofReference, !inspector.shot().scene().fog.empty());
+  std::cerr << "memory: about " << bytesText(need.total()) << " for " << size.x << " × " << size.y
             << " pixels (inputs " << bytesText(need.inputs) << ", histories " << bytesText(need.histories);
   if (need.reference > 0) std::cerr << ", reference " << bytesText(need.reference);
   std::cerr << "), besides the scene, kept histories and an export of up to " << bytesText(kExportBytes)
@@ -277,8 +279,8 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
   else if (!arguments.like.empty() || !arguments.conventions.empty())
     throw UsageError("--like and --set-convention are of captures: they need --format capture");
   Inspector inspector;
-  if (arguments.verbose) sayMemory(inspector, plan, ids);
   openShot(inspector, arguments.shot, plan, progress);
+  if (arguments.verbose) sayMemory(inspector, ids); // what is open says its size, and whether it has fog
   requireFrame(inspector, range.last);
   if (!arguments.force)
     refuseToReplace(captured ? sequenceFiles(*captured)

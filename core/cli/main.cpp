@@ -192,7 +192,7 @@ void addRender(CLI::App& app, RenderArguments& render, const taa::Progress& prog
   addForce(*command, render.force);
   command->add_flag("--json", render.json, "Print JSON instead of the names of the files");
   command->add_flag("--verbose", render.verbose,
-                    "Say on standard error how much memory it takes, before it is taken");
+                    "Say on standard error how much memory it takes, before the frames are rendered");
   command->callback([command, &render, &progress] {
     render.isReferenceAsked = command->count("--reference-samples") > 0;
     runRender(render, std::cout, progress);
