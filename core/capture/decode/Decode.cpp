@@ -1,3 +1,4 @@
+// Planes as they were read become a frame in this program's conventions.
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/CameraMotion.h"

@@ -1,3 +1,4 @@
+// A frame in this program's conventions becomes planes and frame data in those of a capture.
 #include "core/capture/decode/CameraMotion.h"
 #include "core/capture/decode/Cameras.h"
 #include "core/capture/decode/Color.h"

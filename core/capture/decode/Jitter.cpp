@@ -1,3 +1,4 @@
+// Jitter as a capture states it, in pixels that content moves by.
 #include "core/capture/decode/ScreenUnits.h"
 
 #include "core/base/Error.h"

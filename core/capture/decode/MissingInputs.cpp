@@ -1,3 +1,4 @@
+// What a capture lacks, and what is done instead, in sentences.
 #include "core/base/Say.h"
 #include "core/capture/decode/DecodedFrame.h"
 
