@@ -6,7 +6,9 @@
 #include "core/capture/decode/DecodedFrame.h"
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace taa::capture {
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <ranges>
+#include <string>
+#include <vector>
 
 namespace taa::capture {
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <condition_variable>
 #include <exception>
+#include <iterator>
 #include <list>
 #include <map>
 #include <mutex>

@@ -4,6 +4,7 @@
 #include "core/taa/twin/ToneCurves.h"
 
 #include <array>
+#include <cmath>
 
 namespace taa::twin {
 namespace {

@@ -37,11 +37,12 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::mismatch ranges::set_symmetric_difference ranges::transform ranges::unique ranges::upper_bound "
      "ranges::contains "
      "ranges::replace "
-     "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax"},
+     "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax "
+     "swap_ranges"},
     {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
     {"bit", "bit_cast bit_width endian has_single_bit countr_zero popcount"},
-    {"cctype", "isalnum isalpha isdigit isspace tolower toupper isprint iscntrl"},
+    {"cctype", "isalnum isalpha isdigit isspace isxdigit tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},
     {"chrono", "chrono chrono_literals milli"},
     {"cmath", "abs acos asin atan atan2 cbrt ceil copysign cos exp exp2 expm1 fabs floor fmax fmin fmod "
@@ -91,7 +92,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
     {"ranges", "ranges::subrange views ranges::iota_view"},
     {"ratio", "milli"},
     {"regex", "regex regex_match regex_replace regex_search smatch sregex_iterator sregex_token_iterator "
-              "cregex_iterator regex_error"},
+              "cregex_iterator regex_constants regex_error"},
     {"set", "begin end erase erase_if multiset ptrdiff_t set size size_t initializer_list"},
     {"span", "as_bytes begin end ptrdiff_t size size_t span initializer_list as_writable_bytes"},
     {"sstream", "fixed ios istringstream ostream ostringstream streamsize stringstream"},
