@@ -32,18 +32,19 @@ class RangeDialog : public QDialog {
 
  private:
   void makeFields();
+  void makeConventions();
   void addRows();
   void browse();
   void refresh();
   QString describe(const SequenceRequest& wanted) const;
   QString problem() const; ///< why it cannot begin; empty: it can
   SequenceKind kind() const;
-  QString ending() const; ///< of its files, with the dot
+  QString ending() const; ///< of its files, with the dot; empty: a folder of them
 
   const Session& session_;
   const ViewArea& views_;
   QFormLayout* form_;
-  QComboBox *kind_, *extent_;
+  QComboBox *kind_, *extent_, *conventions_;
   QSpinBox *first_, *last_;
   QDoubleSpinBox* rate_;
   QListWidget* rows_;
