@@ -3,6 +3,7 @@
 #include "core/base/Files.h"
 #include "core/base/Say.h"
 #include "core/capture/format/ShownText.h"
+#include "core/capture/planes/PictureParts.h"
 #include "core/capture/planes/PlaneFiles.h"
 #include "core/capture/planes/SmallFloats.h"
 
@@ -355,7 +356,32 @@ std::vector<Selection> select(OIIO::ImageInput& input, const Manifest& manifest,
   return selections;
 }
 
+StoredType storedTypeOf(OIIO::TypeDesc type) {
+  if (type == OIIO::TypeDesc::HALF) return StoredType::Half;
+  if (type == OIIO::TypeDesc::UINT8) return StoredType::Normalized8;
+  if (type == OIIO::TypeDesc::UINT16) return StoredType::Normalized16;
+  return type.is_floating_point() ? StoredType::Float : StoredType::Integer;
+}
+
 } // namespace
+
+std::vector<PicturePart> picturePartsOf(const fs::path& folder, const std::string& name) {
+  const UntrustedFile file = openUntrusted(folder, name, kMaxPictureBytes);
+  const std::unique_ptr<OIIO::ImageInput> input = openPicture(file, name);
+  std::vector<PicturePart> parts;
+  for (int index = 0; index < kMaxParts && input->seek_subimage(index, 0); ++index) {
+    const OIIO::ImageSpec spec = input->spec();
+    if (spec.nchannels > kMaxChannels) throw Error(say<"%1 has %2 channels">(name, spec.nchannels));
+    PicturePart part{
+        std::string(spec.get_string_attribute("oiio:subimagename")), {spec.full_width, spec.full_height}, {}};
+    for (int i = 0; i < spec.nchannels; ++i)
+      part.channels.push_back(
+          {spec.channelnames[static_cast<std::size_t>(i)], storedTypeOf(spec.channelformat(i))});
+    parts.push_back(std::move(part));
+  }
+  (void)input->geterror();
+  return parts;
+}
 
 std::vector<PlaneData> readPicture(const fs::path& folder, const Manifest& manifest,
                                    const std::vector<PlaneRequest>& requests) {
