@@ -16,6 +16,7 @@ struct Hypothesis {
   std::string text;                     ///< for people: "previous − current"
   std::vector<std::string> assignments; ///< "motion.direction=previousMinusCurrent"
   double residual = 0.0; ///< mean |luma − warped luma of the frame before|, × 1000; or as the question says
+  bool isChosen = false; ///< what the manifest states
 };
 
 /// A question, its answers by rising residual, and whether the best one stands out.
@@ -24,7 +25,11 @@ struct Finding {
   std::string path;     ///< the convention it decides
   std::vector<Hypothesis> hypotheses;
   bool isSure = false;
-  std::string reason; ///< a sentence: what it rests on
+  std::string reason;  ///< a sentence: what it rests on
+  std::string measure; ///< what the residuals are: "|Δ luma| × 1000", "px"
+
+  /// Whether pixels say clearly something else than what the manifest states.
+  bool contradicts() const;
 };
 
 struct Guess {

@@ -1,0 +1,43 @@
+// Hypotheses about the same frames, compared where they differ.
+#pragma once
+
+#include "core/capture/import/FrameSamples.h"
+#include "core/capture/import/Guess.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace taa::capture {
+
+/// An answer to try.
+struct Trial {
+  std::string text;
+  std::vector<std::string> assignments; ///< on top of the state; empty: nothing that can be stated
+  TestState state;
+  bool isAtRest = false; ///< as if nothing moved
+};
+
+/// What pixels say of trials, in their order.
+struct Comparison {
+  std::vector<double> residuals; ///< infinite: the capture contradicts it
+  std::size_t best = 0;
+  std::size_t pixels = 0; ///< at which they differ, of all pairs
+  double factor = 1.0;    ///< residual of the second by that of the best
+  double share = 0.0;     ///< of the picture's regions, over all pairs, in which the best beats the second
+  std::size_t regions = 0;
+
+  /// Whether the best one stands out.
+  bool isClear() const;
+};
+
+Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials);
+
+/// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
+/// conventions contradict the capture. Faster than compare(), for many states.
+double roughResidual(FrameSamples& samples, const TestState& state);
+
+/// A sentence: what makes a comparison clear or not.
+std::string reasonOf(const Comparison& comparison);
+
+} // namespace taa::capture

@@ -1,0 +1,251 @@
+#include "core/capture/import/DepthValues.h"
+
+#include "core/base/Say.h"
+#include "core/capture/format/ConventionText.h"
+#include "core/capture/import/Comparison.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace taa::capture {
+
+namespace {
+
+constexpr double kSharedByMany = 0.0005; ///< of the pixels
+constexpr double kFarBeyond = 4.0; ///< a value for nothing lies so much farther than the farthest surface
+/// px, in the median: what stands still fits its own motion so well, and another kind of depth does not.
+constexpr double kFits = 0.25;
+constexpr double kClearDepthFactor = 2.0;
+constexpr double kMovesEnough = 0.1;
+constexpr std::size_t kEnoughPixels = 500;
+
+std::vector<float> sortedFinite(const Image& plane) {
+  std::vector<float> values;
+  for (const float value : plane.pixels)
+    if (std::isfinite(value)) values.push_back(value);
+  std::ranges::sort(values);
+  return values;
+}
+
+/// How many at the end of a sorted range are equal.
+std::size_t sharedAtEnd(const std::vector<float>& values) {
+  return values.size() -
+         static_cast<std::size_t>(std::ranges::lower_bound(values, values.back()) - values.begin());
+}
+
+std::size_t sharedAtStart(const std::vector<float>& values) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(values, values.front()) - values.begin());
+}
+
+float mostCommon(std::vector<float> values) {
+  std::ranges::sort(values);
+  float best = 0.0f;
+  std::size_t most = 0;
+  for (auto at = values.begin(); at != values.end();) {
+    const auto end = std::upper_bound(at, values.end(), *at);
+    if (static_cast<std::size_t>(end - at) > most) {
+      most = static_cast<std::size_t>(end - at);
+      best = *at;
+    }
+    at = end;
+  }
+  return best;
+}
+
+double medianOf(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+struct DepthTrial {
+  Trial trial;
+  std::vector<double> misses; ///< px
+  double median = std::numeric_limits<double>::infinity();
+};
+
+std::vector<Trial> depthTrials(const TestState& state, const DepthValues& values) {
+  std::vector<Trial> trials;
+  const auto add = [&](std::string text, std::vector<std::string> assignments) {
+    Trial trial{std::move(text), std::move(assignments), state};
+    for (const std::string& assignment : trial.assignments)
+      applyAssignment(trial.state.conventions, assignment);
+    trials.push_back(std::move(trial));
+  };
+  const bool isWindow = values.lowest >= -1.0 && values.highest <= 1.0;
+  if (isWindow) {
+    const std::string range = values.lowest < 0.0 ? "depth.range=minusOneToOne" : "depth.range=zeroToOne";
+    add(say<"Depth buffer">(), {"depth.kind=window", "depth.reversed=off", range});
+    add(say<"Depth buffer, reversed">(), {"depth.kind=window", "depth.reversed=on", range});
+  }
+  const std::string scale = values.highest <= 0.0 ? "-1" : "1";
+  add(say<"Distance along the axis">(), {"depth.kind=planar", "depth.scale=" + scale});
+  add(say<"Distance from the eye">(), {"depth.kind=radial", "depth.scale=" + scale});
+  return trials;
+}
+
+/// Fills in how far the camera's motion by depth is from the motion stored. Returns the camera's own.
+std::vector<double> measure(FrameSamples& samples, std::vector<DepthTrial>& trials) {
+  std::vector<double> lengths;
+  for (const FramePair& pair : samples.pairs()) {
+    std::vector<PairMotion> motions;
+    for (DepthTrial& trial : trials) {
+      std::optional<PairMotion> motion = samples.motionOf(pair, trial.trial.state, true);
+      motions.push_back(motion && !motion->camera.empty() ? std::move(*motion) : PairMotion{});
+    }
+    for (std::size_t i = 0; i < pair.places.size(); ++i)
+      for (std::size_t t = 0; t < trials.size(); ++t) {
+        if (motions[t].camera.empty() || motions[t].depth[i] <= 0.0f) continue;
+        const auto miss = static_cast<double>(glm::distance(motions[t].camera[i], motions[t].stored[i]));
+        if (!std::isfinite(miss)) continue;
+        trials[t].misses.push_back(miss);
+        if (t == 0) lengths.push_back(static_cast<double>(glm::length(motions[t].stored[i])));
+      }
+  }
+  for (DepthTrial& trial : trials)
+    if (trial.misses.size() >= kEnoughPixels) trial.median = medianOf(trial.misses);
+  return lengths;
+}
+
+} // namespace
+
+DepthValues depthValuesOf(const Image& depth) {
+  DepthValues out;
+  std::vector<float> values = sortedFinite(depth);
+  if (values.size() < 2 || values.front() == values.back()) return out;
+  out.isKnown = true;
+  const auto many = static_cast<std::size_t>(kSharedByMany * static_cast<double>(values.size())) + 1;
+  const std::size_t last = sharedAtEnd(values), first = sharedAtStart(values);
+  const bool isWindow = values.front() >= -1.0f && values.back() <= 1.0f;
+  const auto beforeLast = static_cast<double>(values[values.size() - last - 1]);
+  const auto high = static_cast<double>(values.back());
+  if (!isWindow && values.front() >= 0.0f && high > kFarBeyond * beforeLast && last >= many) {
+    out.nothing = high;
+    values.resize(values.size() - last);
+  } else if (!isWindow && values.back() == 0.0f && last >= many && values[values.size() - last - 1] < 0.0f) {
+    out.nothing = 0.0;
+    values.resize(values.size() - last);
+  } else if (!isWindow && values.front() == 0.0f && first >= many) {
+    out.nothing = 0.0;
+    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  out.lowest = static_cast<double>(values.front());
+  out.highest = static_cast<double>(values.back());
+  out.median = static_cast<double>(values[values.size() / 2]);
+  return out;
+}
+
+DepthConventions depthFrom(const DepthValues& values) {
+  DepthConventions out;
+  if (!values.isKnown) return out;
+  if (values.lowest >= -1.0 && values.highest <= 1.0) {
+    if (values.lowest < 0.0) out.range = ClipRange::MinusOneToOne;
+    // Perspective crowds what is far away: near 1 where that is 1, near 0 where depth is reversed.
+    out.reversed = values.median < 0.5;
+    if (!out.reversed && values.highest == 1.0) out.nothing = 1.0;
+    return out;
+  }
+  out.kind = DepthKind::Planar;
+  if (values.highest <= 0.0) out.scale = -1.0;
+  out.nothing = values.nothing;
+  return out;
+}
+
+MotionValues motionValuesOf(const Image& motion) {
+  MotionValues out;
+  std::vector<float> x, y;
+  for (std::size_t i = 0; i + 1 < motion.pixels.size(); i += static_cast<std::size_t>(motion.channels)) {
+    if (!std::isfinite(motion.pixels[i]) || !std::isfinite(motion.pixels[i + 1])) continue;
+    x.push_back(motion.pixels[i]);
+    y.push_back(motion.pixels[i + 1]);
+    const float longer = std::max(std::abs(x.back()), std::abs(y.back()));
+    out.largest = std::max(out.largest, static_cast<double>(longer));
+  }
+  out.restX = static_cast<double>(mostCommon(std::move(x)));
+  out.restY = static_cast<double>(mostCommon(std::move(y)));
+  return out;
+}
+
+std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const DepthValues& values,
+                                bool isFixed) {
+  if (!samples.hasMotion() || !samples.hasDepth() || !samples.hasMatrices() || samples.pairs().empty())
+    return {};
+  std::vector<DepthTrial> trials;
+  for (Trial& trial : depthTrials(state, values)) trials.push_back({std::move(trial), {}});
+  std::vector<double> lengths = measure(samples, trials);
+  const auto isStated = [&](const DepthTrial& trial) {
+    return trial.trial.state.conventions == state.conventions;
+  };
+  Finding finding;
+  finding.question = say<"Kind of depth">();
+  finding.path = "depth.kind";
+  finding.measure = say<"median distance of the camera's motion from the stored one, px">();
+  const auto best = std::ranges::min_element(trials, {}, &DepthTrial::median);
+  double second = std::numeric_limits<double>::infinity();
+  for (auto at = trials.begin(); at != trials.end(); ++at)
+    if (at != best) second = std::min(second, at->median);
+  const bool isMoving = lengths.size() >= kEnoughPixels && medianOf(lengths) >= kMovesEnough;
+  const bool fits = best->median <= kFits;
+  finding.isSure = isMoving && fits && second >= kClearDepthFactor * best->median;
+  if (!isMoving)
+    finding.reason = say<"the camera moves too little to tell; the values themselves say which is likely">();
+  else if (finding.isSure)
+    finding.reason = say<"with it, the camera's motion is the one stored, to %1 px">(
+        numberText(std::round(best->median * 1e4) / 1e4));
+  else
+    finding.reason = fits ? say<"another one fits as well">()
+                          : say<"none makes the camera's motion that is stored: much moves by itself, or "
+                                "matrices or motion are other than guessed">();
+  const bool isAdopted = finding.isSure && !isFixed && !isStated(*best);
+  for (const DepthTrial& trial : trials)
+    if (std::isfinite(trial.median))
+      finding.hypotheses.push_back({trial.trial.text, trial.trial.assignments, trial.median,
+                                    isAdopted ? &trial == &*best : isStated(trial)});
+  std::ranges::stable_sort(finding.hypotheses, {}, &Hypothesis::residual);
+  if (isAdopted) state = best->trial.state;
+  return finding;
+}
+
+std::optional<Finding> askSky(FrameSamples& samples, TestState& state, bool isFixed) {
+  constexpr std::size_t kEnoughSky = 64;
+  constexpr double kNearlyAll = 0.98;
+  if (!samples.hasMotion() || !samples.hasDepth() || !samples.hasMatrices()) return {};
+  std::vector<double> lengths;
+  std::size_t resting = 0;
+  for (const FramePair& pair : samples.pairs()) {
+    const std::optional<PairMotion> motion = samples.motionOf(pair, state, true);
+    if (!motion || motion->camera.empty()) return {};
+    for (std::size_t i = 0; i < pair.places.size(); ++i) {
+      if (motion->depth[i] != 0.0f) continue;
+      lengths.push_back(static_cast<double>(glm::length(motion->camera[i])));
+      if (pair.motion.pixels[2 * i] == 0.0f && pair.motion.pixels[2 * i + 1] == 0.0f) ++resting;
+    }
+  }
+  if (lengths.size() < kEnoughSky ||
+      static_cast<double>(resting) < kNearlyAll * static_cast<double>(lengths.size()))
+    return {};
+  const double median = medianOf(lengths);
+  if (median < kMovesEnough) return {};
+  MotionConventions& stated = state.conventions.motion;
+  if (!isFixed) stated.whereNothing = MotionFallback::Camera;
+  Finding finding;
+  finding.question = say<"Motion of the sky">();
+  finding.path = "motion.whereNothing";
+  finding.measure = say<"median distance from the camera's motion, px">();
+  finding.isSure = true;
+  finding.reason =
+      say<"motion is 0 wherever nothing was drawn, though the camera moves: the engine did not write it">();
+  finding.hypotheses = {{say<"Of the camera">(),
+                         {"motion.whereNothing=camera"},
+                         0.0,
+                         stated.whereNothing == MotionFallback::Camera},
+                        {say<"As stored">(), {"motion.whereNothing=none"}, median, !stated.whereNothing}};
+  return finding;
+}
+
+} // namespace taa::capture

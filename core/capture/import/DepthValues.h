@@ -1,0 +1,40 @@
+// What numbers of planes say of their conventions: ranges, values that stand for nothing, and whether depth
+// and matrices make the motion that is stored.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/capture/import/FrameSamples.h"
+#include "core/capture/import/Guess.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace taa::capture {
+
+struct DepthValues {
+  double lowest = 0.0, highest = 0.0, median = 0.0; ///< of finite values but `nothing`
+  std::optional<double> nothing;                    ///< an end of the range that many pixels share
+  bool isKnown = false;                             ///< there are two values that differ
+};
+DepthValues depthValuesOf(const Image& depth);
+
+/// Kind, direction and scale that such values can have; `nearPlane` and `farPlane` are 0 where not known.
+DepthConventions depthFrom(const DepthValues& values);
+
+struct MotionValues {
+  double largest = 0.0;            ///< of either component, without sign
+  double restX = 0.0, restY = 0.0; ///< the values that most pixels have
+};
+MotionValues motionValuesOf(const Image& motion);
+
+/// By what depth and matrices make of the camera's motion against the motion stored: what stands still in the
+/// world has both alike. Nothing where the capture has not all three. Adopts what is sure, unless fixed.
+std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const DepthValues& values,
+                                bool isFixed);
+
+/// Motion of the sky where motion is 0 wherever nothing was drawn, though the camera moves: it was not
+/// written. Nothing where it is not so. Adopts it unless fixed.
+std::optional<Finding> askSky(FrameSamples& samples, TestState& state, bool isFixed);
+
+} // namespace taa::capture

@@ -1,0 +1,171 @@
+#include "core/capture/import/FolderScan.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/format/Manifest.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace taa::capture {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMaxFolders = 3; ///< in each other
+constexpr int kMaxFiles = 200000;
+constexpr std::size_t kMaxSequences = 256; ///< that are opened
+constexpr std::size_t kMaxFailures = 8;
+
+bool isDigit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+std::string extensionOf(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool isPicture(const std::string& extension) {
+  static const std::set<std::string> kExtensions = {".exr", ".png", ".hdr", ".tif", ".tiff", ".dds"};
+  return kExtensions.contains(extension);
+}
+
+/// Names that capture.json could state; see PlaneSource::file.
+bool isStatable(const std::string& path) {
+  return path.find_first_of("{}\\") == std::string::npos &&
+         std::ranges::none_of(path, [](unsigned char c) { return std::iscntrl(c) != 0; });
+}
+
+struct Numbered {
+  std::string before, after; ///< of the digits
+  std::size_t digits = 0;    ///< 0: there are none
+  int number = 0;
+  bool isPadded = false; ///< begins with a 0 that is not all of it
+};
+
+/// The last digits of the file's name, else those of its folder's.
+Numbered numberIn(const std::string& path) {
+  constexpr std::size_t kMostDigits = 9;
+  for (std::size_t end = path.rfind('.'); end != std::string::npos && end > 0;) {
+    const std::size_t slash = path.rfind('/', end - 1);
+    const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+    for (std::size_t last = end; last > begin; --last) {
+      if (!isDigit(path[last - 1])) continue;
+      std::size_t first = last;
+      while (first > begin && isDigit(path[first - 1]) && last - first < kMostDigits) --first;
+      const std::string digits = path.substr(first, last - first);
+      return {path.substr(0, first), path.substr(last), digits.size(), std::stoi(digits),
+              digits.size() > 1 && digits[0] == '0'};
+    }
+    end = slash == std::string::npos ? 0 : slash;
+  }
+  return {path, "", 0, 0, false};
+}
+
+/// Files that differ only in their number.
+struct NumberedFiles {
+  std::vector<Numbered> files;
+};
+
+std::string patternOf(const NumberedFiles& group) {
+  const Numbered& first = group.files.front();
+  if (first.digits == 0) return first.before;
+  std::size_t fewest = first.digits, most = first.digits;
+  bool isPadded = false;
+  for (const Numbered& file : group.files) {
+    fewest = std::min(fewest, file.digits);
+    most = std::max(most, file.digits);
+    isPadded = isPadded || file.isPadded;
+  }
+  const bool hasWidth = isPadded || (fewest == most && fewest > 1);
+  return first.before + (hasWidth ? "{frame:" + std::to_string(fewest) + "}" : "{frame}") + first.after;
+}
+
+std::string folderOf(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+/// Paths below `folder`, with / between folders.
+std::vector<std::string> filesBelow(const fs::path& folder, FolderScan& scan, const Progress& progress) {
+  std::vector<std::string> pictures;
+  std::error_code failure;
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, failure);
+  int seen = 0;
+  for (; !failure && at != fs::recursive_directory_iterator(); at.increment(failure)) {
+    if (++seen > kMaxFiles)
+      throw Error(
+          say<"%1 holds more than %2 files; give the folder of one capture">(folder.string(), kMaxFiles));
+    if (seen % 1024 == 0) report(progress, say<"Looking through the folder">(), seen, kMaxFiles);
+    std::error_code ignored;
+    if (at->is_directory(ignored) && at.depth() >= kMaxFolders) at.disable_recursion_pending();
+    if (!at->is_regular_file(ignored)) continue;
+    const std::string path = at->path().lexically_relative(folder).generic_string();
+    const std::string extension = extensionOf(at->path());
+    if (!isStatable(path)) continue;
+    if (isPicture(extension)) pictures.push_back(path);
+    if (extension == ".json" && at->path().filename() != kManifestName) scan.sideFiles.push_back(path);
+  }
+  if (failure) throw Error(say<"cannot read the folder %1: %2">(folder.string(), failure.message()));
+  return pictures;
+}
+
+std::vector<PictureSequence> sequencesOf(const std::vector<std::string>& pictures) {
+  std::map<std::pair<std::string, std::string>, NumberedFiles> groups;
+  for (const std::string& path : pictures) {
+    Numbered file = numberIn(path);
+    const auto key = std::pair(file.before, file.after);
+    groups[key].files.push_back(std::move(file));
+  }
+  std::vector<PictureSequence> sequences;
+  for (const auto& [key, group] : groups) {
+    PictureSequence sequence;
+    sequence.pattern = patternOf(group);
+    sequence.folder = folderOf(sequence.pattern);
+    // "7" and "0007" beside each other are two files of one number; the pattern means one of them.
+    for (const Numbered& file : group.files) sequence.numbers.push_back(file.number);
+    std::ranges::sort(sequence.numbers);
+    const auto twice = std::ranges::unique(sequence.numbers);
+    sequence.numbers.erase(twice.begin(), twice.end());
+    sequences.push_back(std::move(sequence));
+  }
+  return sequences;
+}
+
+} // namespace
+
+FolderScan scanFolder(const fs::path& folder, const Progress& progress) {
+  FolderScan scan;
+  std::vector<PictureSequence> sequences = sequencesOf(filesBelow(folder, scan, progress));
+  std::ranges::sort(scan.sideFiles, {},
+                    [](const std::string& path) { return std::pair(std::ranges::count(path, '/'), path); });
+  if (sequences.size() > kMaxSequences)
+    throw Error(say<"%1 holds %2 sequences of pictures, more than %3; give the folder of one capture">(
+        folder.string(), sequences.size(), kMaxSequences));
+  int done = 0;
+  for (PictureSequence& sequence : sequences) {
+    report(progress, say<"Opening pictures">(), done++, static_cast<int>(sequences.size()));
+    PlaneSource source;
+    source.file = sequence.pattern;
+    const std::string file = planeFile(source, sequence.numbers.front());
+    try {
+      sequence.planes = namedPlanes(picturePartsOf(folder, file), sequence.pattern);
+      scan.sequences.push_back(std::move(sequence));
+    } catch (const Error& error) {
+      if (scan.failures.size() < kMaxFailures) scan.failures.emplace_back(error.what());
+    }
+  }
+  return scan;
+}
+
+} // namespace taa::capture

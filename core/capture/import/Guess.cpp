@@ -1,0 +1,292 @@
+#include "core/capture/import/Guess.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/decode/DecodedFrame.h"
+#include "core/capture/decode/PlaneShapes.h"
+#include "core/capture/import/DepthValues.h"
+#include "core/capture/import/FolderPlan.h"
+#include "core/capture/import/FrameSamples.h"
+#include "core/capture/import/Questions.h"
+#include "core/capture/planes/Planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace taa::capture {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPairs = 8;
+/// A jitter stays within a pixel: what is smaller than this is no pixels, but a share of the picture.
+constexpr double kLeastJitterPx = 0.06;
+
+std::set<std::string> pathsOf(const std::vector<std::string>& assignments) {
+  std::set<std::string> paths;
+  for (const std::string& assignment : assignments) paths.insert(assignment.substr(0, assignment.find('=')));
+  return paths;
+}
+
+Image middlePlane(const fs::path& folder, const Manifest& manifest, PlaneKind kind) {
+  const CapturedFrame& frame = manifest.frames[manifest.frames.size() / 2];
+  if (!manifest.plane(frame, kind)) return {};
+  return readPlane(folder, manifest, frame, kind).image;
+}
+
+bool isNormalized(const FolderPlan& plan, PlaneKind kind) {
+  const auto found = plan.types.find(kind);
+  return found != plan.types.end() &&
+         (found->second == StoredType::Normalized8 || found->second == StoredType::Normalized16);
+}
+
+/// Puts a finding in the place of one about the same convention that pixels have not made sure.
+void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> finding) {
+  if (!finding) return;
+  const auto found = std::ranges::find(findings, finding->path, &Finding::path);
+  if (found == findings.end())
+    findings.push_back(std::move(*finding));
+  else if (!found->isSure)
+    *found = std::move(*finding);
+}
+
+/// Guessing, step by step.
+class Guesser {
+ public:
+  Guesser(fs::path folder, const std::string& like, std::vector<std::string> assignments, Progress progress)
+      : folder_(std::move(folder)), like_(like), assignments_(std::move(assignments)),
+        progress_(std::move(progress)), plan_(planFolder(folder_, progress_)) {}
+
+  Guess guess() {
+    begin();
+    takeValues();
+    askAll();
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  Conventions& stated() { return state_.conventions; }
+  bool isFixed(const std::string& path) const { return fixed_.contains(path); }
+
+  void begin();
+  void takeMatrices();
+  void takeJitter();
+  void takeColor();
+  void takeMotionValues();
+  void takeValues();
+  void askAll();
+  void finish();
+  void nameEngine();
+  void tell(const Finding& finding);
+
+  fs::path folder_;
+  std::string like_;
+  std::vector<std::string> assignments_;
+  Progress progress_;
+  FolderPlan plan_;
+  std::set<std::string> fixed_;
+  TestState state_;
+  DepthValues depth_;
+  Guess out_;
+};
+
+void Guesser::begin() {
+  fixed_ = pathsOf(assignments_);
+  if (!like_.empty()) stated() = startingPoint(like_).conventions;
+  takeMatrices();
+  takeJitter();
+  takeColor();
+  for (const std::string& assignment : assignments_) applyAssignment(stated(), assignment);
+}
+
+void Guesser::takeMatrices() {
+  if (!plan_.side) return;
+  const bool hasMatrices = std::ranges::any_of(
+      plan_.side->frames, [](const auto& entry) { return entry.second.view && entry.second.projection; });
+  if (!hasMatrices) return;
+  const MatrixConventions seen = matricesOf(*plan_.side, plan_.nearPlane);
+  MatrixConventions& matrices = stated().matrices;
+  // Rows of row vectors lie as columns of column vectors do.
+  const bool isTransposed =
+      (matrices.order == MatrixOrder::RowMajor) != (matrices.vectors == VectorSide::Column);
+  if (isTransposed != (seen.order == MatrixOrder::ColumnMajor)) {
+    matrices.order = seen.order;
+    matrices.vectors = seen.vectors;
+  }
+  matrices.forward = seen.forward;
+  matrices.clipY = seen.clipY;
+  matrices.jittered = seen.jittered;
+  if (plan_.nearPlane > 0.0) matrices.clipZ = seen.clipZ;
+  out_.sure.push_back(
+      say<"the order of matrices, the axis along which the camera looks and the y of clip space are "
+          "those that the matrices can have">());
+  if (plan_.nearPlane <= 0.0)
+    out_.unsure.push_back(
+        say<"whether z of clip space begins at 0 or at −1 is not known: no near plane is stated">());
+}
+
+void Guesser::takeJitter() {
+  if (!plan_.side || !plan_.side->hasJitter) return;
+  double largest = 0.0;
+  for (const auto& [number, frame] : plan_.side->frames)
+    largest = std::max({largest, std::abs(frame.jitter.x), std::abs(frame.jitter.y)});
+  if (plan_.side->jitterUnit)
+    stated().jitter.unit = *plan_.side->jitterUnit;
+  else if (like_.empty())
+    stated().jitter.unit = largest < kLeastJitterPx ? ScreenUnit::Ndc : ScreenUnit::Pixels;
+}
+
+void Guesser::takeColor() {
+  if (!isNormalized(plan_, PlaneKind::Color)) return;
+  stated().color.encoding = ColorEncoding::Srgb;
+  if (!isFixed("color.encoding"))
+    out_.unsure.push_back(
+        say<"color is stored as integers: it is taken as encoded for a screen (color.encoding=srgb)">());
+}
+
+void Guesser::takeMotionValues() {
+  Image motion = middlePlane(folder_, plan_.manifest, PlaneKind::Motion);
+  if (motion.empty()) return;
+  const MotionValues values = motionValuesOf(motion);
+  if (values.largest == 0.0)
+    out_.unsure.push_back(
+        say<"motion is 0 at all pixels: Blender leaves it so with motion blur on, and some engines "
+            "where nothing asks for it">());
+  if (!isNormalized(plan_, PlaneKind::Motion) || !like_.empty()) return;
+  MotionConventions& stored = stated().motion;
+  stored.encoding = MotionEncoding::Offset;
+  const auto restOf = [](double rest) { return std::abs(rest - 0.5) < 0.02 ? rest : 0.5; };
+  stored.offset = {restOf(values.restX), restOf(values.restY)};
+  stored.unit = ScreenUnit::Uv;
+  out_.unsure.push_back(
+      say<"motion is stored as integers without sign: the value in the middle is taken as rest">());
+}
+
+void Guesser::takeValues() {
+  Image depth = middlePlane(folder_, plan_.manifest, PlaneKind::Depth);
+  if (!depth.empty()) depth_ = depthValuesOf(depth);
+  if (!depth.empty() && like_.empty()) stated().depth = depthFrom(depth_);
+  if (!depth_.isKnown && !depth.empty())
+    out_.unsure.push_back(say<"depth is the same at all pixels: nothing can be told of it">());
+  takeMotionValues();
+  for (const std::string& assignment : assignments_) applyAssignment(stated(), assignment);
+}
+
+void Guesser::askAll() {
+  FrameSamples samples(folder_, plan_.manifest, kPairs, progress_);
+  QuestionRules rules{like_.empty() ? Adopt::Best : Adopt::SureOnes, fixed_};
+  // Motion by what is not yet known of depth, depth by that motion, and what depth makes of it.
+  out_.findings = askPixels(samples, state_, rules, progress_);
+  const Conventions before = stated();
+  const std::optional<Finding> kind =
+      depth_.isKnown ? askDepth(samples, state_, depth_, isFixed("depth.kind")) : std::nullopt;
+  if (!(before == stated())) {
+    rules.adopt = Adopt::SureOnes;
+    out_.findings = askPixels(samples, state_, rules, progress_);
+  }
+  if (kind) out_.findings.push_back(*kind);
+  replaceUnsure(out_.findings, askSky(samples, state_, isFixed("motion.whereNothing")));
+  if (!samples.pairs().empty() && (samples.hasMotion() || samples.hasJitter()))
+    out_.findings.push_back(askStartingPoints(samples, state_));
+  if (samples.pairs().empty())
+    out_.unsure.push_back(
+        say<"there are no two frames after each other: pixels say nothing of motion and jitter">());
+  for (const Finding& finding : out_.findings) tell(finding);
+}
+
+void Guesser::tell(const Finding& finding) {
+  if (finding.path == "like" || finding.hypotheses.empty()) return;
+  const auto chosen = std::ranges::find_if(finding.hypotheses, &Hypothesis::isChosen);
+  const Hypothesis& best = finding.hypotheses.front();
+  const std::string& name = chosen == finding.hypotheses.end() ? best.text : chosen->text;
+  const std::string text = finding.question + ": " + name + " (" + finding.reason + ")";
+  if (finding.isSure && chosen == finding.hypotheses.begin()) {
+    out_.sure.push_back(text);
+  } else if (finding.isSure) {
+    out_.unsure.push_back(say<"%1: pixels say \"%2\"; %3">(finding.question, best.text, finding.reason));
+  } else {
+    out_.unsure.push_back(text);
+  }
+}
+
+/// An engine whose conventions are exactly these.
+void Guesser::nameEngine() {
+  Manifest& manifest = out_.manifest;
+  manifest.like = like_;
+  for (const StartingPoint& point : startingPoints())
+    if (normalized(point.conventions) == normalized(manifest.conventions)) {
+      manifest.like = point.id;
+      out_.sure.push_back(say<"these are the conventions of %1">(point.label));
+      return;
+    }
+}
+
+void Guesser::finish() {
+  Manifest& manifest = out_.manifest;
+  manifest = plan_.manifest;
+  manifest.conventions = stated();
+  if (manifest.name.empty()) manifest.name = fs::absolute(folder_).lexically_normal().filename().string();
+  nameEngine();
+  out_.sure.insert(out_.sure.begin(), plan_.found.begin(), plan_.found.end());
+  out_.unsure.insert(out_.unsure.end(), plan_.unsure.begin(), plan_.unsure.end());
+  out_.missing = missingInputs(manifest);
+  manifest.notes = {say<"conventions were guessed from names, values and pixels">()};
+  manifest.notes.insert(manifest.notes.end(), out_.unsure.begin(), out_.unsure.end());
+  checkManifest(manifest, folder_.string());
+}
+
+} // namespace
+
+Guess guessCapture(const fs::path& folder, const std::string& like,
+                   const std::vector<std::string>& assignments, const Progress& progress) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) throw Error(say<"%1 is not a folder">(folder.string()));
+  if (!fs::exists(folder / kManifestName, ignored))
+    return Guesser(folder, like, assignments, progress).guess();
+  // What is stated is measured; only what the caller says changes it.
+  Guess out;
+  out.manifest = readManifest(folder);
+  if (!like.empty()) {
+    out.manifest.conventions = startingPoint(like).conventions;
+    out.manifest.like = like;
+  }
+  for (const std::string& assignment : assignments) applyAssignment(out.manifest.conventions, assignment);
+  checkManifest(out.manifest, folder.string());
+  out.findings = measureConventions(folder, out.manifest, progress);
+  for (const Finding& finding : out.findings)
+    if (finding.contradicts())
+      out.unsure.push_back(say<"%1: pixels say \"%2\"; %3">(finding.question, finding.hypotheses.front().text,
+                                                            finding.reason));
+    else if (finding.isSure && finding.path != "like")
+      out.sure.push_back(finding.question + ": " + finding.hypotheses.front().text + " (" + finding.reason +
+                         ")");
+  out.missing = missingInputs(out.manifest);
+  return out;
+}
+
+std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& manifest,
+                                        const Progress& progress) {
+  FrameSamples samples(folder, manifest, kPairs, progress);
+  TestState state{manifest.conventions};
+  QuestionRules rules;
+  rules.adopt = Adopt::None;
+  std::vector<Finding> findings = askPixels(samples, state, rules, progress);
+  const Image depth = middlePlane(folder, manifest, PlaneKind::Depth);
+  if (!depth.empty())
+    if (const DepthValues values = depthValuesOf(depth); values.isKnown)
+      if (std::optional<Finding> kind = askDepth(samples, state, values, true))
+        findings.push_back(std::move(*kind));
+  replaceUnsure(findings, askSky(samples, state, true));
+  if (!samples.pairs().empty() && (samples.hasMotion() || samples.hasJitter()))
+    findings.push_back(askStartingPoints(samples, state));
+  return findings;
+}
+
+} // namespace taa::capture

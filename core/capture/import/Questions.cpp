@@ -1,0 +1,305 @@
+#include "core/capture/import/Questions.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/capture/format/ConventionText.h"
+#include "core/capture/import/Comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace taa::capture {
+
+namespace {
+
+/// A question by the convention that it decides, and what it needs to be asked.
+struct Question {
+  std::string (*text)();
+  std::string_view path;
+  bool (*isAsked)(const FrameSamples& samples);
+  std::vector<Trial> (*trials)(const TestState& state);
+  bool needsSureness; ///< the default is right nearly everywhere: it takes clear pixels to state something
+                      ///< else
+};
+
+/// `state` with assignments applied.
+Trial trialOf(const TestState& state, std::string text, std::vector<std::string> assignments) {
+  Trial trial{std::move(text), std::move(assignments), state};
+  trial.state.isJittered = true;
+  for (const std::string& assignment : trial.assignments)
+    applyAssignment(trial.state.conventions, assignment);
+  return trial;
+}
+
+/// One trial for each choice of a row.
+std::vector<Trial> choicesOf(const TestState& state, std::string_view path) {
+  const Convention& row = convention(path);
+  std::vector<Trial> trials;
+  for (const ConventionChoice& choice : row.choices)
+    trials.push_back(
+        trialOf(state, sayLabel(choice.label), {std::string(path) + "=" + std::string(choice.id)}));
+  return trials;
+}
+
+bool withMotion(const FrameSamples& samples) {
+  return samples.hasMotion();
+}
+
+bool withJitter(const FrameSamples& samples) {
+  return samples.hasJitter();
+}
+
+bool withJitterAndMotion(const FrameSamples& samples) {
+  return samples.hasJitter() && samples.hasMotion();
+}
+
+bool withCamera(const FrameSamples& samples) {
+  return samples.hasMotion() && samples.hasDepth() && samples.hasMatrices();
+}
+
+std::vector<Trial> directions(const TestState& state) {
+  return choicesOf(state, "motion.direction");
+}
+
+std::vector<Trial> units(const TestState& state) {
+  return choicesOf(state, "motion.unit");
+}
+
+std::vector<Trial> motionAxes(const TestState& state) {
+  return choicesOf(state, "motion.yAxis");
+}
+
+std::string scaleText(std::string_view path, double scale) {
+  return std::string(path) + "=" + numberText(scale);
+}
+
+std::vector<Trial> mirrors(const TestState& state) {
+  const double scale = state.conventions.motion.scale.x;
+  return {trialOf(state, say<"As stated">(), {scaleText("motion.scaleX", scale)}),
+          trialOf(state, say<"Mirrored">(), {scaleText("motion.scaleX", -scale)})};
+}
+
+std::vector<Trial> lengths(const TestState& state) {
+  const glm::dvec2 scale = state.conventions.motion.scale;
+  const auto times = [&](std::string text, double factor) {
+    return trialOf(
+        state, std::move(text),
+        {scaleText("motion.scaleX", factor * scale.x), scaleText("motion.scaleY", factor * scale.y)});
+  };
+  std::vector<Trial> trials = {times(say<"As stated">(), 1.0), times(say<"Half as long">(), 0.5),
+                               times(say<"Twice as long">(), 2.0),
+                               trialOf(state, say<"Nothing moves">(), {})};
+  trials.back().isAtRest = true;
+  return trials;
+}
+
+std::vector<Trial> meanings(const TestState& state) {
+  std::vector<Trial> trials = choicesOf(state, "jitter.meaning");
+  trials.push_back(trialOf(state, say<"No jitter in the pictures">(), {}));
+  trials.back().state.isJittered = false;
+  return trials;
+}
+
+std::vector<Trial> jitterAxes(const TestState& state) {
+  return choicesOf(state, "jitter.yAxis");
+}
+
+std::vector<Trial> jitterUnits(const TestState& state) {
+  return choicesOf(state, "jitter.unit");
+}
+
+std::vector<Trial> delays(const TestState& state) {
+  return {trialOf(state, say<"Its own frame's">(), {"jitter.delay=0"}),
+          trialOf(state, say<"The next frame's">(), {"jitter.delay=1"}),
+          trialOf(state, say<"The previous frame's">(), {"jitter.delay=-1"})};
+}
+
+std::vector<Trial> jittersInMotion(const TestState& state) {
+  return choicesOf(state, "motion.jitter");
+}
+
+std::vector<Trial> cameraIncluded(const TestState& state) {
+  return {trialOf(state, say<"In motion">(), {"motion.includesCamera=on"}),
+          trialOf(state, say<"Not in motion">(), {"motion.includesCamera=off"})};
+}
+
+std::vector<Trial> skies(const TestState& state) {
+  return {trialOf(state, say<"As stored">(), {"motion.whereNothing=none"}),
+          trialOf(state, say<"Of the camera">(), {"motion.whereNothing=camera"})};
+}
+
+constexpr Question kQuestions[] = {
+    {[] { return say<"Direction of motion">(); }, "motion.direction", withMotion, directions, false},
+    {[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, units, false},
+    {[] { return say<"y axis of motion">(); }, "motion.yAxis", withMotion, motionAxes, false},
+    {[] { return say<"x axis of motion">(); }, "motion.scaleX", withMotion, mirrors, true},
+    {[] { return say<"Length of motion">(); }, "motion.scaleX", withMotion, lengths, true},
+    {[] { return say<"Jitter in motion">(); }, "motion.jitter", withJitterAndMotion, jittersInMotion, true},
+    {[] { return say<"The camera's motion">(); }, "motion.includesCamera", withCamera, cameraIncluded, true},
+    {[] { return say<"Motion of the sky">(); }, "motion.whereNothing", withCamera, skies, true},
+    {[] { return say<"Meaning of jitter">(); }, "jitter.meaning", withJitter, meanings, false},
+    {[] { return say<"y axis of jitter">(); }, "jitter.yAxis", withJitter, jitterAxes, false},
+    {[] { return say<"Unit of jitter">(); }, "jitter.unit", withJitter, jitterUnits, false},
+    {[] { return say<"Frame of the stated jitter">(); }, "jitter.delay", withJitter, delays, true},
+};
+
+/// The state's own answer among trials; none where it is not among them.
+std::optional<std::size_t> statedOf(const std::vector<Trial>& trials, const TestState& state) {
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (trials[i].state.conventions == state.conventions && trials[i].state.isJittered && !trials[i].isAtRest)
+      return i;
+  return {};
+}
+
+std::string assignedPath(const std::string& assignment) {
+  return assignment.substr(0, assignment.find('='));
+}
+
+/// A question asked.
+struct AskedQuestion {
+  Finding finding;
+  std::optional<Conventions> adopted;
+};
+
+AskedQuestion ask(const Question& question, FrameSamples& samples, const TestState& state,
+                  const QuestionRules& rules) {
+  const std::vector<Trial> trials = question.trials(state);
+  const Comparison comparison = compare(samples, trials);
+  const std::optional<std::size_t> stated = statedOf(trials, state);
+  const Trial& best = trials[comparison.best];
+  const bool isFixed = std::ranges::any_of(best.assignments, [&](const std::string& assignment) {
+    return rules.fixedPaths.contains(assignedPath(assignment));
+  });
+  const bool wantsSureness = question.needsSureness || rules.adopt == Adopt::SureOnes;
+  const bool isAdopted = rules.adopt != Adopt::None && !isFixed && !best.assignments.empty() &&
+                         comparison.regions > 0 && (!wantsSureness || comparison.isClear());
+  AskedQuestion answer;
+  if (isAdopted && comparison.best != stated) answer.adopted = best.state.conventions;
+  Finding& finding = answer.finding;
+  finding.question = question.text();
+  finding.path = question.path;
+  finding.isSure = comparison.isClear();
+  finding.reason = reasonOf(comparison);
+  finding.measure = say<"mean difference of luma, × 1000">();
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (std::isfinite(comparison.residuals[i]))
+      finding.hypotheses.push_back({trials[i].text, trials[i].assignments, comparison.residuals[i],
+                                    i == (answer.adopted ? comparison.best : stated)});
+  std::ranges::stable_sort(finding.hypotheses, {}, &Hypothesis::residual);
+  return answer;
+}
+
+using Assignments = std::vector<std::string>;
+
+/// What is tried in all combinations before single questions are asked, as a sign can hide behind another.
+std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, const TestState& state) {
+  std::vector<std::vector<Assignments>> axes;
+  if (samples.hasMotion()) {
+    axes.push_back({{"motion.direction=currentMinusPrevious"}, {"motion.direction=previousMinusCurrent"}});
+    axes.push_back({{"motion.yAxis=down"}, {"motion.yAxis=up"}});
+    axes.push_back({{"motion.unit=pixels"}, {"motion.unit=uv"}, {"motion.unit=ndc"}});
+    if (state.conventions.motion.encoding == MotionEncoding::Offset)
+      axes.push_back({{"motion.scaleX=1", "motion.scaleY=1"},
+                      {"motion.scaleX=2", "motion.scaleY=2"},
+                      {"motion.encoding=unreal", "motion.notWritten=0"}});
+  }
+  if (samples.hasJitter()) {
+    axes.push_back({{"jitter.meaning=content"}, {"jitter.meaning=sample"}});
+    axes.push_back({{"jitter.yAxis=down"}, {"jitter.yAxis=up"}});
+  }
+  return axes;
+}
+
+void search(FrameSamples& samples, TestState& state, const QuestionRules& rules, const Progress& progress) {
+  std::vector<TestState> states = {state};
+  for (const std::vector<Assignments>& axis : searchOf(samples, state)) {
+    const bool isFixed = std::ranges::any_of(axis, [&](const Assignments& assignments) {
+      return std::ranges::any_of(assignments, [&](const std::string& assignment) {
+        return rules.fixedPaths.contains(assignedPath(assignment));
+      });
+    });
+    if (isFixed) continue;
+    std::vector<TestState> next;
+    for (const TestState& before : states)
+      for (const Assignments& assignments : axis) {
+        next.push_back(before);
+        for (const std::string& assignment : assignments)
+          applyAssignment(next.back().conventions, assignment);
+      }
+    states = std::move(next);
+  }
+  double least = std::numeric_limits<double>::infinity();
+  int done = 0;
+  for (const TestState& tried : states) {
+    report(progress, say<"Comparing conventions">(), done++, static_cast<int>(states.size()));
+    // A little less would be chance.
+    const double residual = roughResidual(samples, tried);
+    if (residual >= least * 0.9999) continue;
+    least = residual;
+    state = tried;
+  }
+}
+
+} // namespace
+
+bool Finding::contradicts() const {
+  if (!isSure || hypotheses.empty() || hypotheses.front().isChosen) return false;
+  return std::ranges::any_of(hypotheses, &Hypothesis::isChosen);
+}
+
+std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const QuestionRules& rules,
+                               const Progress& progress) {
+  constexpr int kMostRounds = 4;
+  std::vector<Finding> findings;
+  if (samples.pairs().empty()) return findings;
+  if (rules.adopt == Adopt::Best) search(samples, state, rules, progress);
+  bool isChanged = true;
+  for (int round = 0; round < kMostRounds && isChanged; ++round) {
+    isChanged = false;
+    findings.clear();
+    int done = 0;
+    for (const Question& question : kQuestions) {
+      report(progress, question.text(), done++, static_cast<int>(std::size(kQuestions)));
+      if (!question.isAsked(samples)) continue;
+      AskedQuestion answer = ask(question, samples, state, rules);
+      if (answer.adopted) {
+        state.conventions = *answer.adopted;
+        isChanged = true;
+      }
+      findings.push_back(std::move(answer.finding));
+    }
+  }
+  return findings;
+}
+
+Finding askStartingPoints(FrameSamples& samples, const TestState& state) {
+  std::vector<Trial> trials;
+  for (const StartingPoint& point : startingPoints()) {
+    Trial trial{std::string(point.label), {}, state};
+    trial.state.conventions.motion = point.conventions.motion;
+    trial.state.conventions.jitter = point.conventions.jitter;
+    trial.assignments = differences(trial.state.conventions, state.conventions);
+    trials.push_back(std::move(trial));
+  }
+  const Comparison comparison = compare(samples, trials);
+  Finding finding;
+  finding.question = say<"Motion and jitter of which engine">();
+  finding.path = "like";
+  finding.isSure = comparison.isClear();
+  finding.reason = reasonOf(comparison);
+  finding.measure = say<"mean difference of luma, × 1000">();
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    if (std::isfinite(comparison.residuals[i]))
+      finding.hypotheses.push_back(
+          {trials[i].text, trials[i].assignments, comparison.residuals[i], trials[i].assignments.empty()});
+  std::ranges::stable_sort(finding.hypotheses, {}, &Hypothesis::residual);
+  return finding;
+}
+
+} // namespace taa::capture

@@ -1,0 +1,287 @@
+#include "core/capture/import/SideFile.h"
+
+#include "core/base/Error.h"
+#include "core/base/Files.h"
+#include "core/base/Say.h"
+#include "core/capture/format/LimitedJson.h"
+#include "core/capture/format/ManifestChecks.h"
+#include "core/capture/format/ShownText.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace taa::capture {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kMaxSideBytes = std::size_t(64) << 20;
+
+/// Letters of a key, small: jitter_px, jitterPx and "Jitter px" are one.
+std::string plain(std::string_view key) {
+  std::string out;
+  for (const char c : key.substr(0, 100))
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+/// The value of the first of `names` that an object has; null where there is none.
+const json* valueOf(const json& object, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names)
+    for (const auto& [key, value] : object.items())
+      if (plain(key) == name) return &value;
+  return nullptr;
+}
+
+std::optional<double> finiteOf(const json* value) {
+  if (!value || !value->is_number()) return {};
+  const auto number = value->get<double>();
+  if (!std::isfinite(number)) return {};
+  return number;
+}
+
+std::string plainTextOf(const json* value) {
+  if (!value || !value->is_string()) return "";
+  std::string text = value->get<std::string>();
+  return isPlainText(text) ? text.substr(0, kMaxText) : "";
+}
+
+/// [x, y] or {"x": …, "y": …}.
+std::optional<glm::dvec2> pairOf(const json* value) {
+  if (!value) return {};
+  const json *x = nullptr, *y = nullptr;
+  if (value->is_array() && value->size() >= 2) {
+    x = &(*value)[0];
+    y = &(*value)[1];
+  } else if (value->is_object()) {
+    x = valueOf(*value, {"x"});
+    y = valueOf(*value, {"y"});
+  }
+  const std::optional<double> first = finiteOf(x), second = finiteOf(y);
+  if (!first || !second) return {};
+  return glm::dvec2(*first, *second);
+}
+
+/// 16 numbers, or four rows of four.
+std::optional<StatedMatrix> matrixOf(const json* value) {
+  if (!value) return {};
+  if (value->is_object()) value = valueOf(*value, {"elements", "m", "data"});
+  if (!value || !value->is_array()) return {};
+  StatedMatrix matrix{};
+  const bool isNested = value->size() == 4;
+  if (!isNested && value->size() != 16) return {};
+  for (std::size_t i = 0; i < 16; ++i) {
+    const json* element = nullptr;
+    if (!isNested)
+      element = &(*value)[i];
+    else if ((*value)[i / 4].is_array() && (*value)[i / 4].size() == 4)
+      element = &(*value)[i / 4][i % 4];
+    const std::optional<double> number = finiteOf(element);
+    if (!number) return {};
+    matrix[i] = *number;
+  }
+  return matrix;
+}
+
+/// In whichever order: the inverse of what is transposed is transposed.
+std::optional<StatedMatrix> inverseOf(const std::optional<StatedMatrix>& matrix) {
+  if (!matrix) return {};
+  glm::dmat4 m;
+  for (std::size_t i = 0; i < 16; ++i) m[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = (*matrix)[i];
+  const glm::dmat4 inverse = glm::inverse(m);
+  StatedMatrix out{};
+  for (std::size_t i = 0; i < 16; ++i) {
+    out[i] = inverse[static_cast<int>(i / 4)][static_cast<int>(i % 4)];
+    if (!std::isfinite(out[i])) return {};
+  }
+  return out;
+}
+
+void takeJitter(const json& object, CapturedFrame& frame, SideFrames& out) {
+  struct Key {
+    std::string_view name;
+    std::optional<ScreenUnit> unit;
+  };
+  static constexpr Key kKeys[] = {
+      {"jitterpx", ScreenUnit::Pixels},
+      {"jitterpixels", ScreenUnit::Pixels},
+      {"jitteruv", ScreenUnit::Uv},
+      {"jitterndc", ScreenUnit::Ndc},
+      {"jitterclip", ScreenUnit::Ndc},
+      {"jitter", {}},
+      {"jitteroffset", {}},
+      {"subpixeljitter", {}},
+      {"taajitter", {}},
+  };
+  for (const Key& key : kKeys) {
+    const std::optional<glm::dvec2> jitter = pairOf(valueOf(object, {key.name}));
+    if (!jitter) continue;
+    frame.jitter = *jitter;
+    if (key.unit) out.jitterUnit = key.unit;
+    break;
+  }
+  const std::optional<double> x = finiteOf(valueOf(object, {"jitterx"})),
+                              y = finiteOf(valueOf(object, {"jittery"}));
+  if (x && y) frame.jitter = {*x, *y};
+  out.hasJitter = out.hasJitter || frame.jitter != glm::dvec2(0.0);
+}
+
+void takeMatrices(const json& object, CapturedFrame& frame, SideFrames& out) {
+  frame.view =
+      matrixOf(valueOf(object, {"view", "viewmatrix", "viewfromworld", "worldtoview", "worldtocamera",
+                                "worldtocameramatrix", "matrixworldinverse", "camerafromworld"}));
+  if (!frame.view)
+    frame.view = inverseOf(matrixOf(valueOf(object, {"cameratoworld", "cameratoworldmatrix", "worldfromview",
+                                                     "worldfromcamera", "matrixworld", "cameramatrix"})));
+  frame.projection = matrixOf(valueOf(
+      object, {"projectionunjittered", "unjitteredprojection", "projectionwithoutjitter",
+               "projectionnojitter", "nonjitteredprojection", "nonjitteredprojectionmatrix", "projectionnoaa",
+               "projection", "projectionmatrix", "proj", "clipfromview", "viewtoclip", "cameratoclip"}));
+  if (frame.projection) return;
+  frame.projection =
+      matrixOf(valueOf(object, {"projectionjittered", "jitteredprojection", "projectionwithjitter"}));
+  out.isProjectionJittered = out.isProjectionJittered || frame.projection.has_value();
+}
+
+CapturedFrame frameOf(const json& object, int index, SideFrames& out) {
+  CapturedFrame frame;
+  frame.number = index;
+  const std::optional<double> number =
+      finiteOf(valueOf(object, {"frame", "number", "framenumber", "frameindex", "index"}));
+  if (number && *number >= 0.0 && *number < 1e9) {
+    frame.number = static_cast<int>(*number);
+    out.isNumbered = true;
+  }
+  takeJitter(object, frame, out);
+  takeMatrices(object, frame, out);
+  if (const auto exposure = finiteOf(valueOf(object, {"preexposure"})); exposure && *exposure > 0.0)
+    frame.preExposure = *exposure;
+  if (const json* cut = valueOf(object, {"cut", "cameracut", "reset", "resethistory"});
+      cut && cut->is_boolean())
+    frame.cut = cut->get<bool>();
+  frame.seconds = finiteOf(valueOf(object, {"seconds", "time", "timeseconds"}));
+  return frame;
+}
+
+void takeList(const json& list, const std::string& name, SideFile& out) {
+  if (!list.is_array() || list.empty() || list.size() > static_cast<std::size_t>(kMaxCapturedFrames)) return;
+  SideFrames frames;
+  frames.name = name;
+  int index = 0;
+  for (const json& object : list) {
+    if (!object.is_object()) return;
+    CapturedFrame frame = frameOf(object, index++, frames);
+    frames.frames.insert_or_assign(frame.number, std::move(frame));
+  }
+  out.lists.push_back(std::move(frames));
+}
+
+/// {"1": "door"} or ["nothing", "door"].
+void takeObjects(const json* value, SideFile& out) {
+  if (!value) return;
+  if (value->is_array())
+    for (std::size_t i = 0; i < value->size(); ++i)
+      if (const std::string name = plainTextOf(&(*value)[i]); !name.empty())
+        out.objects[static_cast<std::uint32_t>(i)] = name;
+  if (!value->is_object()) return;
+  for (const auto& [key, name] : value->items()) {
+    std::uint32_t id = 0;
+    const auto end = key.data() + key.size();
+    const auto read = std::from_chars(key.data(), end, id);
+    if (read.ec == std::errc() && read.ptr == end && name.is_string()) out.objects[id] = plainTextOf(&name);
+  }
+}
+
+void takeRoot(const json& root, SideFile& out) {
+  out.name = plainTextOf(valueOf(root, {"name", "scene", "title"}));
+  out.engine = plainTextOf(valueOf(root, {"engine", "generator", "renderer"}));
+  out.nearPlane = finiteOf(valueOf(root, {"near", "nearplane", "znear", "clipstart"})).value_or(0.0);
+  out.farPlane = finiteOf(valueOf(root, {"far", "farplane", "zfar", "clipend"})).value_or(0.0);
+  out.framesPerSecond = finiteOf(valueOf(root, {"fps", "framespersecond", "framerate"})).value_or(0.0);
+  takeObjects(valueOf(root, {"objects", "objectids", "ids"}), out);
+}
+
+/// Of a perspective projection of column vectors: whether the near plane is where z/w is −1 rather than 0.
+bool isFromMinusOne(const glm::dmat4& clip, double nearPlane) {
+  if (!(nearPlane > 0.0)) return false;
+  // z/w is a + b/distance.
+  const double w = clip[2][3], a = clip[2][2] / w, b = clip[3][2] / std::abs(w);
+  const auto miss = [&](double z) {
+    const double distance = b / (z - a);
+    return distance > 0.0 && std::isfinite(distance) ? std::abs(std::log(distance / nearPlane))
+                                                     : std::numeric_limits<double>::max();
+  };
+  return miss(-1.0) < std::min(miss(0.0), miss(1.0));
+}
+
+} // namespace
+
+std::optional<SideFile> readSideFile(const fs::path& folder, const std::string& file) {
+  SideFile out;
+  out.file = file;
+  const UntrustedFile opened = openUntrusted(folder, file, kMaxSideBytes);
+  std::string text(static_cast<std::size_t>(opened.size()), '\0');
+  opened.read(0, std::as_writable_bytes(std::span(text)));
+  json root;
+  try {
+    root = parseLimited(text);
+  } catch (const Error& error) {
+    throw Error(say<"%1: %2">(file, error.what()));
+  }
+  if (root.is_array()) takeList(root, "", out);
+  if (root.is_object()) {
+    takeRoot(root, out);
+    if (const json* frames = valueOf(root, {"frames"})) takeList(*frames, "", out);
+    for (const auto& [key, value] : root.items())
+      if (value.is_object())
+        if (const json* frames = valueOf(value, {"frames"})) takeList(*frames, key, out);
+  }
+  if (out.lists.empty()) return {};
+  return out;
+}
+
+MatrixConventions matricesOf(const SideFrames& frames, double nearPlane) {
+  MatrixConventions out;
+  const auto found = std::ranges::find_if(
+      frames.frames, [](const auto& entry) { return entry.second.view && entry.second.projection; });
+  if (found == frames.frames.end()) return out;
+  const StatedMatrix& view = *found->second.view;
+  const StatedMatrix& projection = *found->second.projection;
+  const auto is0 = [](double value) { return std::abs(value) < 1e-12; };
+  // Where row 3 of 16 numbers is 0 0 0 1 they are rows of column vectors; the place of the camera stands
+  // there otherwise.
+  const bool isRows = is0(view[12]) && is0(view[13]) && is0(view[14]);
+  const bool isColumns = is0(view[3]) && is0(view[7]) && is0(view[11]);
+  bool isTransposed = isColumns && !isRows;
+  // A camera at the origin says nothing: w of its projection does.
+  if (isColumns && isRows) isTransposed = is0(projection[14]) && !is0(projection[11]);
+  if (isTransposed) out.order = MatrixOrder::ColumnMajor;
+  glm::dmat4 clip;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const int row = static_cast<int>(isTransposed ? i % 4 : i / 4);
+    const int column = static_cast<int>(isTransposed ? i / 4 : i % 4);
+    clip[column][row] = projection[i];
+  }
+  const bool isPerspective = !is0(clip[2][3]);
+  if (isPerspective && clip[2][3] > 0.0) out.forward = ForwardAxis::PositiveZ;
+  if (clip[1][1] < 0.0) out.clipY = VerticalAxis::Down;
+  if (isPerspective && isFromMinusOne(clip, nearPlane)) out.clipZ = ClipRange::MinusOneToOne;
+  out.jittered = frames.isProjectionJittered;
+  return out;
+}
+
+} // namespace taa::capture

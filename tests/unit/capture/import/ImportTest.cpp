@@ -1,0 +1,249 @@
+// What the import makes of folders: of frames drawn by formulas in every convention, and of real engines'.
+#include "tests/unit/capture/import/ImportFixtures.h"
+
+#include "core/base/Error.h"
+#include "core/capture/decode/DecodedFrame.h"
+#include "core/capture/import/Guess.h"
+#include "core/capture/import/SavedImport.h"
+#include "core/capture/import/Warp.h"
+#include "core/capture/planes/Planes.h"
+#include "core/capture/source/Capture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace taa::capture {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The first finding about a convention; fails where there is none.
+Finding findingOf(const std::vector<Finding>& findings, std::string_view path) {
+  const auto found = std::ranges::find(findings, path, &Finding::path);
+  if (found != findings.end()) return *found;
+  ADD_FAILURE() << "nothing was found about " << path;
+  return {};
+}
+
+bool saysSomeOf(const std::vector<std::string>& sentences, std::string_view words) {
+  return std::ranges::any_of(
+      sentences, [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+}
+
+class ImportTest : public testing::Test {
+ protected:
+  ~ImportTest() override { fs::remove_all(folder_); }
+
+  fs::path folder_ = test::temporaryFolder() / "import";
+  MovingSquare scene_;
+  Conventions stated_;
+};
+
+void expectFound(const fs::path& folder, const MovingSquare& scene, const Conventions& stated) {
+  writeSquare(folder, scene, stated);
+  const Guess guess = guessCapture(folder, "", {});
+  const Conventions& found = guess.manifest.conventions;
+  for (const std::string_view path :
+       {"motion.direction", "motion.unit", "motion.yAxis", "motion.jitter", "motion.scaleX", "jitter.meaning",
+        "jitter.yAxis", "jitter.unit", "jitter.delay"})
+    EXPECT_EQ(convention(path).text(found), convention(path).text(stated)) << path;
+  for (const std::string_view path :
+       {"motion.direction", "motion.unit", "motion.yAxis", "jitter.meaning", "jitter.yAxis"})
+    EXPECT_TRUE(findingOf(guess.findings, path).isSure)
+        << path << ": " << findingOf(guess.findings, path).reason;
+}
+
+} // namespace
+
+TEST_F(ImportTest, FindsEveryDirectionUnitAndAxis) {
+  for (const MotionDirection direction :
+       {MotionDirection::CurrentMinusPrevious, MotionDirection::PreviousMinusCurrent})
+    for (const ScreenUnit unit : {ScreenUnit::Pixels, ScreenUnit::Uv, ScreenUnit::Ndc})
+      for (const VerticalAxis yAxis : {VerticalAxis::Down, VerticalAxis::Up})
+        for (const JitterMeaning meaning : {JitterMeaning::Content, JitterMeaning::Sample})
+          for (const VerticalAxis jitterAxis : {VerticalAxis::Down, VerticalAxis::Up}) {
+            stated_.motion.direction = direction;
+            stated_.motion.unit = unit;
+            stated_.motion.yAxis = yAxis;
+            stated_.jitter.meaning = meaning;
+            stated_.jitter.yAxis = jitterAxis;
+            SCOPED_TRACE(testing::Message()
+                         << "direction " << static_cast<int>(direction) << ", unit " << static_cast<int>(unit)
+                         << ", y axis " << static_cast<int>(yAxis) << ", meaning "
+                         << static_cast<int>(meaning) << ", its y axis " << static_cast<int>(jitterAxis));
+            expectFound(folder_, scene_, stated_);
+          }
+}
+
+TEST_F(ImportTest, FindsTheUnitOfJitter) {
+  for (const ScreenUnit unit : {ScreenUnit::Pixels, ScreenUnit::Uv, ScreenUnit::Ndc}) {
+    SCOPED_TRACE(static_cast<int>(unit));
+    stated_.jitter.unit = unit;
+    expectFound(folder_, scene_, stated_);
+  }
+}
+
+TEST_F(ImportTest, IsNotSureWhereNothingMoves) {
+  scene_.wallPx = scene_.squarePx = {0.0, 0.0};
+  writeSquare(folder_, scene_, stated_);
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_FALSE(findingOf(guess.findings, "motion.direction").isSure);
+  EXPECT_TRUE(findingOf(guess.findings, "jitter.meaning").isSure);
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "motion is 0 at all pixels"));
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "too little moves to tell"));
+}
+
+TEST_F(ImportTest, TakesWhatTheCallerStates) {
+  writeSquare(folder_, scene_, stated_);
+  const Guess guess = guessCapture(folder_, "", {"motion.yAxis=up", "motion.direction=currentMinusPrevious"});
+  EXPECT_EQ(guess.manifest.conventions.motion.yAxis, VerticalAxis::Up);
+  EXPECT_EQ(guess.manifest.conventions.motion.direction, MotionDirection::CurrentMinusPrevious);
+  EXPECT_TRUE(findingOf(guess.findings, "motion.yAxis").contradicts());
+}
+
+TEST_F(ImportTest, ReadsTheSideFile) {
+  writeSquare(folder_, scene_, stated_);
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_EQ(guess.manifest.framesPerSecond, 24.0);
+  ASSERT_EQ(guess.manifest.frames.size(), 5u);
+  EXPECT_EQ(guess.manifest.frames[0].number, 1);
+  EXPECT_NEAR(guess.manifest.frames[3].jitter.x, MovingSquare::jitterPx(3).x, 1e-6);
+  EXPECT_EQ(guess.manifest.planes.at(PlaneKind::Color).file, "frame.{frame:4}.exr");
+  EXPECT_EQ(guess.manifest.planes.at(PlaneKind::Motion).channels,
+            (std::vector<std::string>{"velocity.X", "velocity.Y"}));
+  EXPECT_TRUE(saysSomeOf(guess.missing, "there is no depth"));
+}
+
+TEST_F(ImportTest, PutsPlanesOfSeveralFoldersTogether) {
+  fs::create_directories(folder_ / "color");
+  fs::create_directories(folder_ / "MotionVectors");
+  for (int frame = 0; frame < 3; ++frame) {
+    const std::vector<float> all = squareFrame(scene_, stated_, frame);
+    std::vector<float> color, motion;
+    for (std::size_t i = 0; i < all.size(); ++i) (i % 5 < 3 ? color : motion).push_back(all[i]);
+    const std::string name = "000" + std::to_string(frame) + ".exr";
+    writeExr(folder_ / "color" / name, {"R", "G", "B"}, color);
+    writeExr(folder_ / "MotionVectors" / name, {"R", "G"}, motion);
+  }
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_EQ(guess.manifest.planes.at(PlaneKind::Color).file, "color/{frame:4}.exr");
+  EXPECT_EQ(guess.manifest.planes.at(PlaneKind::Motion).file, "MotionVectors/{frame:4}.exr");
+  EXPECT_EQ(guess.manifest.frames.size(), 3u);
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "no side file"));
+}
+
+TEST_F(ImportTest, SaysWhatItLookedFor) {
+  fs::create_directories(folder_);
+  try {
+    static_cast<void>(guessCapture(folder_, "", {}));
+    ADD_FAILURE() << "an empty folder is no capture";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view(error.what()).find("EXR"), std::string_view::npos) << error.what();
+  }
+}
+
+TEST_F(ImportTest, MeasuresWhatACaptureStates) {
+  writeSquare(folder_, scene_, stated_);
+  Guess guess = guessCapture(folder_, "", {});
+  for (const Finding& finding : guess.findings) EXPECT_FALSE(finding.contradicts()) << finding.question;
+  guess.manifest.conventions.jitter.meaning = JitterMeaning::Sample;
+  static_cast<void>(saveImport(folder_, guess.manifest, folder_, false, {}));
+  const Guess again = guessCapture(folder_, "", {});
+  EXPECT_EQ(again.manifest.conventions.jitter.meaning, JitterMeaning::Sample);
+  EXPECT_TRUE(findingOf(again.findings, "jitter.meaning").contradicts());
+  EXPECT_FALSE(findingOf(again.findings, "motion.unit").contradicts());
+}
+
+TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
+  writeSquare(folder_ / "frames", scene_, stated_);
+  const Guess guess = guessCapture(folder_ / "frames", "", {});
+  const SavedImport above = saveImport(folder_ / "frames", guess.manifest, folder_, false, {});
+  EXPECT_EQ(above.linked + above.copied, 0u);
+  EXPECT_EQ(readManifest(folder_).planes.at(PlaneKind::Color).file, "frames/frame.{frame:4}.exr");
+  EXPECT_EQ(openCapture(folder_.string())->frames(), 5);
+
+  const fs::path other = folder_ / "other";
+  const SavedImport beside = saveImport(folder_ / "frames", guess.manifest, other, false, {});
+  EXPECT_EQ(beside.linked + beside.copied, 5u);
+  EXPECT_EQ(openCapture(other.string())->frame(2)->color.pixels,
+            openCapture(folder_.string())->frame(2)->color.pixels);
+  EXPECT_THROW(static_cast<void>(saveImport(folder_ / "frames", guess.manifest, other, false, {})), Error);
+  EXPECT_NO_THROW(static_cast<void>(saveImport(folder_ / "frames", guess.manifest, other, true, {})));
+  EXPECT_EQ(std::distance(fs::directory_iterator(other), fs::directory_iterator()), 6);
+}
+
+TEST_F(ImportTest, OpensAFolderThatNobodyDescribed) {
+  writeSquare(folder_, scene_, stated_);
+  const auto capture = openCapture(folder_.string());
+  EXPECT_EQ(capture->frames(), 5);
+  EXPECT_FALSE(capture->manifest().notes.empty());
+}
+
+TEST_F(ImportTest, ShowsWhatAHypothesisLeaves) {
+  writeSquare(folder_, scene_, stated_);
+  Manifest manifest = guessCapture(folder_, "", {}).manifest;
+  const auto residual = [&] {
+    const auto frame = [&](std::size_t i) {
+      return decode(manifest, i, readPlanes(folder_, manifest, manifest.frames[i]));
+    };
+    const WarpedPair pair = warpedPair(frame(2), frame(1));
+    EXPECT_EQ(pair.current.width, MovingSquare::kWidth);
+    EXPECT_EQ(pair.difference.pixels.size(), pair.warped.pixels.size());
+    return pair.residual;
+  };
+  const double right = residual();
+  manifest.conventions.motion.yAxis = VerticalAxis::Up;
+  EXPECT_GT(residual(), 1.5 * right);
+}
+
+TEST_F(ImportTest, CanBeCancelled) {
+  writeSquare(folder_, scene_, stated_);
+  EXPECT_THROW(
+      static_cast<void>(guessCapture(folder_, "", {}, [](std::string_view, int, int) { return false; })),
+      Cancelled);
+}
+
+namespace {
+
+/// Conventions as the READMEs beside the data state them.
+void expectLike(const char* name, const char* like) {
+  const fs::path data = fs::path(TAA_SHARED_DATA) / name;
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  const Guess guess = guessCapture(data, "", {});
+  EXPECT_EQ(differences(normalized(guess.manifest.conventions), normalized(startingPoint(like).conventions)),
+            std::vector<std::string>{});
+  EXPECT_EQ(guess.manifest.like, like);
+  for (const std::string_view path :
+       {"motion.direction", "motion.unit", "motion.yAxis", "jitter.meaning", "jitter.yAxis"})
+    EXPECT_TRUE(findingOf(guess.findings, path).isSure) << path;
+}
+
+} // namespace
+
+TEST(ImportOfRealFrames, FindsBlendersConventions) {
+  expectLike("capture-blender", "blender");
+  const fs::path data = fs::path(TAA_SHARED_DATA) / "capture-blender";
+  if (!fs::exists(data)) return;
+  const Manifest manifest = guessCapture(data, "", {}).manifest;
+  EXPECT_EQ(manifest.planes.at(PlaneKind::Motion).file, "taa/workshop.{frame:4}.exr");
+  EXPECT_EQ(manifest.planes.at(PlaneKind::Reference).file, "ref/workshop.{frame:4}.exr");
+  EXPECT_EQ(manifest.frames.size(), 16u);
+  EXPECT_EQ(manifest.objects.at(26), "bob");
+  EXPECT_EQ(manifest.conventions.depth.nothing, 1e10);
+  EXPECT_EQ(manifest.conventions.motion.whereNothing, MotionFallback::Camera);
+}
+
+TEST(ImportOfRealFrames, FindsThreesConventions) {
+  expectLike("capture-three", "three");
+}
+
+} // namespace taa::capture

@@ -1,0 +1,76 @@
+// Which planes names speak of.
+#include "core/capture/import/PlaneNames.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace taa::capture {
+
+namespace {
+
+PicturePart partOf(std::initializer_list<const char*> channels) {
+  PicturePart part;
+  part.sizePx = {8, 4};
+  for (const char* name : channels) part.channels.push_back({name, StoredType::Half});
+  return part;
+}
+
+std::vector<std::string> channelsIn(const NamedPlanes& planes, PlaneKind kind) {
+  for (const NamedPlane& plane : planes.planes)
+    if (plane.kind == kind) return plane.channels;
+  return {};
+}
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST(PlaneNames, KnowsWordsHoweverTheyAreWritten) {
+  for (const char* name :
+       {"motion", "Motion_Vectors", "MotionVectors", "mv", "GBufferVelocity", "ViewLayer.Vector"})
+    EXPECT_EQ(kindOfName(name), PlaneKind::Motion) << name;
+  for (const char* name : {"SceneDepth", "depth_0001", "Z", "ViewLayer.Depth"})
+    EXPECT_EQ(kindOfName(name), PlaneKind::Depth) << name;
+  for (const char* name : {"ViewLayer.IndexOB", "objectId", "object_id", "id"})
+    EXPECT_EQ(kindOfName(name), PlaneKind::ObjectId) << name;
+  EXPECT_EQ(kindOfName("output_color"), PlaneKind::Output);
+  EXPECT_EQ(kindOfName("previous_depth"), PlaneKind::PreviousDepth);
+  EXPECT_EQ(kindOfName("workshop.0001"), std::nullopt);
+  EXPECT_EQ(kindOfName("albedo"), std::nullopt);
+}
+
+TEST(PlaneNames, TakesLayersApart) {
+  const NamedPlanes planes = namedPlanes(
+      {partOf({"V.Combined.A", "V.Combined.B", "V.Combined.G", "V.Combined.R", "V.Depth.Z", "V.IndexOB.X",
+               "V.Vector.W", "V.Vector.X", "V.Vector.Y", "V.Vector.Z", "V.DiffCol.R"})},
+      "shot.{frame:4}.exr");
+  EXPECT_EQ(channelsIn(planes, PlaneKind::Color),
+            (Names{"V.Combined.R", "V.Combined.G", "V.Combined.B", "V.Combined.A"}));
+  EXPECT_EQ(channelsIn(planes, PlaneKind::Motion), (Names{"V.Vector.X", "V.Vector.Y"}));
+  EXPECT_EQ(channelsIn(planes, PlaneKind::Depth), (Names{"V.Depth.Z"}));
+  EXPECT_EQ(channelsIn(planes, PlaneKind::ObjectId), (Names{"V.IndexOB.X"}));
+  EXPECT_EQ(planes.ignored, (Names{"V.DiffCol"}));
+}
+
+TEST(PlaneNames, AsksTheFileWhereChannelsSayNothing) {
+  EXPECT_EQ(channelsIn(namedPlanes({partOf({"R", "G", "B"})}, "ref/a.{frame}.exr"), PlaneKind::Reference),
+            (Names{"R", "G", "B"}));
+  EXPECT_EQ(
+      channelsIn(namedPlanes({partOf({"R", "G", "B", "A"})}, "velocity_{frame}.png"), PlaneKind::Motion),
+      (Names{"R", "G"}));
+  EXPECT_EQ(channelsIn(namedPlanes({partOf({"Y"})}, "depth/{frame}.tif"), PlaneKind::Depth), (Names{"Y"}));
+  EXPECT_EQ(channelsIn(namedPlanes({partOf({"B", "G", "R", "Z"})}, "a.{frame}.exr"), PlaneKind::Depth),
+            (Names{"Z"}));
+}
+
+TEST(PlaneNames, TakesFilesOfSeveralPlanesForColor) {
+  const NamedPlanes planes =
+      namedPlanes({partOf({"B", "G", "R", "taa.B", "taa.G", "taa.R"})}, "taa/a.{frame}.exr");
+  EXPECT_EQ(channelsIn(planes, PlaneKind::Color), (Names{"R", "G", "B"}));
+  EXPECT_EQ(channelsIn(planes, PlaneKind::Output), (Names{"taa.R", "taa.G", "taa.B"}));
+}
+
+} // namespace taa::capture
