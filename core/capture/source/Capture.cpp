@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/import/Guess.h"
 #include "core/capture/planes/Planes.h"
 
 #include <algorithm>
@@ -224,14 +225,13 @@ bool isCapture(const std::string& source) {
   return fs::is_directory(path, ignored) || path.filename() == kManifestName;
 }
 
-std::shared_ptr<const Capture> openCapture(const std::string& source) {
+std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress) {
   const fs::path path(source);
   const fs::path folder = path.filename() == kManifestName ? path.parent_path() : path;
   std::error_code ignored;
-  if (!fs::exists(folder / kManifestName, ignored))
-    throw Error(
-        say<"%1 has no capture.json; write one with: taa-batch import %1 --out FOLDER">(folder.string()));
-  const auto capture = std::make_shared<const Capture>(folder, readManifest(folder));
+  const bool isStated = fs::exists(folder / kManifestName, ignored) || folder != path;
+  Manifest manifest = isStated ? readManifest(folder) : guessCapture(folder, "", {}, progress).manifest;
+  const auto capture = std::make_shared<const Capture>(folder, std::move(manifest));
   static_cast<void>(capture->frame(0));
   return capture;
 }

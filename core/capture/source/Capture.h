@@ -1,6 +1,7 @@
 // An open capture: its manifest, and its frames decoded when they are wanted, the next one ahead of time.
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/format/Manifest.h"
 
@@ -37,8 +38,8 @@ class Capture {
 
 /// Whether `source` names a capture: a folder, or a file called capture.json.
 bool isCapture(const std::string& source);
-/// Opens a folder with capture.json, or one without that import/ understands. Checks that the first frame can
-/// be read. Throws Error.
-std::shared_ptr<const Capture> openCapture(const std::string& source);
+/// Opens a folder with capture.json, or one without that import/ understands: its notes say what was guessed.
+/// Checks that the first frame can be read. Throws Error, Cancelled.
+std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress = {});
 
 } // namespace taa::capture

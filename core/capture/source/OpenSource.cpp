@@ -15,7 +15,7 @@ namespace {
 
 OpenedSource openCaptured(const std::string& source, const Progress& progress) {
   report(progress, say<"Opening the capture">(), 0, 1);
-  const std::shared_ptr<const capture::Capture> opened = capture::openCapture(source);
+  const std::shared_ptr<const capture::Capture> opened = capture::openCapture(source, progress);
   report(progress, say<"Opening the capture">(), 1, 1);
   const std::string folder =
       std::filesystem::absolute(opened->folder()).lexically_normal().filename().string();
