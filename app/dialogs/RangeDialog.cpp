@@ -6,8 +6,6 @@
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/widgets/ConfirmReplace.h"
-#include "core/capture/format/Conventions.h"
-#include "core/capture/format/Manifest.h"
 #include "core/io/GifFile.h"
 
 #include <QAbstractItemView>
@@ -31,13 +29,13 @@
 namespace taa::app {
 
 namespace {
-const char* const kEndings[] = {".png", ".gif", ".exr", ""}; // in the order of SequenceKind
+const char* const kEndings[] = {"png", "gif", "exr"}; // in the order of SequenceKind
 } // namespace
 
 RangeDialog::RangeDialog(const Session& session, const ViewArea& views, QWidget* parent)
     : QDialog(parent), session_(session), views_(views), form_(new QFormLayout), kind_(new QComboBox),
-      extent_(new QComboBox), conventions_(new QComboBox), first_(new QSpinBox), last_(new QSpinBox),
-      rate_(new QDoubleSpinBox), rows_(new QListWidget), target_(new QLineEdit), note_(new QLabel),
+      extent_(new QComboBox), first_(new QSpinBox), last_(new QSpinBox), rate_(new QDoubleSpinBox),
+      rows_(new QListWidget), target_(new QLineEdit), note_(new QLabel),
       start_(new QPushButton(tr("Export"))) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Export a range of frames"));
@@ -67,14 +65,12 @@ RangeDialog::RangeDialog(const Session& session, const ViewArea& views, QWidget*
 void RangeDialog::makeFields() {
   const Status& status = session_.status();
   kind_->addItems({tr("PNG pictures, one for each frame"), tr("Animated GIF"),
-                   tr("EXR values, one file for each frame"), tr("A capture, which opens as a scene does")});
+                   tr("EXR values, one file for each frame")});
   kind_->setAccessibleName(tr("Kind of files"));
   extent_->addItems(
       {tr("The whole picture, pixel for pixel"), tr("What the active view shows, as large as it is")});
   extent_->setAccessibleName(tr("Part of the picture"));
-  makeConventions();
-  for (QComboBox* field : {kind_, extent_, conventions_})
-    field->view()->setAccessibleName(field->accessibleName());
+  for (QComboBox* field : {kind_, extent_}) field->view()->setAccessibleName(field->accessibleName());
   for (QSpinBox* field : {first_, last_}) field->setRange(0, std::max(0, status.frameCount - 1));
   first_->setAccessibleName(tr("First frame"));
   last_->setAccessibleName(tr("Last frame"));
@@ -99,7 +95,6 @@ void RangeDialog::makeFields() {
   form_->addRow(tr("Part"), extent_);
   form_->addRow(tr("Frames a second"), rate_);
   form_->addRow(tr("Values"), rows_);
-  form_->addRow(tr("Conventions"), conventions_);
   form_->addRow(tr("Into"), place);
   connect(browse, &QPushButton::clicked, this, &RangeDialog::browse);
   connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
@@ -113,13 +108,6 @@ void RangeDialog::makeFields() {
   connect(extent_, &QComboBox::currentIndexChanged, this, &RangeDialog::refresh);
   connect(target_, &QLineEdit::textChanged, this, &RangeDialog::refresh);
   connect(rows_, &QListWidget::itemChanged, this, &RangeDialog::refresh);
-}
-
-// What the frames of engines that people know look like; this program's own first, which lose nothing.
-void RangeDialog::makeConventions() {
-  conventions_->setAccessibleName(tr("Conventions of the capture"));
-  for (const capture::StartingPoint& point : capture::startingPoints())
-    conventions_->addItem(tableText(point.label), qtext(point.id));
 }
 
 // The rows that are in the views are chosen.
@@ -143,7 +131,7 @@ SequenceKind RangeDialog::kind() const {
 }
 
 QString RangeDialog::ending() const {
-  return QLatin1String(kEndings[kind_->currentIndex()]);
+  return QLatin1Char('.') + QLatin1String(kEndings[kind_->currentIndex()]);
 }
 
 SequenceRequest RangeDialog::request() const {
@@ -152,15 +140,12 @@ SequenceRequest RangeDialog::request() const {
   request.kind = kind();
   const QString target = target_->text();
   request.target = (target.endsWith(ending()) ? target : target + ending()).toStdString();
-  if (request.kind == SequenceKind::Capture) request.target /= capture::kManifestName;
   request.first = first_->value();
   request.last = last_->value();
   const auto extent = extent_->currentIndex() == 1 ? PictureExtent::Viewport : PictureExtent::Whole;
   request.picture = view->pictureRequest(views_.comparedPresets(), extent);
   request.picture.referenceSamples = session_.status().referenceGoal;
   request.framesPerSecond = rate_->value();
-  request.capture.like = conventions_->currentData().toString().toStdString();
-  request.capture.lane = request.picture.lane;
   for (int index = 0; index < rows_->count(); ++index)
     if (rows_->item(index)->checkState() == Qt::Checked)
       request.ids.push_back(static_cast<IntermediateId>(rows_->item(index)->data(Qt::UserRole).toInt()));
@@ -172,12 +157,8 @@ QString RangeDialog::problem() const {
   const QFileInfo file(target_->text());
   if (wanted.last < wanted.first) return tr("The last frame is before the first.");
   if (wanted.kind == SequenceKind::Exr && wanted.ids.empty()) return tr("No values are chosen.");
-  const bool isOfPictures = wanted.kind == SequenceKind::Png || wanted.kind == SequenceKind::Gif;
-  if (wanted.picture.width < 1 && isOfPictures) return tr("There is no picture yet.");
-  if (wanted.kind == SequenceKind::Capture && file.fileName().isEmpty())
-    return tr("The name of a folder is missing.");
-  if (wanted.kind != SequenceKind::Capture && (file.fileName().isEmpty() || file.isDir()))
-    return tr("The name of a file is missing.");
+  if (wanted.picture.width < 1 && wanted.kind != SequenceKind::Exr) return tr("There is no picture yet.");
+  if (file.fileName().isEmpty() || file.isDir()) return tr("The name of a file is missing.");
   if (!file.dir().exists()) return tr("The folder %1 is not there.").arg(file.dir().path());
   if (!QFileInfo(file.dir().path()).isWritable())
     return tr("Nothing can be written into %1.").arg(file.dir().path());
@@ -186,9 +167,8 @@ QString RangeDialog::problem() const {
 
 void RangeDialog::refresh() {
   form_->setRowVisible(rate_, kind() == SequenceKind::Gif);
-  form_->setRowVisible(extent_, kind() == SequenceKind::Png || kind() == SequenceKind::Gif);
+  form_->setRowVisible(extent_, kind() != SequenceKind::Exr);
   form_->setRowVisible(rows_, kind() == SequenceKind::Exr);
-  form_->setRowVisible(conventions_, kind() == SequenceKind::Capture);
   const QString wrong = problem();
   start_->setEnabled(wrong.isEmpty());
   if (!wrong.isEmpty()) return note_->setText(wrong);
@@ -199,12 +179,6 @@ void RangeDialog::refresh() {
 // What will be there, and what of the view the pictures show.
 QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const int count = wanted.last - wanted.first + 1;
-  if (kind() == SequenceKind::Capture)
-    return tr("A folder with capture.json and the planes of each frame: what the resolve is given, and the "
-              "resolved picture as the engine's output. Frames: %1, of lane %2. They appear when all of them "
-              "are made.")
-        .arg(count)
-        .arg(QChar(static_cast<char16_t>('A' + wanted.capture.lane)));
   const QString first = QString::fromStdString(sequenceFile(wanted, wanted.first).filename().string());
   QString text =
       kind() == SequenceKind::Gif
@@ -235,13 +209,9 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
 void RangeDialog::browse() {
   auto* dialog = new QFileDialog(this, tr("Export into"), target_->text(), QLatin1Char('*') + ending());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  if (kind() == SequenceKind::Capture) {
-    dialog->setFileMode(QFileDialog::Directory);
-  } else {
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(ending().mid(1));
-    dialog->setOption(QFileDialog::DontConfirmOverwrite); // nothing is written yet
-  }
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(ending().mid(1));
+  dialog->setOption(QFileDialog::DontConfirmOverwrite); // nothing is written yet
   connect(dialog, &QFileDialog::fileSelected, target_, &QLineEdit::setText);
   dialog->open();
 }

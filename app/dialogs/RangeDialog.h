@@ -32,19 +32,18 @@ class RangeDialog : public QDialog {
 
  private:
   void makeFields();
-  void makeConventions();
   void addRows();
   void browse();
   void refresh();
   QString describe(const SequenceRequest& wanted) const;
   QString problem() const; ///< why it cannot begin; empty: it can
   SequenceKind kind() const;
-  QString ending() const; ///< of its files, with the dot; empty: a folder of them
+  QString ending() const; ///< of its files, with the dot
 
   const Session& session_;
   const ViewArea& views_;
   QFormLayout* form_;
-  QComboBox *kind_, *extent_, *conventions_;
+  QComboBox *kind_, *extent_;
   QSpinBox *first_, *last_;
   QDoubleSpinBox* rate_;
   QListWidget* rows_;

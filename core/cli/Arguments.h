@@ -104,6 +104,15 @@ struct GlslArguments {
   bool force = false; ///< replace the file when it is there
 };
 
+struct ImportArguments {
+  std::string folder, out; ///< out empty: it is only measured
+  std::string like;        ///< id of a starting point; empty: none
+  std::vector<std::string> assignments;
+  bool check = false; ///< measure what is stated or guessed, and write nothing
+  bool force = false; ///< replace files that are there
+  bool json = false;
+};
+
 struct ManualArguments {
   std::string folder;
 };

@@ -31,6 +31,11 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
 /// Writes the resolve of some settings, and the pass after it, as one GLSL file. Throws UsageError, Error.
 void runGlsl(const GlslArguments& arguments, std::ostream& out);
 
+/// Says what a folder of somebody's frames is, by names, side files and pixels, and writes it as a capture.
+/// Returns whether pixels clearly contradict a convention that is stated. Throws UsageError, Error,
+/// Cancelled.
+bool runImport(const ImportArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Writes the manual's pages of settings, intermediates, presets, scenes and techniques into a folder, over
 /// those that are there; prints the files. Throws Error.
 void runManual(const ManualArguments& arguments, std::ostream& out);

@@ -21,6 +21,7 @@ using namespace taa::cli;
 
 constexpr int kWorldsFault = 1;
 constexpr int kUsage = 2;
+constexpr int kContradicted = 3;  // import --check: pixels say something else than what is stated
 constexpr int kInterrupted = 130; // as a shell reports SIGINT
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -272,6 +273,34 @@ void addGlsl(CLI::App& app, GlslArguments& glsl) {
   command->callback([&glsl] { runGlsl(glsl, std::cout); });
 }
 
+void addImport(CLI::App& app, ImportArguments& import, const taa::Progress& progress, bool& isContradicted) {
+  CLI::App* command = app.add_subcommand("import", "Say what a folder of an engine's frames is, by names, "
+                                                   "side files and pixels, and write it as a capture");
+  command->add_option("FOLDER", import.folder, "Holds pictures (EXR, PNG, HDR, TIFF, DDS), or capture.json")
+      ->required();
+  command->add_option(
+      "--like", import.like,
+      "A starting point to begin with: unreal, unity, godot, bevy, three, babylon, fsr, xess, "
+      "streamline, metalfx, blender or taa-inspector");
+  command
+      ->add_option("--set", import.assignments,
+                   "key=value of a convention, which is then not questioned; repeat it for more")
+      ->allow_extra_args(false);
+  CLI::Option* out = command->add_option(
+      "--out", import.out,
+      "Folder of capture.json. Planes stay where they are when that is below it, and are linked or copied "
+      "into it otherwise");
+  command
+      ->add_flag("--check", import.check,
+                 "Write nothing, and end with 3 where pixels contradict a convention that is stated")
+      ->excludes(out);
+  addForce(*command, import.force);
+  command->add_flag("--json", import.json, "Print JSON");
+  command->callback([&import, &progress, &isContradicted] {
+    isContradicted = runImport(import, std::cout, progress) && import.check;
+  });
+}
+
 void addManual(CLI::App& app, ManualArguments& manual) {
   CLI::App* command = app.add_subcommand(
       "manual",
@@ -287,7 +316,7 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
   throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, trace, profile, metrics, glsl and manual");
+                   "\"; there are list, render, probe, trace, profile, metrics, glsl, import and manual");
 }
 
 int run(int argc, char** argv) {
@@ -304,6 +333,8 @@ int run(int argc, char** argv) {
   ProfileArguments profile;
   MetricsArguments metrics;
   GlslArguments glsl;
+  ImportArguments import;
+  bool isContradicted = false;
   ManualArguments manual;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
@@ -316,6 +347,7 @@ int run(int argc, char** argv) {
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);
   addGlsl(app, glsl);
+  addImport(app, import, progress, isContradicted);
   addManual(app, manual);
   requireCommand(app, argc, argv);
   try {
@@ -324,7 +356,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kUsage;
   }
   if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
-  return 0;
+  return isContradicted ? kContradicted : 0;
 }
 
 } // namespace

@@ -245,29 +245,6 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
 }
 
-TEST_F(SessionFiles, ARangeBecomesACaptureInAFolder) {
-  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-  auto* dialog = own->findChild<RangeDialog*>();
-  ASSERT_TRUE(dialog);
-  dialog->findChild<QComboBox*>()->setCurrentIndex(3);
-  QComboBox* conventions = nullptr;
-  for (QComboBox* field : dialog->findChildren<QComboBox*>())
-    if (field->accessibleName() == "Conventions of the capture") conventions = field;
-  QLineEdit* target = nullptr;
-  for (QLineEdit* field : dialog->findChildren<QLineEdit*>())
-    if (field->accessibleName() == "File") target = field;
-  ASSERT_TRUE(conventions && conventions->isVisible() && target);
-  EXPECT_EQ(target->text(), QDir::home().filePath("frames"));
-  target->setText(path("out"));
-  EXPECT_EQ(dialog->request().capture.like, "taa-inspector");
-  conventions->setCurrentIndex(conventions->findText("Unreal Engine 5"));
-  const SequenceRequest request = dialog->request();
-  EXPECT_EQ(request.kind, SequenceKind::Capture);
-  EXPECT_EQ(request.target, path("out/capture.json").toStdString());
-  EXPECT_EQ(request.capture.like, "unreal");
-  EXPECT_EQ(request.capture.referenceSamples, 0);
-}
-
 TEST_F(SessionFiles, ARangeAsksOnceBeforeItReplacesFiles) {
   for (const char* name : {"out.0004.png", "out.0006.png"}) writeFile(path(name).toStdString(), "mine");
   QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
