@@ -84,7 +84,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"measure"},
       {"picture"},
       {"inspect"},
-      {"report"},
+      {"report", "sweep"},
       {"requests"},
       {"jobs"},
       {"thread"},

@@ -1,0 +1,114 @@
+#include "core/sweep/MetricsOfFrames.h"
+
+#include "core/base/Say.h"
+#include "core/base/Text.h"
+#include "core/inspect/Inspector.h"
+#include "core/render/CaptureFacts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+namespace taa {
+
+using nlohmann::ordered_json;
+
+std::vector<Metric> metricsThere(int referenceSamples, bool overTime) {
+  std::vector<Metric> there;
+  for (const MetricInfo& info : kMetrics)
+    if ((referenceSamples > 0 || !info.needsReference) && (overTime || !info.isOverTime))
+      there.push_back(info.metric);
+  return there;
+}
+
+void requireMeasurable(const Inspector& inspector, int referenceSamples) {
+  if (const auto captured = inspector.shot().capture();
+      captured && !captured->hasReference && referenceSamples > 0)
+    throw Error(whyNoReference());
+}
+
+std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,
+                                       const Progress& progress) {
+  const int samples = request.referenceSamples;
+  const bool overTime =
+      std::ranges::any_of(request.wanted, [](Metric metric) { return metricInfo(metric).isOverTime; });
+  std::vector<LaneMetrics> lanes(static_cast<std::size_t>(inspector.shot().laneCount()));
+  for (int frame = request.first; frame <= request.last; ++frame) {
+    report(progress, say<"Measuring frames">(), frame - request.first, request.last - request.first + 1);
+    inspector.shot().seek(frame, frame == request.first ? progress : Progress());
+    for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
+      if (samples > 0) inspector.reference().refine(samples, progress, lane);
+      if (overTime) inspector.flicker().refine(samples, progress, lane);
+      lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().measure(request.wanted, lane));
+    }
+  }
+  return lanes;
+}
+
+std::optional<double> meanOfFrames(const LaneMetrics& lane, Metric metric) {
+  double sum = 0.0;
+  int count = 0;
+  for (const FrameMetrics& frame : lane) {
+    sum += frame.at(metric).value_or(0.0);
+    count += frame.at(metric) ? 1 : 0;
+  }
+  if (count == 0) return {};
+  return sum / count;
+}
+
+std::string metricHeading(Metric metric) {
+  const MetricInfo& info = metricInfo(metric);
+  return std::string(info.id) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
+}
+
+std::string exactMetricText(const std::optional<double>& value) {
+  if (!value) return "";
+  if (std::isnan(*value)) return "nan";
+  if (std::isinf(*value)) return *value > 0.0 ? "inf" : "-inf";
+  return shortestText(*value);
+}
+
+std::string shortMetricText(const std::optional<double>& value) {
+  if (!value) return "-";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.5g", *value);
+  return text.data();
+}
+
+ordered_json metricJson(const std::optional<double>& value) {
+  if (!value) return nullptr;
+  return std::isfinite(*value) ? ordered_json(*value) : ordered_json(exactMetricText(value));
+}
+
+ordered_json metricsJson(const std::vector<Metric>& metrics) {
+  ordered_json list = ordered_json::array();
+  for (const Metric metric : metrics) {
+    const MetricInfo& info = metricInfo(metric);
+    list.push_back({{"id", info.id}, {"unit", info.unit}, {"description", info.description}});
+  }
+  return list;
+}
+
+ordered_json framesJson(const LaneMetrics& lane, const std::vector<Metric>& metrics) {
+  ordered_json rows;
+  for (const FrameMetrics& frame : lane) {
+    ordered_json row = {{"frame", frame.frame}};
+    for (const Metric metric : metrics)
+      row[std::string(metricInfo(metric).id)] = metricJson(frame.at(metric));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+ordered_json meansJson(const LaneMetrics& lane, const std::vector<Metric>& metrics) {
+  ordered_json means;
+  for (const Metric metric : metrics)
+    means[std::string(metricInfo(metric).id)] = metricJson(meanOfFrames(lane, metric));
+  return means;
+}
+
+} // namespace taa
