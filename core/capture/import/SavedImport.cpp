@@ -65,6 +65,13 @@ bool linkOrCopy(const fs::path& from, const fs::path& to) {
 
 } // namespace
 
+std::vector<fs::path> importedFiles(const fs::path& folder, const Manifest& manifest, const fs::path& out) {
+  std::vector<fs::path> targets = {out / kManifestName};
+  if (!wayBelow(folder, out).empty()) return targets;
+  for (const std::string& file : filesOf(manifest)) targets.push_back(out / file);
+  return targets;
+}
+
 SavedImport saveImport(const fs::path& folder, const Manifest& manifest, const fs::path& out, bool replace,
                        const Progress& progress) {
   Manifest written = manifest;
@@ -76,11 +83,7 @@ SavedImport saveImport(const fs::path& folder, const Manifest& manifest, const f
     forSources(written, [&](PlaneSource& source) { source.file = (way / source.file).generic_string(); });
   const std::string text = manifestText(written);
   SavedImport saved{out / kManifestName};
-  if (!replace) {
-    std::vector<fs::path> targets = {saved.manifest};
-    for (const std::string& file : files) targets.push_back(out / file);
-    refuseToReplace(targets);
-  }
+  if (!replace) refuseToReplace(importedFiles(folder, manifest, out));
   std::error_code failure;
   fs::create_directories(out, failure);
   if (failure) throw Error(say<"cannot make the folder %1: %2">(out.string(), failure.message()));
