@@ -98,7 +98,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/models"},
       {"app/views/legend", "app/views/plots", "app/views/timeline"},
       {"app/views"},
-      {"app/panels", "app/dialogs"},
+      {"app/panels", "app/dialogs", "app/importing"},
       {"app/commands"},
       {"app/menus"},
       {"app/window"},

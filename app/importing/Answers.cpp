@@ -1,0 +1,51 @@
+#include "app/importing/Answers.h"
+
+#include "core/base/Error.h"
+
+#include <algorithm>
+#include <string>
+
+namespace taa::app {
+
+namespace {
+
+bool sets(const capture::Hypothesis& hypothesis, std::string_view path) {
+  const std::string begin = std::string(path) + '=';
+  return std::ranges::any_of(hypothesis.assignments,
+                             [&](const std::string& assignment) { return assignment.starts_with(begin); });
+}
+
+} // namespace
+
+const capture::Finding* findingOf(const std::vector<capture::Finding>& findings, std::string_view path) {
+  const auto own = std::ranges::find(findings, path, &capture::Finding::path);
+  if (own != findings.end()) return &*own;
+  const auto other = std::ranges::find_if(findings, [&](const capture::Finding& finding) {
+    if (finding.path == "like") return false; // sets much, and decides none of it
+    return std::ranges::any_of(finding.hypotheses, [&](const auto& each) { return sets(each, path); });
+  });
+  return other != findings.end() ? &*other : nullptr;
+}
+
+bool agrees(const capture::Hypothesis& hypothesis, const capture::Conventions& stated) {
+  capture::Conventions assigned = stated;
+  try {
+    for (const std::string& assignment : hypothesis.assignments)
+      capture::applyAssignment(assigned, assignment);
+  } catch (const Error&) {
+    return false;
+  }
+  return assigned == stated;
+}
+
+Verdict verdictOn(const capture::Finding* finding, const capture::Conventions& stated) {
+  if (!finding || finding->hypotheses.empty()) return Verdict::NotMeasured;
+  if (!finding->isSure) return Verdict::NotSure;
+  if (agrees(finding->hypotheses.front(), stated)) return Verdict::Sure;
+  // What is stated has to be among the answers: of a number that was not asked nothing is known.
+  const bool wasAsked = std::ranges::any_of(
+      finding->hypotheses, [&](const auto& hypothesis) { return agrees(hypothesis, stated); });
+  return wasAsked ? Verdict::Contradicted : Verdict::NotSure;
+}
+
+} // namespace taa::app

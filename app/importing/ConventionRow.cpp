@@ -1,0 +1,208 @@
+#include "app/importing/ConventionRow.h"
+
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/widgets/SearchField.h"
+#include "app/widgets/parameters/ParameterLabel.h"
+#include "app/widgets/parameters/Toggle.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include <string_view>
+
+namespace taa::app {
+
+namespace {
+
+constexpr int kLabelWidth = 150;
+constexpr int kVerdictWidth = 92;
+
+QString escaped(std::string_view view) {
+  return tableText(view).toHtmlEscaped();
+}
+
+QString textOf(const capture::Convention& row, const capture::Conventions& of) {
+  return QString::fromStdString(row.text(of));
+}
+
+QString wordsOf(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::NotMeasured:
+    break;
+  case Verdict::NotSure:
+    return ConventionRow::tr("? not sure");
+  case Verdict::Sure:
+    return ConventionRow::tr("✓ sure");
+  case Verdict::Contradicted:
+    return ConventionRow::tr("✗ does not fit");
+  }
+  return ConventionRow::tr("not measured");
+}
+
+QColor colorOf(Verdict verdict, const ThemeColors& colors) {
+  switch (verdict) {
+  case Verdict::NotMeasured:
+    break;
+  case Verdict::NotSure:
+    return colors.caution;
+  case Verdict::Sure:
+    return colors.right;
+  case Verdict::Contradicted:
+    return colors.wrong;
+  }
+  return colors.secondary;
+}
+
+void setColor(QLabel* label, const QColor& color) {
+  QPalette palette = label->palette();
+  palette.setColor(QPalette::WindowText, color);
+  label->setPalette(palette);
+}
+
+} // namespace
+
+QString conventionToolTip(const capture::Convention& row) {
+  QString tip = QStringLiteral("<b>%1</b><br>%2").arg(escaped(row.label), escaped(row.tooltip));
+  for (const capture::ConventionChoice& choice : row.choices)
+    tip += QStringLiteral("<br><br><b>%1</b>: %2").arg(escaped(choice.label), escaped(choice.explanation));
+  if (row.kind == capture::ConventionKind::OptionalNumber)
+    tip += QStringLiteral("<br><br>") + ConventionRow::tr("A number, or none.").toHtmlEscaped();
+  return tip + QStringLiteral("<br><br><code>%1</code>").arg(qtext(row.path).toHtmlEscaped());
+}
+
+ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
+    : QWidget(parent), row_(row), label_(new ParameterLabel(tableText(row.label))), verdictText_(new QLabel) {
+  makeEditor();
+  editor_->setObjectName(path());
+  editor_->setAccessibleName(tableText(row.label));
+  editor_->installEventFilter(this);
+  const QString tip = conventionToolTip(row);
+  label_->setToolTip(tip);
+  editor_->setToolTip(tip);
+  label_->setFixedWidth(kLabelWidth);
+  verdictText_->setFixedWidth(kVerdictWidth);
+  verdictText_->setFont(secondaryFont());
+  auto* line = new QHBoxLayout(this);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(kUnit);
+  line->addWidget(label_);
+  line->addWidget(editor_, 1);
+  line->addWidget(verdictText_);
+  connect(label_, &ParameterLabel::resetRequested, this, [this] { edit(guessed_); });
+  setVerdict(Verdict::NotMeasured, {});
+}
+
+QString ConventionRow::path() const {
+  return qtext(row_.path);
+}
+
+bool ConventionRow::isChanged() const {
+  return label_->isChanged();
+}
+
+void ConventionRow::makeEditor() {
+  switch (row_.kind) {
+  case capture::ConventionKind::Choice:
+  case capture::ConventionKind::OptionalChoice:
+    editor_ = makeChoice();
+    break;
+  case capture::ConventionKind::Toggle:
+    editor_ = makeToggle();
+    break;
+  case capture::ConventionKind::Integer:
+  case capture::ConventionKind::Number:
+  case capture::ConventionKind::OptionalNumber:
+    editor_ = makeNumber();
+    break;
+  }
+}
+
+QWidget* ConventionRow::makeChoice() {
+  auto* box = new QComboBox;
+  box->setFocusPolicy(Qt::StrongFocus); // the wheel scrolls the table
+  box->setMinimumContentsLength(8);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  const auto add = [box](const QString& label, const QString& id, const QString& explanation) {
+    box->addItem(label, id);
+    box->setItemData(box->count() - 1, explanation, Qt::ToolTipRole);
+  };
+  if (row_.kind == capture::ConventionKind::OptionalChoice)
+    add(tr("As it is stored"), QStringLiteral("none"), tr("Nothing is done there."));
+  for (const capture::ConventionChoice& choice : row_.choices)
+    add(tableText(choice.label), qtext(choice.id), tableText(choice.explanation));
+  box->view()->setAccessibleName(tableText(row_.label));
+  connect(box, &QComboBox::currentIndexChanged, this, [this, box] { edit(box->currentData().toString()); });
+  showText_ = [box](const QString& text) { box->setCurrentIndex(box->findData(text)); };
+  return box;
+}
+
+QWidget* ConventionRow::makeToggle() {
+  auto* toggle = new Toggle;
+  connect(toggle, &Toggle::toggled, this,
+          [this](bool on) { edit(on ? QStringLiteral("on") : QStringLiteral("off")); });
+  showText_ = [toggle](const QString& text) { toggle->setChecked(text == QLatin1String("on")); };
+  return toggle;
+}
+
+QWidget* ConventionRow::makeNumber() {
+  auto* field = new QLineEdit;
+  field->setMinimumWidth(60);
+  connect(field, &QLineEdit::editingFinished, this, [this, field] { edit(field->text().trimmed()); });
+  showText_ = [field](const QString& text) { field->setText(text); };
+  return field;
+}
+
+// What the table refuses is said, and shown again as it was, by whoever hears of it.
+void ConventionRow::edit(const QString& text) {
+  if (text != text_) Q_EMIT edited(path(), text);
+}
+
+void ConventionRow::display(const capture::Conventions& stated, const capture::Conventions& guessed) {
+  text_ = textOf(row_, stated);
+  guessed_ = textOf(row_, guessed);
+  const QSignalBlocker quiet(editor_);
+  showText_(text_);
+  const bool isRelevant = capture::isRelevant(row_, stated);
+  label_->setState(text_ != guessed_, !isRelevant);
+  editor_->setEnabled(isRelevant);
+}
+
+void ConventionRow::setVerdict(Verdict verdict, const QString& reason) {
+  verdict_ = verdict;
+  verdictText_->setText(wordsOf(verdict));
+  setColor(verdictText_, colorOf(verdict, themeColors(this)));
+  verdictText_->setToolTip(reason.isEmpty() ? tr("The pixels of these frames were not asked, or cannot tell.")
+                                            : reason);
+  editor_->setAccessibleDescription(verdictText_->text());
+}
+
+void ConventionRow::mousePressEvent(QMouseEvent* event) {
+  Q_EMIT entered(path());
+  QWidget::mousePressEvent(event);
+}
+
+bool ConventionRow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == editor_ && event->type() == QEvent::FocusIn) Q_EMIT entered(path());
+  // A field in which nothing was typed leaves undo to the page.
+  const auto* field = qobject_cast<QLineEdit*>(watched);
+  if (field && event->type() == QEvent::ShortcutOverride && isUndoKey(static_cast<QKeyEvent&>(*event)) &&
+      field->text() == text_) {
+    event->ignore();
+    return true;
+  }
+  const auto* box = qobject_cast<QComboBox*>(watched);
+  if (box && event->type() == QEvent::Wheel && !box->hasFocus()) {
+    event->ignore(); // the table scrolls, and no value changes by the way
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+} // namespace taa::app

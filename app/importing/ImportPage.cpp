@@ -1,0 +1,372 @@
+#include "app/importing/ImportPage.h"
+
+#include "app/importing/ConventionTable.h"
+#include "app/importing/FramePanel.h"
+#include "app/importing/GuessSentences.h"
+#include "app/importing/ResidualTable.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/widgets/ConfirmReplace.h"
+#include "app/widgets/Line.h"
+#include "app/widgets/bars/WorkBar.h"
+#include "core/base/Error.h"
+#include "core/capture/import/SavedImport.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace taa::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t indexOf(ImportTask task) {
+  return static_cast<std::size_t>(task);
+}
+
+QVBoxLayout* columnIn(QWidget* widget) {
+  auto* column = new QVBoxLayout(widget);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kUnit);
+  return column;
+}
+
+QHBoxLayout* lineIn(QWidget* widget) {
+  auto* line = new QHBoxLayout(widget);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(2 * kUnit);
+  return line;
+}
+
+} // namespace
+
+ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
+    : QDialog(parent), table_(new ConventionTable), residuals_(new ResidualTable),
+      frames_(new FramePanel(residuals_)), sentences_(new GuessSentences), like_(new QComboBox),
+      place_(new QLabel), problem_(new QLabel), work_(std::move(functions)) {
+  setObjectName(QStringLiteral("import"));
+  setWindowTitle(tr("Import frames"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  problem_->setObjectName(QStringLiteral("problem"));
+  problem_->setWordWrap(true);
+  problem_->setVisible(false);
+  sentences_->setFixedHeight(84);
+  auto* layout = columnIn(this);
+  layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
+  layout->setSpacing(2 * kUnit);
+  layout->addWidget(makeHeader());
+  layout->addWidget(makeSides(), 1);
+  layout->addWidget(new Line);
+  layout->addWidget(sentences_);
+  layout->addWidget(problem_);
+  layout->addWidget(makeButtons());
+  bar_ = new WorkBar(frames_, 0);
+  connect(bar_, &WorkBar::stopRequested, this, [this] {
+    for (const ImportTask task : {ImportTask::Guess, ImportTask::Measure, ImportTask::Save})
+      work_.cancel(task);
+  });
+  makeKeys();
+  connectWork();
+  showState();
+}
+
+QWidget* ImportPage::makeHeader() {
+  auto* header = new QWidget;
+  auto* line = lineIn(header);
+  auto* label = new QLabel(tr("Start &like"));
+  label->setBuddy(like_);
+  place_->setTextInteractionFlags(Qt::NoTextInteraction);
+  place_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  like_->setObjectName(QStringLiteral("like"));
+  like_->setAccessibleName(tr("Start like"));
+  like_->view()->setAccessibleName(like_->accessibleName());
+  like_->addItem(tr("Nothing known"), QString());
+  for (const capture::StartingPoint& point : capture::startingPoints()) {
+    like_->addItem(tableText(point.label), qtext(point.id));
+    like_->setItemData(like_->count() - 1, tableText(point.notes), Qt::ToolTipRole);
+  }
+  like_->setToolTip(tr("The conventions of an engine or library, to begin with"));
+  line->addWidget(place_, 1);
+  addButton(header, QStringLiteral("folder"), tr("&Choose a folder…"),
+            tr("Look at the frames of another folder"), &ImportPage::askForFolder);
+  line->addWidget(label);
+  line->addWidget(like_);
+  again_ = addButton(header, QStringLiteral("again"), tr("&Guess again"),
+                     tr("Guess once more from here; what you have changed is not questioned"),
+                     &ImportPage::guessAgain);
+  connect(like_, &QComboBox::activated, this, [this] { startLike(like_->currentData().toString()); });
+  return header;
+}
+
+QWidget* ImportPage::makeSides() {
+  auto* sides = new QSplitter;
+  sides->setHandleWidth(2 * kUnit);
+  sides->setChildrenCollapsible(false);
+  table_->setMinimumWidth(380);
+  sides->addWidget(table_);
+  sides->addWidget(frames_);
+  sides->setStretchFactor(1, 1);
+  sides->setSizes({400, 780});
+  connect(frames_, &FramePanel::frameChosen, this, &ImportPage::drawPictures);
+  connect(table_, &ConventionTable::edited, this, &ImportPage::edit);
+  connect(table_, &ConventionTable::entered, residuals_, &ResidualTable::showQuestion);
+  connect(residuals_, &ResidualTable::applied, this, &ImportPage::applyHypothesis);
+  return sides;
+}
+
+QPushButton* ImportPage::addButton(QWidget* to, const QString& name, const QString& text,
+                                   const QString& toolTip, void (ImportPage::*act)()) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setToolTip(toolTip);
+  button->setAccessibleDescription(toolTip);
+  button->setAutoDefault(false);
+  connect(button, &QPushButton::clicked, this, act);
+  to->layout()->addWidget(button);
+  return button;
+}
+
+QWidget* ImportPage::makeButtons() {
+  auto* row = new QWidget;
+  auto* line = lineIn(row);
+  reset_ = addButton(row, QStringLiteral("reset"), tr("&Reset to the guess"),
+                     tr("All conventions as they were guessed (Ctrl+R); can be undone"),
+                     &ImportPage::resetToGuess);
+  line->addStretch(1);
+  addButton(row, QStringLiteral("cancel"), tr("Cancel"), tr("Leave everything as it is (Esc)"),
+            &ImportPage::leave);
+  save_ = addButton(row, QStringLiteral("save"), tr("&Save capture.json as…"),
+                    tr("Put capture.json and the frames into another folder, and open that (Ctrl+S)"),
+                    &ImportPage::askWhereToSave);
+  open_ = addButton(row, QStringLiteral("open"), tr("&Open"),
+                    tr("Write capture.json beside the frames, and look at them with these conventions "
+                       "(Ctrl+Enter)"),
+                    &ImportPage::open);
+  return row;
+}
+
+void ImportPage::makeKeys() {
+  const auto add = [this](const QKeySequence& key, auto act) {
+    connect(new QShortcut(key, this), &QShortcut::activated, this, act);
+  };
+  add(QKeySequence::Undo, [this] { undo_.undo(); });
+  add(QKeySequence(QStringLiteral("Ctrl+Shift+Z")), [this] { undo_.redo(); });
+  add(QKeySequence(QStringLiteral("Ctrl+R")), [this] { resetToGuess(); });
+  add(QKeySequence(QStringLiteral("Ctrl+S")), [this] { askWhereToSave(); });
+  add(QKeySequence(QStringLiteral("Ctrl+Return")), [this] { open(); });
+  add(QKeySequence(QStringLiteral("Ctrl+Enter")), [this] { open(); });
+  add(QKeySequence(QStringLiteral("Alt+Left")), [this] { frames_->step(-1); });
+  add(QKeySequence(QStringLiteral("Alt+Right")), [this] { frames_->step(1); });
+}
+
+void ImportPage::connectWork() {
+  connect(&work_, &ImportWork::workChanged, this, &ImportPage::showWork);
+  connect(&work_, &ImportWork::guessed, this, &ImportPage::useGuess);
+  connect(&work_, &ImportWork::measured, this, &ImportPage::useFindings);
+  connect(&work_, &ImportWork::drawn, frames_, &FramePanel::setPictures);
+  connect(&work_, &ImportWork::failed, this, &ImportPage::fail);
+  connect(&work_, &ImportWork::saved, this, [this](const fs::path& folder) {
+    Q_EMIT openRequested(QString::fromStdString(folder.string()));
+    accept();
+  });
+}
+
+void ImportPage::askForFolder() {
+  auto* dialog = new QFileDialog(this, tr("Folder of frames"), QString::fromStdString(folder_.string()));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, &ImportPage::openFolder);
+  dialog->open();
+}
+
+void ImportPage::openFolder(const QString& folder) {
+  folder_ = folder.toStdString();
+  guess_.reset();
+  manifest_ = {};
+  undo_.clear();
+  place_->setText(tr("Frames in %1").arg(QFileInfo(folder).fileName()));
+  place_->setToolTip(folder);
+  useFindings({});
+  sentences_->clear();
+  frames_->setFrames({});
+  frames_->setPictures({});
+  say({});
+  showState();
+  work_.guess(folder_, like_->currentData().toString().toStdString(), {});
+}
+
+void ImportPage::edit(const QString& path, const QString& text) {
+  const capture::Convention& row = capture::convention(path.toStdString());
+  State next = state();
+  try {
+    row.assign(next.conventions, text.toStdString());
+  } catch (const Error& error) {
+    showState(); // as it was
+    return say(QString::fromUtf8(error.what()));
+  }
+  change(next, tr("change %1").arg(tableText(row.label)), std::string(row.path));
+}
+
+void ImportPage::applyHypothesis(const std::vector<std::string>& assignments, const QString& text) {
+  State next = state();
+  try {
+    for (const std::string& assignment : assignments) capture::applyAssignment(next.conventions, assignment);
+  } catch (const Error& error) {
+    return say(QString::fromUtf8(error.what()));
+  }
+  change(next, tr("use %1").arg(text), {});
+}
+
+void ImportPage::startLike(const QString& id) {
+  State next = state();
+  next.like = id.toStdString();
+  if (!id.isEmpty()) next.conventions = capture::startingPoint(next.like).conventions;
+  if (!guess_) return guessAgain();
+  change(next, tr("start like %1").arg(like_->currentText()), {});
+}
+
+// What somebody has changed since the last guess stands as it is.
+void ImportPage::guessAgain() {
+  if (folder_.empty()) return;
+  std::vector<std::string> stated;
+  if (guess_ && manifest_.like == guess_->manifest.like)
+    stated = capture::differences(manifest_.conventions, guess_->manifest.conventions);
+  work_.guess(folder_, like_->currentData().toString().toStdString(), stated);
+}
+
+void ImportPage::resetToGuess() {
+  if (guess_) change({guess_->manifest.conventions, guess_->manifest.like}, tr("reset to the guess"), {});
+}
+
+void ImportPage::change(const State& next, const QString& what, const std::string& key) {
+  const State before = state();
+  if (next == before) return;
+  setState(next);
+  UndoStep step = stepBackTo<State>(
+      before, [this] { return state(); }, [this](const State& state) { setState(state); });
+  step.what = what;
+  step.key = key;
+  undo_.push(std::move(step));
+}
+
+// Pictures and residuals follow in the background; only those of the last change arrive.
+void ImportPage::setState(const State& state) {
+  manifest_.conventions = state.conventions;
+  manifest_.like = state.like;
+  say({});
+  showState();
+  drawPictures();
+  if (guess_) work_.measure(folder_, manifest_);
+}
+
+void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
+  const State before = state();
+  const bool isFirst = !guess_;
+  guess_ = guess;
+  manifest_ = guess->manifest;
+  frames_->setFrames(manifest_.frames);
+  sentences_->setGuess(*guess);
+  useFindings(guess->findings);
+  say({});
+  showState();
+  drawPictures();
+  if (isFirst || before == state()) return;
+  UndoStep step = stepBackTo<State>(
+      before, [this] { return state(); }, [this](const State& state) { setState(state); });
+  step.what = tr("guess again");
+  undo_.push(std::move(step));
+}
+
+void ImportPage::useFindings(const std::vector<capture::Finding>& findings) {
+  table_->setFindings(findings);
+  residuals_->setFindings(findings);
+}
+
+void ImportPage::fail(ImportTask task, const QString& sentence) {
+  if (task == ImportTask::Pictures) frames_->setPictures({});
+  if (task == ImportTask::Measure) useFindings({});
+  say(sentence);
+}
+
+void ImportPage::showWork(ImportTask task, const QString& what, int done, int total) {
+  underWay_[indexOf(task)] = what;
+  if (!what.isEmpty()) return bar_->setWork(what, done, total);
+  const auto other = std::ranges::find_if(underWay_, [](const QString& each) { return !each.isEmpty(); });
+  bar_->setWork(other != underWay_.end() ? *other : QString(), 0, 0);
+}
+
+void ImportPage::showState() {
+  const bool isThere = guess_ != nullptr;
+  table_->display(manifest_.conventions, isThere ? guess_->manifest.conventions : manifest_.conventions);
+  residuals_->setConventions(manifest_.conventions);
+  if (isThere) like_->setCurrentIndex(std::max(0, like_->findData(QString::fromStdString(manifest_.like))));
+  const std::string contradiction = capture::contradiction(capture::normalized(manifest_.conventions));
+  if (!contradiction.empty()) say(QString::fromStdString(contradiction));
+  for (QWidget* needsGuess :
+       {static_cast<QWidget*>(table_), static_cast<QWidget*>(residuals_), static_cast<QWidget*>(reset_)})
+    needsGuess->setEnabled(isThere);
+  again_->setEnabled(!folder_.empty());
+  open_->setEnabled(isThere && contradiction.empty());
+  save_->setEnabled(open_->isEnabled());
+}
+
+void ImportPage::drawPictures() {
+  if (guess_ && !manifest_.frames.empty()) work_.draw(folder_, manifest_, frames_->frame());
+}
+
+void ImportPage::say(const QString& sentence) {
+  problem_->setText(sentence);
+  problem_->setVisible(!sentence.isEmpty());
+}
+
+// Esc ends one thing at a time: what is under way before the page.
+void ImportPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) return QDialog::keyPressEvent(event);
+  bool stopped = false;
+  for (const ImportTask task : {ImportTask::Guess, ImportTask::Save}) {
+    if (underWay_[indexOf(task)].isEmpty()) continue;
+    work_.cancel(task);
+    stopped = true;
+  }
+  if (!stopped) return reject();
+  say(tr("Stopped. Guess again goes on; Esc closes the page."));
+}
+
+void ImportPage::open() {
+  if (!open_->isEnabled()) return;
+  if (QFileInfo(QString::fromStdString(folder_.string())).isWritable()) return saveTo(folder_);
+  say(tr("Nothing can be written into %1; save capture.json in another folder.")
+          .arg(QString::fromStdString(folder_.string())));
+}
+
+void ImportPage::askWhereToSave() {
+  if (!save_->isEnabled()) return;
+  auto* dialog = new QFileDialog(this, tr("Folder for capture.json and the frames"),
+                                 QString::fromStdString(folder_.parent_path().string()));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { saveTo(folder.toStdString()); });
+  dialog->open();
+}
+
+void ImportPage::saveTo(const fs::path& folder) {
+  confirmReplace(this, capture::importedFiles(folder_, manifest_, folder),
+                 [this, folder] { work_.save(folder_, manifest_, folder); });
+}
+
+} // namespace taa::app

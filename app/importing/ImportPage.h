@@ -1,0 +1,107 @@
+// Frames of another engine on their way in: what was guessed about them, pictures that show whether it fits,
+// and a place to say otherwise. Not modal: the window can be used on.
+#pragma once
+
+#include "app/importing/ImportWork.h"
+#include "app/undo/UndoStack.h"
+
+#include <QDialog>
+#include <QString>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace taa::app {
+
+class ConventionTable;
+class FramePanel;
+class GuessSentences;
+class ResidualTable;
+class WorkBar;
+
+class ImportPage : public QDialog {
+  Q_OBJECT
+ public:
+  explicit ImportPage(QWidget* parent, ImportFunctions functions = {});
+
+  /// Begins to guess what is in it.
+  void openFolder(const QString& folder);
+  void askForFolder();
+  /// Empty until something was guessed.
+  const capture::Manifest& manifest() const { return manifest_; }
+  ConventionTable* table() const { return table_; }
+  ResidualTable* residuals() const { return residuals_; }
+  FramePanel* frames() const { return frames_; }
+  QSize sizeHint() const override { return {1180, 760}; }
+
+ Q_SIGNALS:
+  /// The folder has its capture.json now.
+  void openRequested(const QString& folder);
+
+ protected:
+  void keyPressEvent(QKeyEvent*) override;
+
+ private:
+  /// What is undone.
+  struct State {
+    capture::Conventions conventions;
+    std::string like;
+    bool operator==(const State&) const = default;
+  };
+
+  // Layout
+  QWidget* makeHeader();
+  QWidget* makeSides();
+  QWidget* makeButtons();
+  QPushButton* addButton(QWidget* to, const QString& name, const QString& text, const QString& toolTip,
+                         void (ImportPage::*act)());
+  void makeKeys();
+  void connectWork();
+  // Changes
+  State state() const { return {manifest_.conventions, manifest_.like}; }
+  void setState(const State& state);
+  void change(const State& next, const QString& what, const std::string& key);
+  void edit(const QString& path, const QString& text);
+  void applyHypothesis(const std::vector<std::string>& assignments, const QString& text);
+  void startLike(const QString& id);
+  void guessAgain();
+  void resetToGuess();
+  // Results
+  void useGuess(const std::shared_ptr<const capture::Guess>& guess);
+  void useFindings(const std::vector<capture::Finding>& findings);
+  void fail(ImportTask task, const QString& sentence);
+  void showWork(ImportTask task, const QString& what, int done, int total);
+  // Display
+  void showState();
+  void drawPictures();
+  void say(const QString& sentence);
+  // Out of it
+  void leave() { close(); }
+  void open();
+  void askWhereToSave();
+  void saveTo(const std::filesystem::path& folder);
+
+  UndoStack undo_;
+  std::filesystem::path folder_;
+  std::shared_ptr<const capture::Guess> guess_; ///< null: none yet. Shared with what delivers it
+  capture::Manifest manifest_;
+  std::array<QString, 4> underWay_; ///< by ImportTask: what is being done, empty: nothing
+  ConventionTable* table_;
+  ResidualTable* residuals_;
+  FramePanel* frames_;
+  GuessSentences* sentences_;
+  QComboBox* like_;
+  QLabel *place_, *problem_;
+  QPushButton *open_ = nullptr, *save_ = nullptr, *reset_ = nullptr, *again_ = nullptr;
+  WorkBar* bar_ = nullptr;
+  ImportWork work_; // last: it ends before what it delivers to
+};
+
+} // namespace taa::app

@@ -1,0 +1,77 @@
+// What the import page has done in the background: guesses, measurements, pictures and files.
+#pragma once
+
+#include "app/importing/FramePictures.h"
+#include "app/importing/LatestWork.h"
+#include "core/base/Progress.h"
+#include "core/capture/import/Guess.h"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace taa::app {
+
+/// As guessCapture() and measureConventions(); tests put others in their place.
+struct ImportFunctions {
+  std::function<capture::Guess(const std::filesystem::path& folder, const std::string& like,
+                               const std::vector<std::string>& assignments, const Progress& progress)>
+      guess = capture::guessCapture;
+  std::function<std::vector<capture::Finding>(const std::filesystem::path& folder,
+                                              const capture::Manifest& manifest, const Progress& progress)>
+      measure = capture::measureConventions;
+};
+
+/// A part of the work. Of each the last request counts; a guess also makes void what was asked of the frames
+/// before.
+enum class ImportTask { Guess, Measure, Pictures, Save };
+
+/// Lives on the UI thread, which never waits for it but at the end.
+class ImportWork : public QObject {
+  Q_OBJECT
+ public:
+  explicit ImportWork(ImportFunctions functions, QObject* parent = nullptr);
+  ~ImportWork() override;
+
+  void guess(const std::filesystem::path& folder, const std::string& like,
+             const std::vector<std::string>& assignments);
+  void measure(const std::filesystem::path& folder, const capture::Manifest& manifest);
+  /// `frame`: into the manifest's frames.
+  void draw(const std::filesystem::path& folder, const capture::Manifest& manifest, int frame);
+  /// See saveImport(); replaces what is there.
+  void save(const std::filesystem::path& from, const capture::Manifest& manifest,
+            const std::filesystem::path& to);
+  /// Nothing of it arrives any more.
+  void cancel(ImportTask task);
+
+ Q_SIGNALS:
+  /// `what`: for people, empty at the end.
+  void workChanged(ImportTask task, const QString& what, int done, int total);
+  void guessed(const std::shared_ptr<const capture::Guess>& guess);
+  void measured(const std::vector<capture::Finding>& findings);
+  void drawn(const FramePictures& pictures);
+  void saved(const std::filesystem::path& folder);
+  void failed(ImportTask task, const QString& sentence);
+
+ private:
+  struct PlaneCache;
+  using Deliver = std::function<void()>;
+  /// On a thread of the work; returns what is then done on the UI thread.
+  using Piece = std::function<Deliver(const Progress& progress)>;
+
+  void post(ImportTask task, Piece piece);
+  void deliver(ImportTask task, int version, const Deliver& deliver);
+  LatestWork& threadOf(ImportTask task);
+
+  ImportFunctions functions_;
+  std::unique_ptr<PlaneCache> planes_; ///< of the thread of pictures
+  int versions_[4] = {};               ///< by task: what arrives of an older one is dropped
+  LatestWork questions_, pictures_, files_;
+};
+
+} // namespace taa::app

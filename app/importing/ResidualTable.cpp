@@ -1,0 +1,133 @@
+#include "app/importing/ResidualTable.h"
+
+#include "app/importing/Answers.h"
+#include "app/style/Icons.h"
+#include "app/style/Numbers.h"
+#include "app/style/Theme.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace taa::app {
+
+namespace {
+enum Column { Answer, Residual, Now };
+} // namespace
+
+ResidualTable::ResidualTable(QWidget* parent)
+    : QWidget(parent), questions_(new QComboBox), table_(new QTreeWidget), reason_(new QLabel),
+      apply_(new QPushButton(tr("&Use this"))) {
+  questions_->setObjectName(QStringLiteral("questions"));
+  questions_->setAccessibleName(tr("Question"));
+  questions_->view()->setAccessibleName(questions_->accessibleName());
+  questions_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  questions_->setMinimumContentsLength(12);
+  table_->setObjectName(QStringLiteral("residuals"));
+  table_->setAccessibleName(tr("Hypotheses by residual"));
+  table_->setRootIsDecorated(false);
+  table_->setHeaderLabels({tr("Hypothesis"), tr("Residual"), tr("Now")});
+  table_->headerItem()->setToolTip(
+      Residual, tr("Mean difference in luma of a frame and the warped frame before it, × 1000, unless the "
+                   "question says otherwise. The smallest fits best."));
+  table_->header()->setStretchLastSection(false);
+  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->header()->setSectionResizeMode(Answer, QHeaderView::Stretch);
+  reason_->setWordWrap(true);
+  reason_->setFont(secondaryFont());
+  apply_->setObjectName(QStringLiteral("applyHypothesis"));
+  apply_->setAutoDefault(false);
+  apply_->setToolTip(
+      tr("Set the conventions as the selected hypothesis says (Enter in the table, or Alt+U)"));
+  apply_->setAccessibleDescription(apply_->toolTip());
+  auto* below = new QHBoxLayout;
+  below->addWidget(reason_, 1);
+  below->addWidget(apply_, 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kUnit);
+  layout->addWidget(questions_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(below);
+  connect(questions_, &QComboBox::currentIndexChanged, this, &ResidualTable::refresh);
+  connect(table_, &QTreeWidget::itemActivated, this, &ResidualTable::apply);
+  connect(apply_, &QPushButton::clicked, this, &ResidualTable::apply);
+  refresh();
+}
+
+const capture::Finding* ResidualTable::shown() const {
+  const int index = questions_->currentIndex();
+  return index >= 0 && index < static_cast<int>(findings_.size())
+             ? &findings_[static_cast<std::size_t>(index)]
+             : nullptr;
+}
+
+void ResidualTable::setFindings(const std::vector<capture::Finding>& findings) {
+  const QString before = questions_->currentText();
+  findings_ = findings;
+  {
+    const QSignalBlocker quiet(questions_);
+    questions_->clear();
+    for (const capture::Finding& finding : findings_)
+      questions_->addItem(QString::fromStdString(finding.question));
+    questions_->setCurrentIndex(std::max(0, questions_->findText(before)));
+  }
+  refresh();
+}
+
+void ResidualTable::setConventions(const capture::Conventions& stated) {
+  stated_ = stated;
+  refresh();
+}
+
+void ResidualTable::showQuestion(const QString& path) {
+  if (const capture::Finding* finding = findingOf(findings_, path.toStdString()))
+    questions_->setCurrentIndex(static_cast<int>(finding - findings_.data()));
+}
+
+// The line that the keys are on stays.
+void ResidualTable::refresh() {
+  const capture::Finding* finding = shown();
+  const int line = table_->indexOfTopLevelItem(table_->currentItem());
+  table_->clear();
+  questions_->setEnabled(!findings_.empty());
+  apply_->setEnabled(finding && !finding->hypotheses.empty());
+  reason_->setText(finding ? QString::fromStdString(finding->reason)
+                           : tr("Nothing was measured yet, or these frames leave nothing to measure."));
+  if (!finding) return;
+  if (!finding->measure.empty())
+    table_->headerItem()->setToolTip(Residual, QString::fromStdString(finding->measure));
+  for (const capture::Hypothesis& hypothesis : finding->hypotheses) {
+    const bool isSet = agrees(hypothesis, stated_);
+    auto* item = new QTreeWidgetItem({QString::fromStdString(hypothesis.text),
+                                      shortText(hypothesis.residual, 4), isSet ? tr("set") : QString()});
+    item->setFont(Residual, numberFont());
+    item->setTextAlignment(Residual, Qt::AlignVCenter | Qt::AlignRight);
+    if (isSet) item->setIcon(Now, themedIcon(QStringLiteral("right")));
+    QStringList says;
+    for (const std::string& assignment : hypothesis.assignments) says << QString::fromStdString(assignment);
+    item->setToolTip(Answer, says.join(QStringLiteral("\n")));
+    table_->addTopLevelItem(item);
+  }
+  const int last = table_->topLevelItemCount() - 1;
+  if (last >= 0) table_->setCurrentItem(table_->topLevelItem(std::clamp(line, 0, last)));
+}
+
+void ResidualTable::apply() {
+  const capture::Finding* finding = shown();
+  const int line = table_->indexOfTopLevelItem(table_->currentItem());
+  if (!finding || line < 0) return;
+  const capture::Hypothesis& hypothesis = finding->hypotheses[static_cast<std::size_t>(line)];
+  Q_EMIT applied(hypothesis.assignments, QString::fromStdString(hypothesis.text));
+}
+
+} // namespace taa::app
