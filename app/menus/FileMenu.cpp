@@ -1,6 +1,7 @@
 #include "app/menus/FileMenu.h"
 
 #include "app/commands/Exports.h"
+#include "app/commands/ImportFrames.h"
 #include "app/session/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
@@ -10,7 +11,8 @@
 
 namespace taa::app {
 
-FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, Exports& exports, QWidget* parent)
+FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, ImportFrames& imports, Exports& exports,
+                   QWidget* parent)
     : CommandMenu(tr("&File"), commands, parent), keeper_(keeper), exports_(exports) {
   add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
     keeper.askWhatToOpen();
@@ -19,6 +21,10 @@ FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, Exports& exports, 
     keeper.askForCapture();
   })->setToolTip(tr("The folder of frames that an engine wrote, with its capture.json."));
   addRecent();
+  add(tr("&Import frames…"), keys({"Ctrl+Shift+I"}), [&imports] { imports.askForFolder(); })
+      ->setToolTip(
+          tr("Frames of another engine: a folder of EXR, PNG and other pictures. Its conventions are "
+             "guessed, shown and changed before it is opened."));
   add(tr("Start &anew"), {}, [&keeper] {
     keeper.startAnew();
   })->setToolTip(tr("The first scene, settings and layout. What is open is kept, and can be opened again."));

@@ -6,12 +6,14 @@
 namespace taa::app {
 
 class Exports;
+class ImportFrames;
 class SessionKeeper;
 
 class FileMenu : public CommandMenu {
   Q_OBJECT
  public:
-  FileMenu(Commands& commands, SessionKeeper& keeper, Exports& exports, QWidget* parent);
+  FileMenu(Commands& commands, SessionKeeper& keeper, ImportFrames& imports, Exports& exports,
+           QWidget* parent);
 
  private:
   void addRecent();

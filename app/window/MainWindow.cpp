@@ -5,6 +5,7 @@
 #include "app/commands/Exports.h"
 #include "app/commands/Flight.h"
 #include "app/commands/GoToPrompts.h"
+#include "app/commands/ImportFrames.h"
 #include "app/commands/OwnPresets.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/commands/ThemeSetting.h"
@@ -186,6 +187,7 @@ void MainWindow::makeCommands() {
   flight_ = new Flight(session_, views_, this);
   escape_ = new EscapeKey(session_, *views_, *flight_, this);
   exports_ = new Exports(session_, *views_, keeper_->cameraFolder(), this);
+  imports_ = new ImportFrames(*keeper_, this);
   cameras_ = new CameraFiles(session_, this);
   presets_ = new OwnPresets(session_, *pipeline_, settings_, this);
   probeCommands_ = new ProbeCommands(session_, *views_, *probe_, this);
@@ -198,7 +200,7 @@ void MainWindow::makeCommands() {
 void MainWindow::makeMenus() {
   QMenuBar* bar = menuBar();
   Commands& all = *commands_;
-  bar->addMenu(new FileMenu(all, *keeper_, *exports_, bar));
+  bar->addMenu(new FileMenu(all, *keeper_, *imports_, *exports_, bar));
   bar->addMenu(new EditMenu(
       all, {session_, *escape_, *probeCommands_, *exports_, *profiler_, *left_, *pipeline_, *lists_}, bar));
   bar->addMenu(new ViewMenu(all,
@@ -414,8 +416,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
-  if (urls.first().isLocalFile())
-    keeper_->openSource(urls.first().toLocalFile());
+  const QString path = urls.first().toLocalFile();
+  if (ImportFrames::isWanted(path))
+    imports_->open(path);
+  else if (urls.first().isLocalFile())
+    keeper_->openSource(path);
   else
     messages_->showError(
         tr("%1 is not a file on this machine; save it first, then open it.").arg(urls.first().toString()));

@@ -25,6 +25,7 @@ class Flight;
 class FlightBar;
 class FlightFeed;
 class GoToPrompts;
+class ImportFrames;
 class JitterPanel;
 class LeftArea;
 class LowerArea;
@@ -125,6 +126,7 @@ class MainWindow : public QMainWindow {
   Flight* flight_ = nullptr;
   EscapeKey* escape_ = nullptr;
   Exports* exports_ = nullptr;
+  ImportFrames* imports_ = nullptr;
   CameraFiles* cameras_ = nullptr;
   OwnPresets* presets_ = nullptr;
   ProbeCommands* probeCommands_ = nullptr;
