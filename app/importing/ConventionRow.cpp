@@ -24,7 +24,7 @@ namespace {
 constexpr int kLabelWidth = 150;
 constexpr int kVerdictWidth = 92;
 
-QString escaped(std::string_view view) {
+QString htmlOf(std::string_view view) {
   return tableText(view).toHtmlEscaped();
 }
 
@@ -46,7 +46,7 @@ QString wordsOf(Verdict verdict) {
   return ConventionRow::tr("not measured");
 }
 
-QColor colorOf(Verdict verdict, const ThemeColors& colors) {
+QColor verdictColor(Verdict verdict, const ThemeColors& colors) {
   switch (verdict) {
   case Verdict::NotMeasured:
     break;
@@ -69,9 +69,9 @@ void setColor(QLabel* label, const QColor& color) {
 } // namespace
 
 QString conventionToolTip(const capture::Convention& row) {
-  QString tip = QStringLiteral("<b>%1</b><br>%2").arg(escaped(row.label), escaped(row.tooltip));
+  QString tip = QStringLiteral("<b>%1</b><br>%2").arg(htmlOf(row.label), htmlOf(row.tooltip));
   for (const capture::ConventionChoice& choice : row.choices)
-    tip += QStringLiteral("<br><br><b>%1</b>: %2").arg(escaped(choice.label), escaped(choice.explanation));
+    tip += QStringLiteral("<br><br><b>%1</b>: %2").arg(htmlOf(choice.label), htmlOf(choice.explanation));
   if (row.kind == capture::ConventionKind::OptionalNumber)
     tip += QStringLiteral("<br><br>") + ConventionRow::tr("A number, or none.").toHtmlEscaped();
   return tip + QStringLiteral("<br><br><code>%1</code>").arg(qtext(row.path).toHtmlEscaped());
@@ -177,7 +177,7 @@ void ConventionRow::display(const capture::Conventions& stated, const capture::C
 void ConventionRow::setVerdict(Verdict verdict, const QString& reason) {
   verdict_ = verdict;
   verdictText_->setText(wordsOf(verdict));
-  setColor(verdictText_, colorOf(verdict, themeColors(this)));
+  setColor(verdictText_, verdictColor(verdict, themeColors(this)));
   verdictText_->setToolTip(reason.isEmpty() ? tr("The pixels of these frames were not asked, or cannot tell.")
                                             : reason);
   editor_->setAccessibleDescription(verdictText_->text());

@@ -25,7 +25,7 @@ constexpr double kShareWithin = 0.98;
 constexpr int kMaxSamples = 20000;
 /// A difference of this, of the 0 to 1 of the screen, is the end of its color map.
 constexpr float kFullDifference = 0.5f;
-constexpr float kNeutral = 0.373248f; ///< gray as light as the cyclic map: kCyclicLightness cubed
+constexpr float kCyclicGray = 0.373248f; ///< gray as light as the cyclic map: kCyclicLightness cubed
 
 float luma(const glm::vec4& color) {
   return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z;
@@ -119,8 +119,8 @@ QImage colorPicture(const Image& color, float exposure) {
   });
 }
 
-glm::vec3 colorOf(ColorMap map, float value) {
-  const std::array<float, 3> color = mapColor(map, value);
+glm::vec3 hueOf(ColorMap map, float value) {
+  const std::array<float, 3> color = taa::mapColor(map, value);
   return {color[0], color[1], color[2]};
 }
 
@@ -142,8 +142,8 @@ QImage motionPicture(const Image& motion) {
     if (std::isnan(px.x + px.y)) return kNanPixel;
     const float saturation = std::min(glm::length(px) / range, 1.0f);
     const float turn = std::atan2(px.y, px.x) / (2.0f * std::numbers::pi_v<float>);
-    const glm::vec3 hue = colorOf(ColorMap::Cyclic, turn - std::floor(turn));
-    return pixelOf(glm::vec3(kNeutral) + saturation * (hue - kNeutral));
+    const glm::vec3 hue = hueOf(ColorMap::Cyclic, turn - std::floor(turn));
+    return pixelOf(glm::vec3(kCyclicGray) + saturation * (hue - kCyclicGray));
   });
 }
 
@@ -158,7 +158,7 @@ QImage depthPicture(const Image& depth) {
     if (std::isnan(value)) return kNanPixel;
     if (!(value > 0.0f)) return qRgba(0, 0, 0, 0);
     const float place = low > 0.0f ? std::log2(value / low) / range : 1.0f;
-    return pixelOf(colorOf(ColorMap::Viridis, std::clamp(place, 0.0f, 1.0f)));
+    return pixelOf(hueOf(ColorMap::Viridis, std::clamp(place, 0.0f, 1.0f)));
   });
 }
 
@@ -171,7 +171,7 @@ QImage differencePicture(const Image& color, const Image& warped, float exposure
     if (warped.at(x, y)[3] <= 0.0f) return qRgba(0, 0, 0, 0);
     const float difference = std::abs(shown(color, x, y) - shown(warped, x, y));
     if (std::isnan(difference)) return kNanPixel;
-    return pixelOf(colorOf(ColorMap::Inferno, std::min(difference / kFullDifference, 1.0f)));
+    return pixelOf(hueOf(ColorMap::Inferno, std::min(difference / kFullDifference, 1.0f)));
   });
 }
 

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::size_t indexOf(ImportTask task) {
+std::size_t slotOf(ImportTask task) {
   return static_cast<std::size_t>(task);
 }
 
@@ -303,7 +303,7 @@ void ImportPage::fail(ImportTask task, const QString& sentence) {
 }
 
 void ImportPage::showWork(ImportTask task, const QString& what, int done, int total) {
-  underWay_[indexOf(task)] = what;
+  underWay_[slotOf(task)] = what;
   if (!what.isEmpty()) return bar_->setWork(what, done, total);
   const auto other = std::ranges::find_if(underWay_, [](const QString& each) { return !each.isEmpty(); });
   bar_->setWork(other != underWay_.end() ? *other : QString(), 0, 0);
@@ -338,7 +338,7 @@ void ImportPage::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Escape) return QDialog::keyPressEvent(event);
   bool stopped = false;
   for (const ImportTask task : {ImportTask::Guess, ImportTask::Save}) {
-    if (underWay_[indexOf(task)].isEmpty()) continue;
+    if (underWay_[slotOf(task)].isEmpty()) continue;
     work_.cancel(task);
     stopped = true;
   }

@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 /// Progress is told so often at most: steps can be very short.
 constexpr std::chrono::milliseconds kTellEvery{50};
 
-std::size_t indexOf(ImportTask task) {
+std::size_t taskIndex(ImportTask task) {
   return static_cast<std::size_t>(task);
 }
 
@@ -95,14 +95,14 @@ void ImportWork::deliver(ImportTask task, int version, const Deliver& deliver) {
   QMetaObject::invokeMethod(
       this,
       [this, task, version, deliver] {
-        if (versions_[indexOf(task)] == version) deliver();
+        if (versions_[taskIndex(task)] == version) deliver();
       },
       Qt::QueuedConnection);
 }
 
 // What is thrown is told; nothing leaves the thread.
 void ImportWork::post(ImportTask task, Piece piece) {
-  const int version = ++versions_[indexOf(task)];
+  const int version = ++versions_[taskIndex(task)];
   threadOf(task).post([this, task, version, piece = std::move(piece)](const LatestWork::IsWanted& isWanted) {
     const auto tell = [&](const QString& what, int done, int total) {
       deliver(task, version,
@@ -130,7 +130,7 @@ void ImportWork::post(ImportTask task, Piece piece) {
 }
 
 void ImportWork::cancel(ImportTask task) {
-  ++versions_[indexOf(task)];
+  ++versions_[taskIndex(task)];
   threadOf(task).cancel();
   Q_EMIT workChanged(task, {}, 0, 0);
 }

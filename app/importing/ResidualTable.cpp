@@ -21,7 +21,7 @@
 namespace taa::app {
 
 namespace {
-enum Column { Answer, Residual, Now };
+enum Column { AnswerColumn, Residual, Now };
 } // namespace
 
 ResidualTable::ResidualTable(QWidget* parent)
@@ -41,7 +41,7 @@ ResidualTable::ResidualTable(QWidget* parent)
                    "question says otherwise. The smallest fits best."));
   table_->header()->setStretchLastSection(false);
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->header()->setSectionResizeMode(Answer, QHeaderView::Stretch);
+  table_->header()->setSectionResizeMode(AnswerColumn, QHeaderView::Stretch);
   reason_->setWordWrap(true);
   reason_->setFont(secondaryFont());
   apply_->setObjectName(QStringLiteral("applyHypothesis"));
@@ -115,7 +115,7 @@ void ResidualTable::refresh() {
     if (isSet) item->setIcon(Now, themedIcon(QStringLiteral("right")));
     QStringList says;
     for (const std::string& assignment : hypothesis.assignments) says << QString::fromStdString(assignment);
-    item->setToolTip(Answer, says.join(QStringLiteral("\n")));
+    item->setToolTip(AnswerColumn, says.join(QStringLiteral("\n")));
     table_->addTopLevelItem(item);
   }
   const int last = table_->topLevelItemCount() - 1;
