@@ -21,7 +21,7 @@
 namespace taa::app {
 
 namespace {
-enum Column { AnswerColumn, Residual, Now };
+enum ResidualColumn { AnswerColumn, Residual, Now };
 } // namespace
 
 ResidualTable::ResidualTable(QWidget* parent)

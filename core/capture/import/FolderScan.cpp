@@ -36,8 +36,8 @@ std::string extensionOf(const fs::path& path) {
 }
 
 bool isPicture(const std::string& extension) {
-  static const std::set<std::string> kExtensions = {".exr", ".png", ".hdr", ".tif", ".tiff", ".dds"};
-  return kExtensions.contains(extension);
+  static const std::set<std::string> kPictureExtensions = {".exr", ".png", ".hdr", ".tif", ".tiff", ".dds"};
+  return kPictureExtensions.contains(extension);
 }
 
 /// Names that capture.json could state; see PlaneSource::file.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <span>
 #include <utility>

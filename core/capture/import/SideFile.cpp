@@ -16,10 +16,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <span>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace taa::capture {
 

@@ -61,7 +61,7 @@ const FileKind& kindOf(const UntrustedFile& file, const std::string& name) {
 }
 
 /// What OpenImageIO says in its last error, on one line.
-std::string reasonOf(const OIIO::ImageInput& input) {
+std::string failureOf(const OIIO::ImageInput& input) {
   const std::string said = input.geterror();
   if (said.find("ubsampled") != std::string::npos)
     return say<
@@ -76,7 +76,7 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const UntrustedFile& file, const s
   OIIO::ImageSpec asStored, ignored;
   asStored.attribute("oiio:UnassociatedAlpha", 1);
   if (!input->open(file.path().string(), ignored, asStored))
-    throw Error(say<"cannot open %1: %2">(name, reasonOf(*input)));
+    throw Error(say<"cannot open %1: %2">(name, failureOf(*input)));
   return input;
 }
 
@@ -142,7 +142,7 @@ PartFound findPart(OIIO::ImageInput& input, const PlaneRequest& request) {
     if (missing.empty()) missing = lacks;
     channels.insert(channels.end(), spec.channelnames.begin(), spec.channelnames.end());
   }
-  if (parts.empty()) throw Error(say<"cannot read %1: %2">(request.file, reasonOf(input)));
+  if (parts.empty()) throw Error(say<"cannot read %1: %2">(request.file, failureOf(input)));
   // Asking for the part after the last one leaves a message behind.
   (void)input.geterror();
   if (missing.empty())
@@ -281,7 +281,7 @@ class RowReader {
                                               spec_.z + 1, first_, end_, OIIO::TypeUnknown, bytes_.data())
                           : input_.read_scanlines(part_, 0, begin, end, spec_.z, first_, end_,
                                                   OIIO::TypeUnknown, bytes_.data());
-    if (!done) throw Error(say<"cannot read %1: %2">(name_, reasonOf(input_)));
+    if (!done) throw Error(say<"cannot read %1: %2">(name_, failureOf(input_)));
     return bytes_.data();
   }
 

@@ -38,11 +38,11 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "ranges::contains "
      "ranges::replace "
      "size_t ptrdiff_t initializer_list ranges::remove ranges::minmax_element minmax_element minmax "
-     "swap_ranges"},
+     "swap_ranges ranges::includes ranges::set_intersection"},
     {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
     {"bit", "bit_cast bit_width endian has_single_bit countr_zero popcount"},
-    {"cctype", "isalnum isalpha isdigit isspace isxdigit tolower toupper isprint iscntrl"},
+    {"cctype", "isalnum isalpha isdigit isspace isupper isxdigit tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},
     {"chrono", "chrono chrono_literals milli"},
     {"cmath", "abs acos asin atan atan2 cbrt ceil copysign cos exp exp2 expm1 fabs floor fmax fmin fmod "
