@@ -21,7 +21,7 @@ namespace taa::app {
 
 namespace {
 
-constexpr int kLabelWidth = 150;
+constexpr int kLabelWidth = 168;
 constexpr int kVerdictWidth = 92;
 
 QString htmlOf(std::string_view view) {
@@ -93,7 +93,9 @@ ConventionRow::ConventionRow(const capture::Convention& row, QWidget* parent)
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(kUnit);
   line->addWidget(label_);
-  line->addWidget(editor_, 1);
+  // A switch has one size: it stands where the fields begin.
+  const bool isSwitch = row.kind == capture::ConventionKind::Toggle;
+  line->addWidget(editor_, 1, isSwitch ? Qt::AlignLeft : Qt::Alignment());
   line->addWidget(verdictText_);
   connect(label_, &ParameterLabel::resetRequested, this, [this] { edit(guessed_); });
   setVerdict(Verdict::NotMeasured, {});
@@ -127,7 +129,7 @@ void ConventionRow::makeEditor() {
 QWidget* ConventionRow::makeChoice() {
   auto* box = new QComboBox;
   box->setFocusPolicy(Qt::StrongFocus); // the wheel scrolls the table
-  box->setMinimumContentsLength(8);
+  box->setMinimumContentsLength(15);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   const auto add = [box](const QString& label, const QString& id, const QString& explanation) {
     box->addItem(label, id);

@@ -116,7 +116,7 @@ QWidget* ImportPage::makeSides() {
   auto* sides = new QSplitter;
   sides->setHandleWidth(2 * kUnit);
   sides->setChildrenCollapsible(false);
-  table_->setMinimumWidth(380);
+  table_->setMinimumWidth(430);
   sides->addWidget(table_);
   sides->addWidget(frames_);
   sides->setStretchFactor(1, 1);
