@@ -440,13 +440,15 @@ TEST_F(ImportInWindow, ADroppedFolderOfFramesOpensThePage) {
 }
 
 TEST_F(ImportInWindow, ADroppedCaptureOpensAtOnce) {
-  const QTemporaryDir folder;
-  writeFrames(folder.path().toStdString());
-  writeFile(std::filesystem::path(folder.path().toStdString()) / capture::kManifestName,
+  const QTemporaryDir place;
+  const std::string folder = place.path().toStdString() + kFakeCapture;
+  std::filesystem::create_directories(folder);
+  writeFrames(folder);
+  writeFile(std::filesystem::path(folder) / capture::kManifestName,
             capture::manifestText(manifestOfFrames()));
-  drop(folder.path());
+  drop(QString::fromStdString(folder));
   EXPECT_FALSE(window.findChild<ImportPage*>());
-  EXPECT_EQ(renderer->status.source, folder.path().toStdString());
+  EXPECT_EQ(renderer->status.source, folder);
 }
 
 TEST_F(ImportInWindow, TheMenuAsksForAFolder) {

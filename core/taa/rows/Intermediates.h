@@ -197,7 +197,7 @@ enum class Visual : std::uint8_t {
   ROW(engineDifference, "Engine difference", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                    \
       "Luma of the resolved color less luma of the engine's output, scene-linear: above 0 ours is "          \
       "brighter.")                                                                                           \
-  ROW(engineDifferenceAbs, "Engine difference, abs.", Reference, 1, "", 0, 0.25, Scalar, 1e-3,               \
+  ROW(engineDifferenceAbs, "Engine distance", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                       \
       "Largest difference of the resolved color and the engine's output in red, green or blue, "             \
       "scene-linear.")
 
