@@ -441,7 +441,7 @@ TEST_F(ImportInWindow, ADroppedFolderOfFramesOpensThePage) {
 
 TEST_F(ImportInWindow, ADroppedCaptureOpensAtOnce) {
   const QTemporaryDir place;
-  const std::string folder = place.path().toStdString() + kFakeCapture;
+  const std::string folder = place.path().toStdString() + test::kFakeCapture;
   std::filesystem::create_directories(folder);
   writeFrames(folder);
   writeFile(std::filesystem::path(folder) / capture::kManifestName,
