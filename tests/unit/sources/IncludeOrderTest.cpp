@@ -82,6 +82,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"taa"},
       {"probe", "replay", "story", "io"},
       {"measure"},
+      {"verdict"},
       {"picture"},
       {"inspect"},
       {"report", "sweep"},
