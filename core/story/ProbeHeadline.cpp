@@ -122,7 +122,6 @@ std::string doubtText(const Values& v, const std::string& kept) {
         say<"%1, although it is a ghost, %2 of the result: %3, and in a color that is none of those around">(
             kept, percentText(1.0 - static_cast<double>(v.of(Id::blendFactor))), surfaceText(v)));
   }
-  if (v.of(Id::geometricFlicker) > 0) return say<"%1, for single frames miss a thin feature here">(kept);
   // What was allowed only for the slope is worth knowing where it is much.
   const float mismatch = v.of(Id::depthMismatch);
   const float tolerance = v.settings.validate.depthTolerance;
@@ -259,7 +258,6 @@ HistoryDoubt historyDoubt(const twin::PixelRecord& record, const Settings& setti
   const Values v{record, settings};
   if (v.of(Id::rejectReason) != 0.0f || v.of(Id::blendFactor) >= 1.0f) return HistoryDoubt::None;
   if (v.of(Id::onScreen) == 0.0f) return HistoryDoubt::OffScreen;
-  if (v.of(Id::geometricFlicker) > 0.0f) return HistoryDoubt::None;
   if (v.of(Id::geometricFlicker) > 0.0f) return HistoryDoubt::None; // found to be the same, at rest
   const bool isUnlike = isUnlikeAround(v, Id::historyRectified);
   if (v.of(Id::depthMismatch) > v.of(Id::depthAllowed))
