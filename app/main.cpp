@@ -123,7 +123,7 @@ bool opensBeforeWindow(const Arguments& arguments) {
 void begin(MainWindow& window, Session& session, const Arguments& arguments) {
   if (!arguments.preset.empty()) session.presets().setPreset(QString::fromStdString(arguments.preset));
   showViews(window.views(), arguments);
-  if (arguments.pixel) session.probes().setPick(*arguments.pixel);
+  if (arguments.pixel) session.probes().setPixel(*arguments.pixel);
   if (arguments.reopens)
     window.keeper().reopen();
   else if (taa::isSessionName(arguments.source))

@@ -51,7 +51,7 @@ EscapeState EscapeKey::state() const {
           .isWorking = justWorked || !session_.work().what.empty() || session_.status().goal,
           .isFlying = flight_.isOn(),
           .isComparing = static_cast<bool>(views_.active()->comparison()),
-          .hasProbe = session_.probes().activePin() >= 0};
+          .hasProbe = session_.probes().active() >= 0};
 }
 
 void EscapeKey::press() {
@@ -72,7 +72,7 @@ void EscapeKey::press() {
   case EscapeTarget::Comparison:
     return views_.active()->setComparison({});
   case EscapeTarget::Probe:
-    return session_.probes().setPick({});
+    return session_.probes().setPixel({});
   }
 }
 

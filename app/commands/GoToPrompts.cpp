@@ -12,15 +12,15 @@ GoToPrompts::GoToPrompts(Session& session, ViewArea& views, TimelinePanel& timel
     : QObject(window), session_(session), views_(views), timeline_(timeline), window_(window) {}
 
 void GoToPrompts::askForPixel() {
-  const auto pick = session_.probes().pick();
-  const QString now = pick ? QStringLiteral("%1, %2").arg(pick->x).arg(pick->y) : QString();
+  const auto probed = session_.probes().pixel();
+  const QString now = probed ? QStringLiteral("%1, %2").arg(probed->x).arg(probed->y) : QString();
   auto* prompt = new Prompt(
       tr("Go to pixel (x, y)"), now,
       [this](const QString& text) {
         int x = 0, y = 0;
         if (!parsePair(text, x, y)) return false;
-        session_.probes().setPick(glm::ivec2(x, y));
-        if (session_.probes().pick()) views_.active()->viewport()->reveal(*session_.probes().pick());
+        session_.probes().setPixel(glm::ivec2(x, y));
+        if (session_.probes().pixel()) views_.active()->viewport()->reveal(*session_.probes().pixel());
         return true;
       },
       window_);

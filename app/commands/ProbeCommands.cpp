@@ -20,17 +20,17 @@ ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& pane
   connect(&panel_, &ProbePanel::copyRequested, this, [this] { copy(ProbeFormat::Text); });
 }
 
-bool ProbeCommands::pinAnother() {
+bool ProbeCommands::addAnother() {
   const auto hovered = views_.active()->viewport()->hovered();
-  const auto pick = session_.probes().pick();
-  if (!hovered && !pick) return false;
+  const auto probed = session_.probes().pixel();
+  if (!hovered && !probed) return false;
   const auto isTaken = [this](const glm::ivec2& pixel) {
-    return std::ranges::any_of(session_.probes().pins(),
-                               [&](const ProbePin& pin) { return pin.pixel == pixel; });
+    return std::ranges::any_of(session_.probes().all(),
+                               [&](const Probe& probe) { return probe.pixel == pixel; });
   };
-  glm::ivec2 pixel = hovered ? *hovered : *pick;
+  glm::ivec2 pixel = hovered ? *hovered : *probed;
   while (isTaken(pixel)) ++pixel.x;
-  session_.probes().addPin(pixel);
+  session_.probes().add(pixel);
   return true;
 }
 
@@ -40,7 +40,7 @@ void ProbeCommands::copyValue() {
 }
 
 void ProbeCommands::copy(ProbeFormat format) {
-  const ProbeResult* result = session_.probes().probe();
+  const ProbeResult* result = session_.probes().result();
   if (!result || result->around.empty()) return;
   const Status& status = session_.status();
   const ProbeReport report{{status.source, status.camera,

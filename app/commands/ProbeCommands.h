@@ -1,4 +1,4 @@
-// What is done with the probe by a key: its values are copied, another one is pinned.
+// What is done with the probe by a key: its values are copied, another one is set.
 #pragma once
 
 #include <QObject>
@@ -22,7 +22,7 @@ class ProbeCommands : public QObject {
   void copy(ProbeFormat format);
   /// Where the mouse is, else to the right of the active probe; the next place that no probe has. False:
   /// there is neither.
-  bool pinAnother();
+  bool addAnother();
 
  private:
   Session& session_;

@@ -3,7 +3,7 @@
 #include "app/commands/GoToPrompts.h"
 #include "app/commands/ProbeCommands.h"
 #include "app/panels/ProbePanel.h"
-#include "app/session/PinnedProbes.h"
+#include "app/session/ProbeChoices.h"
 #include "app/session/SceneChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
@@ -22,45 +22,46 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
   setToolTipsVisible(true);
   addPlaces(on);
   addSeparator();
-  addPins(on);
+  addProbes(on);
   addSeparator();
   addPages(on.panel);
   addPlot(on.panel);
 }
 
 void ProbeMenu::addPlaces(const Targets& on) {
-  PinnedProbes& probes = on.probes;
+  ProbeChoices& probes = on.probes;
   add(tr("&Go to pixel…"), keys({"Ctrl+G"}), [&prompts = on.prompts] {
     prompts.askForPixel();
   })->setIcon(themedIcon(QStringLiteral("probe")));
   add(tr("Go to the probe"), keys({"P"}), [&probes, &views = on.views] {
-    if (const auto pick = probes.pick()) views.active()->viewport()->reveal(*pick);
+    if (const auto probed = probes.pixel()) views.active()->viewport()->reveal(*probed);
   });
-  add(tr("&Remove the probe"), keys({"Del"}), [&probes] { probes.setPick({}); });
-  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&probes] { probes.removeAllPins(); });
+  add(tr("&Remove the probe"), keys({"Del"}), [&probes] { probes.setPixel({}); });
+  add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&probes] { probes.removeAll(); });
 }
 
-void ProbeMenu::addPins(const Targets& on) {
-  PinnedProbes& probes = on.probes;
-  add(tr("&Pin another under the mouse or beside"), keys({"Shift+P"}),
+void ProbeMenu::addProbes(const Targets& on) {
+  ProbeChoices& probes = on.probes;
+  add(tr("Add ano&ther under the mouse or beside"), keys({"Shift+P"}),
       [&probe = on.probe, &prompts = on.prompts] {
-        if (!probe.pinAnother()) prompts.askForPixel();
+        if (!probe.addAnother()) prompts.askForPixel();
       });
   const auto choose = [&probes](int step) {
-    const int count = static_cast<int>(probes.pins().size());
-    if (count > 0) probes.setActivePin((probes.activePin() + step + count) % count);
+    const int count = static_cast<int>(probes.all().size());
+    if (count > 0) probes.setActive((probes.active() + step + count) % count);
   };
   add(tr("Ne&xt probe"), keys({"Ctrl+N"}), [choose] { choose(1); });
   add(tr("Previo&us probe"), keys({"Ctrl+Shift+N"}), [choose] { choose(-1); });
   QAction* follows = addCheck(
       tr("Follow the &surface"), QKeySequence(QStringLiteral("Ctrl+Alt+F")), [&probes](bool isOnSurface) {
-        probes.setFollow(probes.activePin(), isOnSurface ? Follow::Surface : Follow::Screen);
+        probes.setFollow(probes.active(), isOnSurface ? Follow::Surface : Follow::Screen);
       });
   onRefresh([&probes, &scene = on.scene, follows] {
-    const int pin = probes.activePin();
+    const int probe = probes.active();
     allow(follows, scene.whyNoSurfaces());
-    if (pin < 0) follows->setEnabled(false);
-    follows->setChecked(pin >= 0 && probes.pins()[static_cast<std::size_t>(pin)].follow == Follow::Surface);
+    if (probe < 0) follows->setEnabled(false);
+    follows->setChecked(probe >= 0 &&
+                        probes.all()[static_cast<std::size_t>(probe)].follow == Follow::Surface);
   });
 }
 

@@ -1,4 +1,4 @@
-// The probes: where they are pinned, which is active, what it follows.
+// The probes: where they are set, which is active, what it follows.
 #pragma once
 
 #include "app/menus/Commands.h"
@@ -6,7 +6,7 @@
 namespace taa::app {
 
 class GoToPrompts;
-class PinnedProbes;
+class ProbeChoices;
 class ProbeCommands;
 class ProbePanel;
 class SceneChoices;
@@ -16,7 +16,7 @@ class ProbeMenu : public CommandMenu {
   Q_OBJECT
  public:
   struct Targets {
-    PinnedProbes& probes;
+    ProbeChoices& probes;
     ViewArea& views;
     ProbePanel& panel;
     ProbeCommands& probe;
@@ -27,7 +27,7 @@ class ProbeMenu : public CommandMenu {
 
  private:
   void addPlaces(const Targets& on);
-  void addPins(const Targets& on);
+  void addProbes(const Targets& on);
   void addPages(ProbePanel& panel);
   void addPlot(ProbePanel& panel);
 };

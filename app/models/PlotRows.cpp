@@ -35,10 +35,10 @@ std::vector<QPointF> pointsOf(const PixelTrace& trace, IntermediateId id, int ch
   return points;
 }
 
-QString pinName(std::size_t pin, const ProbePin& place) {
+QString probeName(std::size_t probe, const Probe& place) {
   return place.follow == Follow::Screen
-             ? QStringLiteral("%1 (%2, %3)").arg(pin + 1).arg(place.pixel.x).arg(place.pixel.y)
-             : QObject::tr("%1 surface").arg(pin + 1);
+             ? QStringLiteral("%1 (%2, %3)").arg(probe + 1).arg(place.pixel.x).arg(place.pixel.y)
+             : QObject::tr("%1 surface").arg(probe + 1);
 }
 
 } // namespace
@@ -82,12 +82,12 @@ QString plotTitle(IntermediateId id) {
   return row.unit.empty() ? label : QStringLiteral("%1, %2").arg(label, tableText(row.unit));
 }
 
-std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces,
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<ProbeTrace>& traces,
                               const SpaceSettings& space) {
   const Intermediate& info = intermediate(row.id);
   const std::vector<std::string> channels = channelNames(info, space);
   std::vector<Curve> curves;
-  for (std::size_t pin = 0; pin < traces.size(); ++pin)
+  for (std::size_t probe = 0; probe < traces.size(); ++probe)
     for (int channel = 0; channel < info.channels; ++channel) {
       if (!row.has(channel)) continue;
       const QString name =
@@ -95,9 +95,9 @@ std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& t
               ? QLatin1Char(' ') + QString::fromStdString(channels[static_cast<std::size_t>(channel)])
               : QString();
       const std::size_t number = curves.size();
-      curves.push_back({pinName(pin, traces[pin].pin) + name, curveColor(static_cast<int>(number)),
-                        kDashes[number % kDashes.size()], pointsOf(traces[pin].trace, row.id, channel),
-                        QString::number(pin + 1) + name});
+      curves.push_back({probeName(probe, traces[probe].probe) + name, curveColor(static_cast<int>(number)),
+                        kDashes[number % kDashes.size()], pointsOf(traces[probe].trace, row.id, channel),
+                        QString::number(probe + 1) + name});
     }
   return curves;
 }

@@ -28,12 +28,12 @@ std::vector<PlotRow> plotRowsFromJson(const QJsonArray& json);
 /// "α", "Motion, px".
 QString plotTitle(IntermediateId id);
 
-/// A curve for each pin and channel; frames that are not known are gaps. `space`: of the settings that made
+/// A curve for each probe and channel; frames that are not known are gaps. `space`: of the settings that made
 /// them.
-std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<PinTrace>& traces,
+std::vector<Curve> plotCurves(const PlotRow& row, const std::vector<ProbeTrace>& traces,
                               const SpaceSettings& space);
 
-/// Where history was rejected at a pin, the cuts of the shot and its restarts.
+/// Where history was rejected at a probe, the cuts of the shot and its restarts.
 std::vector<ChartMark> plotMarks(const PixelTrace* active, const std::vector<int>& cuts,
                                  const std::vector<int>& restarts = {});
 

@@ -16,23 +16,23 @@ bool TraceStore::add(const TraceDelivery& delivery) {
   if (delivery.shotVersion < shotVersion_) return false;
   setShotVersion(delivery.shotVersion);
   auto found = std::ranges::find_if(
-      traces_, [&](const PinTrace& known) { return isSamePlace(known.pin, delivery.pin); });
-  if (found == traces_.end()) found = traces_.insert(traces_.end(), PinTrace{delivery.pin, {}});
+      traces_, [&](const ProbeTrace& known) { return isSamePlace(known.probe, delivery.probe); });
+  if (found == traces_.end()) found = traces_.insert(traces_.end(), ProbeTrace{delivery.probe, {}});
   found->trace.add(delivery.frame, delivery.sample);
   return true;
 }
 
-const PixelTrace* TraceStore::traceOf(const ProbePin& pin) const {
-  for (const PinTrace& known : traces_)
-    if (isSamePlace(known.pin, pin)) return &known.trace;
+const PixelTrace* TraceStore::traceOf(const Probe& probe) const {
+  for (const ProbeTrace& known : traces_)
+    if (isSamePlace(known.probe, probe)) return &known.trace;
   return nullptr;
 }
 
-std::vector<PinTrace> TraceStore::tracesOf(const std::vector<ProbePin>& pins) const {
-  std::vector<PinTrace> traces;
-  for (const ProbePin& pin : pins) {
-    const PixelTrace* trace = traceOf(pin);
-    traces.push_back({pin, trace ? *trace : PixelTrace()});
+std::vector<ProbeTrace> TraceStore::tracesOf(const std::vector<Probe>& probes) const {
+  std::vector<ProbeTrace> traces;
+  for (const Probe& probe : probes) {
+    const PixelTrace* trace = traceOf(probe);
+    traces.push_back({probe, trace ? *trace : PixelTrace()});
   }
   return traces;
 }

@@ -16,14 +16,14 @@ class TraceStore {
   /// False: it came too late.
   bool add(const TraceDelivery& delivery);
 
-  /// Null when nothing is known of the pin.
-  const PixelTrace* traceOf(const ProbePin& pin) const;
-  /// Those of `pins`, in their order; empty traces where nothing is known.
-  std::vector<PinTrace> tracesOf(const std::vector<ProbePin>& pins) const;
+  /// Null when nothing is known of the probe.
+  const PixelTrace* traceOf(const Probe& probe) const;
+  /// Those of `probes`, in their order; empty traces where nothing is known.
+  std::vector<ProbeTrace> tracesOf(const std::vector<Probe>& probes) const;
 
  private:
   std::uint64_t shotVersion_ = 0;
-  std::vector<PinTrace> traces_; ///< also of pins that were moved: they may come back
+  std::vector<ProbeTrace> traces_; ///< also of probes that were moved: they may come back
 };
 
 } // namespace taa::app

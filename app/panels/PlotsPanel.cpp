@@ -122,8 +122,8 @@ void PlotsPanel::setStatus(const Status& status) {
   refreshSoon();
 }
 
-void PlotsPanel::setPins(const std::vector<ProbePin>& pins, int active) {
-  pins_ = pins;
+void PlotsPanel::setProbes(const std::vector<Probe>& probes, int active) {
+  probes_ = probes;
   active_ = active;
   refreshSoon();
 }
@@ -253,8 +253,8 @@ void PlotsPanel::refreshSoon() {
 
 void PlotsPanel::refresh() {
   if (!isVisible()) return;
-  invitation_->setVisible(pins_.empty());
-  const std::vector<PinTrace> traces = store_.tracesOf(pins_);
+  invitation_->setVisible(probes_.empty());
+  const std::vector<ProbeTrace> traces = store_.tracesOf(probes_);
   const bool hasActive = active_ >= 0 && active_ < static_cast<int>(traces.size());
   const PixelTrace* active = hasActive ? &traces[static_cast<std::size_t>(active_)].trace : nullptr;
   const std::vector<ChartMark> marks = plotMarks(active, cuts_, restarts_);
@@ -263,7 +263,7 @@ void PlotsPanel::refresh() {
     charts_[row]->setMarks(marks);
     charts_[row]->setCurves(plotCurves(rows_[row], traces, space_));
   }
-  fill_->setVisible(!pins_.empty());
+  fill_->setVisible(!probes_.empty());
   summary_->setText(active ? tr("Frames known at probe %3: %1 of %2 · × history rejected there")
                                  .arg(active->samples().size())
                                  .arg(frameCount_)
@@ -274,7 +274,7 @@ void PlotsPanel::refresh() {
 QString PlotsPanel::csv() const {
   std::vector<IntermediateId> ids;
   for (const PlotRow& row : rows_) ids.push_back(row.id);
-  return QString::fromStdString(traceCsv(store_.tracesOf(pins_), ids, space_));
+  return QString::fromStdString(traceCsv(store_.tracesOf(probes_), ids, space_));
 }
 
 void PlotsPanel::copyCsv() {

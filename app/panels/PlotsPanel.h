@@ -1,4 +1,4 @@
-// Intermediates at the pinned probes over frames: one chart for each, all over the same frames.
+// Intermediates at the probes over frames: one chart for each, all over the same frames.
 #pragma once
 
 #include "app/models/ChartMath.h"
@@ -26,7 +26,7 @@ class PlotsPanel : public QWidget {
   explicit PlotsPanel(QWidget* parent = nullptr);
 
   void setStatus(const Status& status);
-  void setPins(const std::vector<ProbePin>& pins, int active);
+  void setProbes(const std::vector<Probe>& probes, int active);
   void addSample(const TraceDelivery& delivery);
   void setFilling(bool filling);
   const TraceStore& store() const { return store_; }
@@ -43,7 +43,7 @@ class PlotsPanel : public QWidget {
   /// What is missing of the frames on show.
   void requestFill();
 
-  /// What taa-batch trace prints for the same pins and rows.
+  /// What taa-batch trace prints for the same probes and rows.
   QString csv() const;
   void copyCsv();
   void saveCsv();
@@ -77,7 +77,7 @@ class PlotsPanel : public QWidget {
   Span wholeShot() const { return {0.0, frameCount_ - 1.0}; }
 
   TraceStore store_;
-  std::vector<ProbePin> pins_;
+  std::vector<Probe> probes_;
   int active_ = -1, frame_ = 0, frameCount_ = 1;
   std::vector<int> cuts_, restarts_;
   std::vector<PlotRow> rows_;

@@ -11,7 +11,7 @@
 #include "app/widgets/ScrollPlace.h"
 #include "app/widgets/Swatches.h"
 #include "app/widgets/ValueTable.h"
-#include "app/widgets/bars/PinBar.h"
+#include "app/widgets/bars/ProbeBar.h"
 
 #include "core/story/ProbeHeadline.h"
 #include "core/taa/twin/Known.h"
@@ -65,10 +65,10 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(makeTop());
-  pins_ = new PinBar;
-  connect(pins_, &PinBar::pinChosen, this, &ProbePanel::pinChosen);
-  connect(pins_, &PinBar::followChosen, this, &ProbePanel::followChosen);
-  layout->addWidget(pins_);
+  bar_ = new ProbeBar;
+  connect(bar_, &ProbeBar::probeChosen, this, &ProbePanel::probeChosen);
+  connect(bar_, &ProbeBar::followChosen, this, &ProbePanel::followChosen);
+  layout->addWidget(bar_);
 
   invitation_ = new QLabel(tr("Right-click a pixel to see every value at it."));
   invitation_->setWordWrap(true);
@@ -80,7 +80,7 @@ ProbePanel::ProbePanel(QWidget* parent) : QWidget(parent), model_(new ProbeModel
   makePages();
   layout->addWidget(content_, 1);
   setMinimumWidth(300);
-  setPick({});
+  setPixel({});
 }
 
 void ProbePanel::makePages() {
@@ -236,10 +236,10 @@ void ProbePanel::resizeEvent(QResizeEvent*) {
   fitColumns();
 }
 
-void ProbePanel::setPick(std::optional<glm::ivec2> pixel) {
+void ProbePanel::setPixel(std::optional<glm::ivec2> pixel) {
   content_->setVisible(pixel.has_value());
   invitation_->setVisible(!pixel);
-  pins_->setVisible(pixel.has_value());
+  bar_->setVisible(pixel.has_value());
   copy_->setVisible(pixel.has_value());
   remove_->setVisible(pixel.has_value());
   if (!pixel) {
@@ -253,8 +253,8 @@ void ProbePanel::setPick(std::optional<glm::ivec2> pixel) {
   place_->setText(QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y));
 }
 
-void ProbePanel::setPins(const std::vector<ProbePin>& pins, int active) {
-  pins_->setPins(pins, active);
+void ProbePanel::setProbes(const std::vector<Probe>& probes, int active) {
+  bar_->setProbes(probes, active);
 }
 
 void ProbePanel::setResult(const ProbeResult& result) {
@@ -264,7 +264,7 @@ void ProbePanel::setResult(const ProbeResult& result) {
   place_->setText(tr("(%1, %2)  frame %3").arg(result.x).arg(result.y).arg(result.frame));
   QStringList lines;
   for (const std::string& line : probeHeadline(record, result.settings, result.info)) lines << qtext(line);
-  if (result.spot.state == PinState::Hidden)
+  if (result.spot.state == ProbeState::Hidden)
     lines.prepend(tr("The surface is behind something here: these are the values of what hides it"));
   summary_->setText(lines.join(QLatin1Char('\n')));
   model_->setPixel(result);
@@ -295,8 +295,8 @@ void ProbePanel::showLost(const ProbeResult& result) {
   result_.reset();
   model_->setRecord({});
   place_->setText(tr("frame %1").arg(result.frame));
-  summary_->setText(result.spot.state == PinState::Gone ? tr("The surface is not drawn in this frame")
-                                                        : tr("The surface is off screen in this frame"));
+  summary_->setText(result.spot.state == ProbeState::Gone ? tr("The surface is not drawn in this frame")
+                                                          : tr("The surface is off screen in this frame"));
   for (Swatches* swatches : swatches_) swatches->setColors({});
   colorSpace_->setResult({});
   whatIf_->setResult({});

@@ -1,4 +1,4 @@
-// Everything at the picked pixel: its story in words, its neighbors, and the value of every intermediate.
+// Everything at the probed pixel: its story in words, its neighbors, and the value of every intermediate.
 #pragma once
 
 #include "core/requests/Results.h"
@@ -19,7 +19,7 @@ namespace taa::app {
 
 class ColorSpacePage;
 class IconButton;
-class PinBar;
+class ProbeBar;
 class ProbeModel;
 class Swatches;
 class WhatIfPage;
@@ -31,9 +31,9 @@ class ProbePanel : public QWidget {
  public:
   explicit ProbePanel(QWidget* parent = nullptr);
 
-  /// The pick, whose values may still be on their way; nothing: an invitation.
-  void setPick(std::optional<glm::ivec2> pixel);
-  void setPins(const std::vector<ProbePin>& pins, int active);
+  /// The probed pixel, whose values may still be on their way; nothing: an invitation.
+  void setPixel(std::optional<glm::ivec2> pixel);
+  void setProbes(const std::vector<Probe>& probes, int active);
   void setResult(const ProbeResult& result);
 
   /// The exact value of the row that is selected, else of `fallback`; empty without a probe.
@@ -49,7 +49,7 @@ class ProbePanel : public QWidget {
   QString story() const;
   ProbeModel* model() const { return model_; }
   QTreeView* table() const { return table_; }
-  PinBar* pins() const { return pins_; }
+  ProbeBar* bar() const { return bar_; }
   /// Which page, what is folded and selected, and how the plot is turned.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
@@ -58,7 +58,7 @@ class ProbePanel : public QWidget {
  Q_SIGNALS:
   void removeRequested();
   void copyRequested();
-  void pinChosen(int pin);
+  void probeChosen(int probe);
   void followChosen(Follow follow);
   void intermediateChosen(IntermediateId id);
   /// A page that shows it is open, or none is any more.
@@ -80,7 +80,7 @@ class ProbePanel : public QWidget {
 
   std::optional<ProbeResult> result_;
   ProbeModel* model_;
-  PinBar* pins_ = nullptr;
+  ProbeBar* bar_ = nullptr;
   QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
   QWidget* content_ = nullptr;
   QTabBar* tabs_ = nullptr;

@@ -304,9 +304,7 @@ void TimelinePanel::setState(const QJsonObject& state) {
   setFramesPerSecond(state.value(QLatin1String("framesPerSecond")).toDouble(0.0));
   setLooping(state.value(QLatin1String("loops")).toBool(true));
   Q_EMIT loopToggled(loop_->isChecked());
-  const bool isOld = !state.contains(QLatin1String("metric")); // what earlier builds wrote
-  const QString metric = state.value(QLatin1String(isOld ? "figure" : "metric")).toString();
-  setStripMetric(findMetric(metric.toStdString()));
+  setStripMetric(findMetric(state.value(QLatin1String("metric")).toString().toStdString()));
   notes_.clear();
   const QJsonObject shots = state.value(QLatin1String("shots")).toObject();
   for (auto shot = shots.begin(); shot != shots.end(); ++shot)

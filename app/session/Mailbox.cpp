@@ -23,7 +23,7 @@ void keepNewest(std::vector<Thumbnail>& thumbnails, Thumbnail newest) {
 }
 
 void keepNewest(std::vector<ProbeResult>& probes, ProbeResult newest) {
-  const auto old = std::ranges::find(probes, newest.pin, &ProbeResult::pin);
+  const auto old = std::ranges::find(probes, newest.probe, &ProbeResult::probe);
   if (old != probes.end())
     *old = std::move(newest);
   else

@@ -17,7 +17,7 @@ inline constexpr int kViewCount = 4;
 /// What arrived since the window last looked.
 struct Delivery {
   std::array<std::optional<ViewResult>, kViewCount> pictures;
-  std::vector<ProbeResult> probes; ///< the newest of each pin
+  std::vector<ProbeResult> probes; ///< the newest of each probe
   std::optional<Status> status;
   std::optional<Work> work;
   std::vector<Failure> errors;        ///< all of them

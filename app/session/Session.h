@@ -3,8 +3,8 @@
 
 #include "app/session/Mailbox.h"
 #include "app/session/Outbox.h"
-#include "app/session/PinnedProbes.h"
 #include "app/session/PresetChoices.h"
+#include "app/session/ProbeChoices.h"
 #include "app/session/Renderer.h"
 #include "app/session/SceneChoices.h"
 #include "app/undo/UndoStack.h"
@@ -34,8 +34,8 @@ class Session : public QObject {
   // Parts
   PresetChoices& presets() { return presets_; }
   const PresetChoices& presets() const { return presets_; }
-  PinnedProbes& probes() { return probes_; }
-  const PinnedProbes& probes() const { return probes_; }
+  ProbeChoices& probes() { return probes_; }
+  const ProbeChoices& probes() const { return probes_; }
   SceneChoices& scene() { return scene_; }
   const SceneChoices& scene() const { return scene_; }
   /// Of all that is open, the window's views and marks included.
@@ -111,7 +111,7 @@ class Session : public QObject {
   UndoStack undo_;
   Status status_;
   PresetChoices presets_{outbox_, undo_};
-  PinnedProbes probes_{outbox_, undo_, status_};
+  ProbeChoices probes_{outbox_, undo_, status_};
   SceneChoices scene_{outbox_, undo_, status_};
   Work work_;
   std::array<std::shared_ptr<const ViewResult>, kViewCount> pictures_;

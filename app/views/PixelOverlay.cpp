@@ -69,7 +69,7 @@ void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
-void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
+void PixelOverlay::paintProbe(QPainter& painter, const ProbeMark& mark) const {
   constexpr double kMinBox = 9, kArm = 8, kGap = 2;
   const ScreenRect cell = pixelRect(mark.pixel);
   const double x = cell.x + texel_ / 2, y = cell.y + texel_ / 2;
@@ -82,7 +82,7 @@ void PixelOverlay::paintPin(QPainter& painter, const PinMark& mark) const {
   painter.setRenderHint(QPainter::Antialiasing);
   // On pictures the brighter accent with its outline shows on any color, whatever the theme.
   const QColor color = mark.isActive ? darkColors().accent : QColor(255, 255, 255);
-  const Qt::PenStyle line = mark.state == PinState::Hidden ? Qt::DotLine : Qt::SolidLine;
+  const Qt::PenStyle line = mark.state == ProbeState::Hidden ? Qt::DotLine : Qt::SolidLine;
   for (const auto& [ink, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(color, 1.5)}) {
     painter.setPen(QPen(ink, width, line, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);

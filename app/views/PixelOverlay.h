@@ -1,7 +1,7 @@
-// What is drawn over a picture at high zoom and at the pick: pixel grid, values in texels, crosshair.
+// What is drawn over a picture at high zoom and at the probes: pixel grid, values in texels, crosshair.
 #pragma once
 
-#include "app/session/Pins.h"
+#include "app/session/ProbeList.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/requests/Results.h"
@@ -28,7 +28,7 @@ class PixelOverlay {
   void paintValues(QPainter& painter, const Intermediate& row, const Image& values,
                    const gl::Rect& region) const;
   /// A cross with its number; dotted where the surface it follows is hidden.
-  void paintPin(QPainter& painter, const PinMark& mark) const;
+  void paintProbe(QPainter& painter, const ProbeMark& mark) const;
   /// The corners of a box of pixels.
   void paintFrame(QPainter& painter, const gl::Rect& box) const;
   /// Logical rectangle of a pixel.

@@ -69,9 +69,9 @@ void ViewArea::connectView(ViewPanel* view) {
           [this, index] { Q_EMIT intermediateRequested(index); });
   connect(view, &ViewPanel::comparisonRequested, this, [this, index] { Q_EMIT comparisonRequested(index); });
   connect(view->viewport(), &Viewport::hoverChanged, this, [this, index] { Q_EMIT hoverChanged(index); });
-  connect(view->viewport(), &Viewport::picked, this, &ViewArea::picked);
-  connect(view->viewport(), &Viewport::pinned, this, &ViewArea::pinned);
-  connect(view->viewport(), &Viewport::pickMoved, this, &ViewArea::pickMoved);
+  connect(view->viewport(), &Viewport::probed, this, &ViewArea::probed);
+  connect(view->viewport(), &Viewport::otherProbed, this, &ViewArea::otherProbed);
+  connect(view->viewport(), &Viewport::probeMoved, this, &ViewArea::probeMoved);
   connect(view->viewport(), &Viewport::cameraChanged, this, [this, index](const ViewCamera& camera) {
     if (!linked_) return;
     for (ViewPanel* each : views_)
@@ -134,7 +134,7 @@ void ViewArea::setPictureSize(glm::ivec2 size) {
   arrange();
 }
 
-void ViewArea::setMarks(const std::vector<PinMark>& marks) {
+void ViewArea::setMarks(const std::vector<ProbeMark>& marks) {
   for (ViewPanel* view : views_) view->viewport()->setMarks(marks);
 }
 

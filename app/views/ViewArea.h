@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session/Mailbox.h"
-#include "app/session/Pins.h"
+#include "app/session/ProbeList.h"
 #include "app/views/ViewPanel.h"
 
 #include <QWidget>
@@ -51,7 +51,7 @@ class ViewArea : public QWidget {
   void setLinked(bool linked);
 
   void setPictureSize(glm::ivec2 size);
-  void setMarks(const std::vector<PinMark>& marks);
+  void setMarks(const std::vector<ProbeMark>& marks);
   void setSettingsName(const QString& name);
   /// What the box is made in by the settings, and by those of comparedPresets().
   void setSpaces(const SpaceSettings& own, const std::vector<Settings>& others);
@@ -71,9 +71,9 @@ class ViewArea : public QWidget {
   void requestsChanged();
   void shownChanged(); ///< what views show and how, which is active, how they lie
   void hoverChanged(int view);
-  void picked(glm::ivec2 pixel);
-  void pinned(glm::ivec2 pixel);
-  void pickMoved(int dx, int dy);
+  void probed(glm::ivec2 pixel);
+  void otherProbed(glm::ivec2 pixel);
+  void probeMoved(int dx, int dy);
   void intermediateRequested(int view);
   void comparisonRequested(int view);
 

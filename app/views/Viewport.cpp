@@ -56,7 +56,7 @@ void Viewport::setContent(const ViewContent& content) {
   update();
 }
 
-void Viewport::setMarks(const std::vector<PinMark>& marks) {
+void Viewport::setMarks(const std::vector<ProbeMark>& marks) {
   if (marks == marks_) return;
   marks_ = marks;
   update();
@@ -136,9 +136,9 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   if (drag_ == Qt::RightButton && size_.x > 0) {
     const glm::ivec2 pixel = viewGeometry().nearestPixel(transform(), deviceFrom(cursor_));
     if (event->modifiers().testFlag(Qt::ShiftModifier))
-      Q_EMIT pinned(pixel);
+      Q_EMIT otherProbed(pixel);
     else
-      Q_EMIT picked(pixel);
+      Q_EMIT probed(pixel);
   } else if (!dragsDivider_ && (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton))
     setCursor(Qt::ClosedHandCursor);
 }
@@ -147,7 +147,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const glm::dvec2 moved = deviceFrom(event->position() - cursor_);
   cursor_ = event->position();
   if (drag_ == Qt::RightButton && size_.x > 0)
-    Q_EMIT picked(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
+    Q_EMIT probed(viewGeometry().nearestPixel(transform(), deviceFrom(cursor_)));
   else if (dragsDivider_)
     setDivider(wipeShare(cursor_.x(), width()));
   else if (drag_ == Qt::LeftButton || drag_ == Qt::MiddleButton)
@@ -187,16 +187,16 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
   const int step = event->modifiers().testFlag(Qt::ShiftModifier) ? 10 : 1;
   switch (event->key()) {
   case Qt::Key_Left:
-    Q_EMIT pickMoved(-step, 0);
+    Q_EMIT probeMoved(-step, 0);
     return;
   case Qt::Key_Right:
-    Q_EMIT pickMoved(step, 0);
+    Q_EMIT probeMoved(step, 0);
     return;
   case Qt::Key_Up:
-    Q_EMIT pickMoved(0, -step);
+    Q_EMIT probeMoved(0, -step);
     return;
   case Qt::Key_Down:
-    Q_EMIT pickMoved(0, step);
+    Q_EMIT probeMoved(0, step);
     return;
   default:
     QWidget::keyPressEvent(event);
@@ -302,14 +302,14 @@ void Viewport::paintOver(QPainter& painter, Showing showing) const {
   for (const SidePart& side : parts(showing)) paintGridAndValues(painter, side);
   paintLabels(painter, showing);
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
-  for (const PinMark& mark : marks_) overlay.paintPin(painter, mark);
+  for (const ProbeMark& mark : marks_) overlay.paintProbe(painter, mark);
 }
 
 LegendFlow Viewport::legend(Showing showing, bool isFolded) const {
   return sides_.legend(showing, isFolded, transform(), themeColors(this));
 }
 
-// At the lower edge; it gives way to the picked pixel.
+// At the lower edge; it gives way to the probed pixel.
 int Viewport::legendTop(int height) const {
   const int top = this->height() - height;
   if (marks_.empty() || !marks_.back().isActive) return top;

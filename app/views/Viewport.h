@@ -1,8 +1,8 @@
-// A picture that can be zoomed, panned and picked. While a sharper one is on its way it moves the last one at
+// A picture that can be zoomed, panned and probed. While a sharper one is on its way it moves the last one at
 // once.
 #pragma once
 
-#include "app/session/Pins.h"
+#include "app/session/ProbeList.h"
 #include "app/views/ViewSides.h"
 #include "app/views/ViewportMath.h"
 #include "app/widgets/Drags.h"
@@ -43,7 +43,7 @@ class Viewport : public QWidget, public Draggable {
   /// Where the divider lies, share of the width.
   void setDivider(double share);
   void setResult(std::shared_ptr<const ViewResult> result);
-  void setMarks(const std::vector<PinMark>& marks);
+  void setMarks(const std::vector<ProbeMark>& marks);
   /// Draws a frame around these pixels.
   void setFramed(const std::optional<gl::Rect>& box);
   void setCamera(const ViewCamera& camera);
@@ -83,9 +83,9 @@ class Viewport : public QWidget, public Draggable {
   void cameraChanged(const ViewCamera& camera); ///< by the user
   void transformChanged();                      ///< by anything
   void hoverChanged();
-  void picked(glm::ivec2 pixel);
-  void pinned(glm::ivec2 pixel); ///< another probe
-  void pickMoved(int dx, int dy);
+  void probed(glm::ivec2 pixel);
+  void otherProbed(glm::ivec2 pixel); ///< another probe
+  void probeMoved(int dx, int dy);
   void activated();
   void dividerMoved();
 
@@ -128,7 +128,7 @@ class Viewport : public QWidget, public Draggable {
   bool showsGrid_ = true, dragsDivider_ = false;
   bool isLegendWhole_ = false, isLegendOpen_ = false;
   double divider_ = 0.5;
-  std::vector<PinMark> marks_; ///< the active one last
+  std::vector<ProbeMark> marks_; ///< the active one last
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;
   QPointF cursor_;

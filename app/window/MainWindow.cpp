@@ -40,7 +40,7 @@
 #include "app/views/legend/Legend.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/bars/FlightBar.h"
-#include "app/widgets/bars/PinBar.h"
+#include "app/widgets/bars/ProbeBar.h"
 #include "app/widgets/bars/WorkBar.h"
 #include "app/window/Dialogs.h"
 #include "app/window/FlightFeed.h"
@@ -74,7 +74,7 @@ namespace taa::app {
 namespace {
 
 // Where the fan's blades sweep over the bright wall: history is rejected and clipped there in every turn.
-constexpr glm::dvec2 kFirstPick{0.64, 0.40};
+constexpr glm::dvec2 kFirstProbe{0.64, 0.40};
 
 } // namespace
 
@@ -238,7 +238,7 @@ void MainWindow::connectMenus() {
   connect(theme_, &ThemeSetting::changed, all, &Commands::refresh);
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
-  connect(&session_.probes(), &PinnedProbes::pickChanged, all, &Commands::refresh);
+  connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
 }
 
@@ -252,7 +252,7 @@ void MainWindow::connectPanels() {
   connect(&session_, &Session::statusChanged, pipeline_, [this] {
     pipeline_->setFrame(session_.status().info.frame, session_.status().playing);
     pipeline_->setCapture(session_.status().capture);
-    probe_->pins()->setWhyNoSurfaces(session_.scene().whyNoSurfaces());
+    probe_->bar()->setWhyNoSurfaces(session_.scene().whyNoSurfaces());
   });
   connect(timeline_, &TimelinePanel::seekRequested, &session_, &Session::seek);
   connect(timeline_, &TimelinePanel::stepRequested, &session_, &Session::step);
@@ -329,10 +329,10 @@ void MainWindow::startSource(const Status& status) {
   for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
   messages_->setWarnings(warnings);
   // Nobody's change, so there is nothing to undo.
-  if (status.source == kFirstSource && !session_.probes().pick() && !keeper_->isFromSession())
-    session_.probes().setPins({{.pixel = glm::ivec2(kFirstPick * glm::dvec2(status.width, status.height)),
-                                .frame = status.info.frame}},
-                              0);
+  if (status.source == kFirstSource && !session_.probes().pixel() && !keeper_->isFromSession())
+    session_.probes().set({{.pixel = glm::ivec2(kFirstProbe * glm::dvec2(status.width, status.height)),
+                            .frame = status.info.frame}},
+                          0);
 }
 
 void MainWindow::showTitle() {

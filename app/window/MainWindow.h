@@ -101,7 +101,7 @@ class MainWindow : public QMainWindow {
   Session& session_;
   QSettings* settings_;
   bool wasShown_ = false;
-  std::string shownSource_; ///< whose warnings and first pick are shown
+  std::string shownSource_; ///< whose warnings and first probe are shown
   // Panels
   ViewArea* views_ = nullptr;
   PipelinePanel* pipeline_ = nullptr;

@@ -32,7 +32,7 @@ void PlotFeed::connectTraces() {
   connect(&session_, &Session::traceArrived, this, [this](const TraceDelivery& trace) {
     if (trace.frame == session_.status().info.frame) showAlphas();
   });
-  connect(&session_.probes(), &PinnedProbes::pickChanged, this, &PlotFeed::showTraces);
+  connect(&session_.probes(), &ProbeChoices::changed, this, &PlotFeed::showTraces);
   connect(&session_, &Session::workChanged, this,
           [this] { to_.plots.setFilling(session_.work().kind == WorkKind::Traces); });
 }
@@ -50,7 +50,7 @@ void PlotFeed::connectMetrics() {
 // Probes are followed over frames as long as somebody looks.
 void PlotFeed::showTraces() {
   session_.setTracing(to_.plots.isVisible() || to_.jitter.isVisible() || to_.weights.isVisible());
-  to_.plots.setPins(session_.probes().pins(), session_.probes().activePin());
+  to_.plots.setProbes(session_.probes().all(), session_.probes().active());
   showAlphas();
 }
 
@@ -73,11 +73,11 @@ void PlotFeed::showAlphas() {
   for (const std::vector<int>* starts : {&status.cuts, &status.restarts})
     for (const int start : *starts)
       if (start <= series.frame) series.start = std::max(series.start, start);
-  if (const int active = session_.probes().activePin(); active >= 0) {
-    const ProbePin& pin = session_.probes().pins()[static_cast<std::size_t>(active)];
-    if (const PixelTrace* trace = to_.plots.store().traceOf(pin))
+  if (const int active = session_.probes().active(); active >= 0) {
+    const Probe& probe = session_.probes().all()[static_cast<std::size_t>(active)];
+    if (const PixelTrace* trace = to_.plots.store().traceOf(probe))
       series.measured = alphasUpTo(*trace, series.frame, kMaxFramesBack);
-    if (const auto pixel = session_.probes().pick())
+    if (const auto pixel = session_.probes().pixel())
       series.place = QStringLiteral("(%1, %2)").arg(pixel->x).arg(pixel->y);
   }
   to_.jitter.setSeries(series);

@@ -1,40 +1,40 @@
 #include "app/window/ProbeFeed.h"
 
 #include "app/panels/ProbePanel.h"
-#include "app/session/PinnedProbes.h"
+#include "app/session/ProbeChoices.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 
 namespace taa::app {
 
-ProbeFeed::ProbeFeed(PinnedProbes& probes, ViewArea& views, ProbePanel& panel)
+ProbeFeed::ProbeFeed(ProbeChoices& probes, ViewArea& views, ProbePanel& panel)
     : probes_(probes), views_(views), panel_(panel) {
-  connect(&panel_, &ProbePanel::removeRequested, this, [this] { probes_.setPick({}); });
-  connect(&panel_, &ProbePanel::pinChosen, &probes_, &PinnedProbes::setActivePin);
+  connect(&panel_, &ProbePanel::removeRequested, this, [this] { probes_.setPixel({}); });
+  connect(&panel_, &ProbePanel::probeChosen, &probes_, &ProbeChoices::setActive);
   connect(&panel_, &ProbePanel::followChosen, this,
-          [this](Follow follow) { probes_.setFollow(probes_.activePin(), follow); });
+          [this](Follow follow) { probes_.setFollow(probes_.active(), follow); });
   connect(&panel_, &ProbePanel::intermediateChosen, this,
           [this](IntermediateId id) { views_.active()->setIntermediate(id); });
-  connect(&panel_, &ProbePanel::whatIfWanted, &probes_, &PinnedProbes::setWhatIf);
-  connect(&views_, &ViewArea::pinned, this, [this](glm::ivec2 pixel) { probes_.addPin(pixel); });
-  connect(&views_, &ViewArea::picked, this, [this](glm::ivec2 pixel) { probes_.setPick(pixel); });
-  connect(&views_, &ViewArea::pickMoved, this, [this](int dx, int dy) {
-    probes_.movePick(dx, dy);
-    if (probes_.pick()) views_.active()->viewport()->reveal(*probes_.pick());
+  connect(&panel_, &ProbePanel::whatIfWanted, &probes_, &ProbeChoices::setWhatIf);
+  connect(&views_, &ViewArea::otherProbed, this, [this](glm::ivec2 pixel) { probes_.add(pixel); });
+  connect(&views_, &ViewArea::probed, this, [this](glm::ivec2 pixel) { probes_.setPixel(pixel); });
+  connect(&views_, &ViewArea::probeMoved, this, [this](int dx, int dy) {
+    probes_.move(dx, dy);
+    if (probes_.pixel()) views_.active()->viewport()->reveal(*probes_.pixel());
   });
-  connect(&probes_, &PinnedProbes::pickChanged, this, &ProbeFeed::showPick);
-  connect(&probes_, &PinnedProbes::probeArrived, this, &ProbeFeed::showProbe);
+  connect(&probes_, &ProbeChoices::changed, this, &ProbeFeed::showActive);
+  connect(&probes_, &ProbeChoices::probeArrived, this, &ProbeFeed::showProbe);
 }
 
-void ProbeFeed::showPick() {
-  panel_.setPins(probes_.pins(), probes_.activePin());
-  panel_.setPick(probes_.pick());
+void ProbeFeed::showActive() {
+  panel_.setProbes(probes_.all(), probes_.active());
+  panel_.setPixel(probes_.pixel());
   showProbe();
 }
 
 void ProbeFeed::showProbe() {
-  views_.setMarks(probes_.pinMarks()); // those that follow surfaces have moved
-  if (const ProbeResult* result = probes_.probe()) panel_.setResult(*result);
+  views_.setMarks(probes_.marks()); // those that follow surfaces have moved
+  if (const ProbeResult* result = probes_.result()) panel_.setResult(*result);
 }
 
 } // namespace taa::app

@@ -5,20 +5,20 @@
 
 namespace taa::app {
 
-class PinnedProbes;
+class ProbeChoices;
 class ProbePanel;
 class ViewArea;
 
 class ProbeFeed : public QObject {
   Q_OBJECT
  public:
-  ProbeFeed(PinnedProbes& probes, ViewArea& views, ProbePanel& panel);
+  ProbeFeed(ProbeChoices& probes, ViewArea& views, ProbePanel& panel);
 
  private:
-  void showPick();
+  void showActive();
   void showProbe();
 
-  PinnedProbes& probes_;
+  ProbeChoices& probes_;
   ViewArea& views_;
   ProbePanel& panel_;
 };

@@ -20,7 +20,7 @@ int objectAt(const ProbeResult& probe) {
 SceneFeed::SceneFeed(Session& session, ViewArea& views, ScenePanel& panel)
     : session_(session), views_(views), panel_(panel) {
   connectPanel();
-  connectPick();
+  connectProbes();
   connect(&session_, &Session::objectAreaArrived, &panel_, &ScenePanel::setArea);
   connect(&panel_, &ScenePanel::areaChanged, this, &SceneFeed::showArea);
   connect(&session_, &Session::statusChanged, this, &SceneFeed::showStatus);
@@ -35,25 +35,25 @@ void SceneFeed::connectPanel() {
   connect(&panel_, &ScenePanel::locationAsked, &session_.scene(), &SceneChoices::locate);
   connect(&panel_, &ScenePanel::revealAsked, this, [this](glm::ivec2 pixel) {
     reveals_ = true; // the object is selected already
-    session_.probes().setPick(pixel);
+    session_.probes().setPixel(pixel);
     reveals_ = false;
     views_.active()->viewport()->reveal(pixel);
   });
 }
 
-// A new pick selects its object; while time runs on under the probe the selection stays.
-void SceneFeed::connectPick() {
-  connect(&session_.probes(), &PinnedProbes::pickChanged, this, [this] { selectsPicked_ = !reveals_; });
-  connect(&session_.probes(), &PinnedProbes::probeArrived, this, &SceneFeed::selectPicked);
+// A new probe selects its object; while time runs on under the probe the selection stays.
+void SceneFeed::connectProbes() {
+  connect(&session_.probes(), &ProbeChoices::changed, this, [this] { selectsProbed_ = !reveals_; });
+  connect(&session_.probes(), &ProbeChoices::probeArrived, this, &SceneFeed::selectProbed);
 }
 
-void SceneFeed::selectPicked() {
-  const ProbeResult* probe = session_.probes().probe();
-  // There is nothing around a pin that is off the screen or not there yet.
-  if (!probe || probe->around.size() < 5 || !selectsPicked_ ||
-      session_.probes().pick() != glm::ivec2(probe->x, probe->y))
+void SceneFeed::selectProbed() {
+  const ProbeResult* probe = session_.probes().result();
+  // There is nothing around a probe that is off the screen or not there yet.
+  if (!probe || probe->around.size() < 5 || !selectsProbed_ ||
+      session_.probes().pixel() != glm::ivec2(probe->x, probe->y))
     return;
-  selectsPicked_ = false;
+  selectsProbed_ = false;
   panel_.selectObject(objectAt(*probe));
 }
 

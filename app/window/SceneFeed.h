@@ -16,16 +16,16 @@ class SceneFeed : public QObject {
 
  private:
   void connectPanel();
-  void connectPick();
+  void connectProbes();
   void showStatus();
   void showArea();
-  void selectPicked();
+  void selectProbed();
 
   Session& session_;
   ViewArea& views_;
   ScenePanel& panel_;
-  bool selectsPicked_ = false; ///< the object at the probe, once it is known
-  bool reveals_ = false;       ///< the next pick is of the selected object
+  bool selectsProbed_ = false; ///< the object at the probe, once it is known
+  bool reveals_ = false;       ///< the next probe is of the selected object
 };
 
 } // namespace taa::app

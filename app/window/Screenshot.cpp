@@ -60,9 +60,9 @@ bool Screenshot::isComplete() const {
   }
   const PipelinePanel& pipeline = of_.pipeline;
   if (pipeline.isVisible() && pipeline.showsThumbnails() && !pipeline.hasThumbnailsOf(frame_)) return false;
-  if (!session.probes().pick()) return true;
-  const ProbeResult* probe = session.probes().probe();
-  return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.probes().pick();
+  if (!session.probes().pixel()) return true;
+  const ProbeResult* probe = session.probes().result();
+  return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.probes().pixel();
 }
 
 // The profiler shows the stages, too, which are only measured when somebody asks.
@@ -78,13 +78,13 @@ bool Screenshot::areTracesComplete() {
   const PlotsPanel& plots = of_.plots;
   const Session& session = of_.session;
   const bool isShown = plots.isVisible() || of_.jitter.isVisible() || of_.weights.isVisible();
-  if (!isShown || session.probes().pins().empty()) return true;
+  if (!isShown || session.probes().all().empty()) return true;
   const int first = std::max(0, frame_ - kTracedFrames);
   if (!std::exchange(asksForTraces_, true)) of_.session.fillTraces(first, frame_);
   if (session.work().kind == WorkKind::Traces) sawTracing_ = true;
   if (sawTracing_) return session.work().what.empty();
-  return std::ranges::all_of(session.probes().pins(), [&](const ProbePin& pin) {
-    const PixelTrace* trace = plots.store().traceOf(pin);
+  return std::ranges::all_of(session.probes().all(), [&](const Probe& probe) {
+    const PixelTrace* trace = plots.store().traceOf(probe);
     return trace && missingFrames(*trace, first, frame_).empty();
   });
 }

@@ -28,28 +28,28 @@ QByteArray jsonBytes(const QJsonValue& value) {
   return QByteArray::fromBase64(value.toString().toLatin1());
 }
 
-QJsonArray pinsJson(const std::vector<ProbePin>& pins) {
+QJsonArray probesJson(const std::vector<Probe>& probes) {
   QJsonArray array;
-  for (const ProbePin& pin : pins)
-    array << QJsonObject{{QStringLiteral("x"), pin.pixel.x},
-                         {QStringLiteral("y"), pin.pixel.y},
-                         {QStringLiteral("frame"), pin.frame},
-                         {QStringLiteral("followsSurface"), pin.follow == Follow::Surface}};
+  for (const Probe& probe : probes)
+    array << QJsonObject{{QStringLiteral("x"), probe.pixel.x},
+                         {QStringLiteral("y"), probe.pixel.y},
+                         {QStringLiteral("frame"), probe.frame},
+                         {QStringLiteral("followsSurface"), probe.follow == Follow::Surface}};
   return array;
 }
 
-std::vector<ProbePin> pinsFrom(const QJsonArray& array) {
-  std::vector<ProbePin> pins;
+std::vector<Probe> probesFrom(const QJsonArray& array) {
+  std::vector<Probe> probes;
   for (const QJsonValue& value : array) {
-    const QJsonObject pin = value.toObject();
-    if (static_cast<int>(pins.size()) < kMaxPins)
-      pins.push_back(
-          {{std::max(0, pin[QStringLiteral("x")].toInt()), std::max(0, pin[QStringLiteral("y")].toInt())},
-           pin[QStringLiteral("followsSurface")].toBool() ? Follow::Surface : Follow::Screen,
-           std::max(0, pin[QStringLiteral("frame")].toInt()),
+    const QJsonObject probe = value.toObject();
+    if (static_cast<int>(probes.size()) < kMaxProbes)
+      probes.push_back(
+          {{std::max(0, probe[QStringLiteral("x")].toInt()), std::max(0, probe[QStringLiteral("y")].toInt())},
+           probe[QStringLiteral("followsSurface")].toBool() ? Follow::Surface : Follow::Screen,
+           std::max(0, probe[QStringLiteral("frame")].toInt()),
            {}});
   }
-  return pins;
+  return probes;
 }
 
 } // namespace
@@ -63,8 +63,8 @@ QJsonObject WindowState::capture() const {
   state[QStringLiteral("probe")] = of_.probe.state();
   state[QStringLiteral("scene")] = of_.session.scene().state();
   state[QStringLiteral("sceneTree")] = of_.scene.state();
-  state[QStringLiteral("pins")] = pinsJson(of_.session.probes().pins());
-  state[QStringLiteral("activePin")] = of_.session.probes().activePin();
+  state[QStringLiteral("probes")] = probesJson(of_.session.probes().all());
+  state[QStringLiteral("activeProbe")] = of_.session.probes().active();
   state[QStringLiteral("looping")] = of_.session.isLooping();
   state[QStringLiteral("referenceSamples")] = of_.session.status().referenceGoal;
   state[QStringLiteral("panels")] = panels();
@@ -117,9 +117,9 @@ void WindowState::applySession(const QJsonObject& state) const {
     of_.session.setReferenceSamples(samples);
   if (const QJsonValue scene = state[QStringLiteral("scene")]; scene.isObject())
     of_.session.scene().setState(scene.toObject());
-  const std::vector<ProbePin> pins = pinsFrom(state[QStringLiteral("pins")].toArray());
-  const int last = static_cast<int>(pins.size()) - 1;
-  of_.session.probes().setPins(pins, std::clamp(state[QStringLiteral("activePin")].toInt(-1), -1, last));
+  const std::vector<Probe> probes = probesFrom(state[QStringLiteral("probes")].toArray());
+  const int last = static_cast<int>(probes.size()) - 1;
+  of_.session.probes().set(probes, std::clamp(state[QStringLiteral("activeProbe")].toInt(-1), -1, last));
 }
 
 } // namespace taa::app

@@ -17,7 +17,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   if (plan.lanes.size() > 1) throw UsageError("trace follows one lane; give one preset");
   const FrameRange range = parseFrames(arguments.frames);
   const std::vector<IntermediateId> rows = parseEmit(arguments.emit);
-  std::vector<PinTrace> traces;
+  std::vector<ProbeTrace> traces;
   for (const std::string& pixel : arguments.pixels)
     traces.push_back(
         {{parsePixel(pixel), arguments.surface ? Follow::Surface : Follow::Screen, range.first, {}}, {}});
@@ -29,12 +29,12 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   for (int frame = range.first; frame <= range.last; ++frame) {
     report(progress, "Tracing", frame - range.first, range.count());
     inspector.shot().seek(frame, progress);
-    for (PinTrace& traced : traces) {
-      traced.pin = inspector.probes().anchored(traced.pin);
-      const PinSpot spot = inspector.probes().spot(traced.pin);
-      if (spot.state != PinState::Seen) {
-        if (traced.pin.follow == Follow::Screen)
-          inspector.probes().probe(traced.pin.pixel.x, traced.pin.pixel.y);
+    for (ProbeTrace& traced : traces) {
+      traced.probe = inspector.probes().anchored(traced.probe);
+      const ProbeSpot spot = inspector.probes().spot(traced.probe);
+      if (spot.state != ProbeState::Seen) {
+        if (traced.probe.follow == Follow::Screen)
+          inspector.probes().probe(traced.probe.pixel.x, traced.probe.pixel.y);
         continue; // probe() says why: it lies outside
       }
       traced.trace.add(frame, {spot.pixel, inspector.probes().probe(spot.pixel.x, spot.pixel.y)});
@@ -46,7 +46,7 @@ void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress
   }
   nlohmann::ordered_json json = shotJson(inspector);
   json["lane"] = laneJson(inspector, plan.lanes[0], 0);
-  json["pins"] = traceJson(traces, rows, inspector.shot().settings().space);
+  json["probes"] = traceJson(traces, rows, inspector.shot().settings().space);
   out << json.dump(2) << '\n';
 }
 

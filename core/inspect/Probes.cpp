@@ -5,7 +5,7 @@
 #include "core/gl/PassTimer.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/measure/Profiler.h"
-#include "core/probe/Probe.h"
+#include "core/probe/ProbeRegion.h"
 #include "core/probe/TwinInputs.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/taa/twin/stages/SampleStages.h"
@@ -29,12 +29,12 @@ SeenSurface surfaceAt(const FrameInputs& inputs, const glm::ivec2& pixel) {
           inputs.depth.download(one).texel(0, 0).x};
 }
 
-// Whether something else is drawn in front of the surface that a pin follows.
-bool isCovered(const ProbePin& pin, const PinSpot& spot, const PixelRecord& record, const View& view) {
-  if (!pin.anchor) return false;
+// Whether something else is drawn in front of the surface that a probe follows.
+bool isCovered(const Probe& probe, const ProbeSpot& spot, const PixelRecord& record, const View& view) {
+  if (!probe.anchor) return false;
   const SeenSurface drawn{static_cast<int>(twin::at(record, IntermediateId::objectId).x),
                           twin::at(record, IntermediateId::depth).x};
-  return isHidden(spot, *pin.anchor, drawn, twin::viewDepth(drawn.depth, view.block.depthTerms));
+  return isHidden(spot, *probe.anchor, drawn, twin::viewDepth(drawn.depth, view.block.depthTerms));
 }
 
 } // namespace
@@ -83,44 +83,44 @@ std::vector<WhatIfRow> Probes::whatIf(int x, int y, int lane) {
                      player_.settings(lane), {x, y});
 }
 
-ProbePin Probes::anchored(const ProbePin& pin) {
-  if (pin.follow == Follow::Screen || pin.anchor) return pin;
+Probe Probes::anchored(const Probe& probe) {
+  if (probe.follow == Follow::Screen || probe.anchor) return probe;
   const gl::PassGroup group(pass_group::kProbe);
   const ShotState& state = player_.state();
   if (state.frames->capture()) { // it has no triangles to stay on
-    ProbePin still = pin;
+    Probe still = probe;
     still.follow = Follow::Screen;
     return still;
   }
   const Scene& scene = *state.scene;
   const FrameRequest request = state.request(0);
-  const int setIn = std::clamp(pin.frame, 0, scene.shot.frames - 1);
-  FrameInputs other; // what a pin follows shows only in its own frame
+  const int setIn = std::clamp(probe.frame, 0, scene.shot.frames - 1);
+  FrameInputs other; // what a probe follows shows only in its own frame
   const FrameInputs* drawn = &other;
   if (setIn == player_.shown().frame)
     drawn = &player_.inputs(0);
   else
     state.frames->draw(request, setIn, other);
-  ProbePin found = pin;
-  found.anchor = anchorAt(scene, viewAt(scene, request, setIn), player_.picturePx(), pin.pixel,
-                          surfaceAt(*drawn, pin.pixel));
+  Probe found = probe;
+  found.anchor = anchorAt(scene, viewAt(scene, request, setIn), player_.picturePx(), probe.pixel,
+                          surfaceAt(*drawn, probe.pixel));
   return found;
 }
 
-PinSpot Probes::spot(const ProbePin& pin) {
+ProbeSpot Probes::spot(const Probe& probe) {
   const Scene& scene = *player_.state().scene;
-  if (pin.follow == Follow::Screen) return spotOf(scene, {}, player_.picturePx(), pin);
+  if (probe.follow == Follow::Screen) return spotOf(scene, {}, player_.picturePx(), probe);
   const View view = viewAt(scene, player_.state().request(0), player_.shown().frame);
-  PinSpot spot = spotOf(scene, view, player_.picturePx(), pin);
-  if (!pin.anchor || spot.state != PinState::Seen) return spot;
+  ProbeSpot spot = spotOf(scene, view, player_.picturePx(), probe);
+  if (!probe.anchor || spot.state != ProbeState::Seen) return spot;
   const gl::PassGroup group(pass_group::kProbe);
   const SeenSurface drawn = surfaceAt(player_.inputs(0), spot.pixel);
   const float depth = twin::viewDepth(drawn.depth, view.block.depthTerms);
-  if (isHidden(spot, *pin.anchor, drawn, depth)) spot.state = PinState::Hidden;
+  if (isHidden(spot, *probe.anchor, drawn, depth)) spot.state = ProbeState::Hidden;
   return spot;
 }
 
-std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std::vector<ProbePin>& pins,
+std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std::vector<Probe>& probes,
                                                            TraceCursor& cursor, const Progress& progress) {
   const gl::PassGroup group(pass_group::kProbe);
   const ShotState state = player_.onlyLane(0);
@@ -129,14 +129,14 @@ std::vector<std::optional<TraceSample>> Probes::traceFrame(int frame, const std:
   const View view = state.frames->capture() ? View{} : viewAt(scene, state.request(0), frame);
   const FrameInputs& inputs = player_.maker().inputs(state, made, 0);
   const ShownLane& lane = made.lanes[0];
-  std::vector<std::optional<TraceSample>> samples(pins.size());
-  for (std::size_t index = 0; index < pins.size(); ++index) {
-    const PinSpot spot = spotOf(scene, view, player_.picturePx(), pins[index]);
-    if (spot.state != PinState::Seen) continue;
+  std::vector<std::optional<TraceSample>> samples(probes.size());
+  for (std::size_t index = 0; index < probes.size(); ++index) {
+    const ProbeSpot spot = spotOf(scene, view, player_.picturePx(), probes[index]);
+    if (spot.state != ProbeState::Seen) continue;
     const gl::Rect pixel{spot.pixel.x, spot.pixel.y, 1, 1};
     const PixelRecord record = probeRegion(player_.maker().pass, inputs, lane.previous.get(), *lane.current,
                                            state.lanes[0], pixel)[0];
-    if (!isCovered(pins[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
+    if (!isCovered(probes[index], spot, record, view)) samples[index] = TraceSample{spot.pixel, record};
   }
   player_.maker().recycle(std::move(made));
   return samples;

@@ -1,10 +1,10 @@
 // Everything at a pixel, on the frame on show and on others: what the resolve did there and what the CPU twin
-// says about it; pins, what they follow and where that is.
+// says about it; probes, what they follow and where that is.
 #pragma once
 
 #include "core/base/Progress.h"
 #include "core/probe/PixelTrace.h"
-#include "core/probe/ProbePin.h"
+#include "core/probe/Probe.h"
 #include "core/probe/WhatIf.h"
 #include "core/replay/TraceCursor.h"
 #include "core/taa/twin/Details.h"
@@ -34,13 +34,13 @@ class Probes {
   /// The pixel under other choices. The row of the present ones has the bits of probe() where the driver
   /// rounds as IEEE 754 says.
   std::vector<WhatIfRow> whatIf(int x, int y, int lane = 0);
-  /// The pin with the surface it follows looked up, in the frame it was set in; others as they are.
-  ProbePin anchored(const ProbePin& pin);
-  /// Where a pin is in the frame on show. Expects an anchored one.
-  PinSpot spot(const ProbePin& pin);
-  /// What is at pins in any frame, exactly; nothing at those that are not seen there. What is on show stays.
-  /// Frame after frame costs one frame each. Of the first lane. Expects anchored pins.
-  std::vector<std::optional<TraceSample>> traceFrame(int frame, const std::vector<ProbePin>& pins,
+  /// The probe with the surface it follows looked up, in the frame it was set in; others as they are.
+  Probe anchored(const Probe& probe);
+  /// Where a probe is in the frame on show. Expects an anchored one.
+  ProbeSpot spot(const Probe& probe);
+  /// What is at probes in any frame, exactly; nothing at those that are not seen there. What is on show
+  /// stays. Frame after frame costs one frame each. Of the first lane. Expects anchored probes.
+  std::vector<std::optional<TraceSample>> traceFrame(int frame, const std::vector<Probe>& probes,
                                                      TraceCursor& cursor, const Progress& progress = {});
 
  private:

@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/base/Files.h"
 #include "core/base/Json.h"
+#include "core/base/OldNames.h"
 #include "core/base/Say.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/settings/Lanes.h"
@@ -11,10 +12,13 @@
 #include "core/settings/Presets.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace taa {
 
@@ -132,6 +136,30 @@ std::vector<MotionOverride> modesFromJson(const Json& object) {
   return modes;
 }
 
+/// Fields of the window's state as earlier versions wrote them. They are read for one version more.
+constexpr std::array<OldName, 3> kOldFields{
+    {{"pins", "probes"}, {"activePin", "activeProbe"}, {"timeline.figure", "timeline.metric"}}};
+
+/// Its object within `window` and its key there; null: there is no such object.
+std::pair<Json*, std::string> fieldPlace(std::string_view field, Json& window) {
+  const std::size_t dot = field.find('.');
+  if (dot == std::string_view::npos) return {&window, std::string(field)};
+  const auto group = window.find(std::string(field.substr(0, dot)));
+  const bool isGroup = group != window.end() && group->is_object();
+  return {isGroup ? &*group : nullptr, std::string(field.substr(dot + 1))};
+}
+
+void renameFields(Json& window, Notes& notes) {
+  for (const OldName& name : kOldFields) {
+    const auto [group, old] = fieldPlace(name.old, window);
+    if (!group || !group->contains(old)) continue;
+    const std::string now = fieldPlace(name.now, window).second;
+    if (!group->contains(now)) (*group)[now] = group->at(old);
+    group->erase(old);
+    notes.push_back(oldNameNote(name));
+  }
+}
+
 Json parsed(const std::string& text) {
   return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
     if (depth > kDeepest) throw Error(say<"it is nested deeper than %1 levels">(kDeepest));
@@ -170,8 +198,9 @@ SessionFile sessionFromJson(const Json& object) {
   session.restarts = restartsFromJson(object.value("restarts", Json::array()));
   session.checkpointsMiB =
       numberOf(object.value("checkpointsMiB", Json(session.checkpointsMiB)), "checkpointsMiB", 0, kMaxMiB);
-  const Json window = object.value("window", Json::object());
+  Json window = object.value("window", Json::object());
   if (!window.is_object()) throw Error(say<"\"%1\" is not an object">("window"));
+  renameFields(window, session.notes);
   session.window = window.dump();
   return session;
 }

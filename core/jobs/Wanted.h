@@ -12,7 +12,7 @@ namespace taa {
 
 struct Wanted {
   std::vector<ViewRequest> views;
-  request::SetPins probes; ///< with the surfaces that were found for them
+  request::SetProbes probes; ///< with the surfaces that were found for them
   std::vector<Metric> metrics;
   int referenceSamples = kReferenceSamples;
 

@@ -32,7 +32,7 @@ std::vector<double> alphasUpTo(const PixelTrace& trace, int frame, int most) {
   return alphas;
 }
 
-bool isSamePlace(const ProbePin& a, const ProbePin& b) {
+bool isSamePlace(const Probe& a, const Probe& b) {
   return a.pixel == b.pixel && a.follow == b.follow && (a.follow == Follow::Screen || a.frame == b.frame);
 }
 

@@ -1,8 +1,8 @@
-// Everything at a pinned probe over the frames in which it is known. Frame n is a function, so what was seen
+// Everything at a probe over the frames in which it is known. Frame n is a function, so what was seen
 // of it stays true until settings, scene, size or camera change. No GL.
 #pragma once
 
-#include "core/probe/ProbePin.h"
+#include "core/probe/Probe.h"
 #include "core/taa/twin/Twin.h"
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace taa {
 
 struct TraceSample {
-  glm::ivec2 pixel{0}; ///< where the pin was
+  glm::ivec2 pixel{0}; ///< where the probe was
   twin::PixelRecord record{};
 };
 
@@ -36,19 +36,19 @@ std::vector<int> missingFrames(const PixelTrace& trace, int first, int last);
 /// started or was dropped (α = 1), `most` at most. Empty where `frame` is not known.
 std::vector<double> alphasUpTo(const PixelTrace& trace, int frame, int most);
 
-/// Whether both pins ask for the same values: what was found out about their surfaces does not count, nor the
-/// frame of one that stays on its pixel.
-bool isSamePlace(const ProbePin& a, const ProbePin& b);
+/// Whether both probes ask for the same values: what was found out about their surfaces does not count, nor
+/// the frame of one that stays on its pixel.
+bool isSamePlace(const Probe& a, const Probe& b);
 
-/// A pin of which something was seen.
-struct PinTrace {
-  ProbePin pin;
+/// A probe of which something was seen.
+struct ProbeTrace {
+  Probe probe;
   PixelTrace trace;
 };
 
-/// What was at a pin in an exact frame.
+/// What was at a probe in an exact frame.
 struct TraceDelivery {
-  ProbePin pin; ///< with its anchor
+  Probe probe; ///< with its anchor
   int frame = 0;
   TraceSample sample;
   std::uint64_t shotVersion = 0; ///< see Status; the sample is true while it is the same

@@ -11,10 +11,10 @@ namespace taa {
 
 using nlohmann::ordered_json;
 
-std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
+std::string traceCsv(const std::vector<ProbeTrace>& traces, const std::vector<IntermediateId>& rows,
                      const SpaceSettings& space) {
   std::ostringstream text;
-  text << "pin,frame,x,y";
+  text << "probe,frame,x,y";
   for (const IntermediateId id : rows) {
     const Intermediate& row = intermediate(id);
     if (row.channels == 1) {
@@ -24,9 +24,9 @@ std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<Inte
     for (const std::string& channel : channelNames(row, space)) text << ',' << row.name << '.' << channel;
   }
   text << '\n';
-  for (std::size_t pin = 0; pin < traces.size(); ++pin)
-    for (const auto& [frame, sample] : traces[pin].trace.samples()) {
-      text << pin + 1 << ',' << frame << ',' << sample.pixel.x << ',' << sample.pixel.y;
+  for (std::size_t probe = 0; probe < traces.size(); ++probe)
+    for (const auto& [frame, sample] : traces[probe].trace.samples()) {
+      text << probe + 1 << ',' << frame << ',' << sample.pixel.x << ',' << sample.pixel.y;
       for (const IntermediateId id : rows)
         for (int channel = 0; channel < intermediate(id).channels; ++channel)
           text << ','
@@ -36,13 +36,13 @@ std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<Inte
   return text.str();
 }
 
-ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
+ordered_json traceJson(const std::vector<ProbeTrace>& traces, const std::vector<IntermediateId>& rows,
                        const SpaceSettings& space) {
   ordered_json json = ordered_json::array();
-  for (std::size_t pin = 0; pin < traces.size(); ++pin) {
-    const ProbePin& place = traces[pin].pin;
+  for (std::size_t probe = 0; probe < traces.size(); ++probe) {
+    const Probe& place = traces[probe].probe;
     ordered_json frames = ordered_json::array();
-    for (const auto& [frame, sample] : traces[pin].trace.samples()) {
+    for (const auto& [frame, sample] : traces[probe].trace.samples()) {
       ordered_json values;
       for (const IntermediateId id : rows) {
         const Intermediate& row = intermediate(id);
@@ -58,7 +58,7 @@ ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<In
       }
       frames.push_back({{"frame", frame}, {"pixel", {sample.pixel.x, sample.pixel.y}}, {"values", values}});
     }
-    json.push_back({{"pin", pin + 1},
+    json.push_back({{"probe", probe + 1},
                     {"pixel", {place.pixel.x, place.pixel.y}},
                     {"follow", place.follow == Follow::Screen ? "screen" : "surface"},
                     {"frames", std::move(frames)}});

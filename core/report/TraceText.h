@@ -1,4 +1,4 @@
-// Traces of pins as text, the same in the window and in taa-batch.
+// Traces of probes as text, the same in the window and in taa-batch.
 #pragma once
 
 #include "core/probe/PixelTrace.h"
@@ -12,15 +12,15 @@
 
 namespace taa {
 
-/// "pin,frame,x,y,alpha,resolved.R,…", then a line for each known frame of each pin; pins count from 1.
+/// "probe,frame,x,y,alpha,resolved.R,…", then a line for each known frame of each probe; probes count from 1.
 /// Numbers are the shortest that read back as the same float. Nothing stands where there is no
 /// value. `space`: of the settings that made them.
-std::string traceCsv(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
+std::string traceCsv(const std::vector<ProbeTrace>& traces, const std::vector<IntermediateId>& rows,
                      const SpaceSettings& space);
 
-/// [{"pin": 1, "pixel": [x, y], "follow": "screen", "frames": [{"frame": n, "pixel": [x, y], "values":
+/// [{"probe": 1, "pixel": [x, y], "follow": "screen", "frames": [{"frame": n, "pixel": [x, y], "values":
 /// {"alpha": …}}]}]; null where there is no value
-nlohmann::ordered_json traceJson(const std::vector<PinTrace>& traces, const std::vector<IntermediateId>& rows,
-                                 const SpaceSettings& space);
+nlohmann::ordered_json traceJson(const std::vector<ProbeTrace>& traces,
+                                 const std::vector<IntermediateId>& rows, const SpaceSettings& space);
 
 } // namespace taa

@@ -4,7 +4,7 @@
 
 #include "core/measure/Metrics.h"
 #include "core/picture/ViewRequest.h"
-#include "core/probe/ProbePin.h"
+#include "core/probe/Probe.h"
 #include "core/report/SequenceExport.h"
 #include "core/requests/Playback.h"
 #include "core/requests/RequestKinds.h"
@@ -200,8 +200,8 @@ struct SetViews {
 };
 
 /// Stay: each is delivered again for each new frame until it is taken back.
-struct SetPins {
-  std::vector<ProbePin> pins;
+struct SetProbes {
+  std::vector<Probe> all;
   int active = -1;     ///< of which more is wanted
   bool whatIf = false; ///< also the active pixel under other choices
   static constexpr RequestRule kRule{.kind = RequestKind::Probes};
@@ -244,7 +244,7 @@ struct SetMetrics {
   static constexpr RequestRule kRule{.kind = RequestKind::Metrics};
 };
 
-/// From now on what is at the pins in each exact frame on show is delivered as a trace, too.
+/// From now on what is at the probes in each exact frame on show is delivered as a trace, too.
 struct SetTracing {
   bool on = false;
   static constexpr RequestRule kRule{.kind = RequestKind::Traces};
@@ -280,7 +280,7 @@ using Request =
                  request::SetObjectClasses, request::SetRestarts, request::Fly, request::SetRecording,
                  request::SetCamera, request::AddCameraTrack, request::SetFlownCameras, request::Locate,
                  request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
-                 request::SetViews, request::SetPins, request::SetCheckpointBudget, request::SetProfiling,
+                 request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetProfiling,
                  request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
                  request::SetMetrics, request::SetTracing, request::FillTraces, request::ReloadShaders,
                  request::Cancel, request::ExportSequence>;

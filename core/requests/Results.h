@@ -26,14 +26,14 @@ struct CaptureFacts;
 inline constexpr std::size_t kProbedMiddle = 4;
 
 struct ProbeResult {
-  ProbePin pin{}; ///< whose, with its anchor
-  PinSpot spot{}; ///< where it is now; there is nothing around one that is off screen or gone
+  Probe probe{};    ///< whose, with its anchor
+  ProbeSpot spot{}; ///< where it is now; there is nothing around one that is off screen or gone
   int x = 0, y = 0, frame = 0;
   std::vector<PixelRecord> around{}; ///< 3×3 row-major
   bool exact = true;
   Settings settings{}; ///< that made the values
   FrameInfo info{};
-  // Of the active pin.
+  // Of the active probe.
   std::shared_ptr<const twin::Details> details{}; ///< by the CPU twin
   std::vector<WhatIfRow> whatIf{};                ///< when it is asked for
 };

@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/NearestNames.h"
+#include "core/base/OldNames.h"
 #include "core/base/Say.h"
 
 #include <nlohmann/json.hpp>
@@ -28,10 +29,7 @@ std::string unknownPath(std::string_view path) {
 }
 
 /// Paths as earlier versions wrote them. They are read for one version more.
-struct OldPath {
-  std::string_view old, now;
-};
-constexpr std::array<OldPath, 4> kOldPaths{{{"rectify.mostSteps", "rectify.maxSteps"},
+constexpr std::array<OldName, 4> kOldPaths{{{"rectify.mostSteps", "rectify.maxSteps"},
                                             {"rectify.leastStrength", "rectify.minStrength"},
                                             {"weight.most", "weight.sourceMax"},
                                             {"weight.least", "weight.sourceMin"}}};
@@ -158,8 +156,8 @@ double valueFromJson(const Parameter& row, const nlohmann::json& json) {
 
 const Parameter& parameter(std::string_view path) {
   const auto rows = parameters();
-  const auto old = std::ranges::find(kOldPaths, path, &OldPath::old);
-  const auto found = std::ranges::find(rows, old == kOldPaths.end() ? path : old->now, &Parameter::path);
+  const OldName* old = findOldName(kOldPaths, path);
+  const auto found = std::ranges::find(rows, old ? old->now : path, &Parameter::path);
   if (found == rows.end()) throw Error(unknownPath(path));
   return *found;
 }
@@ -245,7 +243,7 @@ std::vector<std::string> fromJson(const nlohmann::json& json, Settings& settings
     for (const auto& [name, value] : rows.items()) {
       const std::string path = group + "." + name;
       const Parameter& row = parameter(path);
-      if (row.path != path) notes.push_back(say<"the setting %1 is called %2 now">(path, row.path));
+      if (row.path != path) notes.push_back(oldNameNote({path, row.path}));
       row.set(changed, valueFromJson(row, value));
     }
   }

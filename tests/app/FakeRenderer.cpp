@@ -203,14 +203,14 @@ void FakeRenderer::take(const request::SetTracing& asked) {
 void FakeRenderer::take(const request::FillTraces& asked) {
   const auto& [first, last] = asked;
   for (int frame = first; frame <= last; ++frame)
-    for (const ProbePin& pin : probes.pins) deliverTrace(pin, frame);
+    for (const Probe& probe : probes.all) deliverTrace(probe, frame);
 }
 
 /// Every channel is valueAt(); history is rejected in frames that are multiples of ten, for their depth.
-void FakeRenderer::deliverTrace(const ProbePin& pin, int frame) {
+void FakeRenderer::deliverTrace(const Probe& probe, int frame) {
   TraceDelivery trace{
-      .pin = pin, .frame = frame, .sample = {pin.pixel, {}}, .shotVersion = status.shotVersion};
-  trace.sample.record.fill(glm::vec4(valueAt(pin.pixel.x, pin.pixel.y, frame)));
+      .probe = probe, .frame = frame, .sample = {probe.pixel, {}}, .shotVersion = status.shotVersion};
+  trace.sample.record.fill(glm::vec4(valueAt(probe.pixel.x, probe.pixel.y, frame)));
   const float reason = frame % 10 == 0 ? 4.0f : 0.0f;
   twin::at(trace.sample.record, IntermediateId::rejectReason) = glm::vec4(reason);
   tell(trace);
@@ -237,7 +237,7 @@ void FakeRenderer::take(const request::SetViews& asked) {
   deliver();
 }
 
-void FakeRenderer::take(const request::SetPins& asked) {
+void FakeRenderer::take(const request::SetProbes& asked) {
   probes = asked;
   deliver();
 }
@@ -374,33 +374,33 @@ void FakeRenderer::deliver() {
   for (std::size_t view = 0; view < views.size(); ++view)
     if (views[view].width > 0) tell(draw(static_cast<int>(view)));
   deliverThumbnails();
-  for (const ProbePin& pin : probes.pins) deliverPin(pin);
+  for (const Probe& probe : probes.all) deliverProbe(probe);
   if (tracing)
-    for (const ProbePin& pin : probes.pins) deliverTrace(pin, status.info.frame);
+    for (const Probe& probe : probes.all) deliverTrace(probe, status.info.frame);
   deliverMetrics();
 }
 
 /// A surface goes one pixel to the right a frame, and out of the picture.
-void FakeRenderer::deliverPin(const ProbePin& pin) {
-  ProbeResult result{.pin = pin, .spot = {.pixel = pin.pixel}, .around = {}};
-  if (pin.follow == Follow::Surface) {
-    result.pin.anchor = SurfaceAnchor{.object = 1};
-    result.spot.pixel.x += status.info.frame - pin.frame;
-    if (result.spot.pixel.x >= status.width) result.spot.state = PinState::OffScreen;
+void FakeRenderer::deliverProbe(const Probe& probe) {
+  ProbeResult result{.probe = probe, .spot = {.pixel = probe.pixel}, .around = {}};
+  if (probe.follow == Follow::Surface) {
+    result.probe.anchor = SurfaceAnchor{.object = 1};
+    result.spot.pixel.x += status.info.frame - probe.frame;
+    if (result.spot.pixel.x >= status.width) result.spot.state = ProbeState::OffScreen;
   }
   result.x = result.spot.pixel.x;
   result.y = result.spot.pixel.y;
   result.frame = status.info.frame;
   result.info = status.info;
   result.settings = status.settings;
-  for (int y = -1; y <= 1 && result.spot.state == PinState::Seen; ++y)
+  for (int y = -1; y <= 1 && result.spot.state == ProbeState::Seen; ++y)
     for (int x = -1; x <= 1; ++x) {
       PixelRecord record;
       record.fill(glm::vec4(valueAt(result.x + x, result.y + y, status.info.frame)));
       twin::at(record, IntermediateId::rejectReason) = glm::vec4(0);
       result.around.push_back(record);
     }
-  const bool isActive = probes.active >= 0 && probes.pins[static_cast<std::size_t>(probes.active)] == pin;
+  const bool isActive = probes.active >= 0 && probes.all[static_cast<std::size_t>(probes.active)] == probe;
   if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
   if (isActive && probes.whatIf)
     for (const Variant& variant : variantsOf(status.settings))

@@ -30,7 +30,7 @@ class FakeRenderer final : public Renderer {
 
   Status status;
   std::vector<ViewRequest> views;
-  request::SetPins probes;          ///< wanted
+  request::SetProbes probes;        ///< wanted
   std::optional<Settings> prepared; ///< the last ones
   bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
@@ -54,7 +54,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::SetPlaying& asked);
   void take(const request::Seek& asked);
   void take(const request::SetViews& asked);
-  void take(const request::SetPins& asked);
+  void take(const request::SetProbes& asked);
   void take(const request::SetCheckpointBudget& asked);
   void take(const request::MeasureStages&);
   void take(const request::SetThumbnails& asked);
@@ -81,10 +81,10 @@ class FakeRenderer final : public Renderer {
   void take(const request::Fly& asked) { take(request::AddCameraTrack{{kFreeCamera, 0, {asked.pose}}}); }
   bool refuses(RequestKind kind);
   void deliverThumbnails();
-  void deliverTrace(const ProbePin& pin, int frame);
+  void deliverTrace(const Probe& probe, int frame);
   void deliverProfile();
   void deliverMetrics();
-  void deliverPin(const ProbePin& pin);
+  void deliverProbe(const Probe& probe);
   ViewResult draw(int view) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);

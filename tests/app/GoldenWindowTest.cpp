@@ -88,7 +88,7 @@ class GoldenWindow : public taa::app::test::FakeWindow {
         family != QLatin1String("DejaVu Sans"))
       GTEST_SKIP() << "golden pictures are of DejaVu Sans, the font here is " << family.toStdString();
     QApplication::setCursorFlashTime(0); // no page is a matter of when it is looked at
-    session.probes().setPick(glm::ivec2(12, 7));
+    session.probes().setPixel(glm::ivec2(12, 7));
     session.seek(kFrame - 1);
     settle();
     session.seek(kFrame);

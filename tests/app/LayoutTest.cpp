@@ -74,7 +74,7 @@ class Layout : public test::FakeWindow, public testing::WithParamInterface<std::
 TEST_P(Layout, CutsNoTextAndOverlapsNothing) {
   window.resize(GetParam().first, GetParam().second);
   window.pipeline()->setAllExpanded(true);
-  session.probes().setPick(glm::ivec2(12, 7));
+  session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   settle();
   expectNothingIsCut(window);

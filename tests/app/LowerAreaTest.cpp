@@ -31,7 +31,7 @@ class Lower : public test::FakeWindow {
   }
   /// Goes to a frame and opens a page, which shows it after a moment.
   void openAt(int frame, Qt::Key page, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    session.probes().setPick({}); // the settings alone, nothing measured
+    session.probes().setPixel({}); // the settings alone, nothing measured
     session.seek(frame);
     settle();
     key(page, modifiers);

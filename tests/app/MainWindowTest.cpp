@@ -146,18 +146,18 @@ TEST_F(Window, ALeftDragPans) {
   EXPECT_EQ(renderer->views[0].transform, viewport->transform()) << "a picture of the new place is asked for";
 }
 
-TEST_F(Window, ARightClickPicksAndArrowsMoveThePick) {
+TEST_F(Window, ARightClickProbesAndArrowsMoveTheProbe) {
   Viewport* viewport = window.views()->view(0)->viewport();
   QTest::mouseClick(viewport, Qt::RightButton, {}, placeOf(viewport, {30, 12}));
-  EXPECT_EQ(session.probes().pick(), glm::ivec2(30, 12));
-  ASSERT_EQ(renderer->probes.pins.size(), 1u);
-  EXPECT_EQ(renderer->probes.pins[0].pixel, glm::ivec2(30, 12));
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(30, 12));
+  ASSERT_EQ(renderer->probes.all.size(), 1u);
+  EXPECT_EQ(renderer->probes.all[0].pixel, glm::ivec2(30, 12));
   viewport->setFocus();
   QTest::keyClick(viewport, Qt::Key_Right);
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
-  EXPECT_EQ(session.probes().pick(), glm::ivec2(31, 2));
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(31, 2));
   QTest::keyClick(viewport, Qt::Key_Up, Qt::ShiftModifier);
-  EXPECT_EQ(session.probes().pick(), glm::ivec2(31, 0)) << "the border holds";
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(31, 0)) << "the border holds";
 }
 
 TEST_F(Window, HoverShowsPositionAndValue) {
@@ -174,7 +174,7 @@ TEST_F(Window, GoToPixelTakesTwoNumbers) {
   ASSERT_TRUE(prompt);
   prompt->field()->setText("41, 17");
   QTest::keyClick(prompt->field(), Qt::Key_Return);
-  EXPECT_EQ(session.probes().pick(), glm::ivec2(41, 17));
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(41, 17));
 }
 
 TEST_F(Window, SaysWhatASizeTakesWhereItIsChosen) {

@@ -22,7 +22,7 @@ using namespace taa::app;
 using ProbePages = test::FakeWindow;
 
 TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
-  session.probes().setPick(glm::ivec2(12, 7));
+  session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   EXPECT_FALSE(renderer->probes.whatIf);
   key(Qt::Key_F4);
@@ -55,7 +55,7 @@ TEST_F(ProbePages, AreOpenedByKeysAndAskForWhatTheyShow) {
 }
 
 TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
-  session.probes().setPick(glm::ivec2(12, 7));
+  session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   ProbePanel* probe = window.probe();
   probe->table()->setCurrentIndex(probe->model()->indexOf(IntermediateId::historyPosition));
@@ -68,7 +68,7 @@ TEST_F(ProbePages, TellWhatHappenedAtTheSelectedRow) {
 }
 
 TEST_F(ProbePages, CopyAsMarkdownAndJson) {
-  session.probes().setPick(glm::ivec2(3, 2));
+  session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   key(Qt::Key_M, Qt::ControlModifier | Qt::AltModifier);
   const QString markdown = QApplication::clipboard()->text();
@@ -88,10 +88,10 @@ TEST(ProbeReport, OfTheWindowIsThatOfTheCommandLine) {
   session.open(QStringLiteral("builtin:fan"), false);
   ASSERT_TRUE(test::waitFor([&] { return session.isOpen() && session.status().width == 64; }));
   session.seek(5);
-  session.probes().setPick(glm::ivec2(40, 14));
+  session.probes().setPixel(glm::ivec2(40, 14));
   ASSERT_TRUE(test::waitFor([&] {
-    return session.probes().probe() && session.probes().probe()->frame == 5 &&
-           session.probes().probe()->exact && session.probes().probe()->x == 40;
+    return session.probes().result() && session.probes().result()->frame == 5 &&
+           session.probes().result()->exact && session.probes().result()->x == 40;
   }));
   window.probeCommands()->copy(ProbeFormat::Json);
   const std::string copied = QApplication::clipboard()->text().toStdString();

@@ -100,17 +100,17 @@ TEST(ProbeModel, SaysWhereThereIsNoHistoryYet) {
 }
 
 TEST_F(ProbeTable, SaysWhatTheCoreSaysOfItsValues) {
-  session.probes().setPick(glm::ivec2(12, 7));
+  session.probes().setPixel(glm::ivec2(12, 7));
   settle();
-  const ProbeResult& result = *session.probes().probe();
+  const ProbeResult& result = *session.probes().result();
   QString lines;
   for (const std::string& line : probeHeadline(result.around[4], result.settings, result.info))
     lines += (lines.isEmpty() ? QString() : QStringLiteral("\n")) + QString::fromStdString(line);
   EXPECT_EQ(window.probe()->summary(), lines);
 }
 
-TEST_F(ProbeTable, ShowsTheValuesAtThePick) {
-  session.probes().setPick(glm::ivec2(12, 7));
+TEST_F(ProbeTable, ShowsTheValuesAtTheProbe) {
+  session.probes().setPixel(glm::ivec2(12, 7));
   settle();
   const QString value = cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed();
   EXPECT_EQ(value.toFloat(), test::FakeRenderer::valueAt(12, 7, 0));
@@ -118,11 +118,11 @@ TEST_F(ProbeTable, ShowsTheValuesAtThePick) {
   settle();
   EXPECT_EQ(cell(window.probe()->model(), IntermediateId::alpha, ProbeModel::Value).trimmed().toFloat(),
             test::FakeRenderer::valueAt(12, 7, 5))
-      << "the pick stays and follows the frame";
+      << "the probe stays and follows the frame";
 }
 
 TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
-  session.probes().setPick(glm::ivec2(3, 2));
+  session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   key(Qt::Key_C, Qt::ControlModifier);
   EXPECT_EQ(QApplication::clipboard()->text(), "203 203 203");
@@ -135,12 +135,12 @@ TEST_F(ProbeTable, CopiesTheExactValueOfTheActiveView) {
 }
 
 TEST_F(ProbeTable, GoesAwayWithEscape) {
-  session.probes().setPick(glm::ivec2(3, 2));
+  session.probes().setPixel(glm::ivec2(3, 2));
   settle();
   EXPECT_TRUE(window.probe()->table()->isVisible());
   key(Qt::Key_Escape);
-  EXPECT_FALSE(session.probes().pick());
-  EXPECT_TRUE(renderer->probes.pins.empty());
+  EXPECT_FALSE(session.probes().pixel());
+  EXPECT_TRUE(renderer->probes.all.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
 }
 

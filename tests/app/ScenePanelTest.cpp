@@ -101,8 +101,8 @@ TEST_F(SceneTreeTest, GivesAnObjectAnotherMotion) {
   EXPECT_EQ(row("rotor & hub", 1).data().toString(), "Camera only");
 }
 
-TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
-  session.probes().setPick(glm::ivec2(2, 0)); // the fake's object 2
+TEST_F(SceneTreeTest, SelectsTheObjectOfAProbedPixel) {
+  session.probes().setPixel(glm::ivec2(2, 0)); // the fake's object 2
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("rotor & hub"));
   EXPECT_EQ(renderer->located, std::vector<int>{2});
@@ -116,7 +116,7 @@ TEST_F(SceneTreeTest, SelectsTheObjectOfAPickedPixel) {
   click(row("floor"));
   EXPECT_EQ(renderer->located, std::vector<int>{1});
   key(Qt::Key_J, Qt::ControlModifier);
-  EXPECT_EQ(session.probes().pick(), glm::ivec2(11, 6));
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(11, 6));
   EXPECT_EQ(tree()->currentIndex(), row("floor")) << "it was asked for";
   key(Qt::Key_F8);
   EXPECT_TRUE(renderer->located.empty()) << "nobody sees it";
@@ -130,7 +130,7 @@ TEST_F(SceneTreeTest, FindsObjectsByTheirNames) {
   EXPECT_TRUE(row("rotor & hub").isValid());
   EXPECT_TRUE(row("fan").isValid()) << "what it belongs to stays";
   EXPECT_FALSE(row("floor").isValid());
-  session.probes().setPick(glm::ivec2(1, 0)); // the floor, which is filtered out
+  session.probes().setPixel(glm::ivec2(1, 0)); // the floor, which is filtered out
   settle();
   EXPECT_EQ(tree()->currentIndex(), row("floor"));
 }
@@ -164,7 +164,7 @@ TEST_F(FlightWindow, MovesByKeysWhileTheyAreHeld) {
   EXPECT_EQ(session.presets().settings(), before);
 }
 
-TEST_F(FlightWindow, LooksAroundByDraggingAndPicksAsEver) {
+TEST_F(FlightWindow, LooksAroundByDraggingAndProbesAsEver) {
   const QPoint middle = viewport()->rect().center();
   const ViewCamera camera = viewport()->camera();
   QTest::mousePress(viewport(), Qt::LeftButton, {}, middle);
@@ -175,7 +175,7 @@ TEST_F(FlightWindow, LooksAroundByDraggingAndPicksAsEver) {
   EXPECT_GT(pose().pitch, 0.3f);
   EXPECT_EQ(viewport()->camera(), camera) << "the picture is not panned";
   QTest::mouseClick(viewport(), Qt::RightButton, {}, middle);
-  EXPECT_TRUE(session.probes().pick().has_value());
+  EXPECT_TRUE(session.probes().pixel().has_value());
 }
 
 TEST_F(FlightWindow, ChangesItsSpeedByTheWheelAndEndsByEscape) {
@@ -187,12 +187,12 @@ TEST_F(FlightWindow, ChangesItsSpeedByTheWheelAndEndsByEscape) {
   QApplication::sendEvent(viewport(), &wheel);
   EXPECT_GT(window.flight()->speed(), 1.4f * speed);
   EXPECT_TRUE(viewport()->camera().fit) << "it is not zoomed";
-  session.probes().setPick(glm::ivec2(3, 3));
+  session.probes().setPixel(glm::ivec2(3, 3));
   QTest::keyClick(viewport(), Qt::Key_Escape);
   settle();
   EXPECT_FALSE(window.flight()->isOn());
   EXPECT_FALSE(window.flightBar()->isVisible());
-  EXPECT_TRUE(session.probes().pick().has_value()) << "escape ended the flight only";
+  EXPECT_TRUE(session.probes().pixel().has_value()) << "escape ended the flight only";
 }
 
 TEST_F(FlightWindow, RecordsAndGoesBackToTheCameraItLeft) {

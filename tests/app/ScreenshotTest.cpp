@@ -113,8 +113,8 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   QTest::mouseClick(viewport, Qt::RightButton, {},
                     QPoint(static_cast<int>(place.x), static_cast<int>(place.y)));
   ASSERT_TRUE(taa::app::test::waitFor([&] {
-    return session.probes().probe() && session.probes().probe()->frame == 6 &&
-           session.probes().probe()->x == 60;
+    return session.probes().result() && session.probes().result()->frame == 6 &&
+           session.probes().result()->x == 60;
   }));
 
   Inspector inspector;
@@ -122,7 +122,7 @@ TEST(RealWindow, ProbesWhatTheInspectorProbes) {
   inspector.shot().setSize(96, 54);
   inspector.shot().seek(6);
   const PixelRecord record = inspector.probes().probe(pixel.x, pixel.y);
-  const ProbeResult& shown = *session.probes().probe();
+  const ProbeResult& shown = *session.probes().result();
   ASSERT_EQ(shown.around.size(), 9u);
   EXPECT_EQ(0, std::memcmp(shown.around[4].data(), record.data(), sizeof(record)));
   for (const IntermediateId id : allRows()) {

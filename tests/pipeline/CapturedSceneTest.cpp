@@ -140,13 +140,13 @@ TEST_F(CapturedSceneTest, WhatACaptureHasNotIsRefusedInASentence) {
 }
 
 TEST_F(CapturedSceneTest, AProbeThatFollowedASurfaceStaysOnItsPixel) {
-  const std::string folder = written("pins", Settings{});
+  const std::string folder = written("probes", Settings{});
   auto inspector = openedCapture(folder);
   inspector->shot().seek(2);
-  const ProbePin pin =
+  const Probe probe =
       inspector->probes().anchored({.pixel = {10, 10}, .follow = Follow::Surface, .frame = 2});
-  EXPECT_EQ(pin.follow, Follow::Screen);
-  EXPECT_EQ(inspector->probes().spot(pin).pixel, glm::ivec2(10, 10));
+  EXPECT_EQ(probe.follow, Follow::Screen);
+  EXPECT_EQ(inspector->probes().spot(probe).pixel, glm::ivec2(10, 10));
 }
 
 TEST_F(CapturedSceneTest, TheEnginesOutputIsARowLikeAnyOther) {

@@ -71,12 +71,12 @@ TEST(ChannelNames, InJsonAndCsvAreThoseOfTheSettings) {
   for (const Settings& settings : settingsOfEachSpace()) {
     const Names axes = axesOf(idOf(settings));
     EXPECT_EQ(keysOf(recordJson({}, settings.space)["boxMin"]), axes);
-    std::vector<PinTrace> traces{{}};
+    std::vector<ProbeTrace> traces{{}};
     traces[0].trace.add(1, {});
     const std::vector<IntermediateId> rows{IntermediateId::neighborhoodMean};
     const nlohmann::ordered_json json = traceJson(traces, rows, settings.space);
     EXPECT_EQ(keysOf(json[0]["frames"][0]["values"]["neighborhoodMean"]), axes);
-    const std::string first = "pin,frame,x,y,neighborhoodMean." + axes[0] + ",neighborhoodMean." + axes[1] +
+    const std::string first = "probe,frame,x,y,neighborhoodMean." + axes[0] + ",neighborhoodMean." + axes[1] +
                               ",neighborhoodMean." + axes[2] + "\n";
     EXPECT_TRUE(traceCsv(traces, rows, settings.space).starts_with(first)) << first;
     EXPECT_EQ(intermediateJson(intermediate(IntermediateId::boxMax))["channelsBySpace"][idOf(settings)],

@@ -33,27 +33,27 @@ void Traces::end() {
   desk_.endWork();
 }
 
-// The frames at which something is known of the pin.
-std::set<int>& Traces::framesOf(const ProbePin& pin) {
+// The frames at which something is known of the probe.
+std::set<int>& Traces::framesOf(const Probe& probe) {
   for (auto& [known, frames] : known_)
-    if (isSamePlace(known, pin)) return frames;
-  return known_.emplace_back(pin, std::set<int>()).second;
+    if (isSamePlace(known, probe)) return frames;
+  return known_.emplace_back(probe, std::set<int>()).second;
 }
 
-void Traces::deliver(const ProbePin& pin, int frame, const std::optional<TraceSample>& sample) {
-  framesOf(pin).insert(frame);
-  if (sample) desk_.tell(RequestKind::Traces, TraceDelivery{pin, frame, *sample, desk_.shotVersion()});
+void Traces::deliver(const Probe& probe, int frame, const std::optional<TraceSample>& sample) {
+  framesOf(probe).insert(frame);
+  if (sample) desk_.tell(RequestKind::Traces, TraceDelivery{probe, frame, *sample, desk_.shotVersion()});
 }
 
 void Traces::noteShown(const ProbeResult& result) {
-  if (!isWanted_ || !result.exact || result.around.empty() || result.spot.state != PinState::Seen) return;
-  deliver(result.pin, result.frame, TraceSample{result.spot.pixel, result.around[4]});
+  if (!isWanted_ || !result.exact || result.around.empty() || result.spot.state != ProbeState::Seen) return;
+  deliver(result.probe, result.frame, TraceSample{result.spot.pixel, result.around[4]});
 }
 
-std::vector<ProbePin> Traces::missingAt(int frame) {
-  std::vector<ProbePin> missing;
-  for (ProbePin& pin : wanted_.probes.pins)
-    if (!framesOf(pin).contains(frame)) missing.push_back(pin = desk_.inspector.probes().anchored(pin));
+std::vector<Probe> Traces::missingAt(int frame) {
+  std::vector<Probe> missing;
+  for (Probe& probe : wanted_.probes.all)
+    if (!framesOf(probe).contains(frame)) missing.push_back(probe = desk_.inspector.probes().anchored(probe));
   return missing;
 }
 
@@ -67,12 +67,13 @@ void Traces::fill() {
   const int last = std::min(filling_->second, desk_.inspector.shot().frameCount() - 1);
   const int first = std::clamp(filling_->first, 0, last);
   for (int frame = first; frame <= last; ++frame) {
-    const std::vector<ProbePin> missing = missingAt(frame);
+    const std::vector<Probe> missing = missingAt(frame);
     if (missing.empty()) continue;
     desk_.tellWork(WorkKind::Traces, say<"Tracing the probes">(), frame - first, last - first + 1);
     const auto goesOn = [this](std::string_view, int, int) { return !desk_.waiting().any(); };
     const auto samples = desk_.inspector.probes().traceFrame(frame, missing, cursor_, goesOn);
-    for (std::size_t pin = 0; pin < missing.size(); ++pin) deliver(missing[pin], frame, samples[pin]);
+    for (std::size_t probe = 0; probe < missing.size(); ++probe)
+      deliver(missing[probe], frame, samples[probe]);
     if (desk_.waiting().any()) throw Cancelled();
   }
 }

@@ -1,5 +1,5 @@
-// What is at the pins over frames: every exact frame on show adds to it; the others are filled in on demand,
-// beside what is shown.
+// What is at the probes over frames: every exact frame on show adds to it; the others are filled in on
+// demand, beside what is shown.
 #pragma once
 
 #include "core/jobs/Job.h"
@@ -28,7 +28,7 @@ class Traces final : public Job {
   void settle() override;
 
   bool isDue() override {
-    return filling_ && desk_.isOpen() && !transport_.isPlaying() && !wanted_.probes.pins.empty();
+    return filling_ && desk_.isOpen() && !transport_.isPlaying() && !wanted_.probes.all.empty();
   }
   void step() override;
 
@@ -38,17 +38,17 @@ class Traces final : public Job {
  private:
   void end();
   void fill();
-  std::vector<ProbePin> missingAt(int frame);
-  std::set<int>& framesOf(const ProbePin& pin);
-  void deliver(const ProbePin& pin, int frame, const std::optional<TraceSample>& sample);
+  std::vector<Probe> missingAt(int frame);
+  std::set<int>& framesOf(const Probe& probe);
+  void deliver(const Probe& probe, int frame, const std::optional<TraceSample>& sample);
 
   Desk& desk_;
   const Transport& transport_;
   Wanted& wanted_;
   bool isWanted_ = false;
-  std::uint64_t shotVersion_ = 0;                         // what follows is of this one
-  std::vector<std::pair<ProbePin, std::set<int>>> known_; // frames
-  std::optional<std::pair<int, int>> filling_;            // first and last frame
+  std::uint64_t shotVersion_ = 0;                      // what follows is of this one
+  std::vector<std::pair<Probe, std::set<int>>> known_; // frames
+  std::optional<std::pair<int, int>> filling_;         // first and last frame
   TraceCursor cursor_;
 };
 

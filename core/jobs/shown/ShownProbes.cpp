@@ -5,15 +5,15 @@
 
 namespace taa {
 
-// What was found out about a pin holds as long as it is the same pin.
-void ShownProbes::take(const request::SetPins& pins) {
-  request::SetPins next = pins;
-  for (ProbePin& pin : next.pins) {
-    if (pin.anchor) continue;
-    ProbePin known = pin;
-    for (const ProbePin& old : wanted_.probes.pins) {
+// What was found out about a probe holds as long as it is the same probe.
+void ShownProbes::take(const request::SetProbes& probes) {
+  request::SetProbes next = probes;
+  for (Probe& probe : next.all) {
+    if (probe.anchor) continue;
+    Probe known = probe;
+    for (const Probe& old : wanted_.probes.all) {
       known.anchor = old.anchor;
-      if (known == old) pin.anchor = old.anchor;
+      if (known == old) probe.anchor = old.anchor;
     }
   }
   wanted_.probes = std::move(next);
@@ -24,32 +24,32 @@ void ShownProbes::deliver() {
   const std::pair now(desk_.version(), desk_.referenceVersion);
   if (delivered_ == now) return;
   delivered_ = now; // also when it fails: once is enough to tell
-  for (int pin = 0; pin < static_cast<int>(wanted_.probes.pins.size()); ++pin) deliverPin(pin);
+  for (int probe = 0; probe < static_cast<int>(wanted_.probes.all.size()); ++probe) deliverProbe(probe);
 }
 
-void ShownProbes::deliverPin(int index) {
-  ProbePin& pin = wanted_.probes.pins[static_cast<std::size_t>(index)];
+void ShownProbes::deliverProbe(int index) {
+  Probe& probe = wanted_.probes.all[static_cast<std::size_t>(index)];
   const InspectedShot& shot = desk_.inspector.shot();
-  // A pinned pixel may lie outside for a while, when the size changes.
-  const bool isInside =
-      pin.pixel.x >= 0 && pin.pixel.y >= 0 && pin.pixel.x < shot.width() && pin.pixel.y < shot.height();
-  if (!isInside && !pin.anchor) return;
+  // A probe may lie outside for a while, when the size changes.
+  const bool isInside = probe.pixel.x >= 0 && probe.pixel.y >= 0 && probe.pixel.x < shot.width() &&
+                        probe.pixel.y < shot.height();
+  if (!isInside && !probe.anchor) return;
   desk_.attempt(RequestKind::Probes, [&] {
-    ProbeResult result = probe(pin, index == wanted_.probes.active);
+    ProbeResult result = resultOf(probe, index == wanted_.probes.active);
     traces_.noteShown(result);
     desk_.tell(RequestKind::Probes, std::move(result));
   });
 }
 
-ProbeResult ShownProbes::probe(ProbePin& pin, bool isActive) {
+ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
   const InspectedShot& shot = desk_.inspector.shot();
   Probes& probes = desk_.inspector.probes();
-  pin = probes.anchored(pin);
-  ProbeResult result{.pin = pin, .spot = probes.spot(pin), .around = {}};
+  probe = probes.anchored(probe);
+  ProbeResult result{.probe = probe, .spot = probes.spot(probe), .around = {}};
   result.x = result.spot.pixel.x;
   result.y = result.spot.pixel.y;
   result.frame = shot.frame();
-  if (result.spot.state == PinState::Seen || result.spot.state == PinState::Hidden) {
+  if (result.spot.state == ProbeState::Seen || result.spot.state == ProbeState::Hidden) {
     result.around = probes.probeAround(result.x, result.y, 1);
     if (isActive) result.details = std::make_shared<const twin::Details>(probes.details(result.x, result.y));
     if (isActive && wanted_.probes.whatIf) result.whatIf = probes.whatIf(result.x, result.y);

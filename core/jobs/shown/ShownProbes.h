@@ -1,4 +1,4 @@
-// Delivers what is at the pinned probes of each frame on show.
+// Delivers what is at the probes of each frame on show.
 #pragma once
 
 #include "core/jobs/Desk.h"
@@ -15,13 +15,13 @@ class ShownProbes {
  public:
   ShownProbes(Desk& desk, Wanted& wanted, Traces& traces) : desk_(desk), wanted_(wanted), traces_(traces) {}
 
-  void take(const request::SetPins& pins);
+  void take(const request::SetProbes& probes);
   void take(const request::SetTracing&) { delivered_ = {}; } // the frame on show is a part of it
   void deliver();
 
  private:
-  void deliverPin(int index);
-  ProbeResult probe(ProbePin& pin, bool isActive);
+  void deliverProbe(int index);
+  ProbeResult resultOf(Probe& probe, bool isActive);
 
   Desk& desk_;
   Wanted& wanted_;

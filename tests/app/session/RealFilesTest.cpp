@@ -195,7 +195,7 @@ TEST_F(RealFiles, TheCopiedLineOfARecordedPathDrawsTheSameByItself) {
 // The screen, the PNG of the view, the range of frames and the copied command line are one picture.
 TEST_F(RealFiles, AComparingViewIsWrittenAsItIsShown) {
   open();
-  session->probes().removeAllPins();
+  session->probes().removeAll();
   window->messages()->showNote("a message takes room from the views");
   ViewPanel* view = window->views()->view(0);
   view->setComparison({OtherKind::Preset, {}, "minimal"});
@@ -226,16 +226,16 @@ TEST_F(RealFiles, AnEditedShaderShowsAndABrokenOneIsNamed) {
   const taa::test::ShaderFolder shaders;
   open();
   const glm::ivec2 pixel(20, 10);
-  session->probes().setPick(pixel);
+  session->probes().setPixel(pixel);
   // Of a few pixels: messages take room from the views, so that pictures differ in size.
   const auto values = [&] {
     settled(6);
     EXPECT_TRUE(taa::app::test::waitFor([&] {
-      const auto& probe = session->probes().probe();
+      const auto& probe = session->probes().result();
       return probe && glm::ivec2(probe->x, probe->y) == pixel && probe->frame == 6 && probe->exact;
     }));
     std::vector<glm::vec4> resolved;
-    for (const PixelRecord& record : session->probes().probe()->around)
+    for (const PixelRecord& record : session->probes().result()->around)
       resolved.push_back(twin::at(record, IntermediateId::resolved));
     return resolved;
   };

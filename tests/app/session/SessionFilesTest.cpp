@@ -91,8 +91,8 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.scene().setMotionMode("rotor & hub", MotionMode::None);
   session.seek(33);
   settle();
-  session.probes().setPick(glm::ivec2(70, 40));
-  session.probes().addPin(glm::ivec2(12, 9), Follow::Surface);
+  session.probes().setPixel(glm::ivec2(70, 40));
+  session.probes().add(glm::ivec2(12, 9), Follow::Surface);
   own->probe()->setVisible(false);
   settle();
   own->keeper()->saveTo(path("it.taa.json"));
@@ -103,7 +103,7 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   session.setSize(64, 36);
   session.scene().setMotionMode("rotor & hub", MotionMode::PerObject);
   session.seek(3);
-  session.probes().removeAllPins();
+  session.probes().removeAll();
   own->probe()->setVisible(true);
   settle();
   drop(path("it.taa.json"));
@@ -116,10 +116,10 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   EXPECT_FALSE(renderer->status.playing);
   ASSERT_EQ(renderer->status.motionModes.size(), 1u);
   EXPECT_EQ(renderer->status.motionModes[0].mode, MotionMode::None);
-  ASSERT_EQ(session.probes().pins().size(), 2u);
-  EXPECT_EQ(session.probes().pins()[0].pixel, glm::ivec2(70, 40));
-  EXPECT_EQ(session.probes().pins()[1].follow, Follow::Surface);
-  EXPECT_EQ(session.probes().activePin(), 1);
+  ASSERT_EQ(session.probes().all().size(), 2u);
+  EXPECT_EQ(session.probes().all()[0].pixel, glm::ivec2(70, 40));
+  EXPECT_EQ(session.probes().all()[1].follow, Follow::Surface);
+  EXPECT_EQ(session.probes().active(), 1);
   own->keeper()->saveTo(path("again.taa.json"));
   EXPECT_EQ(readFile(path("again.taa.json").toStdString()), saved);
 }
@@ -191,7 +191,7 @@ TEST_F(SessionFiles, ACommandLineIsCopied) {
 }
 
 TEST_F(SessionFiles, AViewIsWrittenAsItIsShown) {
-  session.probes().removeAllPins(); // a legend's picture shows them
+  session.probes().removeAll(); // a legend's picture shows them
   settle();
   const std::shared_ptr<const ViewResult> shown = session.picture(0);
   ASSERT_TRUE(shown);

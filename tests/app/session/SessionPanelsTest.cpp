@@ -61,7 +61,7 @@ class SessionPanels : public test::FakeWindow {
 } // namespace
 
 TEST_F(SessionPanels, ThePagesOfTheProbeComeBack) {
-  session.probes().setPick(glm::ivec2(20, 10));
+  session.probes().setPixel(glm::ivec2(20, 10));
   settle();
   ProbePanel* probe = window.probe();
   probe->table()->setExpanded(probe->model()->index(0, 0), false);
@@ -80,7 +80,7 @@ TEST_F(SessionPanels, ThePagesOfTheProbeComeBack) {
   probe->table()->verticalScrollBar()->setValue(0);
   probe->colorSpace()->setSpace(PlotSpace::YCoCg);
   probe->colorSpace()->view()->resetTurn();
-  session.probes().removeAllPins();
+  session.probes().removeAll();
   settle();
   reopen();
   EXPECT_EQ(probe->tab(), ProbeTab::WhatIf);
@@ -134,7 +134,7 @@ TEST_F(SessionPanels, AHiddenColumnAndTheSceneInPlaceOfThePipelineComeBack) {
 }
 
 TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
-  session.probes().setPick(glm::ivec2(20, 10));
+  session.probes().setPixel(glm::ivec2(20, 10));
   session.setReferenceSamples(16);
   ViewArea* views = window.views();
   views->setViewCount(2);
@@ -173,10 +173,10 @@ TEST_F(SessionPanels, EverythingElseIsTheSameStateAgain) {
   timeline->setSpeed(2.0);
   timeline->clearRange();
   session.setReferenceSamples(64);
-  session.probes().setPick({});
+  session.probes().setPixel({});
   settle();
   const QJsonObject changed = window.state();
-  for (const char* key : {"views", "timeline", "plots", "pins", "panels", "referenceSamples"})
+  for (const char* key : {"views", "timeline", "plots", "probes", "panels", "referenceSamples"})
     ASSERT_NE(part(changed, key), part(saved, key));
   reopen();
   const QJsonObject again = window.state();

@@ -28,7 +28,7 @@ class UndoTest : public test::FakeViews {
  protected:
   void SetUp() override {
     FakeViews::SetUp();
-    session.probes().setPins({{.pixel = {10, 5}}}, 0);
+    session.probes().set({{.pixel = {10, 5}}}, 0);
     session.undoStack().clear();
     viewport()->setFocus();
     settle();
@@ -56,7 +56,7 @@ class UndoTest : public test::FakeViews {
   }
   std::vector<glm::ivec2> pixels() {
     std::vector<glm::ivec2> all;
-    for (const ProbePin& pin : renderer->probes.pins) all.push_back(pin.pixel);
+    for (const Probe& probe : renderer->probes.all) all.push_back(probe.pixel);
     return all;
   }
   using Pixels = std::vector<glm::ivec2>;
@@ -147,23 +147,23 @@ TEST_F(UndoTest, ProbesComeBack) {
   press(Qt::Key_Delete);
   ASSERT_EQ(pixels(), (Pixels{{30, 6}}));
   press(Qt::Key_Escape, Qt::ShiftModifier);
-  ASSERT_TRUE(renderer->probes.pins.empty());
+  ASSERT_TRUE(renderer->probes.all.empty());
   EXPECT_EQ(command("Undo")->text().remove(u'&'), "Undo: removal of all probes");
   undo();
   EXPECT_EQ(pixels(), (Pixels{{30, 6}}));
   undo();
-  ASSERT_EQ(renderer->probes.pins.size(), 2u);
-  EXPECT_EQ(renderer->probes.pins[1].follow, Follow::Surface);
-  EXPECT_EQ(session.probes().activePin(), 1);
+  ASSERT_EQ(renderer->probes.all.size(), 2u);
+  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Surface);
+  EXPECT_EQ(session.probes().active(), 1);
   undo();
-  EXPECT_EQ(renderer->probes.pins[1].follow, Follow::Screen);
+  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Screen);
   undo();
   EXPECT_EQ(pixels(), (Pixels{{30, 6}}));
   undo();
   EXPECT_EQ(pixels(), (Pixels{{10, 5}})) << "a drag is one step";
   EXPECT_FALSE(command("Undo")->isEnabled());
   for (int step = 0; step < 3; ++step) redo();
-  EXPECT_EQ(renderer->probes.pins[1].follow, Follow::Surface);
+  EXPECT_EQ(renderer->probes.all[1].follow, Follow::Surface);
 }
 
 TEST_F(UndoTest, ViewsComeBack) {
@@ -331,7 +331,7 @@ TEST_F(UndoTest, EscapeInTheSearchFieldEndsTheSearchOnly) {
   EXPECT_TRUE(viewport()->hasFocus());
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.pins.empty());
+  EXPECT_TRUE(renderer->probes.all.empty());
   undo();
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
 }
@@ -356,7 +356,7 @@ TEST_F(UndoTest, EscapeStopsWorkAndLeavesTheProbe) {
   session.seek(0);
   settle();
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.pins.empty());
+  EXPECT_TRUE(renderer->probes.all.empty());
 }
 
 TEST_F(UndoTest, EscapeEndsFlightThenComparisonThenProbe) {
@@ -370,7 +370,7 @@ TEST_F(UndoTest, EscapeEndsFlightThenComparisonThenProbe) {
   EXPECT_FALSE(view()->comparison());
   EXPECT_EQ(pixels(), (Pixels{{10, 5}}));
   press(Qt::Key_Escape);
-  EXPECT_TRUE(renderer->probes.pins.empty());
+  EXPECT_TRUE(renderer->probes.all.empty());
   press(Qt::Key_Escape);
   undo();
   undo();

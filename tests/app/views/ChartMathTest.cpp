@@ -62,9 +62,9 @@ TEST(ChartMath, ALegendGoesOnInTheNextLineBeforeItLeavesTheChart) {
 
 TEST(CurveLegend, ShortensNamesBeforeItTakesMoreLines) {
   std::vector<Curve> curves;
-  for (int pin = 1; pin <= 9; ++pin)
+  for (int probe = 1; probe <= 9; ++probe)
     curves.push_back(
-        {QStringLiteral("%1 surface").arg(pin), Qt::red, Qt::SolidLine, {}, QString::number(pin)});
+        {QStringLiteral("%1 surface").arg(probe), Qt::red, Qt::SolidLine, {}, QString::number(probe)});
   CurveLegend legend;
   legend.layOut("α", {curves[0], curves[1]}, 1200.0, 80.0);
   EXPECT_FALSE(legend.isShortened());

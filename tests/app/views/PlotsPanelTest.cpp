@@ -29,7 +29,7 @@ class Plots : public test::FakeWindow {
  protected:
   void SetUp() override {
     FakeWindow::SetUp();
-    session.probes().setPick(glm::ivec2(3, 2));
+    session.probes().setPixel(glm::ivec2(3, 2));
     settle();
     key(Qt::Key_F6);
     refresh();
@@ -144,7 +144,7 @@ TEST_F(Plots, SayTheValuesUnderTheMouse) {
 }
 
 TEST_F(Plots, SeveralProbesAndChannelsAreToldApartWithoutColor) {
-  session.probes().addPin(glm::ivec2(9, 9));
+  session.probes().add(glm::ivec2(9, 9));
   plots()->addRow(IntermediateId::resolved);
   settle();
   refresh();
@@ -168,7 +168,7 @@ TEST_F(Plots, NameChannelsByTheSettingsOfTheValues) {
     return plots()->charts().back()->curves()[1].name;
   };
   EXPECT_EQ(first(ColorSpace::Rgb), "1 (3, 2) G");
-  EXPECT_TRUE(plots()->csv().startsWith(QStringLiteral("pin,frame,x,y,boxMin.R,boxMin.G,boxMin.B\n")));
+  EXPECT_TRUE(plots()->csv().startsWith(QStringLiteral("probe,frame,x,y,boxMin.R,boxMin.G,boxMin.B\n")));
   EXPECT_EQ(first(ColorSpace::YCbCr), "1 (3, 2) Cb");
   EXPECT_EQ(first(ColorSpace::YCoCg), "1 (3, 2) Co");
 }
@@ -187,7 +187,7 @@ TEST_F(Plots, ForgetWhatIsNoLongerTrue) {
 TEST_F(Plots, GiveTheirValuesAwayAsTaaBatchPrintsThem) {
   goTo(1);
   plots()->setRows({{IntermediateId::alpha}, {IntermediateId::motion}});
-  const QString expected = "pin,frame,x,y,alpha,motion.X,motion.Y\n"
+  const QString expected = "probe,frame,x,y,alpha,motion.X,motion.Y\n"
                            "1,0,3,2,203,203,203\n"
                            "1,1,3,2,204,204,204\n";
   EXPECT_EQ(plots()->csv(), expected);

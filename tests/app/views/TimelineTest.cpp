@@ -229,11 +229,3 @@ TEST_F(TimelineTest, AChosenMetricIsAskedForAndDrawnUnderTheRuler) {
   EXPECT_TRUE(renderer->metrics.empty());
   EXPECT_TRUE(timeline()->strip().name.isEmpty());
 }
-
-TEST_F(TimelineTest, TheMetricOfASessionOfAnEarlierBuildIsRead) {
-  QJsonObject state = window.timeline()->state();
-  state.remove("metric");
-  state["figure"] = "meanAlpha";
-  window.timeline()->setState(state);
-  EXPECT_EQ(window.timeline()->stripMetric(), Metric::MeanAlpha);
-}

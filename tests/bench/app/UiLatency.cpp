@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
     std::fputs("taa_ui_latency: no picture arrived\n", stderr);
     return 1;
   }
-  session.probes().setPick(glm::ivec2(200, 200));
+  session.probes().setPixel(glm::ivec2(200, 200));
   QTest::qWait(1500); // layouts and first paints are over
   const std::vector<double> waits = measure(window, session);
   const auto at = [&](double share) {

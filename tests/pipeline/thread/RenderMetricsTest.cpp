@@ -88,7 +88,7 @@ TEST_F(RenderMetricsTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 3 || asked) return;
     asked = true;
-    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 4}}}, .active = 0});
+    thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
     thread->post(taa::request::Cancel{});
   };
   measure(0, 60, 30);

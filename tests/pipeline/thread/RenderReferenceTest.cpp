@@ -52,7 +52,7 @@ TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 20 || asked) return;
     asked = true;
-    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 4}}}, .active = 0});
+    thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
     thread->post(taa::request::Cancel{});
   };
   thread->post(taa::request::SetReferenceSamples{1024});

@@ -163,7 +163,7 @@ TEST_F(RenderThreadTest, AnswersViewsAndProbesWhileItReplays) {
     if (isAsked || work.done < 2) return;
     isAsked = true;
     thread->post(taa::request::SetViews{{viewOf(IntermediateId::motion)}});
-    thread->post(taa::request::SetPins{.pins = {{.pixel = {3, 3}}}});
+    thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 3}}}});
   };
   thread->post(taa::request::Seek{40});
   thread->waitUntilIdle();
@@ -193,7 +193,7 @@ TEST_F(RenderThreadTest, TellsErrorsAndKeepsWhatItShows) {
 }
 
 TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
-  thread->post(taa::request::SetPins{.pins = {{.pixel = {5, 6}}}});
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {5, 6}}}});
   thread->waitUntilIdle();
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
@@ -206,11 +206,11 @@ TEST_F(RenderThreadTest, KeepsProbingTheSamePixel) {
     EXPECT_EQ(probe.x, 5);
     EXPECT_EQ(probe.around.size(), 9u);
   }
-  thread->post(taa::request::SetPins{});
+  thread->post(taa::request::SetProbes{});
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "taken back";
-  thread->post(taa::request::SetPins{.pins = {{.pixel = {kWidth, 0}}}});
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {kWidth, 0}}}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.probes.size(), 3u) << "outside the picture";
   EXPECT_TRUE(recorder.errors.empty());

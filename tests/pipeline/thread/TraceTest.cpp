@@ -1,4 +1,4 @@
-// Traces of pins on the render thread: what is shown adds to them, the rest is filled in beside it, and
+// Traces of probes on the render thread: what is shown adds to them, the rest is filled in beside it, and
 // taa-batch prints the same. And how time goes on in a part of the shot.
 #include "core/report/TraceText.h"
 #include "tests/support/Paths.h"
@@ -28,7 +28,7 @@ class TraceTest : public taa::test::onThread::RenderThreadTest {
   void SetUp() override {
     RenderThreadTest::SetUp();
     if (!thread) return;
-    thread->post(taa::request::SetPins{{pin}, 0});
+    thread->post(taa::request::SetProbes{{probe}, 0});
     thread->post(taa::request::SetTracing{true});
     thread->waitUntilIdle();
   }
@@ -39,14 +39,14 @@ class TraceTest : public taa::test::onThread::RenderThreadTest {
       return frames;
     });
   }
-  PinTrace trace() {
+  ProbeTrace trace() {
     return recorder.read([&] {
-      PinTrace traced{pin, {}};
+      ProbeTrace traced{probe, {}};
       for (const TraceDelivery& each : recorder.traces) traced.trace.add(each.frame, each.sample);
       return traced;
     });
   }
-  const ProbePin pin{{20, 7}, Follow::Screen, 0, {}};
+  const Probe probe{{20, 7}, Follow::Screen, 0, {}};
 };
 
 } // namespace
@@ -77,7 +77,7 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
   EXPECT_EQ(recorder.works.back().what, "");
   EXPECT_TRUE(std::ranges::any_of(recorder.works,
                                   [](const Work& work) { return work.what == "Tracing the probes"; }));
-  const PinTrace traced = trace();
+  const ProbeTrace traced = trace();
   for (const int frame : {3, 8, 14}) {
     thread->post(taa::request::Seek{frame});
     thread->waitUntilIdle();
@@ -134,8 +134,8 @@ TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
 TEST_F(TraceTest, IsWhatTaaBatchPrints) {
   thread->post(taa::request::FillTraces{2, 9});
   thread->waitUntilIdle();
-  PinTrace traced = trace();
-  PinTrace range{pin, {}};
+  ProbeTrace traced = trace();
+  ProbeTrace range{probe, {}};
   for (int frame = 2; frame <= 9; ++frame) range.trace.add(frame, *traced.trace.at(frame));
   const std::string here =
       traceCsv({range}, {IntermediateId::alpha, IntermediateId::resolved, IntermediateId::rejectReason}, {});

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 using namespace taa;
 
@@ -33,7 +34,7 @@ SessionFile sample() {
   session.lanes = {{"my own", preset("minimal").settings, preset("sharp").settings}};
   session.motionModes = {{"rotor & hub", MotionMode::None}, {"a=b", MotionMode::CameraOnly}};
   session.checkpointsMiB = 256;
-  session.window = R"({"pick":[3,4]})";
+  session.window = R"({"shown":[3,4]})";
   return session;
 }
 
@@ -63,7 +64,29 @@ TEST(SessionFile, ReadsTheNamesOfTheVersionBeforeWithANote) {
   EXPECT_EQ(session.settings.settings.rectify.maxSteps, 7.0f);
   EXPECT_EQ(session.settings.settings.rectify.minStrength, 0.75f);
   EXPECT_EQ(session.notes.size(), 4u);
-  EXPECT_EQ(session.notes.front(), "the setting rectify.leastStrength is called rectify.minStrength now");
+  EXPECT_EQ(session.notes.front(), "rectify.leastStrength is called rectify.minStrength now");
+}
+
+TEST(SessionFile, ReadsTheWindowOfTheVersionBeforeWithANote) {
+  const nlohmann::json old{{"pins", {{{"x", 3}, {"y", 4}}}},
+                           {"activePin", 0},
+                           {"timeline", {{"figure", "meanAlpha"}, {"speed", 2}}},
+                           {"probe", {{"pins", "of another part"}}}};
+  const SessionFile session = sessionFromText(changed("window", old), "a.taa.json");
+  const nlohmann::json now{{"probes", {{{"x", 3}, {"y", 4}}}},
+                           {"activeProbe", 0},
+                           {"timeline", {{"metric", "meanAlpha"}, {"speed", 2}}},
+                           {"probe", {{"pins", "of another part"}}}};
+  EXPECT_EQ(nlohmann::json::parse(session.window), now);
+  const std::vector<std::string> notes{"pins is called probes now", "activePin is called activeProbe now",
+                                       "timeline.figure is called timeline.metric now"};
+  EXPECT_EQ(session.notes, notes);
+}
+
+TEST(SessionFile, BelievesTheNewNameWhereBothAreGiven) {
+  const nlohmann::json both{{"pins", 1}, {"probes", 2}, {"timeline", 3}};
+  const SessionFile session = sessionFromText(changed("window", both), "a.taa.json");
+  EXPECT_EQ(nlohmann::json::parse(session.window), (nlohmann::json{{"probes", 2}, {"timeline", 3}}));
 }
 
 TEST(SessionFile, ReadsWhatItWrote) {

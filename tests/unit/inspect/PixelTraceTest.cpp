@@ -1,4 +1,4 @@
-// Traces of pins: which frames are known, α back to where history started, and the text of it all.
+// Traces of probes: which frames are known, α back to where history started, and the text of it all.
 #include "core/probe/PixelTrace.h"
 
 #include "core/report/TraceText.h"
@@ -44,22 +44,23 @@ TEST(PixelTrace, GivesAlphasBackToWhereHistoryStarted) {
 }
 
 TEST(PixelTrace, SamePlacesAskForTheSameValues) {
-  const ProbePin pin{{4, 5}, Follow::Screen, 3, {}};
-  EXPECT_TRUE(isSamePlace(pin, {{4, 5}, Follow::Screen, 9, {}}));
-  EXPECT_FALSE(isSamePlace(pin, {{4, 6}, Follow::Screen, 3, {}}));
-  EXPECT_FALSE(isSamePlace(pin, {{4, 5}, Follow::Surface, 3, {}}));
-  const ProbePin surface{{4, 5}, Follow::Surface, 3, {}};
+  const Probe probe{{4, 5}, Follow::Screen, 3, {}};
+  EXPECT_TRUE(isSamePlace(probe, {{4, 5}, Follow::Screen, 9, {}}));
+  EXPECT_FALSE(isSamePlace(probe, {{4, 6}, Follow::Screen, 3, {}}));
+  EXPECT_FALSE(isSamePlace(probe, {{4, 5}, Follow::Surface, 3, {}}));
+  const Probe surface{{4, 5}, Follow::Surface, 3, {}};
   EXPECT_TRUE(isSamePlace(surface, {{4, 5}, Follow::Surface, 3, SurfaceAnchor{2, {}, {}}}));
   EXPECT_FALSE(isSamePlace(surface, {{4, 5}, Follow::Surface, 4, {}}));
 }
 
-TEST(TraceText, WritesALineForEachFrameOfEachPin) {
-  std::vector<PinTrace> traces{{{{4, 5}, Follow::Screen, 0, {}}, {}}, {{{6, 7}, Follow::Surface, 1, {}}, {}}};
+TEST(TraceText, WritesALineForEachFrameOfEachProbe) {
+  std::vector<ProbeTrace> traces{{{{4, 5}, Follow::Screen, 0, {}}, {}},
+                                 {{{6, 7}, Follow::Surface, 1, {}}, {}}};
   traces[0].trace.add(2, sampleOf(0.1f, {0.25f, 0.5f, 1.0f}));
   traces[0].trace.add(1, sampleOf(1.0f, {0.0f, 0.0f, 0.0f}));
   traces[1].trace.add(1, sampleOf(0.5f, {1.0f, 2.0f, 3.0f}, {9, 8}));
   const std::vector<IntermediateId> rows{IntermediateId::alpha, IntermediateId::resolved};
-  EXPECT_EQ(traceCsv(traces, rows, {}), "pin,frame,x,y,alpha,resolved.R,resolved.G,resolved.B\n"
+  EXPECT_EQ(traceCsv(traces, rows, {}), "probe,frame,x,y,alpha,resolved.R,resolved.G,resolved.B\n"
                                         "1,1,4,5,1,0,0,0\n"
                                         "1,2,4,5,0.1,0.25,0.5,1\n"
                                         "2,1,9,8,0.5,1,2,3\n");

@@ -1,7 +1,7 @@
-// The pinned probes as numbered buttons, and what the active one follows.
+// The probes as numbered buttons, and what the active one follows.
 #pragma once
 
-#include "core/probe/ProbePin.h"
+#include "core/probe/Probe.h"
 
 #include <QWidget>
 
@@ -14,23 +14,23 @@ namespace taa::app {
 
 class SegmentedButtons;
 
-class PinBar : public QWidget {
+class ProbeBar : public QWidget {
   Q_OBJECT
  public:
-  explicit PinBar(QWidget* parent = nullptr);
+  explicit ProbeBar(QWidget* parent = nullptr);
 
-  void setPins(const std::vector<ProbePin>& pins, int active);
+  void setProbes(const std::vector<Probe>& probes, int active);
   /// Disables to follow surfaces and says why; empty: they can be followed.
   void setWhyNoSurfaces(const QString& whyNot);
-  QToolButton* button(int pin) const { return buttons_.at(static_cast<std::size_t>(pin)); }
+  QToolButton* button(int probe) const { return buttons_.at(static_cast<std::size_t>(probe)); }
   SegmentedButtons* follow() const { return follow_; }
 
  Q_SIGNALS:
-  void pinChosen(int pin);
+  void probeChosen(int probe);
   void followChosen(Follow follow);
 
  private:
-  std::array<QToolButton*, kMaxPins> buttons_{};
+  std::array<QToolButton*, kMaxProbes> buttons_{};
   SegmentedButtons* follow_ = nullptr;
 };
 

@@ -1,4 +1,4 @@
-#include "app/widgets/bars/PinBar.h"
+#include "app/widgets/bars/ProbeBar.h"
 
 #include "app/style/Theme.h"
 #include "app/widgets/parameters/SegmentedButtons.h"
@@ -8,21 +8,21 @@
 
 namespace taa::app {
 
-PinBar::PinBar(QWidget* parent) : QWidget(parent) {
+ProbeBar::ProbeBar(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
   line->setSpacing(0);
-  for (int pin = 0; pin < kMaxPins; ++pin) {
+  for (int probe = 0; probe < kMaxProbes; ++probe) {
     auto* button = new QToolButton;
-    button->setText(QString::number(pin + 1));
+    button->setText(QString::number(probe + 1));
     button->setFont(numberFont());
     button->setCheckable(true);
     button->setAutoRaise(true);
-    button->setAccessibleName(tr("Probe %1").arg(pin + 1));
-    button->setToolTip(tr("Probe %1 (J: the next one); Shift+right click pins another").arg(pin + 1));
-    connect(button, &QToolButton::clicked, this, [this, pin] { Q_EMIT pinChosen(pin); });
+    button->setAccessibleName(tr("Probe %1").arg(probe + 1));
+    button->setToolTip(tr("Probe %1 (J: the next one); Shift+right click sets another").arg(probe + 1));
+    connect(button, &QToolButton::clicked, this, [this, probe] { Q_EMIT probeChosen(probe); });
     line->addWidget(button);
-    buttons_[static_cast<std::size_t>(pin)] = button;
+    buttons_[static_cast<std::size_t>(probe)] = button;
   }
   line->addStretch(1);
   follow_ = new SegmentedButtons({tr("Screen"), tr("Surface")});
@@ -34,7 +34,7 @@ PinBar::PinBar(QWidget* parent) : QWidget(parent) {
   line->addWidget(follow_);
 }
 
-void PinBar::setWhyNoSurfaces(const QString& whyNot) {
+void ProbeBar::setWhyNoSurfaces(const QString& whyNot) {
   follow_->setEnabled(whyNot.isEmpty());
   follow_->setExplanations({tr("Stays on this pixel of the screen"),
                             whyNot.isEmpty()
@@ -42,12 +42,12 @@ void PinBar::setWhyNoSurfaces(const QString& whyNot) {
                                 : whyNot});
 }
 
-void PinBar::setPins(const std::vector<ProbePin>& pins, int active) {
-  for (std::size_t pin = 0; pin < buttons_.size(); ++pin) {
-    buttons_[pin]->setVisible(pin < pins.size());
-    buttons_[pin]->setChecked(static_cast<int>(pin) == active);
+void ProbeBar::setProbes(const std::vector<Probe>& probes, int active) {
+  for (std::size_t probe = 0; probe < buttons_.size(); ++probe) {
+    buttons_[probe]->setVisible(probe < probes.size());
+    buttons_[probe]->setChecked(static_cast<int>(probe) == active);
   }
-  if (active >= 0) follow_->setCurrent(static_cast<int>(pins[static_cast<std::size_t>(active)].follow));
+  if (active >= 0) follow_->setCurrent(static_cast<int>(probes[static_cast<std::size_t>(active)].follow));
 }
 
 } // namespace taa::app
