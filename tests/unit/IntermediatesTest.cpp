@@ -48,6 +48,18 @@ TEST(Intermediates, ThoseOfTheReferenceComeLastAndFromNoResolve) {
   EXPECT_EQ(all.back(), IntermediateId::output);
 }
 
+TEST(Intermediates, ThoseOfTheReferenceSayWhatElseTheyAreMadeOf) {
+  for (const Intermediate& row : kIntermediates) {
+    const bool isSaid = taa::needsReference(row.id) || taa::isOfEngine(row.id) || taa::isOverTime(row.id);
+    EXPECT_EQ(isSaid, taa::isOfReference(row.id)) << row.name;
+    EXPECT_FALSE(taa::isOfEngine(row.id) && (taa::needsReference(row.id) || taa::isOverTime(row.id)))
+        << row.name;
+  }
+  EXPECT_TRUE(taa::isOverTime(IntermediateId::deviationOverTime));
+  EXPECT_FALSE(taa::needsReference(IntermediateId::deviationOverTime)) << "what really changes is in it";
+  EXPECT_TRUE(taa::needsReference(IntermediateId::flicker));
+}
+
 TEST(Intermediates, AreFoundByTheirName) {
   for (const Intermediate& row : kIntermediates) {
     EXPECT_EQ(taa::findIntermediate(row.name), row.id);

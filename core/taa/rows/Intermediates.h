@@ -30,8 +30,28 @@ enum class Visual : std::uint8_t {
   Index,    ///< integers, categorical colors
 };
 
+/// What measures rows over several frames: each all of its rows at once.
+enum class OverTime : std::uint8_t {
+  None,
+  Flicker, ///< core/measure/Flicker.h
+  Parts,   ///< core/verdict/parts/ErrorParts.h
+};
+
+/// What a row is made of besides its frame's own resolve.
+struct MadeOf {
+  bool isReference = false; ///< the supersampled picture
+  bool isEngine = false;    ///< the output of the engine a capture was taken of
+  OverTime overTime = OverTime::None;
+};
+inline constexpr MadeOf kOfReference{.isReference = true};
+inline constexpr MadeOf kOfEngine{.isEngine = true};
+inline constexpr MadeOf kOfFrames{.overTime = OverTime::Flicker};
+inline constexpr MadeOf kOfFlicker{.isReference = true, .overTime = OverTime::Flicker};
+inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Parts};
+
 // One row each: id, label, stage, channels, unit, range (lowest, highest shown), visual, tolerance on a GPU
-// (relative to max(1, |value|); llvmpipe is exact), description. Colors are scene-linear Rec. 709; "box
+// (relative to max(1, |value|); llvmpipe is exact), description, and of stage Reference what else it is made
+// of. Colors are scene-linear Rec. 709; "box
 // space" is the color space of parameters space.color and space.tone. Motion is current − previous, x right,
 // y down. Where the scene is drawn smaller than the picture, rows show the nearest render texel; "render px"
 // are pixels of that size, "px" those of the picture.
@@ -179,27 +199,34 @@ enum class Visual : std::uint8_t {
       "it; the same as resolved when all are off.")                                                          \
   ROW(reference, "Reference", Reference, 3, "", 0, 1, Color, 1e-3,                                           \
       "The same instant drawn many times over the pixel's square, without mip bias and noise, at full "      \
-      "size: the mean, scene-linear.")                                                                       \
+      "size: the mean, scene-linear.",                                                                       \
+      kOfReference)                                                                                          \
   ROW(referenceError, "Error", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                                  \
-      "Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.")      \
+      "Luma of the output less luma of the reference, scene-linear: above 0 the output is too bright.",      \
+      kOfReference)                                                                                          \
   ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                          \
-      "Largest difference of output and reference in red, green or blue, scene-linear.")                     \
+      "Largest difference of output and reference in red, green or blue, scene-linear.", kOfReference)       \
   ROW(flicker, "Flicker", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                                           \
       "Standard deviation over the last frames of what is shown (sRGB, 0 to 1), followed along the motion, " \
-      "without what the reference has of it: the root of the difference of variances.")                      \
+      "without what the reference has of it: the root of the difference of variances.",                      \
+      kOfFlicker)                                                                                            \
   ROW(deviationOverTime, "Deviation over time", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                     \
-      "The same with what really changes: the reference is not taken off.")                                  \
+      "The same with what really changes: the reference is not taken off.", kOfFrames)                       \
   ROW(framesFollowed, "Frames followed", Reference, 1, "frames", 0, 16, Scalar, 0,                           \
       "Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off "        \
-      "before.")                                                                                             \
+      "before.",                                                                                             \
+      kOfFrames)                                                                                             \
   ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color, 1e-3,                                  \
-      "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.")      \
+      "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.",      \
+      kOfEngine)                                                                                             \
   ROW(engineDifference, "Engine difference", Reference, 1, "", -0.25, 0.25, Signed, 1e-3,                    \
       "Luma of the resolved color less luma of the engine's output, scene-linear: above 0 ours is "          \
-      "brighter.")                                                                                           \
+      "brighter.",                                                                                           \
+      kOfEngine)                                                                                             \
   ROW(engineDifferenceAbs, "Engine distance", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                       \
       "Largest difference of the resolved color and the engine's output in red, green or blue, "             \
-      "scene-linear.")
+      "scene-linear.",                                                                                       \
+      kOfEngine)
 
 enum class IntermediateId : int {
 #define TAA_ROW(id, ...) id,
@@ -218,12 +245,13 @@ struct Intermediate {
   Visual visual;
   float tolerance;
   std::string_view description;
+  MadeOf madeOf{};
 };
 
 inline constexpr auto kIntermediates = std::to_array<Intermediate>({
-#define TAA_ROW(id, label, stage, channels, unit, low, high, visual, tolerance, description)                 \
+#define TAA_ROW(id, label, stage, channels, unit, low, high, visual, tolerance, ...)                         \
   {IntermediateId::id, #id,         label,          Stage::stage,     channels,   unit,                      \
-   float(low),         float(high), Visual::visual, float(tolerance), description},
+   float(low),         float(high), Visual::visual, float(tolerance), __VA_ARGS__},
     TAA_INTERMEDIATES(TAA_ROW)
 #undef TAA_ROW
 });
@@ -239,19 +267,20 @@ constexpr const Intermediate& intermediate(IntermediateId id) {
 constexpr bool isOfReference(IntermediateId id) {
   return intermediate(id).stage == Stage::Reference;
 }
-/// Those of them that are of the frames before, too.
+/// What measures those of them that are of the frames before, too.
+constexpr OverTime overTime(IntermediateId id) {
+  return intermediate(id).madeOf.overTime;
+}
 constexpr bool isOverTime(IntermediateId id) {
-  return id == IntermediateId::flicker || id == IntermediateId::deviationOverTime ||
-         id == IntermediateId::framesFollowed;
+  return overTime(id) != OverTime::None;
 }
 /// Those of them that need the output of the engine a capture was taken of.
 constexpr bool isOfEngine(IntermediateId id) {
-  return id == IntermediateId::engineOutput || id == IntermediateId::engineDifference ||
-         id == IntermediateId::engineDifferenceAbs;
+  return intermediate(id).madeOf.isEngine;
 }
 /// Those of them that need a reference.
 constexpr bool needsReference(IntermediateId id) {
-  return isOfReference(id) && !isOfEngine(id) && (!isOverTime(id) || id == IntermediateId::flicker);
+  return intermediate(id).madeOf.isReference;
 }
 
 /// The rows that a resolve gives, with the pass after it: the table without those of the reference, which are
