@@ -64,12 +64,22 @@ bool isGroup(std::string_view name) {
   });
 }
 
+/// Refuses "motion.unit" beside "motion": each convention has one place, so that none is stated twice.
+void requireOwnPlace(const std::string& path) {
+  const std::size_t dot = path.find('.');
+  if (dot == std::string::npos) return;
+  const Convention& row = convention(path);
+  throw Error(say<"there is no key \"%1\": write \"%2\": {\"%3\": …}">(
+      pathOf("conventions", path), row.path.substr(0, dot), row.path.substr(dot + 1)));
+}
+
 Conventions readConventions(const json& groups, const Conventions& base) {
   requireObject(groups, "conventions");
   Conventions result = base;
   std::vector<const Convention*> stated;
   for (const auto& [name, value] : groups.items()) {
     if (!isGroup(name)) {
+      requireOwnPlace(name);
       readConvention(name, value, result, stated);
       continue;
     }

@@ -143,6 +143,8 @@ TEST(HostileManifest, ConventionsThatAreUnknownOrContradictEachOther) {
             "there is no convention \"motion.unti\"; near it are motion");
   EXPECT_EQ(ofConventions(R"({"motions": {"unit": "uv"}})").substr(0, 33),
             "there is no convention \"motions\";");
+  EXPECT_EQ(ofConventions(R"({"motion": {"unit": "uv"}, "motion.unit": "ndc"})"),
+            "there is no key \"conventions.motion.unit\": write \"motion\": {\"unit\": …}");
   EXPECT_EQ(ofConventions(R"({"motion": {"unit": "px"}})"),
             "cannot set motion.unit to \"px\": give one of pixels, uv, ndc");
   EXPECT_EQ(ofConventions(R"({"depth": {"reversed": "on"}})"),
