@@ -10,7 +10,8 @@
 namespace taa {
 
 int periodOf(const std::vector<glm::vec2>& jitterPx) {
-  constexpr float kSame = 1e-3f; // px; engines print few digits
+  constexpr float kSame = 1e-3f;               // px; engines print few digits
+  constexpr std::size_t kLongestPeriod = 1024; // as jitter.period; of 100,000 frames more would take seconds
   const std::size_t frames = jitterPx.size();
   const auto repeats = [&](std::size_t period) {
     for (std::size_t frame = period; frame < frames; ++frame)
@@ -18,7 +19,7 @@ int periodOf(const std::vector<glm::vec2>& jitterPx) {
     return true;
   };
   // A pattern that is seen less than twice is not known to repeat, unless nothing moves at all.
-  for (std::size_t period = 1; 2 * period <= frames; ++period)
+  for (std::size_t period = 1; 2 * period <= frames && period <= kLongestPeriod; ++period)
     if (repeats(period)) return static_cast<int>(period);
   return std::max(1, static_cast<int>(frames));
 }
@@ -30,7 +31,7 @@ Settings settingsOn(const CaptureFacts& capture, const Settings& settings) {
   own.jitter.period = std::min(capture.jitterPeriod, static_cast<int>(parameter("jitter.period").maximum));
   own.inputs = {};
   own.inputs.precision = settings.inputs.precision;
-  if (capture.hasCamera) own.inputs.motion = settings.inputs.motion;
+  if (capture.hasCameraMotion) own.inputs.motion = settings.inputs.motion;
   if (capture.hasMask) own.inputs.mask = MaskSource::Material;
   if (capture.hasOverlay) own.inputs.blended = BlendedAs::After;
   const glm::vec2 ratio = glm::vec2(capture.renderPx) / glm::vec2(capture.outputPx);
@@ -40,13 +41,13 @@ Settings settingsOn(const CaptureFacts& capture, const Settings& settings) {
 
 bool isFixedBy(const CaptureFacts& capture, const Parameter& row) {
   if (row.path == "inputs.precision") return false;
-  if (row.path == "inputs.motion") return !capture.hasCamera;
+  if (row.path == "inputs.motion") return !capture.hasCameraMotion;
   return row.path.starts_with("jitter.") || row.path.starts_with("inputs.");
 }
 
 std::string whyFixed(const Parameter& row) {
   if (row.path == "inputs.motion")
-    return say<"this capture states no matrices, so that there is no other motion than its own">();
+    return say<"this capture lacks depth or matrices, so that there is no other motion than its own">();
   return say<"%1 is the capture's own: its frames are as they were taken">(sayLabel(row.label));
 }
 

@@ -19,10 +19,10 @@ struct CaptureFacts {
   glm::ivec2 outputPx{0};          ///< size of the picture, a side no smaller
   std::vector<glm::vec2> jitterPx; ///< of all frames: displacement of image content, x right, y down
   int jitterPeriod = 1;            ///< frames until it repeats; all frames where it never does
-  bool hasCamera = false;          ///< matrices are known
+  bool hasCameraMotion = false;    ///< depth and matrices are known: that of the camera can be made of them
   bool hasMask = false, hasOverlay = false;
-  bool hasOutput = false; ///< of the engine's own TAA
-  bool hasReference = false;
+  bool hasOutput = false;    ///< of the engine's own TAA, in any frame
+  bool hasReference = false; ///< in any frame
 };
 
 /// Frames until the jitter repeats, to a thousandth of a pixel; as many as there are where it never does.

@@ -14,27 +14,29 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// What there is in all frames of a capture.
+/// Matrices of all frames of a capture, and planes of any: sayFrames() says which frames lack them.
 struct Inputs {
   bool motion, depth, matrices, ids, normals, previousDepth;
   bool canRebuild() const { return depth && matrices; }
 };
 
-bool hasPlane(const Manifest& manifest, PlaneKind kind) {
-  return std::ranges::all_of(
-      manifest.frames, [&](const CapturedFrame& frame) { return manifest.plane(frame, kind) != nullptr; });
-}
-
 Inputs inputsOf(const Manifest& manifest) {
   const bool hasMatrices = std::ranges::all_of(manifest.frames, [](const CapturedFrame& frame) {
     return frame.view.has_value() && frame.projection.has_value();
   });
-  return {hasPlane(manifest, PlaneKind::Motion),
-          hasPlane(manifest, PlaneKind::Depth),
-          hasMatrices,
-          hasPlane(manifest, PlaneKind::ObjectId),
-          hasPlane(manifest, PlaneKind::Normal),
-          hasPlane(manifest, PlaneKind::PreviousDepth)};
+  const auto has = [&](PlaneKind kind) { return manifest.framesWith(kind) > 0; };
+  return {has(PlaneKind::Motion),   has(PlaneKind::Depth),  hasMatrices,
+          has(PlaneKind::ObjectId), has(PlaneKind::Normal), has(PlaneKind::PreviousDepth)};
+}
+
+void sayFrames(const Manifest& manifest, Sentences& out) {
+  for (std::size_t i = 0; i < kPlaneKinds; ++i) {
+    const auto kind = static_cast<PlaneKind>(i);
+    const std::size_t frames = manifest.framesWith(kind);
+    if (frames == 0 || frames == manifest.frames.size()) continue;
+    out.push_back(say<"%1 is part of %2 of %3 frames: the others are as if the capture had none">(
+        planeName(kind), frames, manifest.frames.size()));
+  }
 }
 
 void sayMatrices(const Manifest& manifest, const Inputs& inputs, Sentences& out) {
@@ -107,14 +109,34 @@ void sayJitter(const Manifest& manifest, Sentences& out) {
         say<"the jitter of the last frame is not stated, as jitter is a frame early: it is taken as 0">());
 }
 
+void sayExposure(const Manifest& manifest, Sentences& out) {
+  const bool isOne = std::ranges::all_of(manifest.frames,
+                                         [](const CapturedFrame& frame) { return frame.preExposure == 1.0; });
+  if (manifest.conventions.color.preExposed && isOne)
+    out.push_back(
+        say<"color is pre-exposed by its conventions, and preExposure is 1 or not stated in every frame: "
+            "color is taken as it is">());
+}
+
+/// The size that a frame's raw plane states and that is not the frame's; null: none.
+const PlaneSource* otherSize(const Manifest& manifest, PlaneKind kind) {
+  for (const CapturedFrame& frame : manifest.frames) {
+    const PlaneSource* source = manifest.plane(frame, kind);
+    if (source && source->sizePx.x > 0 && source->sizePx != manifest.sizePx) return source;
+  }
+  return nullptr;
+}
+
 /// Of raw planes the size is stated; that of pictures is known when they are read, see DecodedFrame::notes.
 void saySizes(const Manifest& manifest, Sentences& out) {
-  for (const auto& [kind, source] : manifest.planes) {
+  for (std::size_t i = 0; i < kPlaneKinds; ++i) {
+    const auto kind = static_cast<PlaneKind>(i);
     const bool hasOwnSize =
         kind == PlaneKind::Overlay || kind == PlaneKind::Output || kind == PlaneKind::Reference;
-    if (hasOwnSize || source.sizePx.x <= 0 || source.sizePx == manifest.sizePx) continue;
+    const PlaneSource* source = hasOwnSize ? nullptr : otherSize(manifest, kind);
+    if (!source) continue;
     out.push_back(say<"%1 is %2×%3 and the frame %4×%5: each pixel takes the nearest value">(
-        planeName(kind), source.sizePx.x, source.sizePx.y, manifest.sizePx.x, manifest.sizePx.y));
+        planeName(kind), source->sizePx.x, source->sizePx.y, manifest.sizePx.x, manifest.sizePx.y));
   }
 }
 
@@ -123,6 +145,7 @@ void saySizes(const Manifest& manifest, Sentences& out) {
 std::vector<std::string> missingInputs(const Manifest& manifest) {
   const Inputs inputs = inputsOf(manifest);
   Sentences out;
+  sayFrames(manifest, out);
   sayMotion(manifest, inputs, out);
   sayDepth(manifest, inputs, out);
   sayMatrices(manifest, inputs, out);
@@ -130,6 +153,7 @@ std::vector<std::string> missingInputs(const Manifest& manifest) {
   if (!inputs.normals)
     out.push_back(say<"there are no normals: no history is rejected for another normal">());
   sayJitter(manifest, out);
+  sayExposure(manifest, out);
   saySizes(manifest, out);
   return out;
 }

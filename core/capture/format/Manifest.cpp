@@ -116,6 +116,11 @@ const PlaneSource* Manifest::plane(const CapturedFrame& frame, PlaneKind kind) c
   return found == planes.end() ? nullptr : &found->second;
 }
 
+std::size_t Manifest::framesWith(PlaneKind kind) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      frames, [&](const CapturedFrame& frame) { return plane(frame, kind) != nullptr; }));
+}
+
 Manifest readManifest(const fs::path& folder) {
   std::string text;
   try {

@@ -124,6 +124,8 @@ struct Manifest {
   glm::ivec2 outputSize() const { return outputPx.x > 0 ? outputPx : sizePx; }
   /// Null: the frame has no such plane.
   const PlaneSource* plane(const CapturedFrame& frame, PlaneKind kind) const;
+  /// How many frames have such a plane.
+  std::size_t framesWith(PlaneKind kind) const;
 };
 
 inline constexpr const char* kManifestName = "capture.json";

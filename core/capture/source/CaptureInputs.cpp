@@ -113,13 +113,12 @@ void uploadSurfaces(const DecodedFrame& frame, FrameInputs& out) {
   uploadColor(frame.fog, out.fog);
 }
 
-void uploadMotion(const DecodedFrame& frame, bool isMade, FrameInputs& out) {
-  if (!frame.motion.empty() || !isMade) uploadOr0(frame.motion, out.motion);
-  if (!frame.previousDepth.empty())
-    upload(frame.previousDepth, out.previousDepth);
-  else if (!isMade)
-    uploadOr0(frame.depth.empty() ? Image() : unchangedDepth(frame.depth, out.block.depthTerms),
-              out.previousDepth);
+void uploadMotion(const DecodedFrame& frame, FrameInputs& out) {
+  uploadOr0(frame.motion, out.motion);
+  if (frame.previousDepth.empty() && !frame.depth.empty())
+    upload(unchangedDepth(frame.depth, out.block.depthTerms), out.previousDepth);
+  else
+    uploadOr0(frame.previousDepth, out.previousDepth);
 }
 
 } // namespace taa::capture

@@ -22,8 +22,7 @@ shared::FrameBlock blockOf(const DecodedFrame& frame, const Manifest& manifest, 
 /// All but motion and previous depth, into the textures that fitInputs() made. What the frame lacks is 0:
 /// depth and ids of the sky, no normal, nothing masked, laid over or scattered.
 void uploadSurfaces(const DecodedFrame& frame, FrameInputs& out);
-/// Motion and previous depth. `isMade`: what the frame lacks is there already; else it is rest, and the depth
-/// of now.
-void uploadMotion(const DecodedFrame& frame, bool isMade, FrameInputs& out);
+/// Motion and previous depth; what the frame lacks is rest, and the depth of now.
+void uploadMotion(const DecodedFrame& frame, FrameInputs& out);
 
 } // namespace taa::capture

@@ -25,10 +25,6 @@ namespace {
 constexpr double kNearPlaneOfNoCamera = 0.1; // m; of what is only a place to stand
 constexpr double kSameStep = 1e-6;           // s; times are rounded sums of steps
 
-bool startsWithPlane(const Manifest& manifest, PlaneKind kind) {
-  return manifest.plane(manifest.frames.front(), kind) != nullptr;
-}
-
 bool startsHistoryAt(const Manifest& manifest, int frame) {
   return frame == 0 || manifest.frames[static_cast<std::size_t>(frame)].cut;
 }
@@ -50,12 +46,15 @@ std::shared_ptr<const CaptureFacts> factsOf(const Manifest& manifest) {
   for (std::size_t frame = 0; frame < manifest.frames.size(); ++frame)
     facts->jitterPx.emplace_back(decodeJitter(manifest, frame));
   facts->jitterPeriod = periodOf(facts->jitterPx);
-  facts->hasCamera = std::ranges::all_of(
-      manifest.frames, [](const CapturedFrame& frame) { return frame.view && frame.projection; });
-  facts->hasMask = startsWithPlane(manifest, PlaneKind::Mask);
-  facts->hasOverlay = startsWithPlane(manifest, PlaneKind::Overlay);
-  facts->hasOutput = startsWithPlane(manifest, PlaneKind::Output);
-  facts->hasReference = startsWithPlane(manifest, PlaneKind::Reference);
+  const auto has = [&](PlaneKind kind) { return manifest.framesWith(kind) > 0; };
+  facts->hasCameraMotion =
+      has(PlaneKind::Depth) && std::ranges::all_of(manifest.frames, [](const CapturedFrame& frame) {
+        return frame.view && frame.projection;
+      });
+  facts->hasMask = has(PlaneKind::Mask);
+  facts->hasOverlay = has(PlaneKind::Overlay);
+  facts->hasOutput = has(PlaneKind::Output);
+  facts->hasReference = has(PlaneKind::Reference);
   return facts;
 }
 
@@ -101,16 +100,12 @@ CaptureSource::CaptureSource(Manifest manifest, FrameReader frames)
 
 CaptureSource::~CaptureSource() = default;
 
-// What the planes have not is made from depth and matrices first; then they are laid over it.
+// Where it is asked for and can be, motion is made from depth and matrices; decode() has made what planes
+// lack.
 void CaptureSource::Parts::drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out) {
-  const bool hasCamera = decoded.camera.has_value();
-  const bool isMade = hasCamera && isFromDepth(source);
-  const bool lacksSome = decoded.motion.empty() || decoded.previousDepth.empty();
-  if (hasCamera && (isMade || lacksSome)) {
-    frame.update(0, &out.block, sizeof(out.block));
-    cameraMotion.draw(isMade ? source : MotionSource::CameraFromDepth, frame, out);
-  }
-  if (!isMade) uploadMotion(decoded, hasCamera, out);
+  if (!isFromDepth(source) || !decoded.camera || decoded.depth.empty()) return uploadMotion(decoded, out);
+  frame.update(0, &out.block, sizeof(out.block));
+  cameraMotion.draw(source, frame, out);
 }
 
 void CaptureSource::draw(const FrameRequest& request, int frame, FrameInputs& out) {

@@ -111,14 +111,37 @@ TEST_F(CaptureSourceTest, MakesMotionFromDepthAndMatrices) {
   const FrameInputs should = drawn(shot.renderer(), shot.request(), 3);
   CapturedShot plain("builtin:fence", kPicturePx, Settings{}, 4);
   CaptureSource asked = sourceOf(plain);
-  EXPECT_TRUE(isSame(drawn(asked, shot.request(), 3).motion, should.motion)) << "because the settings say so";
+  EXPECT_TRUE(isSame(drawn(asked, shot.request(), 3).motion, should.motion));
+}
 
-  DecodedFrame without = *plain.frame(3);
-  without.motion = without.previousDepth = Image();
-  CaptureSource missing = sourceOf(plain, without);
-  const FrameInputs made = drawn(missing, plain.request(), 3);
-  EXPECT_TRUE(isSame(made.motion, should.motion)) << "because the capture has none";
-  EXPECT_TRUE(isSame(made.previousDepth, should.previousDepth));
+// Of matrices alone nothing is made: without depth everything would move as the sky does.
+TEST_F(CaptureSourceTest, StandsStillWithoutDepthWhateverTheMatricesSay) {
+  CapturedShot shot("builtin:fence", kPicturePx, Settings{}, 4);
+  DecodedFrame frame = *shot.frame(3);
+  frame.motion = frame.previousDepth = frame.depth = Image();
+  ASSERT_NE(frame.camera, frame.previousCamera);
+  CaptureSource source = sourceOf(shot, frame);
+  FrameRequest request = shot.request();
+  for (const MotionSource motion : {MotionSource::Objects, MotionSource::CameraFromDepth}) {
+    request.inputs.motion = motion;
+    const FrameInputs inputs = drawn(source, request, 3);
+    for (const float value : inputs.motion.download().pixels) ASSERT_EQ(value, 0.0f);
+    for (const float value : inputs.previousDepth.download().pixels) ASSERT_EQ(value, 0.0f);
+  }
+}
+
+TEST_F(CaptureSourceTest, KnowsWhatSomeOfItsFramesHave) {
+  CapturedShot shot("builtin:fan", {8, 8}, Settings{}, 3);
+  capture::Manifest manifest = shot.manifest();
+  EXPECT_TRUE(CaptureSource(manifest, {}).capture()->hasCameraMotion);
+  manifest.frames[2].planes[capture::PlaneKind::Reference].file = "of the last frame alone";
+  manifest.frames[1].planes[capture::PlaneKind::Output].file = "from the second frame on";
+  manifest.planes.erase(capture::PlaneKind::Depth);
+  const CaptureSource source(manifest, {});
+  EXPECT_TRUE(source.capture()->hasReference);
+  EXPECT_TRUE(source.capture()->hasOutput);
+  EXPECT_FALSE(source.capture()->hasMask);
+  EXPECT_FALSE(source.capture()->hasCameraMotion) << "there is no depth to make it of";
 }
 
 TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
@@ -129,7 +152,7 @@ TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
   frame.objectId.clear();
   frame.nearPlane = 0.25;
   CaptureSource source = sourceOf(shot, frame);
-  EXPECT_FALSE(source.capture()->hasCamera);
+  EXPECT_FALSE(source.capture()->hasCameraMotion);
   const FrameInputs inputs = drawn(source, shot.request(), 3);
   const Image motion = inputs.motion.download(), depth = inputs.depth.download(),
               previous = inputs.previousDepth.download(), ids = inputs.objectId.download();

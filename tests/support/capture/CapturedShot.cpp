@@ -68,7 +68,8 @@ capture::Manifest CapturedShot::manifest() {
     manifest.frames[static_cast<std::size_t>(index)].number = index;
     capture::encodeFrame(manifest, static_cast<std::size_t>(index), *frame(index));
   }
-  for (const capture::PlaneKind kind : {capture::PlaneKind::Color, capture::PlaneKind::Motion})
+  for (const capture::PlaneKind kind :
+       {capture::PlaneKind::Color, capture::PlaneKind::Motion, capture::PlaneKind::Depth})
     manifest.planes[kind].file = "in memory";
   if (request_.inputs.mask != MaskSource::None) manifest.planes[capture::PlaneKind::Mask].file = "in memory";
   if (request_.inputs.blended == BlendedAs::After)

@@ -152,4 +152,32 @@ TEST(MissingInputs, SaysWhatIsDoneInstead) {
   EXPECT_TRUE(says(missingInputs(manifest), "1 of 2 frames"));
 }
 
+// Engines often have no motion in their first frame, which is not to say that there is none.
+TEST(MissingInputs, SaysWhichPlanesAreThereInSomeFramesOnly) {
+  Manifest manifest = manifestOf({}, kSize, 3);
+  manifest.frames[1].planes[PlaneKind::Motion].file = "a";
+  manifest.frames[2].planes[PlaneKind::Motion].file = "b";
+  const std::vector<std::string> sentences = missingInputs(manifest);
+  EXPECT_TRUE(says(sentences, "motion is part of 2 of 3 frames"));
+  EXPECT_FALSE(says(sentences, "there is no motion"));
+}
+
+// taa_capture.h states every plane with its frame.
+TEST(MissingInputs, SaysTheSizesOfPlanesOfFrames) {
+  Manifest manifest = manifestOf({}, {4, 2});
+  for (CapturedFrame& frame : manifest.frames) {
+    frame.planes[PlaneKind::Motion].file = "a";
+    frame.planes[PlaneKind::Motion].raw = RawFormat::RG16F;
+    frame.planes[PlaneKind::Motion].sizePx = {2, 1};
+  }
+  EXPECT_TRUE(says(missingInputs(manifest), "motion is 2×1 and the frame 4×2"));
+}
+
+TEST(MissingInputs, SaysThatNoFrameIsPreExposed) {
+  Manifest manifest = manifestLike("unreal", kSize);
+  EXPECT_TRUE(says(missingInputs(manifest), "color is pre-exposed"));
+  manifest.frames[1].preExposure = 2.0;
+  EXPECT_FALSE(says(missingInputs(manifest), "color is pre-exposed"));
+}
+
 } // namespace taa::capture
