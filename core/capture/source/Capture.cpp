@@ -219,6 +219,11 @@ bool Capture::isReady(int index) const {
   return impl_->cache.contains(index);
 }
 
+std::string nameOf(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
 bool isCapture(const std::string& source) {
   std::error_code ignored;
   const fs::path path(source);
@@ -227,9 +232,11 @@ bool isCapture(const std::string& source) {
 
 std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress) {
   const fs::path path(source);
-  const fs::path folder = path.filename() == kManifestName ? path.parent_path() : path;
+  const bool isManifest = path.filename() == kManifestName;
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path& folder = isManifest ? parent : path;
   std::error_code ignored;
-  const bool isStated = fs::exists(folder / kManifestName, ignored) || folder != path;
+  const bool isStated = isManifest || fs::exists(folder / kManifestName, ignored);
   Manifest manifest = isStated ? readManifest(folder) : guessCapture(folder, "", {}, progress).manifest;
   const auto capture = std::make_shared<const Capture>(folder, std::move(manifest));
   static_cast<void>(capture->frame(0));

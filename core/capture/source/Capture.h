@@ -26,7 +26,7 @@ class Capture {
   const Manifest& manifest() const;
   int frames() const;
   /// Decoded now, or kept, or waited for while it is on its way; begins to decode the frame after it in the
-  /// background. Throws Error.
+  /// background, the one before it where frames are asked for downward. Throws Error.
   std::shared_ptr<const DecodedFrame> frame(int index) const;
   /// Whether frame() answers without reading.
   bool isReady(int index) const;
@@ -36,6 +36,8 @@ class Capture {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What a folder is called, however its path is written: "a" of "a", "a/", "b/../a" and, within it, ".".
+std::string nameOf(const std::filesystem::path& folder);
 /// Whether `source` names a capture: a folder, or a file called capture.json.
 bool isCapture(const std::string& source);
 /// Opens a folder with capture.json, or one without that import/ understands: its notes say what was guessed.

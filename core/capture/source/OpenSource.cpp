@@ -7,7 +7,9 @@
 #include "core/render/SceneRenderer.h"
 #include "core/scene/SceneSource.h"
 
-#include <filesystem>
+#include <algorithm>
+#include <string>
+#include <utility>
 
 namespace taa {
 
@@ -17,10 +19,11 @@ OpenedSource openCaptured(const std::string& source, const Progress& progress) {
   report(progress, say<"Opening the capture">(), 0, 1);
   const std::shared_ptr<const capture::Capture> opened = capture::openCapture(source, progress);
   report(progress, say<"Opening the capture">(), 1, 1);
-  const std::string folder =
-      std::filesystem::absolute(opened->folder()).lexically_normal().filename().string();
-  return {std::make_shared<const Scene>(capture::sceneOf(opened->manifest(), folder)),
-          std::make_shared<capture::CaptureSource>(opened)};
+  Scene scene = capture::sceneOf(opened->manifest(), capture::nameOf(opened->folder()));
+  // Sizes of pictures are known when they are read; those of raw planes the manifest has stated already.
+  for (const std::string& note : opened->frame(0)->notes)
+    if (std::ranges::find(scene.warnings, note) == scene.warnings.end()) scene.warnings.push_back(note);
+  return {std::make_shared<const Scene>(std::move(scene)), std::make_shared<capture::CaptureSource>(opened)};
 }
 
 } // namespace

@@ -151,6 +151,14 @@ TEST_F(CaptureTest, IsOpenedByItsFolderOrItsManifest) {
     EXPECT_TRUE(isCapture(source.string()));
     EXPECT_EQ(redOf(openCapture(source.string())->frame(1)), 1.0f);
   }
+  // Within the folder its file has a name and no path.
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  EXPECT_NO_THROW(static_cast<void>(openCapture(kManifestName)));
+  EXPECT_EQ(nameOf("."), "capture");
+  fs::current_path(before);
+  EXPECT_EQ(nameOf("a/capture/"), "capture");
+  EXPECT_EQ(nameOf("capture"), "capture");
   EXPECT_FALSE(isCapture("builtin:fan"));
   EXPECT_FALSE(isCapture((folder_ / "scene.gltf").string()));
 }
