@@ -234,7 +234,7 @@ std::vector<std::string> readNotes(const json& list) {
 }
 
 void requireFormat(const json& object) {
-  const json& format = requireField(object, "", "format");
+  const json format = requireField(object, "", "format");
   if (format != kManifestFormat)
     throw Error(say<"its format is %1, this program reads %2">(shownText(format.dump()), kManifestFormat));
 }
