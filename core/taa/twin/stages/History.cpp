@@ -9,9 +9,6 @@
 namespace taa::twin {
 namespace {
 
-/// Positions further out than this, px, are read at the pixel itself: they are rejected later anyway.
-constexpr float kFarthestPosition = 1e6f;
-
 glm::vec3 lerp(const glm::vec3& a, const glm::vec3& b, float fraction) {
   return a + fraction * (b - a);
 }
@@ -143,9 +140,8 @@ glm::vec3 bilinearHistory(const Inputs& inputs, const glm::vec2& positionPx, His
 
 HistorySample sampleHistory(const Inputs& inputs, const HistorySettings& settings,
                             const glm::vec2& positionPx, const glm::ivec2& pixel, const glm::ivec2& drawn) {
-  const auto isSane = [](float value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
   HistorySample result;
-  result.position = isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
+  result.position = readPosition(positionPx, pixel);
   const bool mayBeEdge = settings.bilinearAtEdges == Switch::On && settings.filter != HistoryFilter::Point &&
                          settings.filter != HistoryFilter::Bilinear;
   result.isEdge = mayBeEdge && hasDepthEdge(inputs, drawn, settings.edgeDepth);

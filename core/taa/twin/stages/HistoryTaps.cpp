@@ -9,6 +9,8 @@
 namespace taa::twin {
 namespace {
 
+constexpr float kFarthestPosition = 1e6f; // px
+
 /// Five bilinear taps for sixteen (Jimenez 2016): corners dropped, weights normalized (manual 6.4) unless
 /// as printed (6.4b), or each corner given to its two neighbors (6.4c).
 TapPlaces fiveTaps(const AxisPlace& x, const AxisPlace& y, const HistorySettings& settings) {
@@ -119,6 +121,11 @@ class TexelSums {
 AxisPlace axisPlace(float positionPx) {
   const float texel = std::floor(positionPx - 0.5f); // texel 0 is centered at ½
   return {static_cast<int>(texel), positionPx - (texel + 0.5f)};
+}
+
+glm::vec2 readPosition(const glm::vec2& positionPx, const glm::ivec2& pixel) {
+  const auto isSane = [](float value) { return value >= -kFarthestPosition && value <= kFarthestPosition; };
+  return isSane(positionPx.x) && isSane(positionPx.y) ? positionPx : glm::vec2(pixel) + 0.5f;
 }
 
 TapPlaces tapPlaces(const HistorySettings& settings, const glm::vec2& positionPx) {

@@ -20,6 +20,10 @@ struct AxisPlace {
 };
 AxisPlace axisPlace(float positionPx);
 
+/// Where history is read: the pixel itself where the position is no number or so far out that history is
+/// rejected later anyway.
+glm::vec2 readPosition(const glm::vec2& positionPx, const glm::ivec2& pixel);
+
 /// The places that a filter of history takes around another (manual §6).
 struct TapPlaces {
   struct Tap {
