@@ -23,7 +23,7 @@ struct Question {
   std::string (*text)();
   std::string_view path;
   bool (*isAsked)(const FrameSamples& samples);
-  std::vector<Trial> (*trials)(const TestState& state);
+  std::vector<Trial> (*trials)(const TestState& state); ///< empty: the state leaves nothing to ask
   bool needsSureness; ///< the default is right nearly everywhere: it takes clear pixels to state something
                       ///< else
 };
@@ -51,6 +51,10 @@ bool withMotion(const FrameSamples& samples) {
   return samples.hasMotion();
 }
 
+bool withTwoSizes(const FrameSamples& samples) {
+  return samples.hasMotion() && samples.manifest().outputSize() != samples.manifest().sizePx;
+}
+
 bool withJitter(const FrameSamples& samples) {
   return samples.hasJitter();
 }
@@ -69,6 +73,11 @@ std::vector<Trial> directions(const TestState& state) {
 
 std::vector<Trial> units(const TestState& state) {
   return choicesOf(state, "motion.unit");
+}
+
+std::vector<Trial> pixelsOf(const TestState& state) {
+  if (state.conventions.motion.unit != ScreenUnit::Pixels) return {};
+  return choicesOf(state, "motion.pixelOf");
 }
 
 std::vector<Trial> motionAxes(const TestState& state) {
@@ -137,6 +146,7 @@ std::vector<Trial> skies(const TestState& state) {
 constexpr Question kQuestions[] = {
     {[] { return say<"Direction of motion">(); }, "motion.direction", withMotion, directions, false},
     {[] { return say<"Unit of motion">(); }, "motion.unit", withMotion, units, false},
+    {[] { return say<"Pixels of motion">(); }, "motion.pixelOf", withTwoSizes, pixelsOf, true},
     {[] { return say<"y axis of motion">(); }, "motion.yAxis", withMotion, motionAxes, false},
     {[] { return say<"x axis of motion">(); }, "motion.scaleX", withMotion, mirrors, true},
     {[] { return say<"Length of motion">(); }, "motion.scaleX", withMotion, lengths, true},
@@ -167,9 +177,8 @@ struct AskedQuestion {
   std::optional<Conventions> adopted;
 };
 
-AskedQuestion ask(const Question& question, FrameSamples& samples, const TestState& state,
-                  const QuestionRules& rules) {
-  const std::vector<Trial> trials = question.trials(state);
+AskedQuestion ask(const Question& question, const std::vector<Trial>& trials, FrameSamples& samples,
+                  const TestState& state, const QuestionRules& rules) {
   const Comparison comparison = compare(samples, trials);
   const std::optional<std::size_t> stated = statedOf(trials, state);
   const Trial& best = trials[comparison.best];
@@ -204,6 +213,7 @@ std::vector<std::vector<Assignments>> searchOf(const FrameSamples& samples, cons
     axes.push_back({{"motion.direction=currentMinusPrevious"}, {"motion.direction=previousMinusCurrent"}});
     axes.push_back({{"motion.yAxis=down"}, {"motion.yAxis=up"}});
     axes.push_back({{"motion.unit=pixels"}, {"motion.unit=uv"}, {"motion.unit=ndc"}});
+    if (withTwoSizes(samples)) axes.push_back({{"motion.pixelOf=render"}, {"motion.pixelOf=output"}});
     if (state.conventions.motion.encoding == MotionEncoding::Offset)
       axes.push_back({{"motion.scaleX=1", "motion.scaleY=1"},
                       {"motion.scaleX=2", "motion.scaleY=2"},
@@ -267,7 +277,9 @@ std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const Qu
     for (const Question& question : kQuestions) {
       report(progress, question.text(), done++, static_cast<int>(std::size(kQuestions)));
       if (!question.isAsked(samples)) continue;
-      AskedQuestion answer = ask(question, samples, state, rules);
+      const std::vector<Trial> trials = question.trials(state);
+      if (trials.empty()) continue;
+      AskedQuestion answer = ask(question, trials, samples, state, rules);
       if (answer.adopted) {
         state.conventions = *answer.adopted;
         isChanged = true;
