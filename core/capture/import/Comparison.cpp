@@ -29,13 +29,6 @@ constexpr std::size_t kRoughStep = 8;
 constexpr double kClearFactor = 1.05, kClearShare = 0.7;
 constexpr std::size_t kClearRegions = 12;
 
-/// What one trial makes of all pixels of all pairs.
-struct Outcome {
-  bool isPossible = true;
-  std::vector<glm::vec2> places; ///< in the picture before
-  std::vector<float> errors;
-};
-
 Outcome outcomeOf(FrameSamples& samples, const Trial& trial) {
   Outcome out;
   for (const FramePair& pair : samples.pairs()) {
@@ -45,9 +38,7 @@ Outcome outcomeOf(FrameSamples& samples, const Trial& trial) {
       const glm::vec2 moved = trial.isAtRest ? 0.0f * motion->stored[i] : motion->stored[i];
       const glm::vec2 place = glm::vec2(pair.places[i]) + 0.5f - moved + motion->jitterStep;
       const bool isKnown = std::isfinite(place.x) && std::isfinite(place.y);
-      out.places.push_back(place);
-      out.errors.push_back(isKnown ? std::abs(pair.luma[i] - sampledLuma(pair.previousLuma, place))
-                                   : kUnknown);
+      out.add(place, isKnown ? std::abs(pair.luma[i] - betweenPixels(pair.previousLuma, place)) : kUnknown);
     }
   }
   return out;
@@ -110,22 +101,30 @@ std::string shortText(double value) {
 
 } // namespace
 
+bool Comparison::hasRegions() const {
+  return regions >= kClearRegions;
+}
+
 bool Comparison::isClear() const {
-  return factor >= kClearFactor && share >= kClearShare && regions >= kClearRegions;
+  return factor >= kClearFactor && share >= kClearShare && hasRegions();
 }
 
 Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
-  Comparison out;
-  out.residuals.assign(trials.size(), kImpossible);
   std::vector<Outcome> outcomes;
   for (const Trial& trial : trials) outcomes.push_back(outcomeOf(samples, trial));
+  return compare(samples, outcomes);
+}
+
+Comparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes) {
+  Comparison out;
+  out.residuals.assign(outcomes.size(), kImpossible);
   const std::vector<std::uint32_t> regions = regionsOf(samples);
   std::vector<std::size_t> pixels;
   for (std::size_t i = 0; i < regions.size(); ++i)
     if (tellsApart(outcomes, i)) pixels.push_back(i);
   out.pixels = pixels.size();
   std::vector<std::size_t> order;
-  for (std::size_t trial = 0; trial < trials.size(); ++trial) {
+  for (std::size_t trial = 0; trial < outcomes.size(); ++trial) {
     if (!outcomes[trial].isPossible) continue;
     double sum = 0.0;
     for (const std::size_t i : pixels) sum += static_cast<double>(outcomes[trial].errors[i]);
@@ -150,7 +149,7 @@ double roughResidual(FrameSamples& samples, const TestState& state) {
     for (std::size_t i = 0; i < pair.places.size(); i += kRoughStep) {
       const glm::vec2 place = glm::vec2(pair.places[i]) + 0.5f - motion->stored[i] + motion->jitterStep;
       if (!std::isfinite(place.x) || !std::isfinite(place.y)) continue;
-      sum += static_cast<double>(std::abs(pair.luma[i] - sampledLuma(pair.previousLuma, place)));
+      sum += static_cast<double>(std::abs(pair.luma[i] - betweenPixels(pair.previousLuma, place)));
       ++count;
     }
   }
@@ -158,7 +157,7 @@ double roughResidual(FrameSamples& samples, const TestState& state) {
 }
 
 std::string reasonOf(const Comparison& comparison) {
-  if (comparison.regions < kClearRegions)
+  if (!comparison.hasRegions())
     return say<"too little moves to tell: the answers differ at %1 pixels">(comparison.pixels);
   const int percent = static_cast<int>(std::lround(100.0 * comparison.share));
   if (comparison.isClear())

@@ -4,6 +4,8 @@
 #include "core/capture/import/FrameSamples.h"
 #include "core/capture/import/Guess.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -27,11 +29,28 @@ struct Comparison {
   double share = 0.0;     ///< of the picture's regions, over all pairs, in which the best beats the second
   std::size_t regions = 0;
 
+  /// Whether enough of the picture says anything.
+  bool hasRegions() const;
   /// Whether the best one stands out.
   bool isClear() const;
 };
 
 Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials);
+
+/// What one trial makes of the pixels of all pairs, pair by pair.
+struct Outcome {
+  bool isPossible = true;        ///< false: the capture contradicts it
+  std::vector<glm::vec2> places; ///< in the picture before
+  std::vector<float> errors;     ///< NaN: not known
+
+  void add(const glm::vec2& place, float error) {
+    places.push_back(place);
+    errors.push_back(error);
+  }
+};
+
+/// Of outcomes by whatever error; pixels that one of them does not know count for none.
+Comparison compare(const FrameSamples& samples, const std::vector<Outcome>& outcomes);
 
 /// The mean of |luma − luma of the frame before| × 1000 over every n-th pixel of the sample; infinite where
 /// conventions contradict the capture. Faster than compare(), for many states.

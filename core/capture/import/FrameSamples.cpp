@@ -27,7 +27,8 @@ namespace taa::capture {
 namespace {
 
 constexpr double kSamplesPerPair = 40000.0;
-constexpr double kMaxLumaValues = 64e6; ///< of all pairs' pictures
+constexpr double kMaxPictureValues = 64e6; ///< of all pairs' whole pictures
+constexpr glm::vec2 kUnknownMotion(std::numeric_limits<float>::quiet_NaN());
 
 /// The same for every run: a pixel somewhere in each cell of a grid.
 std::vector<glm::ivec2> samplePlaces(const glm::ivec2& size) {
@@ -81,6 +82,21 @@ void makePlanar(Image& depth, const std::vector<glm::ivec2>& places, const State
   }
 }
 
+Image packedPlane(const std::vector<float>& values) {
+  Image out(static_cast<int>(values.size()), 1, 1);
+  out.pixels = values;
+  return out;
+}
+
+/// This program's depth of what lies at a distance along the camera's axis, m; 0 for 0, which is nowhere.
+float depthAt(const StatedCamera& camera, double distance) {
+  if (distance <= 0.0) return 0.0f;
+  const glm::dmat4& clip = camera.camera.clipFromView;
+  const bool isOrthographic = camera.camera.orthographic;
+  return static_cast<float>(isOrthographic ? clip[3][2] - clip[2][2] * distance
+                                           : camera.nearPlane / distance);
+}
+
 bool needsCamera(const MotionConventions& motion) {
   const bool canLack = motion.notWritten || motion.encoding == MotionEncoding::Unreal;
   return (canLack && motion.fallback == MotionFallback::Camera) || motion.whereNothing.has_value() ||
@@ -110,23 +126,20 @@ Image comparedLuma(const Image& color) {
   return luma;
 }
 
-float sampledLuma(const Image& luma, const glm::vec2& place) {
-  const glm::vec2 last(static_cast<float>(luma.width - 1), static_cast<float>(luma.height - 1));
+float betweenPixels(const Image& plane, const glm::vec2& place) {
+  const glm::vec2 last(static_cast<float>(plane.width - 1), static_cast<float>(plane.height - 1));
   const glm::vec2 at = glm::clamp(place - 0.5f, glm::vec2(0.0f), last);
   const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
-  const int x1 = std::min(x + 1, luma.width - 1), y1 = std::min(y + 1, luma.height - 1);
+  const int x1 = std::min(x + 1, plane.width - 1), y1 = std::min(y + 1, plane.height - 1);
   const float u = at.x - static_cast<float>(x), v = at.y - static_cast<float>(y);
-  const float top = (1.0f - u) * *luma.at(x, y) + u * *luma.at(x1, y);
-  const float bottom = (1.0f - u) * *luma.at(x, y1) + u * *luma.at(x1, y1);
+  const float top = (1.0f - u) * *plane.at(x, y) + u * *plane.at(x1, y);
+  const float bottom = (1.0f - u) * *plane.at(x, y1) + u * *plane.at(x1, y1);
   return (1.0f - v) * top + v * bottom;
 }
 
 FrameSamples::FrameSamples(const std::filesystem::path& folder, Manifest manifest, int maxPairs,
                            const Progress& progress)
     : manifest_(std::move(manifest)) {
-  const double pixels = static_cast<double>(manifest_.sizePx.x) * manifest_.sizePx.y;
-  const int affordable = std::max(1, static_cast<int>(kMaxLumaValues / std::max(1.0, pixels)));
-  const std::vector<std::size_t> indices = pairIndices(manifest_, std::min(maxPairs, affordable));
   const CapturedFrame& first = manifest_.frames.front();
   hasMotion_ = manifest_.plane(first, PlaneKind::Motion) != nullptr;
   hasDepth_ = manifest_.plane(first, PlaneKind::Depth) != nullptr;
@@ -135,6 +148,10 @@ FrameSamples::FrameSamples(const std::filesystem::path& folder, Manifest manifes
   });
   hasJitter_ = std::ranges::any_of(manifest_.frames,
                                    [&](const CapturedFrame& frame) { return frame.jitter != first.jitter; });
+  const double pictures = asksDepthJitter() ? 2.0 : 1.0;
+  const double values = pictures * static_cast<double>(manifest_.sizePx.x) * manifest_.sizePx.y;
+  const int affordable = std::max(1, static_cast<int>(kMaxPictureValues / std::max(1.0, values)));
+  const std::vector<std::size_t> indices = pairIndices(manifest_, std::min(maxPairs, affordable));
   int done = 0;
   for (const std::size_t index : indices) {
     report(progress, say<"Reading frames">(), done++, static_cast<int>(indices.size()));
@@ -171,9 +188,64 @@ FramePair FrameSamples::read(const std::filesystem::path& folder, std::size_t in
     pair.motion = packed(motion, pair.places);
   if (const Image depth = shapes.take(PlaneKind::Depth); !depth.empty())
     pair.depth = packed(depth, pair.places);
-  FramePlanes before = planesOf(index - 1, {PlaneKind::Color});
+  FramePlanes before = asksDepthJitter() ? planesOf(index - 1, {PlaneKind::Color, PlaneKind::Depth})
+                                         : planesOf(index - 1, {PlaneKind::Color});
   pair.previousLuma = colorOf(manifest_.frames[index - 1], before);
+  pair.previousDepth =
+      PlaneShapes(before, manifest_.sizePx, manifest_.frames[index - 1].number).take(PlaneKind::Depth);
   return pair;
+}
+
+bool FrameSamples::takeGeometry(const FramePair& pair, const glm::dvec2& jitterPx, PairMotion& out) {
+  Image depth = pair.depth;
+  DepthConventions& kind = manifest_.conventions.depth;
+  const glm::dvec2 depthJitter = kind.jittered ? jitterPx : glm::dvec2(0.0);
+  StatedCameras cameras;
+  try {
+    if (hasMatrices_) cameras = statedCameras(manifest_, pair.index);
+    const StatedCamera* now = cameras.now ? &*cameras.now : nullptr;
+    if (kind.kind == DepthKind::Radial && now) {
+      makePlanar(depth, pair.places, *now, depthJitter, manifest_.sizePx);
+      kind.kind = DepthKind::Planar;
+    }
+    DepthDecoder(manifest_, now, jitterPx).decode(depth);
+  } catch (const Error&) {
+    return false;
+  }
+  out.depth = std::move(depth.pixels);
+  if (!cameras.now || !cameras.previous) return true;
+  const CameraMotion camera(cameras.now->camera, cameras.previous->camera, manifest_.sizePx, depthJitter);
+  for (std::size_t i = 0; i < pair.places.size(); ++i) {
+    const glm::ivec2 place = pair.places[i];
+    out.camera.push_back(camera.motionPx(place.x, place.y, out.depth[i]));
+    const float distance = camera.previousDepth(place.x, place.y, out.depth[i]);
+    out.previousDepth.push_back(depthAt(*cameras.previous, static_cast<double>(distance)));
+  }
+  return true;
+}
+
+// The camera's motion needs places, which packed pixels have not: they are marked and filled in here.
+void FrameSamples::takeStored(const FramePair& pair, const MotionInputs& inputs, PairMotion& out) {
+  MotionConventions& motion = manifest_.conventions.motion;
+  const MotionConventions stated = motion;
+  if (motion.fallback == MotionFallback::Camera) motion.fallback = MotionFallback::None;
+  if (motion.whereNothing == MotionFallback::Camera) motion.whereNothing = MotionFallback::None;
+  Image decoded = pair.motion;
+  MotionDecoder(manifest_, inputs).decode(decoded);
+  for (std::size_t i = 0; i < pair.places.size(); ++i) {
+    glm::vec2 px(decoded.pixels[2 * i], decoded.pixels[2 * i + 1]);
+    const bool isMarked = px == glm::vec2(kNoPreviousPosition);
+    const bool isNothing = !out.depth.empty() && out.depth[i] == 0.0f && stated.whereNothing.has_value();
+    const bool isCamera =
+        isMarked && (isNothing ? stated.whereNothing : stated.fallback) == MotionFallback::Camera;
+    const glm::vec2 ofCamera = out.camera.empty() ? glm::vec2(0.0f) : out.camera[i];
+    if (isCamera)
+      px = ofCamera;
+    else if (!stated.includesCamera && !isMarked && !isNothing)
+      px += ofCamera;
+    const bool isKnown = std::max(std::abs(px.x), std::abs(px.y)) < kNoPreviousPosition;
+    out.stored[i] = isKnown ? px : kUnknownMotion;
+  }
 }
 
 std::optional<PairMotion> FrameSamples::motionOf(const FramePair& pair, const TestState& state,
@@ -185,64 +257,33 @@ std::optional<PairMotion> FrameSamples::motionOf(const FramePair& pair, const Te
   const glm::dvec2 jitterPx = decodeJitter(manifest_, pair.index);
   const glm::dvec2 previousJitterPx = decodeJitter(manifest_, pair.index - 1);
   if (state.isJittered) out.jitterStep = glm::vec2(previousJitterPx - jitterPx);
+  const bool isWanted = withCamera || pair.motion.empty() || needsCamera(manifest_.conventions.motion);
+  if (isWanted && !pair.depth.empty() && !takeGeometry(pair, jitterPx, out)) return {};
 
-  MotionConventions& motion = manifest_.conventions.motion;
-  const bool isWanted = withCamera || pair.motion.empty() || needsCamera(motion);
-  std::optional<CameraMotion> camera;
-  Image depth;
-  if (isWanted && !pair.depth.empty()) {
-    depth = pair.depth;
-    StatedCameras cameras;
-    try {
-      if (hasMatrices_) cameras = statedCameras(manifest_, pair.index);
-      const StatedCamera* now = cameras.now ? &*cameras.now : nullptr;
-      DepthConventions& kind = manifest_.conventions.depth;
-      const glm::dvec2 depthJitter = kind.jittered ? jitterPx : glm::dvec2(0.0);
-      if (kind.kind == DepthKind::Radial && now) {
-        makePlanar(depth, pair.places, *now, depthJitter, manifest_.sizePx);
-        kind.kind = DepthKind::Planar;
-      }
-      DepthDecoder(manifest_, now, jitterPx).decode(depth);
-      if (now && cameras.previous)
-        camera.emplace(cameras.now->camera, cameras.previous->camera, manifest_.sizePx, depthJitter);
-    } catch (const Error&) {
-      return {};
-    }
-    out.depth = depth.pixels;
-  }
-  if (camera)
-    for (std::size_t i = 0; i < pair.places.size(); ++i)
-      out.camera.push_back(camera->motionPx(pair.places[i].x, pair.places[i].y, depth.pixels[i]));
-
-  const glm::vec2 unknown(std::numeric_limits<float>::quiet_NaN());
-  out.stored.assign(pair.places.size(), isStated ? glm::vec2(0.0f) : unknown);
+  out.stored.assign(pair.places.size(), isStated ? glm::vec2(0.0f) : kUnknownMotion);
   if (!isStated) return out;
   if (pair.motion.empty()) {
     if (!out.camera.empty()) out.stored = out.camera;
     return out;
   }
-  // The camera's motion needs places, which packed pixels have not: they are marked and filled in here.
-  const MotionConventions stated = motion;
-  if (motion.fallback == MotionFallback::Camera) motion.fallback = MotionFallback::None;
-  if (motion.whereNothing == MotionFallback::Camera) motion.whereNothing = MotionFallback::None;
-  Image decoded = pair.motion;
-  const MotionInputs inputs{jitterPx, previousJitterPx, depth.empty() ? nullptr : &depth, nullptr};
-  MotionDecoder(manifest_, inputs).decode(decoded);
-  for (std::size_t i = 0; i < pair.places.size(); ++i) {
-    glm::vec2 px(decoded.pixels[2 * i], decoded.pixels[2 * i + 1]);
-    const bool isMarked = px == glm::vec2(kNoPreviousPosition);
-    const bool isNothing = !depth.empty() && depth.pixels[i] == 0.0f && stated.whereNothing.has_value();
-    const bool isCamera =
-        isMarked && (isNothing ? stated.whereNothing : stated.fallback) == MotionFallback::Camera;
-    const glm::vec2 ofCamera = out.camera.empty() ? glm::vec2(0.0f) : out.camera[i];
-    if (isCamera)
-      px = ofCamera;
-    else if (!stated.includesCamera && !isMarked && !isNothing)
-      px += ofCamera;
-    const bool isKnown = std::max(std::abs(px.x), std::abs(px.y)) < kNoPreviousPosition;
-    out.stored[i] = isKnown ? px : unknown;
-  }
+  Image depth;
+  if (!out.depth.empty()) depth = packedPlane(out.depth);
+  takeStored(pair, {jitterPx, previousJitterPx, depth.empty() ? nullptr : &depth, nullptr}, out);
   return out;
+}
+
+std::optional<Image> FrameSamples::previousDepthOf(const FramePair& pair, const TestState& state) {
+  manifest_.conventions = state.conventions;
+  Image depth = pair.previousDepth;
+  if (depth.empty()) return depth;
+  try {
+    const StatedCameras cameras = statedCameras(manifest_, pair.index - 1);
+    const StatedCamera* camera = cameras.now ? &*cameras.now : nullptr;
+    DepthDecoder(manifest_, camera, decodeJitter(manifest_, pair.index - 1)).decode(depth);
+  } catch (const Error&) {
+    return {};
+  }
+  return depth;
 }
 
 } // namespace taa::capture

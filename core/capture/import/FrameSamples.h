@@ -4,6 +4,7 @@
 
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
+#include "core/capture/decode/Motion.h"
 #include "core/capture/format/Manifest.h"
 
 #include <glm/vec2.hpp>
@@ -22,6 +23,7 @@ struct FramePair {
   std::vector<float> luma;        ///< there, of this frame
   Image motion, depth;            ///< as stored, places.size() × 1; empty where the capture has none
   Image previousLuma;             ///< the whole picture
+  Image previousDepth;            ///< likewise, as stored; empty where cameras or jitter are not known
 };
 
 /// Conventions that are looked at, and whether colors hold the jitter that frames state.
@@ -35,7 +37,9 @@ struct PairMotion {
   std::vector<glm::vec2> stored; ///< decoded motion, px; NaN: not known
   std::vector<glm::vec2> camera; ///< that of the camera; empty: not known
   std::vector<float> depth;      ///< this program's; empty: not known
-  glm::vec2 jitterStep{0.0f};    ///< jitter of the earlier frame minus that of the later one
+  /// That of the surfaces in the frame before, if they rest in the world: this program's, 0: none. As camera.
+  std::vector<float> previousDepth;
+  glm::vec2 jitterStep{0.0f}; ///< jitter of the earlier frame minus that of the later one
 };
 
 class FrameSamples {
@@ -50,13 +54,20 @@ class FrameSamples {
   bool hasDepth() const { return hasDepth_; }
   bool hasMatrices() const { return hasMatrices_; }
   bool hasJitter() const { return hasJitter_; } ///< one that is not the same in all frames
+  /// Whether there is all that tells a depth with jitter from one without.
+  bool asksDepthJitter() const { return hasDepth_ && hasMatrices_ && hasJitter_; }
 
   /// Nothing where conventions contradict the capture: its matrices cannot be such. `withCamera`: also what
   /// the camera's motion is.
   std::optional<PairMotion> motionOf(const FramePair& pair, const TestState& state, bool withCamera);
+  /// The whole depth of the frame before, this program's. Nothing where conventions contradict the capture;
+  /// empty where it is not known.
+  std::optional<Image> previousDepthOf(const FramePair& pair, const TestState& state);
 
  private:
   FramePair read(const std::filesystem::path& folder, std::size_t index);
+  bool takeGeometry(const FramePair& pair, const glm::dvec2& jitterPx, PairMotion& out);
+  void takeStored(const FramePair& pair, const MotionInputs& inputs, PairMotion& out);
 
   Manifest manifest_; ///< its conventions are those looked at last
   std::vector<FramePair> pairs_;
@@ -66,7 +77,8 @@ class FrameSamples {
 /// Light that is compared: luminance l as l / (1 + l), smoothed over 3×3 pixels so that what aliases weighs
 /// less.
 Image comparedLuma(const Image& color);
-/// Between pixels; `place` counts from the corner of the picture, outside is the nearest pixel.
-float sampledLuma(const Image& luma, const glm::vec2& place);
+/// Of one channel, between pixels; `place` counts from the corner of the picture, outside is the nearest
+/// pixel.
+float betweenPixels(const Image& plane, const glm::vec2& place);
 
 } // namespace taa::capture

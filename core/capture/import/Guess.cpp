@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/PlaneShapes.h"
+#include "core/capture/import/DepthJitter.h"
 #include "core/capture/import/DepthValues.h"
 #include "core/capture/import/FolderPlan.h"
 #include "core/capture/import/FrameSamples.h"
@@ -54,6 +55,14 @@ void replaceUnsure(std::vector<Finding>& findings, std::optional<Finding> findin
     findings.push_back(std::move(*finding));
   else if (!found->isSure)
     *found = std::move(*finding);
+}
+
+/// The engine whose conventions are exactly these; null: none.
+const StartingPoint* engineOf(const Conventions& stated) {
+  const Conventions wanted = normalized(stated);
+  const auto found = std::ranges::find_if(
+      startingPoints(), [&](const StartingPoint& point) { return normalized(point.conventions) == wanted; });
+  return found == startingPoints().end() ? nullptr : &*found;
 }
 
 /// Guessing, step by step.
@@ -193,6 +202,11 @@ void Guesser::askAll() {
   }
   if (kind) out_.findings.push_back(*kind);
   replaceUnsure(out_.findings, askSky(samples, state_, isFixed("motion.whereNothing")));
+  // What all else shows to be an engine's is drawn as that engine draws, or the contradiction is worth a
+  // look.
+  const bool isKnown = isFixed("depth.jittered") || engineOf(stated()) != nullptr;
+  if (std::optional<Finding> jitter = askDepthJitter(samples, state_, isKnown))
+    out_.findings.push_back(std::move(*jitter));
   if (!samples.pairs().empty() && (samples.hasMotion() || samples.hasJitter()))
     out_.findings.push_back(askStartingPoints(samples, state_));
   if (samples.pairs().empty())
@@ -216,16 +230,13 @@ void Guesser::tell(const Finding& finding) {
   }
 }
 
-/// An engine whose conventions are exactly these.
 void Guesser::nameEngine() {
   Manifest& manifest = out_.manifest;
   manifest.like = like_;
-  for (const StartingPoint& point : startingPoints())
-    if (normalized(point.conventions) == normalized(manifest.conventions)) {
-      manifest.like = point.id;
-      out_.sure.push_back(say<"these are the conventions of %1">(point.label));
-      return;
-    }
+  const StartingPoint* engine = engineOf(manifest.conventions);
+  if (!engine) return;
+  manifest.like = engine->id;
+  out_.sure.push_back(say<"these are the conventions of %1">(engine->label));
 }
 
 void Guesser::finish() {
@@ -283,6 +294,8 @@ std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& 
     if (const DepthValues values = depthValuesOf(depth); values.isKnown)
       if (std::optional<Finding> kind = askDepth(samples, state, values, true))
         findings.push_back(std::move(*kind));
+  if (std::optional<Finding> jitter = askDepthJitter(samples, state, true))
+    findings.push_back(std::move(*jitter));
   replaceUnsure(findings, askSky(samples, state, true));
   if (!samples.pairs().empty() && (samples.hasMotion() || samples.hasJitter()))
     findings.push_back(askStartingPoints(samples, state));

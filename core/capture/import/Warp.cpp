@@ -40,7 +40,7 @@ WarpedPair warpedPair(const DecodedFrame& frame, const DecodedFrame& previous) {
   forRows(before.height, before.pixels.size(), [&](int first, int end) {
     for (int y = first; y < end; ++y)
       for (int x = 0; x < before.width; ++x) {
-        const float moved = sampledLuma(before, placeBefore(frame, previous, x, y));
+        const float moved = betweenPixels(before, placeBefore(frame, previous, x, y));
         *out.warped.at(x, y) = moved;
         *out.difference.at(x, y) = std::abs(*out.current.at(x, y) - moved);
       }

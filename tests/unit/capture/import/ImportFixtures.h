@@ -58,9 +58,9 @@ inline glm::dvec2 unitPx(ScreenUnit unit, VerticalAxis yAxis) {
 }
 
 inline void writeExr(const std::filesystem::path& file, const std::vector<std::string>& channels,
-                     const std::vector<float>& values) {
-  OIIO::ImageSpec spec(MovingSquare::kWidth, MovingSquare::kHeight, static_cast<int>(channels.size()),
-                       OIIO::TypeFloat);
+                     const std::vector<float>& values,
+                     const glm::ivec2& sizePx = {MovingSquare::kWidth, MovingSquare::kHeight}) {
+  OIIO::ImageSpec spec(sizePx.x, sizePx.y, static_cast<int>(channels.size()), OIIO::TypeFloat);
   spec.channelnames = channels;
   const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.string());
   ASSERT_TRUE(out && out->open(file.string(), spec));

@@ -1,5 +1,5 @@
 // What the import makes of folders: of frames drawn by formulas in every convention, and of real engines'.
-#include "tests/unit/capture/import/ImportFixtures.h"
+#include "tests/unit/capture/import/LeaningWall.h"
 
 #include "core/base/Error.h"
 #include "core/capture/decode/DecodedFrame.h"
@@ -9,9 +9,12 @@
 #include "core/capture/planes/Planes.h"
 #include "core/capture/source/Capture.h"
 
+#include <glm/geometric.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
@@ -62,6 +65,27 @@ void expectFound(const fs::path& folder, const MovingSquare& scene, const Conven
         << path << ": " << findingOf(guess.findings, path).reason;
 }
 
+/// What the wrong answer about depth's jitter leaves: by the frames' difference of jitter another place of
+/// the wall, whose reversed depth 1/d has the same slope everywhere. × 1000, over pixels where it is enough
+/// to be told.
+double missOfTheOtherAnswer(const LeaningWall& wall) {
+  const glm::dvec2 slope(wall.lean.x / LeaningWall::kSlopeX * 2.0 / MovingSquare::kWidth,
+                         -wall.lean.y / LeaningWall::kSlopeY * 2.0 / MovingSquare::kHeight);
+  double sum = 0.0, count = 0.0;
+  for (int frame = 1; frame < MovingSquare::kFrames; ++frame) {
+    const glm::dvec2 step = MovingSquare::jitterPx(frame - 1) - MovingSquare::jitterPx(frame);
+    const double change = std::abs(glm::dot(slope, step)) / (1.0 - wall.lean.x * wall.stepM * frame);
+    for (int y = 0; y < MovingSquare::kHeight; ++y)
+      for (int x = 0; x < MovingSquare::kWidth; ++x) {
+        const double miss = change * wall.distanceAt(glm::dvec2(x, y) + 0.5, frame);
+        if (miss < 0.002) continue;
+        sum += miss;
+        count += 1.0;
+      }
+  }
+  return 1000.0 * sum / count;
+}
+
 } // namespace
 
 TEST_F(ImportTest, FindsEveryDirectionUnitAndAxis) {
@@ -90,6 +114,88 @@ TEST_F(ImportTest, FindsTheUnitOfJitter) {
     stated_.jitter.unit = unit;
     expectFound(folder_, scene_, stated_);
   }
+}
+
+TEST_F(ImportTest, FindsThePictureWhosePixelsMotionCounts) {
+  constexpr int kTimes = 2; // as large is what the engine shows
+  const glm::ivec2 shown(kTimes * MovingSquare::kWidth, kTimes * MovingSquare::kHeight);
+  const std::vector<float> gray(static_cast<std::size_t>(3 * shown.x * shown.y), 0.5f);
+  for (const PixelOf pixelOf : {PixelOf::Render, PixelOf::Output}) {
+    SCOPED_TRACE(static_cast<int>(pixelOf));
+    writeSquare(folder_, scene_, stated_);
+    for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+      const std::string number = "000" + std::to_string(frame + 1) + ".exr";
+      writeExr(folder_ / ("output." + number), {"R", "G", "B"}, gray, shown);
+      std::vector<float> values = squareFrame(scene_, stated_, frame);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (i % 5 >= 3 && pixelOf == PixelOf::Output) values[i] *= kTimes;
+      writeExr(folder_ / ("frame." + number), {"R", "G", "B", "velocity.X", "velocity.Y"}, values);
+    }
+    const Guess guess = guessCapture(folder_, "", {});
+    ASSERT_EQ(guess.manifest.outputSize(), shown);
+    EXPECT_EQ(guess.manifest.conventions.motion.pixelOf, pixelOf);
+    EXPECT_EQ(guess.manifest.conventions.motion.unit, ScreenUnit::Pixels);
+    EXPECT_EQ(guess.manifest.conventions.motion.scale, glm::dvec2(1.0));
+    const Finding finding = findingOf(guess.findings, "motion.pixelOf");
+    EXPECT_TRUE(finding.isSure) << finding.reason;
+  }
+}
+
+TEST_F(ImportTest, AsksForThePictureOfPixelsOnlyWhereThereAreTwo) {
+  writeSquare(folder_, scene_, stated_);
+  for (const Finding& finding : guessCapture(folder_, "", {}).findings)
+    EXPECT_NE(finding.path, "motion.pixelOf");
+}
+
+TEST_F(ImportTest, FindsWhetherDepthHasTheJitter) {
+  LeaningWall wall;
+  for (const bool isJittered : {true, false}) {
+    SCOPED_TRACE(isJittered);
+    wall.isDepthJittered = isJittered;
+    writeWall(folder_, wall);
+    const Guess guess = guessCapture(folder_, "", {});
+    EXPECT_EQ(guess.manifest.conventions.depth.kind, DepthKind::Planar);
+    EXPECT_EQ(guess.manifest.conventions.depth.jittered, isJittered);
+    const Finding finding = findingOf(guess.findings, "depth.jittered");
+    EXPECT_TRUE(finding.isSure) << finding.reason;
+    EXPECT_FALSE(finding.contradicts());
+    ASSERT_EQ(finding.hypotheses.size(), 2u);
+    EXPECT_TRUE(finding.hypotheses[0].isChosen);
+    // Floats, and the curve of what motion stands for within a jitter's length.
+    EXPECT_LT(finding.hypotheses[0].residual, 0.02);
+    EXPECT_NEAR(finding.hypotheses[1].residual, missOfTheOtherAnswer(wall),
+                0.02 * missOfTheOtherAnswer(wall));
+  }
+}
+
+TEST_F(ImportTest, SaysWhereDepthsJitterContradictsWhatIsStated) {
+  LeaningWall wall;
+  wall.isDepthJittered = false;
+  writeWall(folder_, wall);
+  const Guess guess = guessCapture(folder_, "", {"depth.jittered=on"});
+  EXPECT_TRUE(guess.manifest.conventions.depth.jittered);
+  EXPECT_TRUE(findingOf(guess.findings, "depth.jittered").contradicts());
+}
+
+TEST_F(ImportTest, IsNotSureOfDepthsJitterWhereNothingIsSteep) {
+  LeaningWall wall;
+  wall.lean = {0.0, 0.0};
+  wall.isDepthJittered = false;
+  writeWall(folder_, wall);
+  const Guess guess = guessCapture(folder_, "", {});
+  const Finding finding = findingOf(guess.findings, "depth.jittered");
+  EXPECT_FALSE(finding.isSure);
+  EXPECT_TRUE(guess.manifest.conventions.depth.jittered) << "the default stands";
+  EXPECT_NE(finding.reason.find("too little is steep enough"), std::string::npos) << finding.reason;
+}
+
+TEST_F(ImportTest, IsNotSureOfDepthsJitterWhereMatricesAreOfSomethingElse) {
+  LeaningWall wall;
+  wall.statedStepM = -2.0 * wall.stepM;
+  writeWall(folder_, wall);
+  const Finding finding = findingOf(guessCapture(folder_, "", {}).findings, "depth.jittered");
+  EXPECT_FALSE(finding.isSure);
+  EXPECT_NE(finding.reason.find("neither answer's"), std::string::npos) << finding.reason;
 }
 
 TEST_F(ImportTest, IsNotSureWhereNothingMoves) {
@@ -222,9 +328,10 @@ void expectLike(const char* name, const char* like) {
   EXPECT_EQ(differences(normalized(guess.manifest.conventions), normalized(startingPoint(like).conventions)),
             std::vector<std::string>{});
   EXPECT_EQ(guess.manifest.like, like);
-  for (const std::string_view path :
-       {"motion.direction", "motion.unit", "motion.yAxis", "jitter.meaning", "jitter.yAxis"})
-    EXPECT_TRUE(findingOf(guess.findings, path).isSure) << path;
+  for (const std::string_view path : {"motion.direction", "motion.unit", "motion.yAxis", "jitter.meaning",
+                                      "jitter.yAxis", "depth.jittered"})
+    EXPECT_TRUE(findingOf(guess.findings, path).isSure)
+        << path << ": " << findingOf(guess.findings, path).reason;
 }
 
 } // namespace
@@ -240,10 +347,19 @@ TEST(ImportOfRealFrames, FindsBlendersConventions) {
   EXPECT_EQ(manifest.objects.at(26), "bob");
   EXPECT_EQ(manifest.conventions.depth.nothing, 1e10);
   EXPECT_EQ(manifest.conventions.motion.whereNothing, MotionFallback::Camera);
+  EXPECT_TRUE(manifest.conventions.depth.jittered);
 }
 
+// Its README says that depth was rendered with jitter, which the engine does. What rests has the same depth
+// in all of these files: it was drawn without.
 TEST(ImportOfRealFrames, FindsThreesConventions) {
   expectLike("capture-three", "three");
+  const fs::path data = fs::path(TAA_SHARED_DATA) / "capture-three";
+  if (!fs::exists(data)) return;
+  const Guess guess = guessCapture(data, "", {});
+  EXPECT_TRUE(guess.manifest.conventions.depth.jittered) << "as the engine has it";
+  EXPECT_TRUE(findingOf(guess.findings, "depth.jittered").contradicts());
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "pixels say \"Drawn without\""));
 }
 
 } // namespace taa::capture
