@@ -47,8 +47,8 @@ CarriedParts historyParts(const FrameErrors& errors, const std::vector<CarriedPa
                           const HistorySettings& settings, std::size_t pixel) {
   const float* history = errors.history.pixels.data() + 4 * pixel;
   const int width = errors.error.width, height = errors.error.height;
-  if (static_cast<HistoryRead>(history[2]) == HistoryRead::None) return {};
-  const bool isOneTap = static_cast<HistoryRead>(history[2]) == HistoryRead::OneTap;
+  if (static_cast<HistoryReading>(history[2]) == HistoryReading::None) return {};
+  const bool isOneTap = static_cast<HistoryReading>(history[2]) == HistoryReading::OneTap;
   CarriedParts parts = readParts(
       before, twin::historyTexels(settings, {history[0], history[1]}, {width, height}, isOneTap), width);
   const auto channels = static_cast<std::size_t>(errors.kept.channels);

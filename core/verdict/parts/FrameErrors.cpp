@@ -82,7 +82,7 @@ void addHistory(FrameErrors& errors, const PartsInputs& now, const Image& before
   const bool isOneTap = *now.depthEdge.at(x, y) != 0.0f;
   const float* step = now.steps.at(x, y);
   const bool isOther = isOfOtherSurface(step, read, pixel);
-  const HistoryRead how = isOneTap ? HistoryRead::OneTap : HistoryRead::Filtered;
+  const HistoryReading how = isOneTap ? HistoryReading::OneTap : HistoryReading::Filtered;
   const float history[] = {read.x, read.y, static_cast<float>(how), isOther ? 1.0f : 0.0f};
   std::copy_n(history, 4, errors.history.at(x, y));
   const glm::vec3 reference = pixelColor(now.reference, x, y);

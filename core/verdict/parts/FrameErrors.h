@@ -44,13 +44,13 @@ struct FrameErrors {
   Image resampled; ///< blur, or ghost where history is of something else
   Image lag;
   Image kept;    ///< 1 − α, as many channels as that has
-  Image history; ///< where it was read, px; a HistoryRead; 1 where it is of something else
+  Image history; ///< where it was read, px; a HistoryReading; 1 where it is of something else
 
   bool startsHistory() const { return history.empty(); }
 };
 
 /// The third channel of FrameErrors::history.
-enum class HistoryRead : int { None, Filtered, OneTap };
+enum class HistoryReading : int { None, Filtered, OneTap };
 
 /// `before`: the reference of the frame before; null: history starts, and α counts as 1.
 FrameErrors frameErrors(const PartsInputs& now, const Image* before, const HistorySettings& settings);
