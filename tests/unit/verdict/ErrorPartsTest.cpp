@@ -172,9 +172,11 @@ TEST(ErrorParts, OfAResolveThatOnlyMixesLeaveNothingToRectification) {
     mixed.current = [k](int x, int y) { return texture(x + y * k); };
     mixed.next();
   }
-  for (const std::size_t frames : {3u, 7u, 12u})
-    for (const float value : mixed.parts(frames).at(ErrorPart::Rectification).pixels)
+  for (const std::size_t frames : {3u, 7u, 12u}) {
+    const taa::ErrorParts parts = mixed.parts(frames);
+    for (const float value : parts.at(ErrorPart::Rectification).pixels)
       EXPECT_NEAR(value, 0.0f, kRounding) << frames;
+  }
 }
 
 TEST(ErrorParts, AreLagExactlyWhereALightChanged) {
