@@ -1,0 +1,91 @@
+#include "core/measure/compare/HdrFlip.h"
+
+#include "core/base/Say.h"
+#include "core/measure/compare/Flip.h"
+#include "core/taa/twin/Color.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+namespace taa {
+
+namespace {
+
+// y = (a x² + b x) / (c x² + d x + e)
+constexpr double kAcesA = 0.6 * 0.6 * 2.51, kAcesB = 0.6 * 0.03, kAcesC = 0.6 * 0.6 * 2.43,
+                 kAcesD = 0.6 * 0.59, kAcesE = 0.14;
+constexpr double kBright = 0.85; ///< where the brightest and the median pixel are put
+
+/// What the tone mapper makes 0.85 of.
+double linearOfBright() {
+  const double a = kAcesA - kBright * kAcesC, b = kAcesB - kBright * kAcesD, c = -kBright * kAcesE;
+  return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+}
+
+/// Of values that rise; of an even number the mean of both in the middle.
+double medianOfRising(const std::vector<float>& values, std::size_t first) {
+  const std::size_t count = values.size() - first;
+  return 0.5 * (double(values[first + (count - 1) / 2]) + double(values[first + count / 2]));
+}
+
+std::vector<float> risingLuminances(const Image& linear) {
+  std::vector<float> luminances;
+  luminances.reserve(static_cast<std::size_t>(linear.width) * static_cast<std::size_t>(linear.height));
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; ++x)
+      luminances.push_back(std::max(0.0f, twin::luma(glm::vec3(linear.texel(x, y)))));
+  std::ranges::sort(luminances);
+  return luminances;
+}
+
+Image toneMapped(const Image& linear, double exposure) {
+  const auto scale = static_cast<float>(std::exp2(exposure));
+  Image mapped(linear.width, linear.height, 3);
+  for (int y = 0; y < linear.height; ++y)
+    for (int x = 0; x < linear.width; ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        mapped.at(x, y)[channel] = acesToneMapped(scale * linear.at(x, y)[channel]);
+  return mapped;
+}
+
+} // namespace
+
+float acesToneMapped(float linear) {
+  const double x = std::max(0.0, static_cast<double>(linear));
+  const double mapped = x * (kAcesA * x + kAcesB) / (x * (kAcesC * x + kAcesD) + kAcesE);
+  return static_cast<float>(std::min(mapped, 1.0));
+}
+
+std::vector<double> flipExposures(const Image& reference) {
+  const std::vector<float> luminances = risingLuminances(reference);
+  const auto black =
+      static_cast<std::size_t>(std::ranges::upper_bound(luminances, 0.0f) - luminances.begin());
+  if (black == luminances.size()) return {0.0};
+  const double median = medianOfRising(luminances, 0);
+  const double first = std::log2(linearOfBright() / double(luminances.back()));
+  const double last =
+      std::log2(linearOfBright() / (median > 0.0 ? median : medianOfRising(luminances, black)));
+  const int count = std::max(2, static_cast<int>(std::ceil(last - first)));
+  std::vector<double> exposures;
+  for (int step = 0; step < count; ++step) exposures.push_back(first + step * (last - first) / (count - 1));
+  return exposures;
+}
+
+Image hdrFlipMap(const Image& picture, const Image& reference, const Progress& progress) {
+  Image largest(reference.width, reference.height, 1);
+  const std::vector<double> exposures = flipExposures(reference);
+  int done = 0;
+  for (const double exposure : exposures) {
+    report(progress, say<"HDR-FLIP">(), done++, static_cast<int>(exposures.size()));
+    const Image map = flipMap(toneMapped(picture, exposure), toneMapped(reference, exposure));
+    for (std::size_t at = 0; at < map.pixels.size(); ++at)
+      largest.pixels[at] = std::max(largest.pixels[at], map.pixels[at]);
+  }
+  return largest;
+}
+
+} // namespace taa
