@@ -70,8 +70,9 @@ void addConventions(Collector& texts) {
 
 void addRows(Collector& texts) {
   for (const Intermediate& row : kIntermediates) texts.add(row.label, row.unit, row.description);
-  const int last = static_cast<int>(intermediate(IntermediateId::rejectReason).high);
-  for (int reason = 0; reason <= last; ++reason) texts.add(rejectReasonText(reason));
+  for (const Intermediate& row : kIntermediates)
+    for (int number = 0; row.visual == Visual::Index && number <= static_cast<int>(row.high); ++number)
+      if (const std::string_view text = categoryText(row.id, number); !text.empty()) texts.add(text);
 }
 
 /// What `text` says of each value of an enumeration.

@@ -52,7 +52,7 @@ bool Screenshot::isComplete() const {
     if (!result || result->frame != frame_ || !result->exact || !(result->request == wanted[view]))
       return false;
     if (isOverTime(wanted[view].id)
-            ? !result->flickerSamples
+            ? !result->overTimeSamples
             : needsReference(wanted[view].id) && result->referenceSamples != status.referenceGoal)
       return false;
     if (of_.views.view(static_cast<int>(view))->isMeasuring()) return false;

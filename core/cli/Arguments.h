@@ -94,6 +94,7 @@ struct MetricsArguments {
   std::string frames;
   int referenceSamples = 64; ///< 0: nothing is compared with a reference
   bool flicker = false;      ///< also what is over time: frames before those, and their references
+  bool parts = false;        ///< also what the error is made of, over those frames
   int flickerFrames = 16;
   bool json = false, csv = false;
 };

@@ -59,12 +59,19 @@ void printJson(std::ostream& out, const Inspector& inspector, const std::vector<
   ordered_json json = shotJson(inspector);
   json["referenceSamples"] = referenceSamples;
   if (std::ranges::any_of(wanted, [](Metric metric) { return metricInfo(metric).isOverTime; }))
-    json["flickerFrames"] = inspector.flicker().frames();
+    json["flickerFrames"] = inspector.overTime().frames();
   json["metrics"] = metricsJson(wanted);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
     json["lanes"].push_back(
         laneOf(inspector, lanes[lane], plan.lanes.at(lane), static_cast<int>(lane), wanted));
   out << json.dump(2) << '\n';
+}
+
+std::vector<OverTime> askedKinds(const MetricsArguments& arguments) {
+  std::vector<OverTime> kinds;
+  if (arguments.flicker) kinds.push_back(OverTime::Flicker);
+  if (arguments.parts) kinds.push_back(OverTime::Parts);
+  return kinds;
 }
 
 } // namespace
@@ -75,9 +82,11 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   const FrameRange range = parseFrames(arguments.frames);
   const int samples = arguments.referenceSamples;
   if (samples != 0) checkReferenceSamples(samples);
-  const std::vector<Metric> wanted = metricsThere(samples, arguments.flicker);
+  if (arguments.parts && samples == 0)
+    throw UsageError("--parts needs a reference: --reference-samples above 0");
+  const std::vector<Metric> wanted = metricsThere(samples, askedKinds(arguments));
   Inspector inspector;
-  inspector.flicker().setFrames(arguments.flickerFrames);
+  inspector.overTime().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);
   requireFrame(inspector, range.last);
   try {

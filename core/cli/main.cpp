@@ -251,7 +251,13 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
       "Also measure how much each pixel changes over the last frames, followed along its motion: "
       "more than its reference does, which is drawn for those frames too, or with "
       "--reference-samples 0 in all");
-  command->add_option("--flicker-frames", metrics.flickerFrames, "Frames that flicker is taken over, 2 to 64")
+  command->add_flag(
+      "--parts", metrics.parts,
+      "Also split the error into ghost, lag, blur, aliasing, rectification and what is older than "
+      "those frames, and count where history was rightly removed, let through or thrown away");
+  command
+      ->add_option("--flicker-frames", metrics.flickerFrames,
+                   "Frames that flicker and parts are taken over, 2 to 64")
       ->check(CLI::Range(taa::kMinFlickerFrames, taa::kMaxFlickerFrames))
       ->capture_default_str();
   command->add_flag("--json", metrics.json, "Print JSON");

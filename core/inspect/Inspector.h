@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/gl/Context.h"
-#include "core/inspect/FlickerOfShot.h"
 #include "core/inspect/InspectedShot.h"
 #include "core/inspect/MetricsOfShot.h"
+#include "core/inspect/OverTimeOfShot.h"
 #include "core/inspect/Probes.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/ShotProfiler.h"
@@ -33,8 +33,8 @@ class Inspector {
   Probes& probes() { return probes_; }
   ReferenceOfShot& reference() { return reference_; }
   const ReferenceOfShot& reference() const { return reference_; }
-  FlickerOfShot& flicker() { return flicker_; }
-  const FlickerOfShot& flicker() const { return flicker_; }
+  OverTimeOfShot& overTime() { return overTime_; }
+  const OverTimeOfShot& overTime() const { return overTime_; }
   MetricsOfShot& metrics() { return metrics_; }
   ShotProfiler& profiler() { return profiler_; }
 
@@ -45,7 +45,7 @@ class Inspector {
   Visualizer visualizer_;
   References references_; // of all frames
   ShotProfiler profiler_;
-  FlickerOfShot flicker_;
+  OverTimeOfShot overTime_;
   ReferenceOfShot reference_;
   Views views_;
   Probes probes_;

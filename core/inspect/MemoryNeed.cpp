@@ -2,7 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
-#include "core/measure/FlickerRows.h"
+#include "core/inspect/FrameWindow.h"
 #include "core/measure/References.h"
 #include "core/render/SceneRenderer.h"
 #include "core/settings/Parameters.h"
@@ -64,8 +64,7 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     need.reference += lanes.size() * rowBytes(intermediate(id), picturePx);
     drawsReference |= !isOfEngine(id);
   }
-  if (std::ranges::any_of(watched, isOverTime))
-    need.reference += lanes.size() * flickerBytes(picturePx, kFlickerFrames);
+  need.reference += lanes.size() * windowBytes(picturePx, kFlickerFrames, kindsOverTime(watched));
   for (std::size_t lane = 0; drawsReference && lane < lanes.size(); ++lane) // one after the other
     drawn = std::max(drawn, referenceBytes(lanes[lane], picturePx, hasFog));
   need.reference += drawn;

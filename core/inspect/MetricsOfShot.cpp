@@ -1,10 +1,10 @@
 #include "core/inspect/MetricsOfShot.h"
 
 #include "core/gl/PassTimer.h"
-#include "core/inspect/FlickerOfShot.h"
+#include "core/inspect/MetricCursor.h"
+#include "core/inspect/OverTimeOfShot.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/Views.h"
-#include "core/measure/MetricCursor.h"
 #include "core/measure/Profiler.h"
 #include "core/replay/ShotPlayer.h"
 
@@ -52,29 +52,46 @@ void addError(FrameMetrics& metrics, const std::vector<Metric>& wanted, const Pi
   }
 }
 
-void addFlicker(FrameMetrics& metrics, const std::vector<Metric>& wanted, const FlickerMaps& maps,
-                int samples) {
-  metrics.flickerSamples = samples;
-  for (const Metric metric : wanted) {
-    if (metric == Metric::Deviation) metrics.at(metric) = meanOverTime(maps.deviation, maps.frames);
-    if (metric == Metric::Flicker && samples > 0)
-      metrics.at(metric) = meanOverTime(maps.flicker, maps.frames);
-  }
+/// What measures those of them that are over time.
+std::vector<OverTime> kindsOf(const std::vector<Metric>& wanted) {
+  std::vector<IntermediateId> rows;
+  for (const Metric metric : wanted)
+    if (metricInfo(metric).isOverTime) rows.push_back(intermediateNamed(metricInfo(metric).row));
+  return kindsOverTime(rows);
+}
+
+/// Rows of a frame of one lane, in the order of the table.
+RowImages exposed(FrameMaker& maker, const ShotState& state, ShownFrame& made,
+                  const std::vector<IntermediateId>& ids) {
+  RowImages images;
+  if (ids.empty()) return images;
+  const Exposure exposure = maker.expose(state, made, ids, 0);
+  for (const IntermediateId id : ids) images.emplace(id, exposure.image(id));
+  return images;
+}
+
+void addOverTime(FrameMetrics& metrics, const std::vector<Metric>& wanted, OverTime kind,
+                 const RowImages& rows, int samples) {
+  (kind == OverTime::Flicker ? metrics.flickerSamples : metrics.partsSamples) = samples;
+  for (const Metric metric : wanted)
+    if (overTimeOf(metric) == kind && (samples > 0 || !metricInfo(metric).needsReference))
+      metrics.at(metric) = metricOverTime(metric, rows);
 }
 
 } // namespace
 
 MetricsOfShot::MetricsOfShot(ShotPlayer& player, Views& views, ReferenceOfShot& reference,
-                             FlickerOfShot& flicker, const References& references)
-    : player_(player), views_(views), reference_(reference), flicker_(flicker), references_(references) {}
+                             OverTimeOfShot& overTime, const References& references)
+    : player_(player), views_(views), reference_(reference), overTime_(overTime), references_(references) {}
 
 FrameMetrics MetricsOfShot::measure(const std::vector<Metric>& wanted, int lane) {
   FrameMetrics metrics{
       .frame = player_.shown().frame, .lane = lane, .exact = player_.lane(lane).exact, .values = {}};
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   addRowMetrics(metrics, wanted, ids, views_.images(ids, lane));
-  if (const std::optional<int> samples = flicker_.samples(lane))
-    addFlicker(metrics, wanted, flicker_.maps(lane), *samples);
+  for (const OverTime kind : kindsOf(wanted))
+    if (const std::optional<int> made = overTime_.samples(kind, lane))
+      addOverTime(metrics, wanted, kind, overTime_.maps(kind, lane), *made);
   ReferenceRows* const rows =
       std::ranges::any_of(wanted, isAgainstReference) ? reference_.rows(lane) : nullptr;
   if (!rows) return metrics;
@@ -89,12 +106,13 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
   FrameMaker& maker = player_.maker();
   FrameMetrics metrics{.frame = frame, .values = {}};
   const bool isCompared = std::ranges::any_of(wanted, isAgainstReference);
-  const bool isOverTime =
-      std::ranges::any_of(wanted, [](Metric metric) { return metricInfo(metric).isOverTime; });
+  const auto needsThem = [](Metric metric) {
+    return metricInfo(metric).isOverTime && metricInfo(metric).needsReference;
+  };
+  const OverTimeNeed need{kindsOf(wanted), 0, frame, std::ranges::any_of(wanted, needsThem) ? samples : 0};
   cursor.references.setBudget(0); // the one that is being drawn
-  const FlickerNeed need{0, frame, std::ranges::count(wanted, Metric::Flicker) > 0 ? samples : 0};
   // First: it is what takes long, and what is there of it stays.
-  if (isOverTime) flicker_.fill(cursor.flicker, cursor.references, need, progress);
+  if (!need.kinds.empty()) overTime_.fill(cursor.window, cursor.references, need, progress);
   const ReferenceKey compared{referenceRequest(state.request(0)), frame};
   const ReferencePicture* reference =
       isCompared ? &cursor.references.foundOrDrawn(*state.frames, compared, samples, references_, progress)
@@ -103,23 +121,19 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
   ShownFrame made = player_.makeInBackground(frame, cursor.trace, progress);
   const std::vector<IntermediateId> ids = rowsOf(wanted);
   std::vector<Image> rows;
-  if (!ids.empty()) {
-    const Exposure exposure = maker.expose(state, made, ids, 0);
-    for (const IntermediateId id : ids) rows.push_back(exposure.image(id));
-  }
+  for (auto& [id, row] : exposed(maker, state, made, ids)) rows.push_back(std::move(row));
   addRowMetrics(metrics, wanted, ids, rows);
-  Image output;
-  if (reference || isOverTime)
-    output = maker.expose(state, made, {IntermediateId::output}, 0).image(IntermediateId::output);
+  std::vector<IntermediateId> last = overTime_.rowsOfLast(need);
+  if (reference) last.push_back(IntermediateId::output);
+  const RowImages resolve = exposed(maker, state, made, inTableOrder(std::move(last)));
   maker.recycle(std::move(made));
   if (reference) {
     metrics.referenceSamples = samples;
-    addError(metrics, wanted, pictureError(output, reference->mean()));
+    addError(metrics, wanted, pictureError(resolve.at(IntermediateId::output), reference->mean()));
   }
-  if (isOverTime) {
-    cursor.flicker.frames.at(frame).shown = shownColors(output);
-    addFlicker(metrics, wanted, flicker_.mapsOf(cursor.flicker, frame, progress), need.samples);
-  }
+  if (need.kinds.empty()) return metrics;
+  for (const auto& [kind, maps] : overTime_.finish(cursor.window, need, resolve, progress))
+    addOverTime(metrics, wanted, kind, maps, need.samples);
   return metrics;
 }
 

@@ -8,7 +8,7 @@
 
 namespace taa {
 
-class FlickerOfShot;
+class OverTimeOfShot;
 struct MetricCursor;
 class ReferenceOfShot;
 class References;
@@ -18,7 +18,7 @@ class Views;
 class MetricsOfShot {
  public:
   /// Of rows that views show, against the reference, and over time. `references`: those of all frames.
-  MetricsOfShot(ShotPlayer& player, Views& views, ReferenceOfShot& reference, FlickerOfShot& flicker,
+  MetricsOfShot(ShotPlayer& player, Views& views, ReferenceOfShot& reference, OverTimeOfShot& overTime,
                 const References& references);
 
   /// Metrics of the frame on show; those against a reference and over time stay empty where there is none.
@@ -33,7 +33,7 @@ class MetricsOfShot {
   ShotPlayer& player_;
   Views& views_;
   ReferenceOfShot& reference_;
-  FlickerOfShot& flicker_;
+  OverTimeOfShot& overTime_;
   const References& references_;
 };
 

@@ -3,8 +3,8 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
-#include "core/inspect/FlickerOfShot.h"
 #include "core/inspect/MemoryNeed.h"
+#include "core/inspect/OverTimeOfShot.h"
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
 #include "core/render/CaptureFacts.h"
@@ -15,9 +15,9 @@
 
 namespace taa {
 
-ReferenceOfShot::ReferenceOfShot(ShotPlayer& player, References& references, FlickerOfShot& flicker,
+ReferenceOfShot::ReferenceOfShot(ShotPlayer& player, References& references, OverTimeOfShot& overTime,
                                  const gl::Driver& driver)
-    : player_(player), references_(references), flicker_(flicker), driver_(driver) {}
+    : player_(player), references_(references), overTime_(overTime), driver_(driver) {}
 
 void ReferenceOfShot::makeRows(const std::vector<IntermediateId>& ids, int samples, const Progress& progress,
                                int lane) {
@@ -25,8 +25,9 @@ void ReferenceOfShot::makeRows(const std::vector<IntermediateId>& ids, int sampl
   const bool isCompared =
       std::ranges::any_of(ids, [](IntermediateId id) { return needsReference(id) && !isOverTime(id); });
   if (isCompared) refine(samples, progress, lane);
-  const bool hasFlicker = std::ranges::count(ids, IntermediateId::flicker) > 0;
-  if (std::ranges::any_of(ids, isOverTime)) flicker_.refine(hasFlicker ? samples : 0, progress, lane);
+  const bool needsThem =
+      std::ranges::any_of(ids, [](IntermediateId id) { return needsReference(id) && isOverTime(id); });
+  overTime_.refine(kindsOverTime(ids), needsThem ? samples : 0, progress, lane);
 }
 
 void ReferenceOfShot::refine(int samples, const Progress& progress, int lane) {
@@ -84,18 +85,19 @@ ReferenceRows& ReferenceOfShot::requiredRows(IntermediateId id, int lane) {
 
 bool ReferenceOfShot::has(IntermediateId id, int lane) {
   if (isOfEngine(id)) return engineRows(lane) != nullptr;
-  return isOverTime(id) ? flicker_.rows(id, lane) != nullptr : samples(lane) > 0;
+  return isOverTime(id) ? overTime_.rows(id, lane) != nullptr : samples(lane) > 0;
 }
 
 Image ReferenceOfShot::image(IntermediateId id, const gl::Rect& region, int lane) {
   if (!isOverTime(id)) return requiredRows(id, lane).image(id, region);
-  if (const FlickerRows* made = flicker_.rows(id, lane)) return made->image(id, region);
-  throw Error(say<"there is no flicker of frame %1 yet: it has to be measured first">(player_.shown().frame));
+  if (const RowsOverTime* made = overTime_.rows(id, lane)) return made->image(id, region);
+  throw Error(say<"%1 of frame %2 is not there yet: it has to be measured first">(
+      sayLabel(intermediate(id).label), player_.shown().frame));
 }
 
 const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {
   if (isOverTime(id)) {
-    FlickerRows* made = flicker_.rows(id, lane);
+    RowsOverTime* made = overTime_.rows(id, lane);
     return made ? &made->texture(id) : nullptr;
   }
   ReferenceRows* made = rowsOf(id, lane);
@@ -112,7 +114,7 @@ void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::R
       for (const Intermediate& row : kIntermediates) {
         if (!isOfReference(row.id)) continue;
         glm::vec4& value = twin::at(record, row.id);
-        if (const FlickerRows* over = isOverTime(row.id) ? flicker_.rows(row.id, lane) : nullptr)
+        if (const RowsOverTime* over = isOverTime(row.id) ? overTime_.rows(row.id, lane) : nullptr)
           value = over->map(row.id).texel(pixel.x, pixel.y);
         else if (isOfEngine(row.id)) {
           if (ofEngine)
@@ -129,7 +131,7 @@ void ReferenceOfShot::forget() {
   references_.clear();
   for (ReferenceRows& rows : rows_) rows.forget();
   for (ReferenceRows& rows : engineRows_) rows.forget();
-  flicker_.forget();
+  overTime_.forget();
 }
 
 } // namespace taa

@@ -20,7 +20,7 @@ struct Driver;
 
 namespace taa {
 
-class FlickerOfShot;
+class OverTimeOfShot;
 class References;
 class ShotPlayer;
 
@@ -29,8 +29,8 @@ class ShotPlayer;
 /// Views::image() throws Error, Probes::probe() gives NaN.
 class ReferenceOfShot {
  public:
-  /// `references`: those of all frames. Rows over time are those of `flicker`.
-  ReferenceOfShot(ShotPlayer& player, References& references, FlickerOfShot& flicker,
+  /// `references`: those of all frames. Rows over time are those of `overTime`.
+  ReferenceOfShot(ShotPlayer& player, References& references, OverTimeOfShot& overTime,
                   const gl::Driver& driver);
 
   /// Makes what those of `ids` need, each row against a reference of so many samples. As refine(); throws
@@ -71,7 +71,7 @@ class ReferenceOfShot {
 
   ShotPlayer& player_;
   References& references_;
-  FlickerOfShot& flicker_;
+  OverTimeOfShot& overTime_;
   const gl::Driver& driver_;
   std::array<ReferenceRows, kMaxLanes> rows_, engineRows_; // one a lane
 };

@@ -8,7 +8,7 @@
 #include "core/jobs/Wanted.h"
 #include "core/jobs/idle/Comparing.h"
 #include "core/jobs/idle/CompilingAhead.h"
-#include "core/jobs/idle/FlickerMeasuring.h"
+#include "core/jobs/idle/MeasuringOverTime.h"
 #include "core/jobs/idle/MetricMeasuring.h"
 #include "core/jobs/idle/ReferenceDrawing.h"
 #include "core/jobs/idle/StageCosting.h"
@@ -60,12 +60,12 @@ class Scheduler {
   // Everything a request may concern; a request is heard by each that has a member take() for its type.
   auto parts() {
     return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, exporting_,
-                    comparing_, costing_, traces_, compiling_, thumbnails_, reference_, flicker_, metrics_);
+                    comparing_, costing_, traces_, compiling_, thumbnails_, reference_, overTime_, metrics_);
   }
   // The first one that is due comes first.
   auto jobs() {
     return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &compiling_,
-                                &thumbnails_, &reference_, &flicker_, &metrics_});
+                                &thumbnails_, &reference_, &overTime_, &metrics_});
   }
 
   Desk desk_;
@@ -83,7 +83,7 @@ class Scheduler {
   ThumbnailDrawing thumbnails_{desk_, transport_};
   Traces traces_{desk_, transport_, wanted_};
   ReferenceDrawing reference_{desk_, transport_, wanted_};
-  FlickerMeasuring flicker_{desk_, transport_, wanted_};
+  MeasuringOverTime overTime_{desk_, transport_, wanted_};
   MetricMeasuring metrics_{desk_, transport_, wanted_, thumbnails_};
   ShownViews views_{desk_, wanted_};
   Comparing comparing_{desk_, transport_, wanted_};

@@ -35,13 +35,13 @@ bool Wanted::needsReferenceOf(int lane) const {
          std::ranges::any_of(metrics, [](Metric metric) { return metricInfo(metric).needsReference; });
 }
 
-int Wanted::flickerSamplesOf(int lane) const {
+int Wanted::samplesOverTimeOf(OverTime kind, int lane) const {
   int samples = -1;
   const auto want = [&](bool isCompared) { samples = std::max(samples, isCompared ? referenceSamples : 0); };
   for (const Metric metric : metrics)
-    if (metricInfo(metric).isOverTime) want(metricInfo(metric).needsReference);
+    if (overTimeOf(metric) == kind) want(metricInfo(metric).needsReference);
   const auto wantSide = [&](const auto& side) {
-    if (side.lane == lane && isOverTime(side.id)) want(needsReference(side.id));
+    if (side.lane == lane && overTime(side.id) == kind) want(needsReference(side.id));
   };
   for (const ViewRequest& view : views) {
     if (!isShown(view)) continue;

@@ -20,9 +20,9 @@ struct Wanted {
   std::vector<IntermediateId> rows() const;
   /// Whether a view shows a row of the lane's reference, or a metric is taken against it.
   bool needsReferenceOf(int lane) const;
-  /// Samples of the references that the flicker of a lane is wanted against, 0: without any; −1: nobody wants
-  /// it.
-  int flickerSamplesOf(int lane) const;
+  /// Samples of the references that what is measured over time is wanted against of a lane, 0: without any;
+  /// −1: nobody wants it.
+  int samplesOverTimeOf(OverTime kind, int lane) const;
 };
 
 inline bool isShown(const ViewRequest& view) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/taa/rows/Intermediates.h"
 
 #include <array>
 #include <cstdint>
@@ -41,7 +42,17 @@ enum class Metric : std::uint8_t {
   Psnr,
   RmseLinear,
   Deviation,
-  Flicker
+  Flicker,
+  ErrorGhost,
+  ErrorLag,
+  ErrorBlur,
+  ErrorAliasing,
+  ErrorRectification,
+  ErrorOlder,
+  RightlyKept,
+  GhostRemoved,
+  GhostLetThrough,
+  HistoryThrownAway,
 };
 
 struct MetricInfo {
@@ -54,9 +65,10 @@ struct MetricInfo {
   std::string_view row;        ///< the intermediate it is made of; empty: of output and reference
   bool needsReference = false; ///< not known of a frame without a reference
   bool isOverTime = false;     ///< of the frames before, too: not known before those were made
+  int category = -1;           ///< of a row of categories: the share of pixels that have it; −1: a mean
 };
 
-inline constexpr std::array<MetricInfo, 10> kMetrics{{
+inline constexpr std::array<MetricInfo, 20> kMetrics{{
     {Metric::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
     {Metric::Rejected, "rejected", "Rejected", "%", 0, 100,
      "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
@@ -83,12 +95,42 @@ inline constexpr std::array<MetricInfo, 10> kMetrics{{
      "Standard deviation of what is shown over the last frames, followed along the motion, without what the "
      "reference has of it: the mean over all pixels that were seen before.",
      "flicker", true, true},
+    {Metric::ErrorGhost, "errorGhost", "Ghost part", "", 0, 0.02,
+     "Mean over all pixels of |luma| of the error that comes of history of something else.", "errorGhost",
+     true, true},
+    {Metric::ErrorLag, "errorLag", "Lag part", "", 0, 0.02,
+     "Mean |luma| of the error that comes of changes on the surface since history was made.", "errorLag",
+     true, true},
+    {Metric::ErrorBlur, "errorBlur", "Blur part", "", 0, 0.02,
+     "Mean |luma| of the error that comes of reading history between its pixels.", "errorBlur", true, true},
+    {Metric::ErrorAliasing, "errorAliasing", "Aliasing part", "", 0, 0.02,
+     "Mean |luma| of the error that single frames' samples have, with their noise.", "errorAliasing", true,
+     true},
+    {Metric::ErrorRectification, "errorRectification", "Rectification part", "", 0, 0.02,
+     "Mean |luma| of the error that no other part has: the pipeline's own.", "errorRectification", true,
+     true},
+    {Metric::ErrorOlder, "errorOlder", "Older part", "", 0, 0.02,
+     "Mean |luma| of the error from before the frames that the others are followed over.", "errorOlder", true,
+     true},
+    {Metric::RightlyKept, "rightlyKept", "Rightly kept", "%", 0, 100,
+     "Share of pixels whose history was as it should be, and was left so.", "verdictMap", true, true, 0},
+    {Metric::GhostRemoved, "ghostRemoved", "Ghost removed", "%", 0, 100,
+     "Share of pixels whose history was off, and was rejected or pulled.", "verdictMap", true, true, 1},
+    {Metric::GhostLetThrough, "ghostLetThrough", "Ghost let through", "%", 0, 100,
+     "Share of pixels whose history was off, and was left so.", "verdictMap", true, true, 2},
+    {Metric::HistoryThrownAway, "historyThrownAway", "Good history thrown away", "%", 0, 100,
+     "Share of pixels whose history was as it should be, and was rejected or pulled.", "verdictMap", true,
+     true, 3},
 }};
 
 constexpr const MetricInfo& metricInfo(Metric metric) {
   return kMetrics[static_cast<std::size_t>(metric)];
 }
 std::optional<Metric> findMetric(std::string_view id);
+/// What measures a metric over time; None: it is of the frame alone.
+OverTime overTimeOf(Metric metric);
+/// The metric that is the mean of a row over time, or nothing.
+std::optional<Metric> meanOfRow(IntermediateId id);
 
 /// Metrics of one lane of a frame; those that were not asked for or are not known are empty.
 struct FrameMetrics {
@@ -97,12 +139,17 @@ struct FrameMetrics {
   int referenceSamples = 0; ///< of the reference that RMSE and PSNR were taken against; 0: there was none
   /// The same of flicker; 0: only the deviation is known; nothing: neither is.
   std::optional<int> flickerSamples{};
+  std::optional<int> partsSamples{}; ///< the same of parts of the error; nothing: they are not known
   std::array<std::optional<double>, kMetrics.size()> values;
   std::uint64_t shotVersion = 0; ///< counts what frames were a function of (Status::shotVersion)
 
   const std::optional<double>& at(Metric metric) const { return values[static_cast<std::size_t>(metric)]; }
   std::optional<double>& at(Metric metric) { return values[static_cast<std::size_t>(metric)]; }
 };
+
+inline const std::optional<int>& samplesOf(const FrameMetrics& metrics, OverTime kind) {
+  return kind == OverTime::Flicker ? metrics.flickerSamples : metrics.partsSamples;
+}
 
 /// The metric from the picture of its row; expects that it has one, which is not over time.
 double metricOf(Metric metric, const Image& row);

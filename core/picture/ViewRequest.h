@@ -68,9 +68,9 @@ struct ViewResult {
   int referenceSamples = 0;
   std::optional<PictureError> error{};
   /// Of a row over time: samples of the references that went into it, 0: none; nothing: it is not measured
-  /// yet, the picture is empty. And its mean over the picture, where anything was seen before.
-  std::optional<int> flickerSamples{};
-  std::optional<double> flicker{};
+  /// yet, the picture is empty. And its mean over the picture (meanOfRow()), where anything was seen before.
+  std::optional<int> overTimeSamples{};
+  std::optional<double> overTimeMean{};
   int frame = 0;
   bool exact = true;
   ReasonCounts reasons{};          ///< where they are shown

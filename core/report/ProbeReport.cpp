@@ -6,6 +6,7 @@
 #include "core/taa/twin/Known.h"
 
 #include <array>
+#include <string_view>
 
 namespace taa {
 
@@ -19,8 +20,8 @@ std::string valuesText(const Intermediate& row, const twin::PixelRecord& record,
   std::string text;
   for (int channel = 0; channel < row.channels; ++channel)
     text += (channel > 0 ? between : "") + floatText(value[channel]);
-  if (row.id == IntermediateId::rejectReason)
-    text += " (" + std::string(rejectReasonText(static_cast<int>(value.x))) + ")";
+  if (const std::string_view category = categoryText(row.id, static_cast<int>(value.x)); !category.empty())
+    text += " (" + std::string(category) + ")";
   return text;
 }
 

@@ -96,7 +96,7 @@ enum class WorkKind {
   Stages,    ///< measures what they cost
   Traces,
   Reference,
-  Flicker,
+  OverTime,
   Metrics,
   Export
 };

@@ -85,6 +85,15 @@ std::string historyMeaning(Id id, const Values& v) {
   }
 }
 
+std::string partMeaning(Id id, const Values& v) {
+  if (const std::string_view category = categoryText(id, static_cast<int>(v.of(id))); !category.empty())
+    return sayLabel(category);
+  if (overTime(id) != OverTime::Parts) return {};
+  return v.of(id) > 0   ? say<"makes it brighter">()
+         : v.of(id) < 0 ? say<"makes it darker">()
+                        : say<"no error">();
+}
+
 std::string outputMeaning(Id id, const Values& v) {
   const float x = v.of(id);
   if (id == Id::blurTrust)
@@ -137,7 +146,7 @@ std::string meaningOf(IntermediateId id, const twin::PixelRecord& record, const 
   case Id::blurTrust:
     return outputMeaning(id, v);
   default:
-    return historyMeaning(id, v);
+    return isOverTime(id) ? partMeaning(id, v) : historyMeaning(id, v);
   }
 }
 

@@ -213,7 +213,8 @@ RowStory engineStory(Id id, const Teller& t) {
 } // namespace
 
 RowStory outputStory(Id id, const Teller& t) {
-  if (isOverTime(id)) return flickerStory(id, t);
+  if (overTime(id) == OverTime::Flicker) return flickerStory(id, t);
+  if (overTime(id) == OverTime::Parts) return partsStory(id, t);
   if (isOfEngine(id)) return engineStory(id, t);
   if (isOfReference(id)) return errorStory(id, t);
   if (id == Id::sharpenDetail) return detailStory(t);

@@ -84,6 +84,7 @@ RowStory validateStory(Id id, const Teller& teller);
 RowStory weightStory(Id id, const Teller& teller);
 RowStory blendStory(Id id, const Teller& teller);
 RowStory outputStory(Id id, const Teller& teller);  ///< output and reference
-RowStory flickerStory(Id id, const Teller& teller); ///< the rows of the reference that are over time
+RowStory flickerStory(Id id, const Teller& teller); ///< the rows that flicker is measured with
+RowStory partsStory(Id id, const Teller& teller);   ///< those of parts of the error
 
 } // namespace taa::story

@@ -17,10 +17,11 @@ namespace taa {
 
 using nlohmann::ordered_json;
 
-std::vector<Metric> metricsThere(int referenceSamples, bool overTime) {
+std::vector<Metric> metricsThere(int referenceSamples, const std::vector<OverTime>& kinds) {
   std::vector<Metric> there;
   for (const MetricInfo& info : kMetrics)
-    if ((referenceSamples > 0 || !info.needsReference) && (overTime || !info.isOverTime))
+    if ((referenceSamples > 0 || !info.needsReference) &&
+        (!info.isOverTime || std::ranges::count(kinds, overTimeOf(info.metric)) > 0))
       there.push_back(info.metric);
   return there;
 }
@@ -34,15 +35,16 @@ void requireMeasurable(const Inspector& inspector, int referenceSamples) {
 std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,
                                        const Progress& progress) {
   const int samples = request.referenceSamples;
-  const bool overTime =
-      std::ranges::any_of(request.wanted, [](Metric metric) { return metricInfo(metric).isOverTime; });
+  std::vector<OverTime> kinds;
+  for (const OverTime kind : {OverTime::Flicker, OverTime::Parts})
+    if (std::ranges::count(request.wanted, kind, overTimeOf) > 0) kinds.push_back(kind);
   std::vector<LaneMetrics> lanes(static_cast<std::size_t>(inspector.shot().laneCount()));
   for (int frame = request.first; frame <= request.last; ++frame) {
     report(progress, say<"Measuring frames">(), frame - request.first, request.last - request.first + 1);
     inspector.shot().seek(frame, frame == request.first ? progress : Progress());
     for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {
       if (samples > 0) inspector.reference().refine(samples, progress, lane);
-      if (overTime) inspector.flicker().refine(samples, progress, lane);
+      inspector.overTime().refine(kinds, samples, progress, lane);
       lanes[static_cast<std::size_t>(lane)].push_back(inspector.metrics().measure(request.wanted, lane));
     }
   }

@@ -134,12 +134,8 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
   case Id::engineDifference:
   case Id::engineDifferenceAbs:
     return !twin::isKnown(probed.record, Id::engineOutput);
-  case Id::flicker:
-  case Id::deviationOverTime:
-  case Id::framesFollowed:
-    return true; // of other frames
   default:
-    return false;
+    return taa::isOverTime(id); // of other frames
   }
 }
 

@@ -128,6 +128,8 @@ void addCategories(Writer& writer, const Intermediate& row) {
   for (int number = 0; number <= last; ++number) {
     writer.swatch(number);
     writer.digits(QString::number(number));
+    if (const std::string_view text = categoryText(row.id, number); !text.empty())
+      writer.plain(tableText(text));
   }
 }
 

@@ -3,17 +3,20 @@
 #include <QObject>
 
 #include <cmath>
+#include <optional>
 
 namespace taa::app {
 
 namespace {
 
-QString flickerNote(const ViewResult& result) {
-  if (!result.flickerSamples) return QObject::tr("not measured yet: comes while paused");
-  if (!result.flicker) return QObject::tr("nothing in this frame was seen before");
-  const QString mean = QObject::tr("mean %1").arg(*result.flicker, 0, 'f', 5);
+QString overTimeNote(const ViewResult& result) {
+  if (!result.overTimeSamples) return QObject::tr("not measured yet: comes while paused");
+  const std::optional<Metric> metric = meanOfRow(result.request.id);
+  if (metric && !result.overTimeMean) return QObject::tr("nothing in this frame was seen before");
+  const QString mean = metric ? QObject::tr("mean %1").arg(*result.overTimeMean, 0, 'f', 5) : QString();
   if (!needsReference(result.request.id)) return mean;
-  return QObject::tr("%1 samples · %2").arg(*result.flickerSamples).arg(mean);
+  if (!metric) return QObject::tr("%1 samples").arg(*result.overTimeSamples);
+  return QObject::tr("%1 samples · %2").arg(*result.overTimeSamples).arg(mean);
 }
 
 QString errorText(const PictureError& error) {
@@ -30,7 +33,7 @@ QString engineNote(const ViewResult& result) {
 } // namespace
 
 QString referenceNote(const ViewResult& result) {
-  if (isOverTime(result.request.id)) return flickerNote(result);
+  if (isOverTime(result.request.id)) return overTimeNote(result);
   if (isOfEngine(result.request.id)) return engineNote(result);
   if (!isOfReference(result.request.id)) return {};
   if (result.referenceSamples == 0 || !result.error) return QObject::tr("not drawn yet: comes while paused");

@@ -63,7 +63,7 @@ bool MetricMeasuring::isWhole(const FrameMetrics& metrics) const {
     return false;
   return std::ranges::none_of(wanted_.metrics, [&](Metric metric) {
     const int needed = metricInfo(metric).needsReference ? samples : 0;
-    return isOverTimeMetric(metric) && metrics.flickerSamples.value_or(-1) < needed;
+    return isOverTimeMetric(metric) && samplesOf(metrics, overTimeOf(metric)).value_or(-1) < needed;
   });
 }
 

@@ -2,11 +2,11 @@
 // done.
 #pragma once
 
+#include "core/inspect/MetricCursor.h"
 #include "core/jobs/Job.h"
 #include "core/jobs/Transport.h"
 #include "core/jobs/Wanted.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
-#include "core/measure/MetricCursor.h"
 #include "core/requests/Requests.h"
 
 #include <cstdint>

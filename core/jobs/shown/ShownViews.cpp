@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace taa {
 
@@ -113,10 +114,9 @@ void ShownViews::drawOther(ViewResult& result, const PictureSource& other) {
 void ShownViews::addReference(ViewResult& result) {
   const ViewRequest& view = result.request;
   if (isOverTime(view.id)) {
-    const Metric metric = needsReference(view.id) ? Metric::Flicker : Metric::Deviation;
-    const FrameMetrics metrics = desk_.inspector.metrics().measure({metric}, view.lane);
-    result.flickerSamples = metrics.flickerSamples;
-    result.flicker = metrics.at(metric);
+    result.overTimeSamples = desk_.inspector.overTime().samples(overTime(view.id), view.lane);
+    if (const std::optional<Metric> mean = meanOfRow(view.id))
+      result.overTimeMean = desk_.inspector.metrics().measure({*mean}, view.lane).at(*mean);
     return;
   }
   ReferenceOfShot& reference = desk_.inspector.reference();

@@ -44,6 +44,14 @@ std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids) {
   return ids;
 }
 
+std::vector<OverTime> kindsOverTime(std::span<const IntermediateId> ids) {
+  std::vector<OverTime> kinds;
+  for (const OverTime kind : {OverTime::Flicker, OverTime::Parts})
+    if (std::ranges::any_of(ids, [kind](IntermediateId id) { return overTime(id) == kind; }))
+      kinds.push_back(kind);
+  return kinds;
+}
+
 std::vector<IntermediateId> rowsOfOutput(const std::vector<IntermediateId>& watched) {
   std::vector<IntermediateId> rows;
   std::ranges::copy_if(watched, std::back_inserter(rows), isOfOutput);
@@ -63,6 +71,14 @@ std::string_view rejectReasonText(int reason) {
       "too fast", "another object", "another class",        "another normal", "another velocity"};
   if (reason < 0 || reason >= static_cast<int>(std::size(kTexts))) return "unknown";
   return kTexts[reason];
+}
+
+std::string_view categoryText(IntermediateId id, int number) {
+  if (id == IntermediateId::rejectReason) return rejectReasonText(number);
+  if (id != IntermediateId::verdictMap && id != IntermediateId::geometryVerdict) return {};
+  static constexpr std::string_view kVerdicts[] = {"rightly kept", "ghost removed", "ghost let through",
+                                                   "good history thrown away"};
+  return number >= 0 && number < static_cast<int>(std::size(kVerdicts)) ? kVerdicts[number] : "unknown";
 }
 
 } // namespace taa

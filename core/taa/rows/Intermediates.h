@@ -216,6 +216,34 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       "Frames that flicker is taken over: fewer where the surface was hidden, off screen or cut off "        \
       "before.",                                                                                             \
       kOfFrames)                                                                                             \
+  ROW(errorGhost, "Ghost part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+      "Luma of the resolved color's error, scene-linear, that comes of history of something else: of "       \
+      "surfaces that were in front, or of a place beside that of the surface.",                              \
+      kOfParts)                                                                                              \
+  ROW(errorLag, "Lag part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                       \
+      "Luma of the error that comes of changes on the surface since history was made: light, shadow, what "  \
+      "lies over it.",                                                                                       \
+      kOfParts)                                                                                              \
+  ROW(errorBlur, "Blur part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                     \
+      "Luma of the error that comes of reading history between its pixels.", kOfParts)                       \
+  ROW(errorAliasing, "Aliasing part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                             \
+      "Luma of the error that single frames' samples have, with their noise.", kOfParts)                     \
+  ROW(errorRectification, "Rectification part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                   \
+      "Luma of the error that no other part has: of clamping and clipping, with locks, deringing, mixing "   \
+      "of "                                                                                                  \
+      "compressed colors, rounding and dithering.",                                                          \
+      kOfParts)                                                                                              \
+  ROW(errorOlder, "Older part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
+      "Luma of the error from before the frames that the others are followed over.", kOfParts)               \
+  ROW(verdictMap, "History verdict", Reference, 1, "", 0, 3, Index, 0,                                       \
+      "Whether history had to be removed, being off by more than 2/255 of what is shown, and was, by "       \
+      "rejection or by more than that: 0 rightly kept, 1 ghost removed, 2 ghost let through, 3 good "        \
+      "history thrown away.",                                                                                \
+      kOfParts)                                                                                              \
+  ROW(geometryVerdict, "Geometry verdict", Reference, 1, "", 0, 3, Index, 0,                                 \
+      "The same of rejection alone: whether history was of something else, by the scene's geometry, and "    \
+      "was rejected.",                                                                                       \
+      kOfParts)                                                                                              \
   ROW(engineOutput, "Engine's output", Reference, 3, "", 0, 1, Color, 1e-3,                                  \
       "What the engine's own TAA made of the frame, scene-linear; only captures that hold it have it.",      \
       kOfEngine)                                                                                             \
@@ -274,6 +302,8 @@ constexpr OverTime overTime(IntermediateId id) {
 constexpr bool isOverTime(IntermediateId id) {
   return overTime(id) != OverTime::None;
 }
+/// All that measures some of `ids`.
+std::vector<OverTime> kindsOverTime(std::span<const IntermediateId> ids);
 /// Those of them that need the output of the engine a capture was taken of.
 constexpr bool isOfEngine(IntermediateId id) {
   return intermediate(id).madeOf.isEngine;
@@ -307,6 +337,8 @@ std::vector<IntermediateId> inTableOrder(std::vector<IntermediateId> ids);
 
 /// A reject reason in words ("kept", "off screen", …).
 std::string_view rejectReasonText(int reason);
+/// What a number of a row of visual Index stands for, in words; empty where it is a number.
+std::string_view categoryText(IntermediateId id, int number);
 
 /// Whether the pass after the resolve gives the row, from the resolved picture, not the resolve itself.
 constexpr bool isOfOutput(IntermediateId id) {

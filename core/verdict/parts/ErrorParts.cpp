@@ -34,9 +34,8 @@ CarriedParts readParts(const std::vector<CarriedParts>& before, const twin::Hist
   return sum;
 }
 
-std::vector<CarriedParts> firstParts(const FrameErrors& errors) {
+std::vector<CarriedParts> firstParts(const FrameErrors& errors, bool isStart) {
   std::vector<CarriedParts> parts(errors.error.pixels.size() / 3);
-  const bool isStart = errors.startsHistory();
   for (std::size_t pixel = 0; pixel < parts.size(); ++pixel)
     addPart(parts[pixel], isStart ? ErrorPart::Aliasing : ErrorPart::Older,
             isStart ? errors.aliasing : errors.error, pixel);
@@ -89,17 +88,17 @@ ErrorParts withRemainder(const std::vector<CarriedParts>& carried, const Image& 
 
 } // namespace
 
-ErrorParts errorParts(std::span<const FrameErrors* const> oldestFirst, const HistorySettings& settings,
-                      const Progress& progress) {
-  assert(!oldestFirst.empty());
-  std::vector<CarriedParts> parts;
-  const int count = static_cast<int>(oldestFirst.size());
-  for (int index = 0; index < count; ++index) {
+ErrorParts errorParts(const PartsWindow& window, const HistorySettings& settings, const Progress& progress) {
+  assert(!window.oldestFirst.empty());
+  std::vector<CarriedParts> parts = firstParts(*window.oldestFirst.front(), window.startsHistory);
+  const int count = static_cast<int>(window.oldestFirst.size());
+  for (int index = 1; index < count; ++index) {
     report(progress, say<"Parts of the error">(), index, count);
-    const FrameErrors& errors = *oldestFirst[static_cast<std::size_t>(index)];
-    parts = index == 0 || errors.startsHistory() ? firstParts(errors) : nextParts(errors, parts, settings);
+    const FrameErrors& errors = *window.oldestFirst[static_cast<std::size_t>(index)];
+    assert(errors.hasHistory());
+    parts = nextParts(errors, parts, settings);
   }
-  return withRemainder(parts, oldestFirst.back()->error);
+  return withRemainder(parts, window.oldestFirst.back()->error);
 }
 
 } // namespace taa

@@ -41,9 +41,14 @@ struct ErrorParts {
   Image& at(ErrorPart part) { return images[static_cast<std::size_t>(part)]; }
 };
 
-/// Of the last frame. Expects one at least; where history starts within them, what lies before does not
-/// count. Asks `progress` frame by frame whether to stop.
-ErrorParts errorParts(std::span<const FrameErrors* const> oldestFirst, const HistorySettings& settings,
+/// Frames in a row, one at least.
+struct PartsWindow {
+  std::span<const FrameErrors* const> oldestFirst; ///< all but the first with their history
+  bool startsHistory = false;                      ///< the first one does
+};
+
+/// Of the last frame. Asks `progress` frame by frame whether to stop.
+ErrorParts errorParts(const PartsWindow& window, const HistorySettings& settings,
                       const Progress& progress = {});
 
 } // namespace taa

@@ -31,7 +31,7 @@ struct PartsInputs {
   Image resolved, reference; ///< three channels
   Image current;             ///< three: filtered
   Image alpha;               ///< one, or three where channels have their own
-  // Not read where history starts.
+  // Not read without the reference of the frame before.
   Image historyPosition; ///< px
   Image depthEdge;       ///< 1: history was read by one bilinear tap
   Image steps;           ///< surfaceSteps() from the frame before
@@ -43,16 +43,17 @@ struct FrameErrors {
   Image aliasing;  ///< all of the error where α is 1
   Image resampled; ///< blur, or ghost where history is of something else
   Image lag;
+  // Empty without the reference of the frame before, as `resampled` and `lag`.
   Image kept;    ///< 1 − α, as many channels as that has
   Image history; ///< where it was read, px; a HistoryReading; 1 where it is of something else
 
-  bool startsHistory() const { return history.empty(); }
+  bool hasHistory() const { return !history.empty(); }
 };
 
 /// The third channel of FrameErrors::history.
 enum class HistoryReading : int { None, Filtered, OneTap };
 
-/// `before`: the reference of the frame before; null: history starts, and α counts as 1.
+/// `before`: the reference of the frame before; null: none is read, and α counts as 1.
 FrameErrors frameErrors(const PartsInputs& now, const Image* before, const HistorySettings& settings);
 
 /// Whether the history read at `positionPx` is of another place than the surface of a pixel, which came from

@@ -1,8 +1,8 @@
 // Flicker of frames of a scene: a function of the last frames however they were reached, that changes
 // nothing.
 #include "core/base/Error.h"
+#include "core/inspect/MetricCursor.h"
 #include "core/measure/Flicker.h"
-#include "core/measure/MetricCursor.h"
 #include "core/taa/twin/Known.h"
 #include "tests/support/SmallInspector.h"
 
@@ -17,6 +17,7 @@ using taa::Image;
 using taa::Inspector;
 using taa::IntermediateId;
 using taa::Metric;
+using taa::OverTime;
 using namespace taa::test::small;
 
 namespace {
@@ -27,7 +28,7 @@ const std::vector<IntermediateId> kRows = {flicker, deviationOverTime, framesFol
 constexpr int kSamples = 4, kFrames = 5;
 
 std::vector<Image> rowsOf(Inspector& inspector, int samples = kSamples) {
-  inspector.flicker().refine(samples);
+  inspector.overTime().refine({OverTime::Flicker}, samples);
   std::vector<Image> rows;
   for (const IntermediateId id : kRows)
     if (samples > 0 || id != flicker) rows.push_back(inspector.views().image(id));
@@ -45,7 +46,7 @@ class FlickerOnScenesTest : public InspectorTest {
  protected:
   static std::unique_ptr<Inspector> small() {
     auto inspector = opened();
-    inspector->flicker().setFrames(kFrames);
+    inspector->overTime().setFrames(kFrames);
     return inspector;
   }
 };
@@ -72,7 +73,7 @@ TEST_F(FlickerOnScenesTest, IsTheSameHoweverTheFrameWasReached) {
   expectSameRows(rowsOf(*played), sought);
   played->shot().setSettings(otherSettings()); // on history of the first ones
   ASSERT_FALSE(played->shot().isExact());
-  EXPECT_FALSE(played->flicker().samples());
+  EXPECT_FALSE(played->overTime().samples(OverTime::Flicker));
   expectSameRows(rowsOf(*played), others);
 }
 
@@ -126,8 +127,8 @@ TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
     EXPECT_THROW(inspector->views().image(id), taa::Error);
     EXPECT_FALSE(inspector->views().isCached({.id = id}));
   }
-  inspector->flicker().refine(0);
-  EXPECT_EQ(inspector->flicker().samples(), 0);
+  inspector->overTime().refine({OverTime::Flicker}, 0);
+  EXPECT_EQ(inspector->overTime().samples(OverTime::Flicker), 0);
   EXPECT_TRUE(inspector->views().isCached({.id = deviationOverTime}));
   EXPECT_FALSE(inspector->views().isCached({.id = flicker})) << "it needs a reference";
   EXPECT_THROW(inspector->views().image(flicker), taa::Error);
@@ -136,7 +137,7 @@ TEST_F(FlickerOnScenesTest, IsOnlyThereOnceItIsMade) {
   for (const IntermediateId id : kRows)
     EXPECT_EQ(taa::twin::at(inspector->probes().probe(3, 4), id).x, *inspector->views().image(id).at(3, 4));
   inspector->shot().seek(7);
-  EXPECT_FALSE(inspector->flicker().samples());
+  EXPECT_FALSE(inspector->overTime().samples(OverTime::Flicker));
 }
 
 TEST_F(FlickerOnScenesTest, StartsAnewWithHistory) {
@@ -168,10 +169,10 @@ TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   const Image before = inspector->views().image(output);
   const int kept = static_cast<int>(inspector->shot().keptFrames().size());
   int reports = 0;
-  EXPECT_THROW(
-      inspector->flicker().refine(kSamples, [&](std::string_view, int, int) { return ++reports < 12; }),
-      taa::Cancelled);
-  EXPECT_FALSE(inspector->flicker().samples());
+  EXPECT_THROW(inspector->overTime().refine({OverTime::Flicker}, kSamples,
+                                            [&](std::string_view, int, int) { return ++reports < 12; }),
+               taa::Cancelled);
+  EXPECT_FALSE(inspector->overTime().samples(OverTime::Flicker));
   const std::vector<Image> rows = rowsOf(*inspector);
   EXPECT_TRUE(isSame(inspector->views().image(output), before));
   EXPECT_EQ(inspector->shot().frame(), 9);

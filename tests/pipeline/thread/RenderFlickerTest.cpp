@@ -33,15 +33,15 @@ TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::deviationOverTime)}});
   thread->waitUntilIdle();
   ASSERT_EQ(recorder.pictures.size(), 2u);
-  EXPECT_FALSE(recorder.pictures.front().flickerSamples) << "at once, as far as it is known";
-  EXPECT_EQ(recorder.pictures.back().flickerSamples, 0) << "no reference was drawn for it";
-  const std::optional<double> deviation = recorder.pictures.back().flicker;
+  EXPECT_FALSE(recorder.pictures.front().overTimeSamples) << "at once, as far as it is known";
+  EXPECT_EQ(recorder.pictures.back().overTimeSamples, 0) << "no reference was drawn for it";
+  const std::optional<double> deviation = recorder.pictures.back().overTimeMean;
   ASSERT_TRUE(deviation);
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples);
-  ASSERT_TRUE(recorder.pictures.back().flicker);
-  EXPECT_LE(*recorder.pictures.back().flicker, *deviation);
+  EXPECT_EQ(recorder.pictures.back().overTimeSamples, kSamples);
+  ASSERT_TRUE(recorder.pictures.back().overTimeMean);
+  EXPECT_LE(*recorder.pictures.back().overTimeMean, *deviation);
   EXPECT_TRUE(wasTold());
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_TRUE(recorder.errors.empty());
@@ -55,12 +55,12 @@ TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
   EXPECT_TRUE(wasTold());
-  EXPECT_FALSE(recorder.pictures.back().flickerSamples);
+  EXPECT_FALSE(recorder.pictures.back().overTimeSamples);
   EXPECT_TRUE(recorder.works.back().what.empty());
   recorder.onWork = {};
   thread->post(taa::request::Step{1});
   thread->waitUntilIdle();
-  EXPECT_EQ(recorder.pictures.back().flickerSamples, kSamples) << "another frame starts again by itself";
+  EXPECT_EQ(recorder.pictures.back().overTimeSamples, kSamples) << "another frame starts again by itself";
 }
 
 TEST_F(RenderFlickerTest, MetricsOfAllPlayedFramesHaveIt) {

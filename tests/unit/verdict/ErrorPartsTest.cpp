@@ -77,11 +77,11 @@ class Sequence {
     add(std::move(now), &before);
   }
 
-  ErrorParts parts(std::size_t frames = 99) const {
+  ErrorParts parts(std::size_t frames = 99, const taa::Progress& progress = {}) const {
+    const std::size_t first = frames >= errors_.size() ? 0 : errors_.size() - frames;
     std::vector<const FrameErrors*> window;
-    for (std::size_t k = frames >= errors_.size() ? 0 : errors_.size() - frames; k < errors_.size(); ++k)
-      window.push_back(&errors_[k]);
-    return taa::errorParts(window, kBilinear);
+    for (std::size_t k = first; k < errors_.size(); ++k) window.push_back(&errors_[k]);
+    return taa::errorParts({window, first == 0}, kBilinear, progress);
   }
   const Image& error() const { return errors_.back().error; }
 
@@ -318,23 +318,17 @@ TEST(ErrorParts, AreRectificationsByWhatItDid) {
   expectNothingBut(parts, {ErrorPart::Rectification}, 0.0f);
 }
 
-TEST(ErrorParts, EndWhereHistoryStarts) {
-  Sequence restarted;
-  restarted.current = [](int x, int) { return texture(x); };
-  restarted.start();
-  restarted.next();
-  restarted.current = [](int, int) { return 0.625f; };
-  restarted.start();
-  const ErrorParts parts = restarted.parts();
+TEST(ErrorParts, AreTheSamplesWhereHistoryStarts) {
+  Sequence first;
+  first.current = [](int, int) { return 0.625f; };
+  first.start();
+  const ErrorParts parts = first.parts();
   expectNothingBut(parts, {ErrorPart::Aliasing}, 0.0f);
   for (const float value : parts.at(ErrorPart::Aliasing).pixels) EXPECT_EQ(value, 0.125f);
 }
 
 TEST(ErrorParts, StopWhenTheyAreTold) {
-  const taa::Progress stops = [](std::string_view, int done, int) { return done < 1; };
-  taa::PartsInputs now;
-  now.resolved = now.reference = now.current = gray([](int, int) { return 0.0f; });
-  const FrameErrors frame = taa::frameErrors(now, nullptr, kBilinear);
-  const std::vector<const FrameErrors*> window{&frame, &frame};
-  EXPECT_THROW(taa::errorParts(window, kBilinear, stops), taa::Cancelled);
+  Sequence three;
+  for (int k = 0; k < 3; ++k) k == 0 ? three.start() : three.next();
+  EXPECT_THROW(three.parts(99, [](std::string_view, int done, int) { return done < 2; }), taa::Cancelled);
 }

@@ -1,7 +1,7 @@
 // Where the metrics of frames that are not on show have come to.
 #pragma once
 
-#include "core/measure/FlickerRows.h"
+#include "core/inspect/FrameWindow.h"
 #include "core/measure/References.h"
 #include "core/replay/TraceCursor.h"
 
@@ -12,7 +12,7 @@ namespace taa {
 struct MetricCursor {
   TraceCursor trace;
   References references;
-  FlickerWindow flicker;
+  FrameWindow window;
 };
 
 } // namespace taa

@@ -1,0 +1,25 @@
+// Measures what rows over time are made of, up to the frame on show, while nothing else is to be done.
+#pragma once
+
+#include "core/jobs/Wanted.h"
+#include "core/jobs/idle/Refinement.h"
+
+#include <vector>
+
+namespace taa {
+
+class MeasuringOverTime final : public Refinement {
+ public:
+  MeasuringOverTime(Desk& desk, const Transport& transport, const Wanted& wanted)
+      : Refinement(desk, transport), wanted_(wanted) {}
+
+ private:
+  bool isWanted(int lane) const override;
+  void refine(int lane) override;
+  /// Kinds of which more is wanted than there is.
+  std::vector<OverTime> kindsOf(int lane) const;
+
+  const Wanted& wanted_;
+};
+
+} // namespace taa
