@@ -25,6 +25,9 @@ constexpr int kRegionColumns = 8, kRegionRows = 6; ///< of regions
 constexpr std::size_t kLeastInRegion = 16;
 constexpr std::size_t kRoughStep = 8;
 
+/// Residuals that differ by less are the same but for rounding: 0.00001 of luma.
+constexpr double kRounding = 0.01;
+
 // The best answer is clear where it wins by this factor, and in this share of the regions that say anything.
 constexpr double kClearFactor = 1.05, kClearShare = 0.7;
 constexpr std::size_t kClearRegions = 12;
@@ -84,6 +87,7 @@ void compareRegions(const Outcome& best, const Outcome& second, const std::vecto
     sum.best += static_cast<double>(best.errors[i]);
     sum.second += static_cast<double>(second.errors[i]);
     ++sum.pixels;
+    ++out.told;
   }
   std::size_t won = 0;
   for (const RegionSums& sum : sums) {
@@ -106,7 +110,7 @@ bool Comparison::hasRegions() const {
 }
 
 bool Comparison::isClear() const {
-  return factor >= kClearFactor && share >= kClearShare && hasRegions();
+  return gain >= kRounding && factor >= kClearFactor && share >= kClearShare && hasRegions();
 }
 
 Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
@@ -132,9 +136,11 @@ Comparison compare(const FrameSamples& samples, const std::vector<Outcome>& outc
     order.push_back(trial);
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t trial) { return out.residuals[trial]; });
+  out.possible = order.size();
   if (order.empty()) return out;
   out.best = order[0];
   if (order.size() < 2) return out;
+  out.gain = out.residuals[order[1]] - out.residuals[order[0]];
   out.factor = out.residuals[order[1]] / std::max(out.residuals[order[0]], 1e-9);
   compareRegions(outcomes[order[0]], outcomes[order[1]], pixels, regions, out);
   return out;
@@ -157,14 +163,25 @@ double roughResidual(FrameSamples& samples, const TestState& state) {
 }
 
 std::string reasonOf(const Comparison& comparison) {
+  if (comparison.possible < 2)
+    return comparison.possible == 0 ? say<"no answer agrees with the matrices">()
+                                    : say<"the other answers do not agree with the matrices">();
+  if (comparison.told == 0 && comparison.pixels > 0)
+    return say<"the best two answers say the same of these frames">();
   if (!comparison.hasRegions())
-    return say<"too little moves to tell: the answers differ at %1 pixels">(comparison.pixels);
+    return say<"too little moves to tell: the best two answers differ at %1 pixels">(comparison.told);
+  if (comparison.gain < kRounding)
+    return say<"the pictures have too little detail to tell: the best two answers leave the same">();
   const int percent = static_cast<int>(std::lround(100.0 * comparison.share));
+  const std::string factor = shortText(comparison.factor);
   if (comparison.isClear())
-    return say<"the next one leaves %1 times as much, and more in %2 % of %3 regions">(
-        shortText(comparison.factor), percent, comparison.regions);
-  return say<"the next one leaves %1 times as much, and more in only %2 % of %3 regions">(
-      shortText(comparison.factor), percent, comparison.regions);
+    return say<"the next one leaves %1 times as much, and more in %2 % of %3 regions">(factor, percent,
+                                                                                       comparison.regions);
+  if (comparison.factor < kClearFactor)
+    return say<"the next one leaves only %1 times as much, and more in %2 % of %3 regions">(
+        factor, percent, comparison.regions);
+  return say<"the next one leaves %1 times as much, and more in only %2 % of %3 regions">(factor, percent,
+                                                                                          comparison.regions);
 }
 
 } // namespace taa::capture

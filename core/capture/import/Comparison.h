@@ -24,9 +24,12 @@ struct Trial {
 struct Comparison {
   std::vector<double> residuals; ///< infinite: the capture contradicts it
   std::size_t best = 0;
-  std::size_t pixels = 0; ///< at which they differ, of all pairs
-  double factor = 1.0;    ///< residual of the second by that of the best
-  double share = 0.0;     ///< of the picture's regions, over all pairs, in which the best beats the second
+  std::size_t possible = 0; ///< trials that the capture does not contradict
+  std::size_t pixels = 0;   ///< at which they differ, of all pairs
+  std::size_t told = 0;     ///< at which the best two differ
+  double gain = 0.0;        ///< residual of the second less that of the best
+  double factor = 1.0;      ///< residual of the second by that of the best
+  double share = 0.0;       ///< of the picture's regions, over all pairs, in which the best beats the second
   std::size_t regions = 0;
 
   /// Whether enough of the picture says anything.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -21,6 +22,8 @@ constexpr double kFarBeyond = 4.0; ///< a value for nothing lies so much farther
 /// px, in the median: what stands still fits its own motion so well, and another kind of depth does not.
 constexpr double kFits = 0.25;
 constexpr double kClearDepthFactor = 2.0;
+/// px: below it nothing is told, as half floats and sums of rounded matrices differ by as much.
+constexpr double kRoundingPx = 0.005;
 constexpr double kMovesEnough = 0.1;
 constexpr std::size_t kEnoughPixels = 500;
 
@@ -63,6 +66,13 @@ double medianOf(std::vector<double>& values) {
   return *middle;
 }
 
+/// Four significant digits.
+std::string fourDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
 struct DepthTrial {
   Trial trial;
   std::vector<double> misses; ///< px
@@ -89,23 +99,27 @@ std::vector<Trial> depthTrials(const TestState& state, const DepthValues& values
   return trials;
 }
 
-/// Fills in how far the camera's motion by depth is from the motion stored. Returns the camera's own.
+/// Fills in how far the camera's motion by depth is from the motion stored. Returns how long that is.
 std::vector<double> measure(FrameSamples& samples, std::vector<DepthTrial>& trials) {
   std::vector<double> lengths;
   for (const FramePair& pair : samples.pairs()) {
+    if (pair.motion.empty()) continue; // nothing is stored to compare with
     std::vector<PairMotion> motions;
     for (DepthTrial& trial : trials) {
       std::optional<PairMotion> motion = samples.motionOf(pair, trial.trial.state, true);
       motions.push_back(motion && !motion->camera.empty() ? std::move(*motion) : PairMotion{});
     }
-    for (std::size_t i = 0; i < pair.places.size(); ++i)
+    for (std::size_t i = 0; i < pair.places.size(); ++i) {
+      std::optional<double> length;
       for (std::size_t t = 0; t < trials.size(); ++t) {
         if (motions[t].camera.empty() || motions[t].depth[i] <= 0.0f) continue;
         const auto miss = static_cast<double>(glm::distance(motions[t].camera[i], motions[t].stored[i]));
         if (!std::isfinite(miss)) continue;
         trials[t].misses.push_back(miss);
-        if (t == 0) lengths.push_back(static_cast<double>(glm::length(motions[t].stored[i])));
+        length = static_cast<double>(glm::length(motions[t].stored[i]));
       }
+      if (length) lengths.push_back(*length);
+    }
   }
   for (DepthTrial& trial : trials)
     if (trial.misses.size() >= kEnoughPixels) trial.median = medianOf(trial.misses);
@@ -156,6 +170,15 @@ DepthConventions depthFrom(const DepthValues& values) {
   return out;
 }
 
+std::string depthGuess(const DepthValues& values) {
+  const DepthConventions guessed = depthFrom(values);
+  std::string name = say<"Distance along the axis">();
+  if (guessed.kind == DepthKind::Window)
+    name = guessed.reversed ? say<"Depth buffer, reversed">() : say<"Depth buffer">();
+  return say<"Kind of depth: %1 (by its values alone: they are from %2 to %3, half of them below %4)">(
+      name, fourDigits(values.lowest), fourDigits(values.highest), fourDigits(values.median));
+}
+
 MotionValues motionValuesOf(const Image& motion) {
   MotionValues out;
   std::vector<float> x, y;
@@ -172,7 +195,7 @@ MotionValues motionValuesOf(const Image& motion) {
 }
 
 std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const DepthValues& values,
-                                bool isFixed) {
+                                const QuestionRules& rules) {
   if (!samples.hasMotion() || !samples.hasDepth() || !samples.hasMatrices() || samples.pairs().empty())
     return {};
   std::vector<DepthTrial> trials;
@@ -191,8 +214,10 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
     if (at != best) second = std::min(second, at->median);
   const bool isMoving = lengths.size() >= kEnoughPixels && medianOf(lengths) >= kMovesEnough;
   const bool fits = best->median <= kFits;
-  finding.isSure = isMoving && fits && second >= kClearDepthFactor * best->median;
-  if (!isMoving)
+  finding.isSure = isMoving && fits && second >= kClearDepthFactor * std::max(best->median, kRoundingPx);
+  if (!std::isfinite(best->median))
+    finding.reason = say<"the matrices are not such that depth and they make a motion">();
+  else if (!isMoving)
     finding.reason = say<"the camera moves too little to tell; the values themselves say which is likely">();
   else if (finding.isSure)
     finding.reason = say<"with it, the camera's motion is the one stored, to %1 px">(
@@ -201,7 +226,11 @@ std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const D
     finding.reason = fits ? say<"another one fits as well">()
                           : say<"none makes the camera's motion that is stored: much moves by itself, or "
                                 "matrices or motion are other than guessed">();
-  const bool isAdopted = finding.isSure && !isFixed && !isStated(*best);
+  const bool isFixed = std::ranges::any_of(
+      differences(best->trial.state.conventions, state.conventions), [&](const std::string& change) {
+        return rules.fixedPaths.contains(change.substr(0, change.find('=')));
+      });
+  const bool isAdopted = finding.isSure && rules.adopt != Adopt::None && !isFixed && !isStated(*best);
   for (const DepthTrial& trial : trials)
     if (std::isfinite(trial.median))
       finding.hypotheses.push_back({trial.trial.text, trial.trial.assignments, trial.median,
@@ -218,6 +247,7 @@ std::optional<Finding> askSky(FrameSamples& samples, TestState& state, bool isFi
   std::vector<double> lengths;
   std::size_t resting = 0;
   for (const FramePair& pair : samples.pairs()) {
+    if (pair.motion.empty()) continue;
     const std::optional<PairMotion> motion = samples.motionOf(pair, state, true);
     if (!motion || motion->camera.empty()) return {};
     for (std::size_t i = 0; i < pair.places.size(); ++i) {

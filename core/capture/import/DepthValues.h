@@ -5,6 +5,7 @@
 #include "core/base/Image.h"
 #include "core/capture/import/FrameSamples.h"
 #include "core/capture/import/Guess.h"
+#include "core/capture/import/Questions.h"
 
 #include <optional>
 #include <string>
@@ -19,8 +20,10 @@ struct DepthValues {
 };
 DepthValues depthValuesOf(const Image& depth);
 
-/// Kind, direction and scale that such values can have; `nearPlane` and `farPlane` are 0 where not known.
+/// Kind, direction and scale that such values are likely to have; near and far plane stay 0.
 DepthConventions depthFrom(const DepthValues& values);
+/// A sentence: what depthFrom() rests on.
+std::string depthGuess(const DepthValues& values);
 
 struct MotionValues {
   double largest = 0.0;            ///< of either component, without sign
@@ -29,9 +32,10 @@ struct MotionValues {
 MotionValues motionValuesOf(const Image& motion);
 
 /// By what depth and matrices make of the camera's motion against the motion stored: what stands still in the
-/// world has both alike. Nothing where the capture has not all three. Adopts what is sure, unless fixed.
+/// world has both alike. Nothing where the capture has not all three. Adopts what is sure, unless that
+/// changes one of `fixedPaths`.
 std::optional<Finding> askDepth(FrameSamples& samples, TestState& state, const DepthValues& values,
-                                bool isFixed);
+                                const QuestionRules& rules);
 
 /// Motion of the sky where motion is 0 wherever nothing was drawn, though the camera moves: it was not
 /// written. Nothing where it is not so. Adopts it unless fixed.

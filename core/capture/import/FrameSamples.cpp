@@ -141,8 +141,13 @@ FrameSamples::FrameSamples(const std::filesystem::path& folder, Manifest manifes
                            const Progress& progress)
     : manifest_(std::move(manifest)) {
   const CapturedFrame& first = manifest_.frames.front();
-  hasMotion_ = manifest_.plane(first, PlaneKind::Motion) != nullptr;
-  hasDepth_ = manifest_.plane(first, PlaneKind::Depth) != nullptr;
+  const auto someHave = [&](PlaneKind kind) {
+    return std::ranges::any_of(manifest_.frames, [&](const CapturedFrame& frame) {
+      return manifest_.plane(frame, kind) != nullptr;
+    });
+  };
+  hasMotion_ = someHave(PlaneKind::Motion);
+  hasDepth_ = someHave(PlaneKind::Depth);
   hasMatrices_ = std::ranges::all_of(manifest_.frames, [](const CapturedFrame& frame) {
     return frame.view.has_value() && frame.projection.has_value();
   });

@@ -50,7 +50,7 @@ class FrameSamples {
 
   const Manifest& manifest() const { return manifest_; }
   const std::vector<FramePair>& pairs() const { return pairs_; }
-  bool hasMotion() const { return hasMotion_; }
+  bool hasMotion() const { return hasMotion_; } ///< of some frames at least; so of depth
   bool hasDepth() const { return hasDepth_; }
   bool hasMatrices() const { return hasMatrices_; }
   bool hasJitter() const { return hasJitter_; } ///< one that is not the same in all frames

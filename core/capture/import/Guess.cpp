@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/PlaneShapes.h"
+#include "core/capture/format/ConventionText.h"
 #include "core/capture/import/DepthJitter.h"
 #include "core/capture/import/DepthValues.h"
 #include "core/capture/import/FolderPlan.h"
@@ -35,8 +36,12 @@ std::set<std::string> pathsOf(const std::vector<std::string>& assignments) {
   return paths;
 }
 
+const CapturedFrame& middleFrame(const Manifest& manifest) {
+  return manifest.frames[manifest.frames.size() / 2];
+}
+
 Image middlePlane(const fs::path& folder, const Manifest& manifest, PlaneKind kind) {
-  const CapturedFrame& frame = manifest.frames[manifest.frames.size() / 2];
+  const CapturedFrame& frame = middleFrame(manifest);
   if (!manifest.plane(frame, kind)) return {};
   return readPlane(folder, manifest, frame, kind).image;
 }
@@ -89,6 +94,7 @@ class Guesser {
   void takeJitter();
   void takeColor();
   void takeMotionValues();
+  void takePlanes();
   void takeValues();
   void askAll();
   void finish();
@@ -120,25 +126,25 @@ void Guesser::takeMatrices() {
   const bool hasMatrices = std::ranges::any_of(
       plan_.side->frames, [](const auto& entry) { return entry.second.view && entry.second.projection; });
   if (!hasMatrices) return;
-  const MatrixConventions seen = matricesOf(*plan_.side, plan_.nearPlane);
-  MatrixConventions& matrices = stated().matrices;
-  // Rows of row vectors lie as columns of column vectors do.
-  const bool isTransposed =
-      (matrices.order == MatrixOrder::RowMajor) != (matrices.vectors == VectorSide::Column);
-  if (isTransposed != (seen.order == MatrixOrder::ColumnMajor)) {
-    matrices.order = seen.order;
-    matrices.vectors = seen.vectors;
-  }
-  matrices.forward = seen.forward;
-  matrices.clipY = seen.clipY;
-  matrices.jittered = seen.jittered;
-  if (plan_.nearPlane > 0.0) matrices.clipZ = seen.clipZ;
-  out_.sure.push_back(
-      say<"the order of matrices, the axis along which the camera looks and the y of clip space are "
-          "those that the matrices can have">());
-  if (plan_.nearPlane <= 0.0)
+  const SeenMatrices seen = matricesOf(*plan_.side, plan_.nearPlane, stated().matrices);
+  stated().matrices = seen.conventions;
+  if (seen.isOrderSeen && seen.isForwardSeen)
+    out_.sure.push_back(
+        say<"the order of matrices, the axis along which the camera looks and the y of clip space are those "
+            "that the matrices can have">());
+  if (!seen.isOrderSeen && !isFixed("matrices.order"))
     out_.unsure.push_back(
-        say<"whether z of clip space begins at 0 or at −1 is not known: no near plane is stated">());
+        say<"the order of matrices is not known: with the camera at the origin they can have either">());
+  if (!seen.isForwardSeen && !isFixed("matrices.forward"))
+    out_.unsure.push_back(say<"the axis along which the camera looks and where z of clip space begins are "
+                              "not known: projections "
+                              "are without perspective">());
+  if (seen.isClipZSeen || !seen.isForwardSeen || isFixed("matrices.clipZ")) return;
+  out_.unsure.push_back(
+      plan_.nearPlane > 0.0
+          ? say<"whether z of clip space begins at 0 or at −1 is not known: the projections do not have the "
+                "near plane that is stated, %1">(numberText(plan_.nearPlane))
+          : say<"whether z of clip space begins at 0 or at −1 is not known: no near plane is stated">());
 }
 
 void Guesser::takeJitter() {
@@ -166,8 +172,9 @@ void Guesser::takeMotionValues() {
   const MotionValues values = motionValuesOf(motion);
   if (values.largest == 0.0)
     out_.unsure.push_back(
-        say<"motion is 0 at all pixels: Blender leaves it so with motion blur on, and some engines "
-            "where nothing asks for it">());
+        say<"motion is 0 at all pixels of frame %1: the frame is at rest, or motion was not written; Blender "
+            "leaves it so with motion blur on, and some engines where nothing asks for it">(
+            middleFrame(plan_.manifest).number));
   if (!isNormalized(plan_, PlaneKind::Motion) || !like_.empty()) return;
   MotionConventions& stored = stated().motion;
   stored.encoding = MotionEncoding::Offset;
@@ -178,12 +185,23 @@ void Guesser::takeMotionValues() {
       say<"motion is stored as integers without sign: the value in the middle is taken as rest">());
 }
 
+/// Where no matrix says them.
+void Guesser::takePlanes() {
+  const bool hasMatrices = std::ranges::any_of(
+      plan_.manifest.frames, [](const CapturedFrame& frame) { return frame.projection.has_value(); });
+  if (hasMatrices || !(plan_.nearPlane > 0.0) || stated().depth.kind != DepthKind::Window) return;
+  stated().depth.nearPlane = plan_.nearPlane;
+  stated().depth.farPlane = plan_.farPlane > plan_.nearPlane ? plan_.farPlane : 0.0;
+}
+
 void Guesser::takeValues() {
   Image depth = middlePlane(folder_, plan_.manifest, PlaneKind::Depth);
   if (!depth.empty()) depth_ = depthValuesOf(depth);
   if (!depth.empty() && like_.empty()) stated().depth = depthFrom(depth_);
+  takePlanes();
   if (!depth_.isKnown && !depth.empty())
-    out_.unsure.push_back(say<"depth is the same at all pixels: nothing can be told of it">());
+    out_.unsure.push_back(say<"depth is the same at all pixels of frame %1: nothing can be told of it">(
+        middleFrame(plan_.manifest).number));
   takeMotionValues();
   for (const std::string& assignment : assignments_) applyAssignment(stated(), assignment);
 }
@@ -195,12 +213,15 @@ void Guesser::askAll() {
   out_.findings = askPixels(samples, state_, rules, progress_);
   const Conventions before = stated();
   const std::optional<Finding> kind =
-      depth_.isKnown ? askDepth(samples, state_, depth_, isFixed("depth.kind")) : std::nullopt;
+      depth_.isKnown ? askDepth(samples, state_, depth_, rules) : std::nullopt;
   if (!(before == stated())) {
     rules.adopt = Adopt::SureOnes;
     out_.findings = askPixels(samples, state_, rules, progress_);
   }
   if (kind) out_.findings.push_back(*kind);
+  // Of depth that pixels were not asked about, its values are all that is known.
+  if (depth_.isKnown && (!kind || kind->hypotheses.empty()) && like_.empty() && !isFixed("depth.kind"))
+    out_.unsure.push_back(depthGuess(depth_));
   replaceUnsure(out_.findings, askSky(samples, state_, isFixed("motion.whereNothing")));
   // What all else shows to be an engine's is drawn as that engine draws, or the contradiction is worth a
   // look.
@@ -292,7 +313,7 @@ std::vector<Finding> measureConventions(const fs::path& folder, const Manifest& 
   const Image depth = middlePlane(folder, manifest, PlaneKind::Depth);
   if (!depth.empty())
     if (const DepthValues values = depthValuesOf(depth); values.isKnown)
-      if (std::optional<Finding> kind = askDepth(samples, state, values, true))
+      if (std::optional<Finding> kind = askDepth(samples, state, values, rules))
         findings.push_back(std::move(*kind));
   if (std::optional<Finding> jitter = askDepthJitter(samples, state, true))
     findings.push_back(std::move(*jitter));

@@ -17,8 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -42,13 +42,22 @@ std::string plain(std::string_view key) {
   return out;
 }
 
-/// The value of the first of `names` that an object has; null where there is none.
-const json* valueOf(const json& object, std::initializer_list<std::string_view> names) {
-  for (const std::string_view name : names)
-    for (const auto& [key, value] : object.items())
-      if (plain(key) == name) return &value;
-  return nullptr;
-}
+/// The values of an object by the letters of their keys. Each key is looked at once, however many there are.
+class Fields {
+ public:
+  explicit Fields(const json& object) {
+    for (const auto& [key, value] : object.items()) values_.emplace(plain(key), &value);
+  }
+  /// The value of the first of `names` that the object has; null where there is none.
+  const json* of(std::initializer_list<std::string_view> names) const {
+    for (const std::string_view name : names)
+      if (const auto found = values_.find(name); found != values_.end()) return found->second;
+    return nullptr;
+  }
+
+ private:
+  std::map<std::string, const json*, std::less<>> values_;
+};
 
 std::optional<double> finiteOf(const json* value) {
   if (!value || !value->is_number()) return {};
@@ -71,8 +80,9 @@ std::optional<glm::dvec2> pairOf(const json* value) {
     x = &(*value)[0];
     y = &(*value)[1];
   } else if (value->is_object()) {
-    x = valueOf(*value, {"x"});
-    y = valueOf(*value, {"y"});
+    const Fields fields(*value);
+    x = fields.of({"x"});
+    y = fields.of({"y"});
   }
   const std::optional<double> first = finiteOf(x), second = finiteOf(y);
   if (!first || !second) return {};
@@ -82,7 +92,7 @@ std::optional<glm::dvec2> pairOf(const json* value) {
 /// 16 numbers, or four rows of four.
 std::optional<StatedMatrix> matrixOf(const json* value) {
   if (!value) return {};
-  if (value->is_object()) value = valueOf(*value, {"elements", "m", "data"});
+  if (value->is_object()) value = Fields(*value).of({"elements", "m", "data"});
   if (!value || !value->is_array()) return {};
   StatedMatrix matrix{};
   const bool isNested = value->size() == 4;
@@ -114,7 +124,7 @@ std::optional<StatedMatrix> inverseOf(const std::optional<StatedMatrix>& matrix)
   return out;
 }
 
-void takeJitter(const json& object, CapturedFrame& frame, SideFrames& out) {
+void takeJitter(const Fields& fields, CapturedFrame& frame, SideFrames& out) {
   struct Key {
     std::string_view name;
     std::optional<ScreenUnit> unit;
@@ -131,52 +141,50 @@ void takeJitter(const json& object, CapturedFrame& frame, SideFrames& out) {
       {"taajitter", {}},
   };
   for (const Key& key : kKeys) {
-    const std::optional<glm::dvec2> jitter = pairOf(valueOf(object, {key.name}));
+    const std::optional<glm::dvec2> jitter = pairOf(fields.of({key.name}));
     if (!jitter) continue;
     frame.jitter = *jitter;
     if (key.unit) out.jitterUnit = key.unit;
     break;
   }
-  const std::optional<double> x = finiteOf(valueOf(object, {"jitterx"})),
-                              y = finiteOf(valueOf(object, {"jittery"}));
+  const std::optional<double> x = finiteOf(fields.of({"jitterx"})), y = finiteOf(fields.of({"jittery"}));
   if (x && y) frame.jitter = {*x, *y};
   out.hasJitter = out.hasJitter || frame.jitter != glm::dvec2(0.0);
 }
 
-void takeMatrices(const json& object, CapturedFrame& frame, SideFrames& out) {
-  frame.view =
-      matrixOf(valueOf(object, {"view", "viewmatrix", "viewfromworld", "worldtoview", "worldtocamera",
-                                "worldtocameramatrix", "matrixworldinverse", "camerafromworld"}));
+void takeMatrices(const Fields& fields, CapturedFrame& frame, SideFrames& out) {
+  frame.view = matrixOf(fields.of({"view", "viewmatrix", "viewfromworld", "worldtoview", "worldtocamera",
+                                   "worldtocameramatrix", "matrixworldinverse", "camerafromworld"}));
   if (!frame.view)
-    frame.view = inverseOf(matrixOf(valueOf(object, {"cameratoworld", "cameratoworldmatrix", "worldfromview",
-                                                     "worldfromcamera", "matrixworld", "cameramatrix"})));
-  frame.projection = matrixOf(valueOf(
-      object, {"projectionunjittered", "unjitteredprojection", "projectionwithoutjitter",
-               "projectionnojitter", "nonjitteredprojection", "nonjitteredprojectionmatrix", "projectionnoaa",
-               "projection", "projectionmatrix", "proj", "clipfromview", "viewtoclip", "cameratoclip"}));
+    frame.view = inverseOf(matrixOf(fields.of({"cameratoworld", "cameratoworldmatrix", "worldfromview",
+                                               "worldfromcamera", "matrixworld", "cameramatrix"})));
+  frame.projection = matrixOf(fields.of(
+      {"projectionunjittered", "unjitteredprojection", "projectionwithoutjitter", "projectionnojitter",
+       "nonjitteredprojection", "nonjitteredprojectionmatrix", "projectionnoaa", "projection",
+       "projectionmatrix", "proj", "clipfromview", "viewtoclip", "cameratoclip"}));
   if (frame.projection) return;
   frame.projection =
-      matrixOf(valueOf(object, {"projectionjittered", "jitteredprojection", "projectionwithjitter"}));
+      matrixOf(fields.of({"projectionjittered", "jitteredprojection", "projectionwithjitter"}));
   out.isProjectionJittered = out.isProjectionJittered || frame.projection.has_value();
 }
 
 CapturedFrame frameOf(const json& object, int index, SideFrames& out) {
+  const Fields fields(object);
   CapturedFrame frame;
   frame.number = index;
   const std::optional<double> number =
-      finiteOf(valueOf(object, {"frame", "number", "framenumber", "frameindex", "index"}));
+      finiteOf(fields.of({"frame", "number", "framenumber", "frameindex", "index"}));
   if (number && *number >= 0.0 && *number < 1e9) {
     frame.number = static_cast<int>(*number);
     out.isNumbered = true;
   }
-  takeJitter(object, frame, out);
-  takeMatrices(object, frame, out);
-  if (const auto exposure = finiteOf(valueOf(object, {"preexposure"})); exposure && *exposure > 0.0)
+  takeJitter(fields, frame, out);
+  takeMatrices(fields, frame, out);
+  if (const auto exposure = finiteOf(fields.of({"preexposure"})); exposure && *exposure > 0.0)
     frame.preExposure = *exposure;
-  if (const json* cut = valueOf(object, {"cut", "cameracut", "reset", "resethistory"});
-      cut && cut->is_boolean())
+  if (const json* cut = fields.of({"cut", "cameracut", "reset", "resethistory"}); cut && cut->is_boolean())
     frame.cut = cut->get<bool>();
-  frame.seconds = finiteOf(valueOf(object, {"seconds", "time", "timeseconds"}));
+  frame.seconds = finiteOf(fields.of({"seconds", "time", "timeseconds"}));
   return frame;
 }
 
@@ -209,26 +217,65 @@ void takeObjects(const json* value, SideFile& out) {
   }
 }
 
-void takeRoot(const json& root, SideFile& out) {
-  out.name = plainTextOf(valueOf(root, {"name", "scene", "title"}));
-  out.engine = plainTextOf(valueOf(root, {"engine", "generator", "renderer"}));
-  out.nearPlane = finiteOf(valueOf(root, {"near", "nearplane", "znear", "clipstart"})).value_or(0.0);
-  out.farPlane = finiteOf(valueOf(root, {"far", "farplane", "zfar", "clipend"})).value_or(0.0);
-  out.framesPerSecond = finiteOf(valueOf(root, {"fps", "framespersecond", "framerate"})).value_or(0.0);
-  takeObjects(valueOf(root, {"objects", "objectids", "ids"}), out);
+void takeRoot(const Fields& fields, SideFile& out) {
+  out.name = plainTextOf(fields.of({"name", "scene", "title"}));
+  out.engine = plainTextOf(fields.of({"engine", "generator", "renderer"}));
+  out.nearPlane = finiteOf(fields.of({"near", "nearplane", "znear", "clipstart"})).value_or(0.0);
+  out.farPlane = finiteOf(fields.of({"far", "farplane", "zfar", "clipend"})).value_or(0.0);
+  out.framesPerSecond = finiteOf(fields.of({"fps", "framespersecond", "framerate"})).value_or(0.0);
+  takeObjects(fields.of({"objects", "objectids", "ids"}), out);
 }
 
-/// Of a perspective projection of column vectors: whether the near plane is where z/w is −1 rather than 0.
-bool isFromMinusOne(const glm::dmat4& clip, double nearPlane) {
-  if (!(nearPlane > 0.0)) return false;
+bool is0(double value) {
+  return std::abs(value) < 1e-12;
+}
+
+/// Whether 16 numbers are the columns of column vectors; nothing where a view says it of neither order. Where
+/// row 3 is 0 0 0 1 they are rows; the place of the camera stands there otherwise.
+std::optional<bool> isTransposedView(const StatedMatrix& view) {
+  const bool isRows = is0(view[12]) && is0(view[13]) && is0(view[14]);
+  const bool isColumns = is0(view[3]) && is0(view[7]) && is0(view[11]);
+  if (isRows == isColumns) return {};
+  return isColumns;
+}
+
+/// As above, of a projection: w is plus or minus z of a perspective one, and 1 of another.
+std::optional<bool> isTransposedProjection(const StatedMatrix& projection) {
+  const double rows = projection[14], columns = projection[11];
+  if (!is0(projection[15])) return is0(rows) == is0(columns) ? std::nullopt : std::optional(is0(columns));
+  const auto is1 = [](double value) { return std::abs(std::abs(value) - 1.0) < 1e-6; };
+  const bool isRows = is1(rows), isColumns = is1(columns);
+  if (isRows == isColumns) return {};
+  return isColumns;
+}
+
+std::optional<bool> isTransposed(const SideFrames& frames) {
+  for (const auto& [number, frame] : frames.frames)
+    if (frame.view)
+      if (const std::optional<bool> said = isTransposedView(*frame.view)) return said;
+  for (const auto& [number, frame] : frames.frames)
+    if (frame.projection)
+      if (const std::optional<bool> said = isTransposedProjection(*frame.projection)) return said;
+  return {};
+}
+
+/// Of a perspective projection of column vectors: between which z/w it puts what it keeps; nothing where none
+/// has the near plane at this distance.
+std::optional<ClipRange> clipRangeOf(const glm::dmat4& clip, double nearPlane) {
+  constexpr double kSameDistance = 0.05; // of its logarithm
+  if (!(nearPlane > 0.0)) return {};
   // z/w is a + b/distance.
   const double w = clip[2][3], a = clip[2][2] / w, b = clip[3][2] / std::abs(w);
-  const auto miss = [&](double z) {
+  const auto isNearAt = [&](double z) {
     const double distance = b / (z - a);
-    return distance > 0.0 && std::isfinite(distance) ? std::abs(std::log(distance / nearPlane))
-                                                     : std::numeric_limits<double>::max();
+    return distance > 0.0 && std::isfinite(distance) &&
+           std::abs(std::log(distance / nearPlane)) < kSameDistance;
   };
-  return miss(-1.0) < std::min(miss(0.0), miss(1.0));
+  if (isNearAt(-1.0)) return ClipRange::MinusOneToOne;
+  if (isNearAt(0.0)) return ClipRange::ZeroToOne;
+  // Reversed: the far end says which.
+  if (isNearAt(1.0)) return a < -0.5 ? ClipRange::MinusOneToOne : ClipRange::ZeroToOne;
+  return {};
 }
 
 } // namespace
@@ -247,43 +294,47 @@ std::optional<SideFile> readSideFile(const fs::path& folder, const std::string& 
   }
   if (root.is_array()) takeList(root, "", out);
   if (root.is_object()) {
-    takeRoot(root, out);
-    if (const json* frames = valueOf(root, {"frames"})) takeList(*frames, "", out);
+    const Fields fields(root);
+    takeRoot(fields, out);
+    if (const json* frames = fields.of({"frames"})) takeList(*frames, "", out);
     for (const auto& [key, value] : root.items())
       if (value.is_object())
-        if (const json* frames = valueOf(value, {"frames"})) takeList(*frames, key, out);
+        if (const json* frames = Fields(value).of({"frames"})) takeList(*frames, key, out);
   }
   if (out.lists.empty()) return {};
   return out;
 }
 
-MatrixConventions matricesOf(const SideFrames& frames, double nearPlane) {
-  MatrixConventions out;
+SeenMatrices matricesOf(const SideFrames& frames, double nearPlane, const MatrixConventions& start) {
+  SeenMatrices out{start};
   const auto found = std::ranges::find_if(
       frames.frames, [](const auto& entry) { return entry.second.view && entry.second.projection; });
   if (found == frames.frames.end()) return out;
-  const StatedMatrix& view = *found->second.view;
-  const StatedMatrix& projection = *found->second.projection;
-  const auto is0 = [](double value) { return std::abs(value) < 1e-12; };
-  // Where row 3 of 16 numbers is 0 0 0 1 they are rows of column vectors; the place of the camera stands
-  // there otherwise.
-  const bool isRows = is0(view[12]) && is0(view[13]) && is0(view[14]);
-  const bool isColumns = is0(view[3]) && is0(view[7]) && is0(view[11]);
-  bool isTransposed = isColumns && !isRows;
-  // A camera at the origin says nothing: w of its projection does.
-  if (isColumns && isRows) isTransposed = is0(projection[14]) && !is0(projection[11]);
-  if (isTransposed) out.order = MatrixOrder::ColumnMajor;
+  MatrixConventions& seen = out.conventions;
+  seen.jittered = frames.isProjectionJittered;
+  // Rows of row vectors lie as columns of column vectors do.
+  const bool isExpected = (start.order == MatrixOrder::RowMajor) != (start.vectors == VectorSide::Column);
+  const std::optional<bool> said = isTransposed(frames);
+  out.isOrderSeen = said.has_value();
+  const bool isTransposed = said.value_or(isExpected);
+  if (isTransposed != isExpected) {
+    seen.order = isTransposed ? MatrixOrder::ColumnMajor : MatrixOrder::RowMajor;
+    seen.vectors = VectorSide::Column;
+  }
   glm::dmat4 clip;
   for (std::size_t i = 0; i < 16; ++i) {
     const int row = static_cast<int>(isTransposed ? i % 4 : i / 4);
     const int column = static_cast<int>(isTransposed ? i / 4 : i % 4);
-    clip[column][row] = projection[i];
+    clip[column][row] = (*found->second.projection)[i];
   }
-  const bool isPerspective = !is0(clip[2][3]);
-  if (isPerspective && clip[2][3] > 0.0) out.forward = ForwardAxis::PositiveZ;
-  if (clip[1][1] < 0.0) out.clipY = VerticalAxis::Down;
-  if (isPerspective && isFromMinusOne(clip, nearPlane)) out.clipZ = ClipRange::MinusOneToOne;
-  out.jittered = frames.isProjectionJittered;
+  seen.clipY = clip[1][1] < 0.0 ? VerticalAxis::Down : VerticalAxis::Up;
+  // Without perspective w is 1 whichever way the camera looks.
+  if (is0(clip[2][3])) return out;
+  out.isForwardSeen = true;
+  seen.forward = clip[2][3] > 0.0 ? ForwardAxis::PositiveZ : ForwardAxis::NegativeZ;
+  const std::optional<ClipRange> range = clipRangeOf(clip, nearPlane);
+  out.isClipZSeen = range.has_value();
+  if (range) seen.clipZ = *range;
   return out;
 }
 

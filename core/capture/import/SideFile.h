@@ -35,8 +35,14 @@ struct SideFile {
 /// Of `file` below `folder`; nothing where it holds no frames. Throws Error where it is no JSON.
 std::optional<SideFile> readSideFile(const std::filesystem::path& folder, const std::string& file);
 
-/// What the matrices themselves and the planes show of their conventions. `frames` without matrices change
-/// nothing.
-MatrixConventions matricesOf(const SideFrames& frames, double nearPlane);
+/// What matrices show of their conventions, and whether they show it.
+struct SeenMatrices {
+  MatrixConventions conventions;
+  bool isOrderSeen = false, isForwardSeen = false, isClipZSeen = false;
+};
+
+/// `start` with what the matrices themselves and the near plane show; 0: it is not known. `frames` without
+/// matrices show nothing.
+SeenMatrices matricesOf(const SideFrames& frames, double nearPlane, const MatrixConventions& start);
 
 } // namespace taa::capture
