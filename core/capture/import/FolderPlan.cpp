@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Side {
-  SideFile file;
-  const SideFrames* frames = nullptr;
-};
-
 const NamedPlane* planeIn(const PictureSequence& sequence, PlaneKind kind) {
   const std::vector<NamedPlane>& planes = sequence.planes.planes;
   const auto found = std::ranges::find(planes, kind, &NamedPlane::kind);
@@ -129,10 +124,13 @@ void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& 
         say<"%1 other sequences are not used: %2 …">(unused.size(), shownText(unused.front())));
 }
 
-std::vector<SideFile> sidesOf(const fs::path& folder, const FolderScan& scan, FolderPlan& plan) {
+std::vector<SideFile> sidesOf(const fs::path& folder, const FolderScan& scan, FolderPlan& plan,
+                              const Progress& progress) {
   constexpr std::size_t kMostFiles = 16;
   std::vector<SideFile> sides;
-  for (std::size_t i = 0; i < std::min(scan.sideFiles.size(), kMostFiles); ++i) {
+  const std::size_t count = std::min(scan.sideFiles.size(), kMostFiles);
+  for (std::size_t i = 0; i < count; ++i) {
+    report(progress, say<"Reading side files">(), static_cast<int>(i), static_cast<int>(count));
     try {
       if (std::optional<SideFile> side = readSideFile(folder, scan.sideFiles[i]))
         sides.push_back(std::move(*side));
@@ -141,6 +139,30 @@ std::vector<SideFile> sidesOf(const fs::path& folder, const FolderScan& scan, Fo
     }
   }
   return sides;
+}
+
+/// What a list states, and of which frames it does not speak.
+void sayList(FolderPlan& plan, const std::string& file, const SideFrames& list,
+             const std::vector<int>& numbers) {
+  const std::string place =
+      list.name.empty() ? shownText(file) : say<"\"%2\" in %1">(shownText(file), shownText(list.name));
+  const bool hasMatrices = std::ranges::any_of(
+      list.frames, [](const auto& entry) { return entry.second.view && entry.second.projection; });
+  if (list.hasJitter && hasMatrices)
+    plan.found.push_back(say<"jitter and matrices are those of %1">(place));
+  else if (list.hasJitter)
+    plan.found.push_back(say<"jitter is that of %1, which states no matrices">(place));
+  else if (hasMatrices)
+    plan.found.push_back(say<"matrices are those of %1, which states no jitter but 0">(place));
+  else
+    plan.unsure.push_back(say<"%1 states neither jitter nor matrices that are known by their keys">(place));
+  const auto covered =
+      static_cast<std::size_t>(std::ranges::count_if(numbers, [&, index = 0](int number) mutable {
+        return list.frames.contains(list.isNumbered ? number : index++);
+      }));
+  if (covered < numbers.size())
+    plan.unsure.push_back(say<"%1 of %2 frames are not in %3: they have jitter 0 and no matrices">(
+        numbers.size() - covered, numbers.size(), place));
 }
 
 void takeSide(FolderPlan& plan, const std::vector<SideFile>& sides, const PictureSequence& main) {
@@ -155,13 +177,16 @@ void takeSide(FolderPlan& plan, const std::vector<SideFile>& sides, const Pictur
     plan.manifest.objects = side.objects;
     if (side.framesPerSecond >= 0.01 && side.framesPerSecond <= 1e5)
       plan.manifest.framesPerSecond = side.framesPerSecond;
-    plan.found.push_back(list->name.empty() ? say<"jitter and matrices are those of %1">(shownText(side.file))
-                                            : say<"jitter and matrices are those of \"%2\" in %1">(
-                                                  shownText(side.file), shownText(list->name)));
+    sayList(plan, side.file, *list, main.numbers);
     return;
   }
-  plan.unsure.push_back(
-      say<"no side file states jitter and matrices: a .json file with a list \"frames\" was looked for">());
+  for (const SideFile& side : sides)
+    plan.unsure.push_back(
+        say<"%1 is not used: its list \"frames\" does not speak of the %2 pictures of color there are">(
+            shownText(side.file), main.numbers.size()));
+  if (sides.empty())
+    plan.unsure.push_back(
+        say<"no side file states jitter and matrices: a .json file with a list \"frames\" was looked for">());
 }
 
 /// `all`: those of the main sequence, whose order is that of a side file without numbers.
@@ -197,7 +222,7 @@ void sayPlanes(FolderPlan& plan, const PictureSequence& main) {
 FolderPlan planFolder(const fs::path& folder, const Progress& progress) {
   FolderPlan plan;
   const FolderScan scan = scanFolder(folder, progress);
-  const std::vector<SideFile> sides = sidesOf(folder, scan, plan);
+  const std::vector<SideFile> sides = sidesOf(folder, scan, plan, progress);
   const PictureSequence& main = mainOf(folder, scan, sides);
   for (const NamedPlane& plane : main.planes.planes) addPlane(plan, main, plane);
   plan.manifest.sizePx = planeIn(main, PlaneKind::Color)->sizePx;
