@@ -32,6 +32,8 @@ constexpr std::uintmax_t kMaxPictureBytes = std::uintmax_t(4) << 30;
 constexpr int kMaxParts = 1024;
 constexpr int kMaxChannels = 4096;
 constexpr int kRowsAtOnce = 256; ///< of the largest blocks that EXR compresses together
+constexpr std::size_t kBlockOfRows = std::size_t(64) << 20;    ///< bytes of rows that are read at once
+constexpr std::int64_t kMaxTilePixels = std::int64_t(1) << 24; ///< 4096 × 4096: tiles are read whole
 
 /// A kind of file and the bytes that it begins with: no plugin guesses at files that are none of these.
 struct FileKind {
@@ -166,9 +168,9 @@ void requireReadable(const Selection& selection, const std::string& name) {
   if (!within(spec.width) || !within(spec.height) || !within(spec.full_width) || !within(spec.full_height) ||
       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) > kMaxPlanePixels)
     throw Error(say<"%1 has %2 × %3 px, too many">(name, spec.width, spec.height));
-  if (spec.tile_width > kMaxCaptureSide || spec.tile_height > kMaxCaptureSide)
-    throw Error(say<"%1 has tiles of %2 × %3 px, too many">(name, spec.tile_width, spec.tile_height));
   using Wide = std::int64_t;
+  if (Wide(spec.tile_width) * spec.tile_height > kMaxTilePixels)
+    throw Error(say<"%1 has tiles of %2 × %3 px, too many">(name, spec.tile_width, spec.tile_height));
   if (spec.x > spec.full_x || spec.y > spec.full_y ||
       Wide(spec.x) + spec.width < Wide(spec.full_x) + spec.full_width ||
       Wide(spec.y) + spec.height < Wide(spec.full_y) + spec.full_height)
@@ -249,8 +251,12 @@ class RowReader {
         end_ = std::max(end_, channel + 1);
       }
     pixelBytes_ = spec_.pixel_bytes(first_, end_, true);
+    // Channels between those that are wanted are read, too: of a part with thousands that is much.
     const int step = spec_.tile_width > 0 ? spec_.tile_height : 1;
-    rowsAtOnce_ = std::max(1, kRowsAtOnce / step) * step;
+    const std::size_t stepBytes =
+        pixelBytes_ * static_cast<std::size_t>(spec_.width) * static_cast<std::size_t>(step);
+    const auto most = static_cast<std::size_t>(std::max(1, kRowsAtOnce / step));
+    rowsAtOnce_ = static_cast<int>(std::clamp<std::size_t>(kBlockOfRows / stepBytes, 1, most)) * step;
   }
 
   int rowsAtOnce() const { return rowsAtOnce_; }

@@ -13,6 +13,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -96,7 +97,10 @@ void readAll(std::vector<ReadingJob>& jobs, const std::filesystem::path& folder,
     }
   };
   std::thread second;
-  if (jobs.size() > 1) second = std::thread(work);
+  try {
+    if (jobs.size() > 1) second = std::thread(work);
+  } catch (const std::system_error&) { // no more threads: all is read here
+  }
   work();
   if (second.joinable()) second.join();
 }

@@ -274,6 +274,40 @@ TEST_F(Pictures, MayBeTiledAndUpsideDown) {
   EXPECT_EQ(read(PlaneKind::Color).image.texel(4, 0), glm::vec4(34.0f, 134.0f, 234.0f, 0.0f));
 }
 
+// A header of a few bytes can ask for tiles of gigabytes.
+TEST_F(Pictures, WithTilesThatAreTooLargeAreRefused) {
+  OIIO::ImageSpec spec = specOf({"R", "G", "B"}, OIIO::TypeFloat);
+  spec.tile_width = spec.tile_height = 16;
+  writePicture(folder / "tiled.exr", spec, OIIO::TypeFloat, ramp(3));
+  std::string bytes = readFile(folder / "tiled.exr");
+  const std::string_view name("tiles\0tiledesc\0", 15); // and 4 bytes of length before the two sides
+  const std::size_t sides = bytes.find(name) + name.size() + 4;
+  ASSERT_LT(sides + 8, bytes.size());
+  for (const std::size_t side : {sides, sides + 4}) bytes.replace(side, 4, std::string("\0\x20\0\0", 4));
+  writeFile(folder / "tiled.exr", bytes);
+  add(PlaneKind::Color, "tiled.exr", {});
+  expectMessage("tiled.exr has tiles of 8192 × 8192 px, too many");
+}
+
+// More rows than are read at once, of the first and the last of some channels.
+TEST_F(Pictures, AreReadInBlocksWithWhatLiesBetween) {
+  constexpr int kHigh = 600;
+  OIIO::ImageSpec spec(2, kHigh, 40, OIIO::TypeFloat);
+  spec.channelnames.clear();
+  for (int c = 0; c < 40; ++c) spec.channelnames.push_back("c" + std::to_string(10 + c));
+  std::vector<float> values;
+  for (int i = 0; i < 2 * kHigh; ++i)
+    for (int c = 0; c < 40; ++c) values.push_back(static_cast<float>(100 * i + c));
+  writePicture(folder / "high.exr", spec, OIIO::TypeFloat, values);
+  manifest.sizePx = {2, kHigh};
+  add(PlaneKind::Motion, "high.exr", {"c49", "c10"});
+  const PlaneData plane = read(PlaneKind::Motion);
+  for (int y = 0; y < kHigh; ++y)
+    for (int x = 0; x < 2; ++x)
+      ASSERT_EQ(plane.image.texel(x, y), glm::vec4(static_cast<float>(100 * (2 * y + x) + 39),
+                                                   static_cast<float>(100 * (2 * y + x)), 0.0f, 0.0f));
+}
+
 TEST_F(Pictures, AreCutToTheirDisplayWindow) {
   OIIO::ImageSpec spec(kWidth + 3, kHeight + 2, 3, OIIO::TypeFloat);
   spec.x = -2;
