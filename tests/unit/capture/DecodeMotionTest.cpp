@@ -110,6 +110,21 @@ TEST(DecodeMotion, WhatIsNotWrittenIsWhatTheFallbackSays) {
   EXPECT_EQ(decoded(MotionFallback::None, 0.125f), glm::vec2(0.125f));
 }
 
+// A target that is cleared to the middle of 0 to 1 holds no half of 65535 steps, but one of its neighbors.
+TEST(DecodeMotion, WhatIsNotWrittenIsKnownInNormalizedFormats) {
+  Conventions conventions;
+  conventions.motion.notWritten = 0.5;
+  conventions.motion.fallback = MotionFallback::None;
+  const auto isLeftOut = [&](double stored) {
+    const auto value = static_cast<float>(stored);
+    return decodedMotion(manifestOf(conventions, kSize), value, value) == glm::vec2(kNoPreviousPosition);
+  };
+  for (const double stored : {127.0 / 255.0, 128.0 / 255.0, 32767.0 / 65535.0, 32768.0 / 65535.0, 0.5})
+    EXPECT_TRUE(isLeftOut(stored)) << stored;
+  for (const double stored : {126.0 / 255.0, 129.0 / 255.0, 32766.0 / 65535.0, 32769.0 / 65535.0})
+    EXPECT_FALSE(isLeftOut(stored)) << stored;
+}
+
 TEST(DecodeMotion, OwnValuesKeepTheirBits) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   for (const Conventions& conventions : {Conventions{}, startingPoint("taa-inspector").conventions}) {
