@@ -85,10 +85,12 @@ def set_up(width, height):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
+    scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1
+    scene.render.use_border = False  # all of the picture
     scene.render.use_motion_blur = False  # with it the vector pass is all zero
     layer = bpy.context.view_layer
     layer.use_pass_z = layer.use_pass_vector = layer.use_pass_object_index = True
-    for index, thing in enumerate((each for each in scene.objects if each.type == "MESH"), start=1):
+    for index, thing in enumerate(scene.objects, start=1):  # curves and texts are drawn as well
         thing.pass_index = index
     image = scene.render.image_settings
     image.file_format, image.color_depth, image.exr_codec = "OPEN_EXR_MULTILAYER", "32", "ZIP"
@@ -104,8 +106,15 @@ def frame_facts(scene, number, jitter):
     graph = bpy.context.evaluated_depsgraph_get()
     size = scene.render.resolution_x, scene.render.resolution_y
     return {"number": number, "jitter": list(jitter),
-            "view": numbers(scene.camera.matrix_world.inverted()),
+            # A camera's own scale is no part of what it sees.
+            "view": numbers(scene.camera.matrix_world.normalized().inverted()),
             "projection": numbers(scene.camera.calc_matrix_camera(graph, x=size[0], y=size[1]))}
+
+
+def shifted_side(scene):
+    """The side of the picture, in pixels, that a camera's shift is a share of; pixels are square."""
+    width, height = scene.render.resolution_x, scene.render.resolution_y
+    return {"HORIZONTAL": width, "VERTICAL": height}.get(scene.camera.data.sensor_fit, max(width, height))
 
 
 def render(scene, samples, filter_type, filter_width, file):
@@ -119,6 +128,8 @@ def render(scene, samples, filter_type, filter_width, file):
 def main():
     wanted = arguments()
     first, last = (int(part) for part in wanted.frames.split(".."))
+    if not 0 <= first <= last:
+        sys.exit(f"--frames {wanted.frames}: numbers of frames are 0 and above, the first one first")
     width, height = (int(part) for part in wanted.size.split("x"))
     if not bpy.data.filepath:
         make_example(first, last)
@@ -133,10 +144,9 @@ def main():
         shift = scene.camera.data.shift_x, scene.camera.data.shift_y
         jitter = halton(number, 2) - 0.5, halton(number, 3) - 0.5
         frames.append(frame_facts(scene, number, jitter))
-        # A shift is a share of the picture's larger side; up is positive.
-        larger = max(width, height)
-        scene.camera.data.shift_x = shift[0] + jitter[0] / larger
-        scene.camera.data.shift_y = shift[1] - jitter[1] / larger
+        side = shifted_side(scene)  # up is positive
+        scene.camera.data.shift_x = shift[0] + jitter[0] / side
+        scene.camera.data.shift_y = shift[1] - jitter[1] / side
         render(scene, 1, "GAUSSIAN", 0.01, os.path.join(folder, f"frame.{number:04}.exr"))
         scene.camera.data.shift_x, scene.camera.data.shift_y = shift
         if wanted.reference:
