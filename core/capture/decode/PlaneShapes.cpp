@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/decode/Nearest.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,27 +39,6 @@ Channels channelsNeeded(PlaneKind kind) {
     break;
   }
   return {1, 1, 0.0f};
-}
-
-/// Of each pixel of a side of `to` the pixel of a side of `from` that lies there.
-std::vector<std::size_t> nearest(int from, int to) {
-  std::vector<std::size_t> places(static_cast<std::size_t>(to));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] = (2 * i + 1) * static_cast<std::size_t>(from) / (2 * places.size());
-  return places;
-}
-
-template <typename Value>
-std::vector<Value> resized(const std::vector<Value>& values, const glm::ivec2& from, const glm::ivec2& to,
-                           std::size_t channels) {
-  const std::vector<std::size_t> columns = nearest(from.x, to.x), rows = nearest(from.y, to.y);
-  std::vector<Value> result(columns.size() * rows.size() * channels);
-  auto at = result.begin();
-  for (const std::size_t row : rows) {
-    const Value* line = values.data() + row * static_cast<std::size_t>(from.x) * channels;
-    for (const std::size_t column : columns) at = std::copy_n(line + column * channels, channels, at);
-  }
-  return result;
 }
 
 Image withChannels(Image&& image, const Channels& wanted) {

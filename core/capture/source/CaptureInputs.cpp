@@ -1,6 +1,7 @@
 #include "core/capture/source/CaptureInputs.h"
 
 #include "core/base/Half.h"
+#include "core/capture/decode/Nearest.h"
 #include "core/render/Cameras.h"
 #include "core/render/SceneRenderer.h"
 
@@ -22,11 +23,12 @@ Image insideHalves(const Image& color) {
 }
 
 Image scaled(const Image& image, int width, int height) {
-  Image other(width, height, image.channels);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      std::copy_n(image.at(x * image.width / width, y * image.height / height), image.channels,
-                  other.at(x, y));
+  Image other;
+  other.width = width;
+  other.height = height;
+  other.channels = image.channels;
+  other.pixels = resized(image.pixels, {image.width, image.height}, {width, height},
+                         static_cast<std::size_t>(image.channels));
   return other;
 }
 
