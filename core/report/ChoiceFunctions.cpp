@@ -22,14 +22,14 @@ bool defines(std::string_view text, std::string_view name) {
   return false;
 }
 
-/// What carries out "path=choice"; empty where it is no assignment of a choice, or nothing does.
-std::string_view functionOfAssignment(std::string_view assignment) {
+/// That of "path=choice"; null where it is no assignment of a choice.
+const Choice* choiceOfAssignment(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
-  if (equals == assignment.npos) return {};
+  if (equals == assignment.npos) return nullptr;
   const auto row = std::ranges::find(parameters(), assignment.substr(0, equals), &Parameter::path);
-  if (row == parameters().end()) return {};
+  if (row == parameters().end()) return nullptr;
   const auto choice = std::ranges::find(row->choices, assignment.substr(equals + 1), &Choice::id);
-  return choice == row->choices.end() ? std::string_view() : choice->function;
+  return choice == row->choices.end() ? nullptr : &*choice;
 }
 
 } // namespace
@@ -42,16 +42,22 @@ std::string shaderOf(std::string_view function) {
   return {};
 }
 
-std::vector<ShaderFunction> functionsOf(const Technique& technique) {
-  std::vector<ShaderFunction> functions;
+std::vector<ChoiceFunction> functionsOf(const Technique& technique) {
+  std::vector<ChoiceFunction> functions;
+  const auto add = [&](std::string_view name) {
+    if (name.empty() || std::ranges::count(functions, name, &ChoiceFunction::name) > 0) return;
+    const std::string shader = shaderOf(name);
+    functions.push_back({std::string(name), shader.empty() ? std::string(kKernelsOfAFrame) : shader});
+  };
   std::string_view rest = technique.here;
   for (std::size_t open = rest.find('`'); open != rest.npos; open = rest.find('`')) {
     const std::size_t close = rest.find('`', open + 1);
     if (close == rest.npos) break;
-    const std::string_view function = functionOfAssignment(rest.substr(open + 1, close - open - 1));
+    const Choice* choice = choiceOfAssignment(rest.substr(open + 1, close - open - 1));
     rest.remove_prefix(close + 1);
-    if (function.empty() || std::ranges::count(functions, function, &ShaderFunction::name) > 0) continue;
-    functions.push_back({std::string(function), shaderOf(function)});
+    if (!choice) continue;
+    add(choice->function);
+    add(choice->kernel);
   }
   return functions;
 }

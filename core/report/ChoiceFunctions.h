@@ -1,4 +1,4 @@
-// What carries a technique out: the functions of the shaders that the tables' choices name, and their files.
+// What carries a technique out: the functions that the tables' choices name, and their files.
 #pragma once
 
 #include "core/report/Techniques.h"
@@ -9,16 +9,19 @@
 
 namespace taa {
 
+/// Where the kernels are whose weights are made once a frame, not by a shader.
+inline constexpr std::string_view kKernelsOfAFrame = "core/taa/rows/CurrentWeights.cpp";
+
 /// A function of the resolve or the output. The twin's has the same name.
-struct ShaderFunction {
+struct ChoiceFunction {
   std::string name; ///< "clampToBox"
-  std::string file; ///< below shaders: "taa/rectify_history.glsl"
+  std::string file; ///< below shaders, "taa/rectify_history.glsl", or kKernelsOfAFrame
 };
 
 /// The file below shaders that defines it; empty where none does.
 std::string shaderOf(std::string_view function);
 
 /// Those of the choices that a row names as assignments, each once, in its order.
-std::vector<ShaderFunction> functionsOf(const Technique& technique);
+std::vector<ChoiceFunction> functionsOf(const Technique& technique);
 
 } // namespace taa

@@ -54,7 +54,7 @@ std::string pageHead(const std::string& title, const std::string& about) {
 /// "`clampToBox` in taa/rectify_history.glsl".
 std::string functionsText(const Technique& row) {
   std::string text;
-  for (const ShaderFunction& function : functionsOf(row))
+  for (const ChoiceFunction& function : functionsOf(row))
     text += (text.empty() ? "" : ", ") + code(function.name) + " in " + function.file;
   return text;
 }
@@ -66,8 +66,8 @@ ManualPage coveragePage() {
                "Each row of [the techniques](techniques.md), in its number: the setting that chooses it, as "
                "`--set` takes it, or why it is not there. Between backticks stand settings, intermediates "
                "and presets. Behind a choice of the resolve or the output stands the function that carries "
-               "it out, with its file below `shaders`; the twin's function has the same name in "
-               "`core/taa/twin`.") +
+               "it out, and the kernel that it weighs samples by, with the file below `shaders`; the twin's "
+               "have the same names in `core/taa/twin`.") +
       "\n" + head({"row", "technique", "here", "function"});
   for (const Technique& row : techniques())
     page.text +=

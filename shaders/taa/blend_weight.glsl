@@ -249,6 +249,16 @@ struct Composed {
   float alpha;  // for the time of the frame
 };
 
+/// α with what motion adds to it.
+float movedWeight(float alpha, float motion) {
+  precise float added = alpha + motion;
+  precise float below = maximum(alpha - 0.025, 0.0); // lerp(α − 0.025, 1, ‖v‖²)
+  if (kWeightMotion == kWeightMotion_none) return alpha;
+  if (kWeightMotion == kWeightMotion_squaredAsPrinted) return screen(below, motion);
+  if (kWeightMotion == kWeightMotion_doubled) return added;
+  return kWeightMotion == kWeightMotion_added ? minimum(added, 1.0) : screen(alpha, motion);
+}
+
 Composed compose(WeightInputs x, float base, Damping damping) {
   Composed result;
   result.least = minWeight(base);
@@ -262,12 +272,7 @@ Composed compose(WeightInputs x, float base, Damping damping) {
   if (kFindsFlicker) damped = damped * damping.flicker;
   result.motion = motionWeight(x, damped);
   result.velocityChange = kWeightVelocityChange ? saturated(x.velocityChange / settings.weightVelocityChangeSpeed) : 0.0;
-  precise float moved = kWeightMotion == kWeightMotion_none ? damped : screen(damped, result.motion);
-  precise float added = damped + result.motion;
-  precise float below = maximum(damped - 0.025, 0.0); // lerp(α − 0.025, 1, ‖v‖²)
-  if (kWeightMotion == kWeightMotion_squaredAsPrinted) moved = screen(below, result.motion);
-  if (kWeightMotion == kWeightMotion_doubled) moved = added;
-  if (kWeightMotion == kWeightMotion_added) moved = minimum(added, 1.0);
+  precise float moved = movedWeight(damped, result.motion);
   if (kWeightVelocityChange) moved = screen(moved, result.velocityChange);
   if (kWeightDivergence) moved = screen(moved, x.divergence);
   result.alpha = byFrameRate(moved);

@@ -82,19 +82,28 @@ vec2 lanczos(vec2 x) {
   return result;
 }
 
+CubicWeights mitchellWeights(vec2 f) { // 6.6
+  precise vec2 x0 = 1.0 + f;
+  precise vec2 x2 = 1.0 - f;
+  precise vec2 x3 = 2.0 - f;
+  return CubicWeights(mitchellFar(x0), mitchellNear(f), mitchellNear(x2), mitchellFar(x3));
+}
+
+CubicWeights lanczosWeights(vec2 f) { // 6.7
+  precise vec2 x0 = 1.0 + f;
+  precise vec2 x2 = 1.0 - f;
+  precise vec2 x3 = 2.0 - f;
+  return CubicWeights(lanczos(x0), lanczos(f), lanczos(x2), lanczos(x3));
+}
+
 const bool kIsCubic5AsPrinted = kHistoryFilter == kHistoryFilter_cubic5AsPrinted;
 const bool kIsCubic5 = kHistoryFilter == kHistoryFilter_cubic5 || kIsCubic5AsPrinted;
 const bool kHasSharpness = kHistoryFilter == kHistoryFilter_cubic || kIsCubic5;
 
 CubicWeights cubicWeights(vec2 f) {
-  precise vec2 x0 = 1.0 + f;
-  precise vec2 x2 = 1.0 - f;
-  precise vec2 x3 = 2.0 - f;
   if (kHasSharpness) return sharpnessWeights(f);
-  if (kHistoryFilter == kHistoryFilter_mitchell)
-    return CubicWeights(mitchellFar(x0), mitchellNear(f), mitchellNear(x2), mitchellFar(x3));
-  if (kHistoryFilter == kHistoryFilter_lanczos)
-    return CubicWeights(lanczos(x0), lanczos(f), lanczos(x2), lanczos(x3));
+  if (kHistoryFilter == kHistoryFilter_mitchell) return mitchellWeights(f);
+  if (kHistoryFilter == kHistoryFilter_lanczos) return lanczosWeights(f);
   return catmullRomWeights(f);
 }
 
@@ -160,7 +169,7 @@ vec3 fiveTaps(vec2 x) {
 }
 
 /// The corners too: equal to sixteen texels (6.3).
-vec3 catmullRom9(vec2 x) {
+vec3 nineTaps(vec2 x) {
   precise vec2 corner = floor(x - 0.5);
   precise vec2 f = x - (corner + 0.5);
   CubicWeights w = catmullRomWeights(f);
@@ -240,7 +249,7 @@ vec3 filteredHistory(vec2 x) {
   if (kHistoryFilter == kHistoryFilter_point) return historyTexel(ivec2(floor(x)));
   if (kHistoryFilter == kHistoryFilter_bilinear) return bilinearHistory(x);
   if (kIsFiveTaps) return fiveTaps(x);
-  if (kIsCatmullRom9) return catmullRom9(x);
+  if (kIsCatmullRom9) return nineTaps(x);
   return sixteenTexels(x);
 }
 

@@ -19,24 +19,33 @@ float lanczosOfSquare(float squared) {
   return result;
 }
 
-/// Weight of a sample by its d, render px from the pixel's center.
-float upsampleWeight(vec2 offset) {
+// Weights of a sample by its d, render px from the pixel's center.
+
+float lanczos2Weight(vec2 offset) { // 22.2
   precise vec2 x = offset / resolveBlock.renderRatio; // px of the picture
-  if (kIsHdrp) { // 22.3
-    precise float squared = x.x * x.x + x.y * x.y;
-    precise float root = 0.9656852 * saturated(squared) - 1.0;
-    precise float weight = root * root;
-    return weight;
-  }
-  if (kIsFsr2) { // 22.4
-    precise vec2 scale = 1.0 / resolveBlock.renderRatio;
-    precise vec2 scaled = offset * vec2(minimum(scale.x, 1.99), minimum(scale.y, 1.99));
-    precise float squared = scaled.x * scaled.x + scaled.y * scaled.y;
-    return lanczosOfSquare(squared);
-  }
-  precise vec2 weights = lanczos(x); // 22.2
+  precise vec2 weights = lanczos(x);
   precise float weight = weights.x * weights.y;
   return weight;
+}
+
+float hdrpWeight(vec2 offset) { // 22.3
+  precise vec2 x = offset / resolveBlock.renderRatio; // px of the picture
+  precise float squared = x.x * x.x + x.y * x.y;
+  precise float root = 0.9656852 * saturated(squared) - 1.0;
+  precise float weight = root * root;
+  return weight;
+}
+
+float fsr2Weight(vec2 offset) { // 22.4
+  precise vec2 scale = 1.0 / resolveBlock.renderRatio;
+  precise vec2 scaled = offset * vec2(minimum(scale.x, 1.99), minimum(scale.y, 1.99));
+  precise float squared = scaled.x * scaled.x + scaled.y * scaled.y;
+  return lanczosOfSquare(squared);
+}
+
+float upsampleWeight(vec2 offset) {
+  if (kIsHdrp) return hdrpWeight(offset);
+  return kIsFsr2 ? fsr2Weight(offset) : lanczos2Weight(offset);
 }
 
 /// Σw(c − middle) and Σw.

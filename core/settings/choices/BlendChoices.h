@@ -26,7 +26,7 @@ inline constexpr Choice kAlphaSources[] = {
     {"contrastPerChannel", "Contrast, by channel",
      "Each of red, green and blue by its own contrast, as Raptor's weights are vectors; N counts with the "
      "α of luma (manual 13.14, 14.2).",
-     Uses(), "contrastWeight"},
+     Uses(), "channelWeights"},
     {"confidence", "Confidence",
      "1 over a confidence that grows by 10 in each frame without motion and is 1 with it, between two "
      "limits. Wants N counted likewise (manual §16, Bevy).",
@@ -53,7 +53,7 @@ inline constexpr Choice kMotionAlphas[] = {
      "α + ‖v‖/v₀, up to 1: v₀ is 1/k of the picture's width, 19.2 px of 1920 for k = 100, 1.92 px for k = "
      "1000 "
      "(manual 13.5, source 002).",
-     Uses(USED(weight.motionSpeed), USED(weight.motionSpeedIn)), "motionWeight"},
+     Uses(USED(weight.motionSpeed), USED(weight.motionSpeedIn)), "movedWeight"},
 };
 inline constexpr Choice kFlickerScales[] = {
     {"relative", "Relative", "Of the larger luma: |Ls − Lh|/(0.001 + max) (manual 13.11, Filament).", Uses(),

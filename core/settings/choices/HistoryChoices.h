@@ -18,7 +18,7 @@ inline constexpr Choice kColorSpaces[] = {
      "As in Playdead, Raptor and Bevy: the way back is clamped to 0…1, so that history which was moved is "
      "never brighter than white. Compressed by Reinhard, the largest channel or PQ, colors lie below 1 and "
      "none of it shows (manual §26, D7).",
-     Uses(USED(neighborhood.chromaShrink)), "toAxes"},
+     Uses(USED(neighborhood.chromaShrink)), "fromAxes"},
 };
 inline constexpr Choice kToneSpaces[] = {
     {"linear", "Linear", "Box of scene-linear colors; a highlight opens it wide.", Uses(), "toBox"},

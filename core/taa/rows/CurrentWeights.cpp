@@ -21,12 +21,20 @@ double cubic(double r, double b, double c) {
          6.0;
 }
 
-double mitchell(double r) {
+double gaussianKernel(double squaredDistance, double variance) {
+  return std::exp(-squaredDistance / (2.0 * variance));
+}
+
+double mitchellKernel(double r) {
   return cubic(r, 1.0 / 3.0, 1.0 / 3.0);
 }
 
+double catmullRomKernel(double r) {
+  return cubic(r, 0.0, 0.5);
+}
+
 /// The four-term window of Harris (1978), 3 px wide.
-double blackmanHarris(double r) {
+double blackmanHarrisKernel(double r) {
   if (r >= 1.5) return 0.0;
   const double angle = 2.0 * std::numbers::pi * (r / 3.0 + 0.5);
   return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
@@ -35,16 +43,39 @@ double blackmanHarris(double r) {
 
 /// The same window as Raptor's program reads it: its argument 1 − x is twice the distance too, so that it
 /// does not end at its support and comes back to 1 at distance 1 (manual §26, D3).
-double blackmanHarrisAsPrinted(double distance) {
-  const double angle = std::numbers::pi * (1.0 - 2.0 * distance);
+double blackmanHarrisAsPrinted(double place) {
+  const double angle = std::numbers::pi * (1.0 - 2.0 * place);
   return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
          0.01168 * std::cos(3.0 * angle);
 }
 
-/// The polynomial of FSR2 and Filament near Lanczos 2 (manual 6.7).
-double lanczos(double x) {
-  const double x2 = std::min(x * x, 4.0);
-  return (x2 - 1.0) * std::pow(x2 - 4.0, 3.0) / 64.0;
+/// The polynomial of FSR2 and Filament near Lanczos 2, of each axis (manual 6.7).
+double lanczosKernel(double dx, double dy) {
+  const auto ofAxis = [](double x) {
+    const double x2 = std::min(x * x, 4.0);
+    return (x2 - 1.0) * std::pow(x2 - 4.0, 3.0) / 64.0;
+  };
+  return ofAxis(dx) * ofAxis(dy);
+}
+
+// Of the distance from the pixel, whatever the jitter
+
+double tentKernel(double place) {
+  return place == 0.0 ? 4.0 : (place > 1.0 ? 1.0 : 2.0);
+}
+
+double boxKernel() {
+  return 1.0;
+}
+
+/// Raptor's weight is the distance itself (manual §26, D2).
+double distanceAsPrinted(double place) {
+  return place;
+}
+
+/// Of twice the distance, as Raptor's program reads it (manual §26, D3).
+double mitchellAsPrinted(double place) {
+  return mitchellKernel(2.0 * place);
 }
 
 double weight(const CurrentSettings& settings, double column, double row, glm::dvec2 jitterPx) {
@@ -53,24 +84,25 @@ double weight(const CurrentSettings& settings, double column, double row, glm::d
   const double ofPlace = std::sqrt(column * column + row * row); // whatever the jitter
   switch (settings.filter) {
   case CurrentFilter::Gaussian:
-    return std::exp(-(dx * dx + dy * dy) / (2.0 * static_cast<double>(settings.variance)));
+    return gaussianKernel(dx * dx + dy * dy, static_cast<double>(settings.variance));
   case CurrentFilter::Mitchell:
-    return mitchell(distance);
+    return mitchellKernel(distance);
   case CurrentFilter::CatmullRom:
-    return cubic(distance, 0.0, 0.5);
+    return catmullRomKernel(distance);
   case CurrentFilter::BlackmanHarris:
-    return blackmanHarris(distance);
+    return blackmanHarrisKernel(distance);
   case CurrentFilter::Lanczos:
-    return lanczos(dx) * lanczos(dy);
+    return lanczosKernel(dx, dy);
   case CurrentFilter::Tent:
-    return ofPlace == 0.0 ? 4.0 : (ofPlace > 1.0 ? 1.0 : 2.0);
+    return tentKernel(ofPlace);
+  case CurrentFilter::Box:
+    return boxKernel();
   case CurrentFilter::DistanceAsPrinted:
-    return ofPlace;
+    return distanceAsPrinted(ofPlace);
   case CurrentFilter::MitchellAsPrinted:
-    return mitchell(2.0 * ofPlace);
+    return mitchellAsPrinted(ofPlace);
   case CurrentFilter::BlackmanHarrisAsPrinted:
     return blackmanHarrisAsPrinted(ofPlace);
-  case CurrentFilter::Box:
   case CurrentFilter::Center: // these three have no kernel
   case CurrentFilter::Unjitter:
   case CurrentFilter::UnjitterAsPrinted:

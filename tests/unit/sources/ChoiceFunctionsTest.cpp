@@ -161,6 +161,31 @@ TEST(ChoiceFunctions, AreCalledByTheShadersOfTheirChoices) {
   }
 }
 
+Definitions kernelsOfAFrame() {
+  return definitionsIn(readFile(std::string(TAA_SOURCE_DIR) + "/" + std::string(kKernelsOfAFrame)));
+}
+
+/// What a choice names, whole: its function and its kernel with all that they use.
+std::string reachOf(const Choice& choice, const Definitions& program) {
+  const std::string kernel(choice.kernel);
+  const std::string made = shaderOf(kernel).empty() ? reach(kernelsOfAFrame(), kernel) : "";
+  return reach(program, std::string(choice.function)) + reach(program, kernel) + made;
+}
+
+/// Where two choices of a row name the same, that asks which of them is chosen.
+TEST(ChoiceFunctions, ComputeForEachChoiceWhatTheyDoForNoOther) {
+  for (const Parameter* row : rowsOfTheResolve()) {
+    const std::vector<Definitions> programs = programsOf(*row);
+    std::map<std::string, std::string> known;
+    for (std::size_t k = 0; k < programs.size(); ++k) {
+      const Choice& choice = row->choices[k];
+      if (choice.function.empty()) continue;
+      const auto [other, isNew] = known.emplace(reachOf(choice, programs[k]), nameOf(*row, choice));
+      EXPECT_TRUE(isNew) << nameOf(*row, choice) << " names nothing that " << other->second << " does not";
+    }
+  }
+}
+
 Definitions twinDefinitions() {
   std::string source;
   for (const auto& entry :
@@ -208,6 +233,12 @@ bool callsFor(std::string_view text, const std::string& function, const std::str
   return false;
 }
 
+/// Whether one of the functions calls `function` where it is asked for a choice.
+bool isCalledFor(const Definitions& definitions, const std::string& function, const std::string& enumerator) {
+  return std::ranges::any_of(definitions,
+                             [&](const auto& entry) { return callsFor(entry.second, function, enumerator); });
+}
+
 /// Whether the function, or what it calls, asks for the choice, or is called where another asks for it. A
 /// choice that nothing asks for is the one that is left when the others have been.
 bool carriesOut(const Definitions& twin, const std::string& function, const std::string& enumerator) {
@@ -215,9 +246,7 @@ bool carriesOut(const Definitions& twin, const std::string& function, const std:
   const bool isAskedFor =
       std::ranges::any_of(twin, [&](const auto& entry) { return hasWord(entry.second, enumerator); });
   if (!isAskedFor) return reached.find(enumerator.substr(0, enumerator.find(':')) + "::") != reached.npos;
-  return hasWord(reached, enumerator) || std::ranges::any_of(twin, [&](const auto& entry) {
-           return callsFor(entry.second, function, enumerator);
-         });
+  return hasWord(reached, enumerator) || isCalledFor(twin, function, enumerator);
 }
 
 TEST(ChoiceFunctions, AreCalledByTheTwinForTheirChoices) {
@@ -234,6 +263,35 @@ TEST(ChoiceFunctions, AreCalledByTheTwinForTheirChoices) {
           << name << ": the twin's " << function << " has nothing to do with " << enumerators[k];
     }
   }
+}
+
+TEST(ChoiceFunctions, OfKernelsAreCalledForTheirChoices) {
+  const Definitions twin = twinDefinitions(), ofAFrame = kernelsOfAFrame();
+  for (const Parameter* row : rowsOfTheResolve()) {
+    const std::vector<Definitions> programs = programsOf(*row);
+    const std::vector<std::string> enumerators = enumeratorsOf(*row);
+    for (std::size_t k = 0; k < programs.size(); ++k) {
+      const std::string name = nameOf(*row, row->choices[k]), kernel(row->choices[k].kernel);
+      if (kernel.empty()) continue;
+      EXPECT_FALSE(row->choices[k].function.empty())
+          << name << ": nothing takes what " << kernel << " weighs";
+      const bool isShader = programs[k].contains(kernel);
+      EXPECT_EQ(isShader, !shaderOf(kernel).empty()) << name << ": " << kernel << " is not called";
+      EXPECT_TRUE(isShader || isCalledFor(ofAFrame, kernel, enumerators[k]))
+          << name << ": " << kKernelsOfAFrame << " does not call " << kernel;
+      EXPECT_TRUE(isCalledFor(twin, kernel, enumerators[k])) << name << ": the twin does not call " << kernel;
+    }
+  }
+}
+
+/// The samples that these take have weights: what gives them is named.
+TEST(ChoiceFunctions, WithWeightsNameTheirKernels) {
+  const std::set<std::string> kWeighing{"fiveTaps", "nineTaps",      "sixteenTexels",     "weightedSamples",
+                                        "upsample", "boxConfidence", "gaussianConfidence"};
+  for (const Parameter* row : rowsOfTheResolve())
+    for (const Choice& choice : row->choices)
+      EXPECT_EQ(choice.kernel.empty(), !kWeighing.contains(std::string(choice.function)))
+          << nameOf(*row, choice);
 }
 
 /// Choices of the resolve that no function carries out, by the reason.

@@ -11,33 +11,61 @@ namespace taa::twin {
 
 namespace {
 
-/// Mitchell and Netravali's family at distance r, as two polynomials.
-double mitchell(double r) {
+// Kernels of a sample's distance r from the pixel's center, px; dx and dy along the axes, `place` whatever
+// the jitter
+
+double gaussianKernel(double dx, double dy, double variance) {
+  return std::exp(-(dx * dx + dy * dy) / (2.0 * variance));
+}
+
+double tentKernel(double place) {
+  return place == 0.0 ? 4.0 : place == 1.0 ? 2.0 : 1.0;
+}
+
+double boxKernel() {
+  return 1.0;
+}
+
+/// Mitchell and Netravali's family, as two polynomials.
+double mitchellKernel(double r) {
   if (r < 1.0) return ((7.0 * r - 12.0) * r * r + 16.0 / 3.0) / 6.0;
   return r < 2.0 ? ((-7.0 / 3.0 * r + 12.0) * r * r - 20.0 * r + 32.0 / 3.0) / 6.0 : 0.0;
 }
 
-double catmullRom(double r) {
+double catmullRomKernel(double r) {
   if (r < 1.0) return (1.5 * r - 2.5) * r * r + 1.0;
   return r < 2.0 ? (-0.5 * r + 2.5) * r * r - 4.0 * r + 2.0 : 0.0;
 }
 
-double blackmanHarris(double r) {
+double blackmanHarrisKernel(double r) {
   if (r >= 1.5) return 0.0;
   const double x = 2.0 * std::numbers::pi * (r / 3.0 + 0.5);
   return 0.35875 - 0.48829 * std::cos(x) + 0.14128 * std::cos(2.0 * x) - 0.01168 * std::cos(3.0 * x);
 }
 
-/// Of `x` from −1 to 1 a window with its peak at 0; beyond it repeats (D3).
-double printedBlackmanHarris(double x) {
-  const double angle = std::numbers::pi * (1.0 - x);
-  return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
-         0.01168 * std::cos(3.0 * angle);
+double lanczosKernel(double dx, double dy) {
+  const auto polynomial = [](double x) {
+    const double x2 = x * x < 4.0 ? x * x : 4.0;
+    return (x2 - 1.0) * (x2 - 4.0) * (x2 - 4.0) * (x2 - 4.0) / 64.0;
+  };
+  return polynomial(dx) * polynomial(dy);
 }
 
-double lanczos(double x) {
-  const double x2 = x * x < 4.0 ? x * x : 4.0;
-  return (x2 - 1.0) * (x2 - 4.0) * (x2 - 4.0) * (x2 - 4.0) / 64.0;
+/// D2.
+double distanceAsPrinted(double place) {
+  return place;
+}
+
+/// Of twice the distance (D3).
+double mitchellAsPrinted(double place) {
+  return mitchellKernel(2.0 * place);
+}
+
+/// The window of twice the distance, whose peak is at 0 and which repeats beyond 1 (D3).
+double blackmanHarrisAsPrinted(double place) {
+  const double angle = std::numbers::pi * (1.0 - 2.0 * place);
+  return 0.35875 - 0.48829 * std::cos(angle) + 0.14128 * std::cos(2.0 * angle) -
+         0.01168 * std::cos(3.0 * angle);
 }
 
 /// Weight of the sample at step (x, y), px, its content displaced by `shift`.
@@ -46,25 +74,25 @@ double kernelWeight(const CurrentSettings& settings, double x, double y, const g
   const double r = std::sqrt(dx * dx + dy * dy), place = std::sqrt(x * x + y * y);
   switch (settings.filter) {
   case CurrentFilter::Gaussian:
-    return std::exp(-(dx * dx + dy * dy) / (2.0 * settings.variance));
+    return gaussianKernel(dx, dy, settings.variance);
   case CurrentFilter::Tent:
-    return place == 0.0 ? 4.0 : place == 1.0 ? 2.0 : 1.0;
+    return tentKernel(place);
   case CurrentFilter::Box:
-    return 1.0;
+    return boxKernel();
   case CurrentFilter::Mitchell:
-    return mitchell(r);
+    return mitchellKernel(r);
   case CurrentFilter::CatmullRom:
-    return catmullRom(r);
+    return catmullRomKernel(r);
   case CurrentFilter::BlackmanHarris:
-    return blackmanHarris(r);
+    return blackmanHarrisKernel(r);
   case CurrentFilter::Lanczos:
-    return lanczos(dx) * lanczos(dy);
+    return lanczosKernel(dx, dy);
   case CurrentFilter::DistanceAsPrinted:
-    return place;
+    return distanceAsPrinted(place);
   case CurrentFilter::MitchellAsPrinted:
-    return mitchell(2.0 * place);
+    return mitchellAsPrinted(place);
   case CurrentFilter::BlackmanHarrisAsPrinted:
-    return printedBlackmanHarris(2.0 * place);
+    return blackmanHarrisAsPrinted(place);
   case CurrentFilter::Center:
   case CurrentFilter::Unjitter:
   case CurrentFilter::UnjitterAsPrinted:

@@ -4,6 +4,7 @@
 #include "core/taa/twin/stages/Stages.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace taa::twin {
@@ -80,6 +81,31 @@ bool hasDepthEdge(const Inputs& inputs, const glm::ivec2& pixel, float share) {
   return farthest - nearest > share * farthest;
 }
 
+/// A cubic of sharpness c (manual 6.5).
+std::array<float, 4> sharpnessWeights(float c, float f) {
+  return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
+          ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
+}
+
+/// Manual 6.6.
+std::array<float, 4> mitchellWeights(float f) {
+  const auto mitchellNear = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
+  const auto mitchellFar = [](float x) {
+    return ((((-7.0f / 3.0f) * x + 12.0f) * x - 20.0f) * x + 32.0f / 3.0f) / 6.0f;
+  };
+  return {mitchellFar(1.0f + f), mitchellNear(f), mitchellNear(1.0f - f), mitchellFar(2.0f - f)};
+}
+
+/// Manual 6.7.
+std::array<float, 4> lanczosWeights(float f) {
+  const auto lanczos = [](float x) {
+    const float x2 = x * x < 4.0f ? x * x : 4.0f;
+    const float a = x2 - 1.0f, b = x2 - 4.0f;
+    return ((a * b) * (b * b)) / 64.0f;
+  };
+  return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
+}
+
 } // namespace
 
 std::array<float, 4> catmullRomWeights(float f) {
@@ -88,36 +114,27 @@ std::array<float, 4> catmullRomWeights(float f) {
 }
 
 std::array<float, 4> cubicWeights(const HistorySettings& settings, float f) {
-  const float c = settings.sharpness;
-  const auto mitchellNear = [](float x) { return ((7.0f * x - 12.0f) * (x * x) + 16.0f / 3.0f) / 6.0f; };
-  const auto mitchellFar = [](float x) {
-    return ((((-7.0f / 3.0f) * x + 12.0f) * x - 20.0f) * x + 32.0f / 3.0f) / 6.0f;
-  };
-  const auto lanczos = [](float x) {
-    const float x2 = x * x < 4.0f ? x * x : 4.0f;
-    const float a = x2 - 1.0f, b = x2 - 4.0f;
-    return ((a * b) * (b * b)) / 64.0f;
-  };
   switch (settings.filter) {
   case HistoryFilter::Cubic:
   case HistoryFilter::Cubic5:
   case HistoryFilter::Cubic5AsPrinted:
-    return {((-c * f + 2.0f * c) * f - c) * f, ((2.0f - c) * f - (3.0f - c)) * (f * f) + 1.0f,
-            ((-(2.0f - c) * f + (3.0f - 2.0f * c)) * f + c) * f, (c * f - c) * (f * f)};
+    return sharpnessWeights(settings.sharpness, f);
   case HistoryFilter::Mitchell:
-    return {mitchellFar(1.0f + f), mitchellNear(f), mitchellNear(1.0f - f), mitchellFar(2.0f - f)};
+    return mitchellWeights(f);
   case HistoryFilter::Lanczos:
-    return {lanczos(1.0f + f), lanczos(f), lanczos(1.0f - f), lanczos(2.0f - f)};
-  case HistoryFilter::Point:
-  case HistoryFilter::Bilinear:
+    return lanczosWeights(f);
   case HistoryFilter::CatmullRom5:
   case HistoryFilter::CatmullRom9:
   case HistoryFilter::CatmullRom16:
   case HistoryFilter::CatmullRom5AsPrinted:
   case HistoryFilter::CatmullRom5Corners:
+    return catmullRomWeights(f);
+  case HistoryFilter::Point: // neither of these two has a cubic
+  case HistoryFilter::Bilinear:
     break;
   }
-  return catmullRomWeights(f);
+  assert(false);
+  return {};
 }
 
 Taps historyTaps(const Inputs& inputs, const HistorySettings& settings, const glm::vec2& positionPx) {

@@ -19,29 +19,39 @@ float lanczosOfSquare(float squared) {
   return ((a * b) * (b * b)) / 64.0f;
 }
 
-/// Weight of the sample at d, render px from the pixel's center, with `ratio` render px to a pixel.
+// Weights of the sample at d, render px from the pixel's center, with `ratio` render px to a pixel.
+
+float lanczos2Weight(const glm::vec2& d, const glm::vec2& ratio) {
+  const glm::vec2 x = d / ratio;
+  return lanczosOfSquare(x.x * x.x) * lanczosOfSquare(x.y * x.y);
+}
+
+float hdrpWeight(const glm::vec2& d, const glm::vec2& ratio) {
+  const glm::vec2 x = d / ratio;
+  const float root = 0.9656852f * saturated(x.x * x.x + x.y * x.y) - 1.0f;
+  return root * root;
+}
+
+float fsr2Weight(const glm::vec2& d, const glm::vec2& ratio) {
+  glm::vec2 x;
+  for (int i = 0; i < 2; ++i) {
+    const float scale = 1.0f / ratio[i];
+    x[i] = d[i] * (scale < 1.99f ? scale : 1.99f);
+  }
+  return lanczosOfSquare(x.x * x.x + x.y * x.y);
+}
+
 float upsampleWeight(UpsampleKernel chosen, const glm::vec2& d, const glm::vec2& ratio) {
   switch (chosen) {
   case UpsampleKernel::SampleWeight: // the nearest alone
     break;
-  case UpsampleKernel::Lanczos2: {
-    const glm::vec2 x = d / ratio;
-    return lanczosOfSquare(x.x * x.x) * lanczosOfSquare(x.y * x.y);
-  }
+  case UpsampleKernel::Lanczos2:
+    return lanczos2Weight(d, ratio);
   case UpsampleKernel::Hdrp:
-  case UpsampleKernel::HdrpGaussian: {
-    const glm::vec2 x = d / ratio;
-    const float root = 0.9656852f * saturated(x.x * x.x + x.y * x.y) - 1.0f;
-    return root * root;
-  }
-  case UpsampleKernel::Fsr2: {
-    glm::vec2 x;
-    for (int i = 0; i < 2; ++i) {
-      const float scale = 1.0f / ratio[i];
-      x[i] = d[i] * (scale < 1.99f ? scale : 1.99f);
-    }
-    return lanczosOfSquare(x.x * x.x + x.y * x.y);
-  }
+  case UpsampleKernel::HdrpGaussian:
+    return hdrpWeight(d, ratio);
+  case UpsampleKernel::Fsr2:
+    return fsr2Weight(d, ratio);
   }
   return 0.0f;
 }

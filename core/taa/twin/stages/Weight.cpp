@@ -19,6 +19,12 @@ float contrastWeight(float contrast) {
   return 1.0f - (0.25f + 0.6f * saturated(contrast));
 }
 
+/// The same of each channel, by the range of the nine samples (manual 13.14, 14.2).
+glm::vec3 channelWeights(const WeightInputs& weighed) {
+  return {contrastWeight(weighed.contrast.x), contrastWeight(weighed.contrast.y),
+          contrastWeight(weighed.contrast.z)};
+}
+
 float baseWeight(const WeightSettings& settings, float historyLength, const WeightInputs& weighed) {
   switch (settings.source) {
   case AlphaSource::Constant:
@@ -242,9 +248,10 @@ Weights blendWeight(const WeightSettings& settings, float historyLength, float i
   result.alpha = wholeWeight(result, weighed);
   result.channels = glm::vec3(result.alpha);
   if (settings.source != AlphaSource::ContrastPerChannel) return result;
+  const glm::vec3 bases = channelWeights(weighed);
   for (int channel = 0; channel < 3; ++channel) {
     Weights one = result;
-    one.base = contrastWeight(weighed.contrast[channel]);
+    one.base = bases[channel];
     compose(settings, weighed, one);
     result.channels[channel] = wholeWeight(one, weighed);
   }
