@@ -66,6 +66,8 @@ struct ViewResult {
   /// Of a row of the reference: how many samples that has, 0: none yet, the picture is empty; and how far the
   /// output is from it.
   int referenceSamples = 0;
+  bool isReferenceGiven =
+      false; ///< it came with the capture: it is one picture, and the samples mean nothing
   std::optional<PictureError> error{};
   /// Of a row over time: samples of the references that went into it, 0: none; nothing: it is not measured
   /// yet, the picture is empty. And its mean over the picture (meanOfRow()), where anything was seen before.

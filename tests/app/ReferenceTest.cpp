@@ -81,4 +81,6 @@ TEST(ReferenceNote, SaysSamplesAndError) {
   ViewResult same = resultOf(IntermediateId::reference, 4);
   same.error = PictureError{0.0, std::numeric_limits<double>::infinity(), 0.0};
   EXPECT_EQ(referenceNote(same), QString::fromUtf8("4 samples · RMSE 0.0000 · PSNR ∞"));
+  same.isReferenceGiven = true;
+  EXPECT_EQ(referenceNote(same), QString::fromUtf8("the capture's own · RMSE 0.0000 · PSNR ∞"));
 }

@@ -37,6 +37,7 @@ QString referenceNote(const ViewResult& result) {
   if (isOfEngine(result.request.id)) return engineNote(result);
   if (!isOfReference(result.request.id)) return {};
   if (result.referenceSamples == 0 || !result.error) return QObject::tr("not drawn yet: comes while paused");
+  if (result.isReferenceGiven) return QObject::tr("the capture's own · %1").arg(errorText(*result.error));
   return QObject::tr("%1 samples · %2").arg(result.referenceSamples).arg(errorText(*result.error));
 }
 

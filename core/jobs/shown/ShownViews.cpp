@@ -1,10 +1,12 @@
 #include "core/jobs/shown/ShownViews.h"
 
 #include "core/inspect/ShownPicture.h"
+#include "core/render/CaptureFacts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace taa {
@@ -124,6 +126,8 @@ void ShownViews::addReference(ViewResult& result) {
     if (ReferenceRows* rows = reference.engineRows(view.lane)) result.error = rows->error();
     return;
   }
+  const std::shared_ptr<const CaptureFacts> captured = desk_.inspector.shot().capture();
+  result.isReferenceGiven = captured && captured->hasReference;
   result.referenceSamples = reference.samples(view.lane);
   if (result.referenceSamples > 0) result.error = reference.error(view.lane);
 }
