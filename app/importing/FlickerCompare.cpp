@@ -42,7 +42,9 @@ FlickerCompare::FlickerCompare(QWidget* parent)
   layout->addWidget(picture_, 1);
   layout->addLayout(buttons);
   alternation_.setInterval(kSwapMs);
-  connect(&alternation_, &QTimer::timeout, this, &FlickerCompare::swap);
+  connect(&alternation_, &QTimer::timeout, this, [this] {
+    if (hasTwo()) swap();
+  });
   connect(alternate_, &QPushButton::toggled, this, &FlickerCompare::setAlternating);
   connect(other_, &QPushButton::clicked, this, [this] {
     setAlternating(false);
@@ -57,6 +59,7 @@ void FlickerCompare::setPictures(const FramePictures& pictures, int number, int 
   pictures_ = pictures;
   number_ = number;
   previousNumber_ = previousNumber;
+  if (!hasTwo() && isAlternating()) shown_ = Shown::Current;
   refresh();
 }
 
@@ -80,13 +83,22 @@ void FlickerCompare::swap() {
   setShown(shown_ == Shown::Current ? Shown::Warped : Shown::Current);
 }
 
+bool FlickerCompare::hasTwo() const {
+  return !pictures_.warped.isNull();
+}
+
 void FlickerCompare::refresh() {
-  const bool hasTwo = !pictures_.warped.isNull();
-  for (QPushButton* button : {alternate_, other_, difference_}) button->setEnabled(hasTwo);
+  for (QPushButton* button : {alternate_, other_, difference_}) button->setEnabled(hasTwo());
+  const QString nothing = tr("No picture");
+  if (pictures_.color.isNull()) {
+    picture_->setPicture({}, nothing);
+    picture_->setCaption({});
+    return;
+  }
   const QString missing = tr("No frame before this one to compare with.");
   switch (shown_) {
   case Shown::Current:
-    picture_->setPicture(pictures_.color, {});
+    picture_->setPicture(pictures_.color, nothing);
     picture_->setCaption(tr("Frame %1").arg(number_));
     break;
   case Shown::Warped:

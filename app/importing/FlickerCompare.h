@@ -20,7 +20,8 @@ class FlickerCompare : public QWidget {
 
   explicit FlickerCompare(QWidget* parent = nullptr);
 
-  /// `number` and `previousNumber` are the engine's; what is shown, and whether it alternates, stays.
+  /// `number` and `previousNumber` are the engine's; what is shown, and whether it alternates, stays. Without
+  /// color nothing was drawn.
   void setPictures(const FramePictures& pictures, int number, int previousNumber);
   Shown shown() const { return shown_; }
   void setShown(Shown shown);
@@ -32,6 +33,7 @@ class FlickerCompare : public QWidget {
   QPushButton* differenceButton() const { return difference_; }
 
  private:
+  bool hasTwo() const;
   void refresh();
   void swap();
 

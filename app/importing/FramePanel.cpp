@@ -80,9 +80,12 @@ void FramePanel::step(int frames) {
 }
 
 void FramePanel::setPictures(const FramePictures& pictures) {
-  color_->setPicture(pictures.color, tr("There is no color."));
-  motion_->setPicture(pictures.motion, tr("There is no motion."));
-  depth_->setPicture(pictures.depth, tr("There is no depth."));
+  // Every frame has color: without it nothing was drawn, and nothing is known of the other planes.
+  const bool isDrawn = !pictures.color.isNull();
+  const QString nothing = tr("No picture");
+  color_->setPicture(pictures.color, nothing);
+  motion_->setPicture(pictures.motion, isDrawn ? tr("There is no motion.") : nothing);
+  depth_->setPicture(pictures.depth, isDrawn ? tr("There is no depth.") : nothing);
   const auto numberOf = [this](int index) {
     const auto at = static_cast<std::size_t>(std::max(index, 0));
     return at < numbers_.size() ? numbers_[at] : 0;
