@@ -15,19 +15,41 @@ bool sets(const capture::Hypothesis& hypothesis, std::string_view path) {
                              [&](const std::string& assignment) { return assignment.starts_with(begin); });
 }
 
+int doubtOf(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::NotMeasured:
+    break;
+  case Verdict::Sure:
+    return 1;
+  case Verdict::NotSure:
+    return 2;
+  case Verdict::Contradicted:
+    return 3;
+  }
+  return 0;
+}
+
 } // namespace
 
-const capture::Finding* findingOf(const std::vector<capture::Finding>& findings, std::string_view path) {
-  const auto own = std::ranges::find(findings, path, &capture::Finding::path);
-  if (own != findings.end()) return &*own;
-  const auto other = std::ranges::find_if(findings, [&](const capture::Finding& finding) {
-    if (finding.path == "like") return false; // sets much, and decides none of it
-    return std::ranges::any_of(finding.hypotheses, [&](const auto& each) { return sets(each, path); });
-  });
-  return other != findings.end() ? &*other : nullptr;
+const capture::Finding* findingOf(const std::vector<capture::Finding>& findings, std::string_view path,
+                                  const capture::Conventions& stated) {
+  const capture::Finding* found = nullptr;
+  const auto take = [&](const capture::Finding& finding) {
+    if (!found || doubtOf(verdictOn(&finding, stated)) > doubtOf(verdictOn(found, stated))) found = &finding;
+  };
+  for (const capture::Finding& finding : findings)
+    if (finding.path == path) take(finding);
+  if (found) return found;
+  for (const capture::Finding& finding : findings) {
+    if (finding.path == "like") continue; // sets much, and decides none of it
+    if (std::ranges::any_of(finding.hypotheses, [&](const auto& each) { return sets(each, path); }))
+      take(finding);
+  }
+  return found;
 }
 
 bool agrees(const capture::Hypothesis& hypothesis, const capture::Conventions& stated) {
+  if (!hypothesis.isStatable) return false;
   capture::Conventions assigned = stated;
   try {
     for (const std::string& assignment : hypothesis.assignments)

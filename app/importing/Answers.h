@@ -12,10 +12,12 @@ namespace taa::app {
 /// Contradicted: the answer is sure, and another one of those that were compared is stated.
 enum class Verdict { NotMeasured, NotSure, Sure, Contradicted };
 
-/// The finding that says most about a convention: about itself, or one whose answers set it too; null: none.
-const capture::Finding* findingOf(const std::vector<capture::Finding>& findings, std::string_view path);
+/// Of the findings about a convention, else of those whose answers set it too, the one that leaves most doubt
+/// of what is stated: it is contradicted before it is not sure; null: none.
+const capture::Finding* findingOf(const std::vector<capture::Finding>& findings, std::string_view path,
+                                  const capture::Conventions& stated);
 
-/// Whether all that the hypothesis assigns is so already; what assigns nothing agrees with everything.
+/// Whether all that the hypothesis assigns is so already; never of one that no convention says.
 bool agrees(const capture::Hypothesis& hypothesis, const capture::Conventions& stated);
 
 /// `finding` null: nothing was measured.

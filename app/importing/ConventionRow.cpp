@@ -156,9 +156,20 @@ QWidget* ConventionRow::makeToggle() {
 QWidget* ConventionRow::makeNumber() {
   auto* field = new QLineEdit;
   field->setMinimumWidth(60);
-  connect(field, &QLineEdit::editingFinished, this, [this, field] { edit(field->text().trimmed()); });
-  showText_ = [field](const QString& text) { field->setText(text); };
+  connect(field, &QLineEdit::editingFinished, this, [this] {
+    if (const std::optional<QString> typed = takeTyped()) edit(*typed);
+  });
+  showText_ = [field](const QString& text) {
+    if (!field->isModified()) field->setText(text);
+  };
   return field;
+}
+
+std::optional<QString> ConventionRow::takeTyped() {
+  auto* field = qobject_cast<QLineEdit*>(editor_);
+  if (!field || !field->isModified()) return {};
+  field->setModified(false);
+  return field->text().trimmed();
 }
 
 // What the table refuses is said, and shown again as it was, by whoever hears of it.

@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QLabel;
 
@@ -26,7 +27,10 @@ class ConventionRow : public QWidget {
   QWidget* editor() const { return editor_; }
   Verdict verdict() const { return verdict_; }
   bool isChanged() const;
-  /// Shows the row of `stated`; it is marked where `guessed` says something else. Emits nothing.
+  /// What was typed and not yet said; it is taken as said then.
+  std::optional<QString> takeTyped();
+  /// Shows the row of `stated`; it is marked where `guessed` says something else. What is still being typed
+  /// stays. Emits nothing.
   void display(const capture::Conventions& stated, const capture::Conventions& guessed);
   /// `reason`: a sentence, empty where nothing was measured.
   void setVerdict(Verdict verdict, const QString& reason);

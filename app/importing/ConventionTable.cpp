@@ -77,9 +77,19 @@ void ConventionTable::setFindings(const std::vector<capture::Finding>& findings)
   showVerdicts();
 }
 
+std::optional<std::pair<QString, QString>> ConventionTable::takeTyped() {
+  for (ConventionRow* row : rows_)
+    if (std::optional<QString> typed = row->takeTyped()) return std::pair(row->path(), std::move(*typed));
+  return {};
+}
+
+void ConventionTable::dropTyped() {
+  for (ConventionRow* row : rows_) row->takeTyped();
+}
+
 void ConventionTable::showVerdicts() {
   for (ConventionRow* row : rows_) {
-    const capture::Finding* finding = findingOf(findings_, row->row().path);
+    const capture::Finding* finding = findingOf(findings_, row->row().path, stated_);
     row->setVerdict(verdictOn(finding, stated_),
                     finding ? QString::fromStdString(finding->reason) : QString());
   }

@@ -7,7 +7,9 @@
 #include <QScrollArea>
 #include <QString>
 
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 class QVBoxLayout;
@@ -23,6 +25,10 @@ class ConventionTable : public QScrollArea {
 
   void display(const capture::Conventions& stated, const capture::Conventions& guessed);
   void setFindings(const std::vector<capture::Finding>& findings);
+  /// Path and text of a row in which something was typed and not yet said: it is taken as said then.
+  std::optional<std::pair<QString, QString>> takeTyped();
+  /// What is shown next takes its place.
+  void dropTyped();
   /// Expects a path of conventions().
   ConventionRow* row(std::string_view path) const;
   QSize sizeHint() const override { return {400, 400}; }

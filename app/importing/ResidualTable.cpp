@@ -60,6 +60,8 @@ ResidualTable::ResidualTable(QWidget* parent)
   layout->addLayout(below);
   connect(questions_, &QComboBox::currentIndexChanged, this, &ResidualTable::refresh);
   connect(table_, &QTreeWidget::itemActivated, this, &ResidualTable::apply);
+  connect(table_, &QTreeWidget::currentItemChanged, this,
+          [this] { apply_->setEnabled(selected() != nullptr); });
   connect(apply_, &QPushButton::clicked, this, &ResidualTable::apply);
   refresh();
 }
@@ -69,6 +71,14 @@ const capture::Finding* ResidualTable::shown() const {
   return index >= 0 && index < static_cast<int>(findings_.size())
              ? &findings_[static_cast<std::size_t>(index)]
              : nullptr;
+}
+
+const capture::Hypothesis* ResidualTable::selected() const {
+  const capture::Finding* finding = shown();
+  const int line = table_->indexOfTopLevelItem(table_->currentItem());
+  if (!finding || line < 0 || line >= static_cast<int>(finding->hypotheses.size())) return nullptr;
+  const capture::Hypothesis& hypothesis = finding->hypotheses[static_cast<std::size_t>(line)];
+  return hypothesis.isStatable ? &hypothesis : nullptr;
 }
 
 void ResidualTable::setFindings(const std::vector<capture::Finding>& findings) {
@@ -90,7 +100,7 @@ void ResidualTable::setConventions(const capture::Conventions& stated) {
 }
 
 void ResidualTable::showQuestion(const QString& path) {
-  if (const capture::Finding* finding = findingOf(findings_, path.toStdString()))
+  if (const capture::Finding* finding = findingOf(findings_, path.toStdString(), stated_))
     questions_->setCurrentIndex(static_cast<int>(finding - findings_.data()));
 }
 
@@ -100,7 +110,7 @@ void ResidualTable::refresh() {
   const int line = table_->indexOfTopLevelItem(table_->currentItem());
   table_->clear();
   questions_->setEnabled(!findings_.empty());
-  apply_->setEnabled(finding && !finding->hypotheses.empty());
+  apply_->setEnabled(false); // until a line is current
   reason_->setText(finding ? QString::fromStdString(finding->reason)
                            : tr("Nothing was measured yet, or these frames leave nothing to measure."));
   if (!finding) return;
@@ -115,6 +125,7 @@ void ResidualTable::refresh() {
     if (isSet) item->setIcon(Now, themedIcon(QStringLiteral("right")));
     QStringList says;
     for (const std::string& assignment : hypothesis.assignments) says << QString::fromStdString(assignment);
+    if (!hypothesis.isStatable) says << tr("No convention says this: it shows what the others are worth.");
     item->setToolTip(AnswerColumn, says.join(QStringLiteral("\n")));
     table_->addTopLevelItem(item);
   }
@@ -123,11 +134,10 @@ void ResidualTable::refresh() {
 }
 
 void ResidualTable::apply() {
-  const capture::Finding* finding = shown();
-  const int line = table_->indexOfTopLevelItem(table_->currentItem());
-  if (!finding || line < 0) return;
-  const capture::Hypothesis& hypothesis = finding->hypotheses[static_cast<std::size_t>(line)];
-  Q_EMIT applied(hypothesis.assignments, QString::fromStdString(hypothesis.text));
+  const capture::Hypothesis* hypothesis = selected();
+  if (!hypothesis) return;
+  const std::vector<std::string> assignments = hypothesis->assignments; // findings may change meanwhile
+  Q_EMIT applied(assignments, QString::fromStdString(hypothesis->text));
 }
 
 } // namespace taa::app

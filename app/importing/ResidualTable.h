@@ -39,6 +39,8 @@ class ResidualTable : public QWidget {
 
  private:
   const capture::Finding* shown() const;
+  /// Null where no line is current, or no convention says what it says.
+  const capture::Hypothesis* selected() const;
   void refresh();
   void apply();
 

@@ -16,7 +16,8 @@ struct Hypothesis {
   std::string text;                     ///< for people: "previous − current"
   std::vector<std::string> assignments; ///< "motion.direction=previousMinusCurrent"
   double residual = 0.0; ///< mean |luma − warped luma of the frame before|, × 1000; or as the question says
-  bool isChosen = false; ///< what the manifest states
+  bool isChosen = false;  ///< what the manifest states
+  bool isStatable = true; ///< false: no convention says it, as that nothing moves
 };
 
 /// A question, its answers by rising residual, and whether the best one stands out.

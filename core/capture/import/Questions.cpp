@@ -199,7 +199,8 @@ AskedQuestion ask(const Question& question, const std::vector<Trial>& trials, Fr
   for (std::size_t i = 0; i < trials.size(); ++i)
     if (std::isfinite(comparison.residuals[i]))
       finding.hypotheses.push_back({trials[i].text, trials[i].assignments, comparison.residuals[i],
-                                    i == (answer.adopted ? comparison.best : stated)});
+                                    i == (answer.adopted ? comparison.best : stated),
+                                    !trials[i].assignments.empty()});
   std::ranges::stable_sort(finding.hypotheses, {}, &Hypothesis::residual);
   return answer;
 }
