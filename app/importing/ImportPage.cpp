@@ -38,13 +38,6 @@ std::size_t slotOf(ImportTask task) {
   return static_cast<std::size_t>(task);
 }
 
-QVBoxLayout* columnIn(QWidget* widget) {
-  auto* column = new QVBoxLayout(widget);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kUnit);
-  return column;
-}
-
 QHBoxLayout* lineIn(QWidget* widget) {
   auto* line = new QHBoxLayout(widget);
   line->setContentsMargins(0, 0, 0, 0);
@@ -65,7 +58,7 @@ ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
   problem_->setWordWrap(true);
   problem_->setVisible(false);
   sentences_->setFixedHeight(84);
-  auto* layout = columnIn(this);
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
   layout->setSpacing(2 * kUnit);
   layout->addWidget(makeHeader());
@@ -76,8 +69,7 @@ ImportPage::ImportPage(QWidget* parent, ImportFunctions functions)
   layout->addWidget(makeButtons());
   bar_ = new WorkBar(frames_, 0);
   connect(bar_, &WorkBar::stopRequested, this, [this] {
-    for (const ImportTask task : {ImportTask::Guess, ImportTask::Measure, ImportTask::Save})
-      work_.cancel(task);
+    stop({ImportTask::Guess, ImportTask::Measure, ImportTask::Save});
   });
   makeKeys();
   connectWork();
@@ -194,9 +186,14 @@ void ImportPage::askForFolder() {
 }
 
 void ImportPage::openFolder(const QString& folder) {
+  table_->dropTyped();
+  stop({ImportTask::Guess, ImportTask::Measure, ImportTask::Pictures, ImportTask::Save});
+  // Guessed of other frames, it says nothing of these.
+  if (guess_) like_->setCurrentIndex(0);
   folder_ = folder.toStdString();
   guess_.reset();
   manifest_ = {};
+  changed_.clear();
   undo_.clear();
   place_->setText(tr("Frames in %1").arg(QFileInfo(folder).fileName()));
   place_->setToolTip(folder);
@@ -206,77 +203,91 @@ void ImportPage::openFolder(const QString& folder) {
   frames_->setPictures({});
   say({});
   showState();
-  work_.guess(folder_, like_->currentData().toString().toStdString(), {});
+  startGuess();
 }
 
-void ImportPage::edit(const QString& path, const QString& text) {
+bool ImportPage::takeTyped() {
+  while (const auto typed = table_->takeTyped())
+    if (!edit(typed->first, typed->second)) return false;
+  return true;
+}
+
+bool ImportPage::edit(const QString& path, const QString& text) {
   const capture::Convention& row = capture::convention(path.toStdString());
-  State next = state();
   try {
-    row.assign(next.conventions, text.toStdString());
+    change(withAssignments(state(), {std::string(row.path) + "=" + text.toStdString()}),
+           tr("change %1").arg(tableText(row.label)), std::string(row.path));
   } catch (const Error& error) {
     showState(); // as it was
-    return say(QString::fromUtf8(error.what()));
+    say(QString::fromUtf8(error.what()));
+    return false;
   }
-  change(next, tr("change %1").arg(tableText(row.label)), std::string(row.path));
+  return true;
 }
 
 void ImportPage::applyHypothesis(const std::vector<std::string>& assignments, const QString& text) {
-  State next = state();
+  if (!takeTyped()) return;
   try {
-    for (const std::string& assignment : assignments) capture::applyAssignment(next.conventions, assignment);
+    change(withAssignments(state(), assignments), tr("use %1").arg(text), {});
   } catch (const Error& error) {
-    return say(QString::fromUtf8(error.what()));
+    say(QString::fromUtf8(error.what()));
   }
-  change(next, tr("use %1").arg(text), {});
 }
 
 void ImportPage::startLike(const QString& id) {
-  State next = state();
-  next.like = id.toStdString();
-  if (!id.isEmpty()) next.conventions = capture::startingPoint(next.like).conventions;
   if (!guess_) return guessAgain();
-  change(next, tr("start like %1").arg(like_->currentText()), {});
+  change(startedLike(state(), id.toStdString()), tr("start like %1").arg(like_->currentText()), {});
 }
 
-// What somebody has changed since the last guess stands as it is.
 void ImportPage::guessAgain() {
-  if (folder_.empty()) return;
-  std::vector<std::string> stated;
-  if (guess_ && manifest_.like == guess_->manifest.like)
-    stated = capture::differences(manifest_.conventions, guess_->manifest.conventions);
-  work_.guess(folder_, like_->currentData().toString().toStdString(), stated);
+  if (!folder_.empty() && takeTyped()) startGuess();
+}
+
+// What somebody has changed stands as it is. A starting point that was only guessed is no point to start at.
+void ImportPage::startGuess() {
+  const bool isGuessed = guess_ && manifest_.like == guess_->manifest.like;
+  likeOfNext_ = isGuessed ? likeOfGuess_ : like_->currentData().toString().toStdString();
+  isGuessing_ = true;
+  work_.guess(folder_, likeOfNext_, assignmentsOf(state()));
 }
 
 void ImportPage::resetToGuess() {
-  if (guess_) change({guess_->manifest.conventions, guess_->manifest.like}, tr("reset to the guess"), {});
+  if (!guess_) return;
+  table_->dropTyped();
+  change({guess_->manifest.conventions, guess_->manifest.like, {}}, tr("reset to the guess"), {});
+  showState();
 }
 
-void ImportPage::change(const State& next, const QString& what, const std::string& key) {
-  const State before = state();
+void ImportPage::change(const ImportState& next, const QString& what, const std::string& key) {
+  const ImportState before = state();
   if (next == before) return;
   setState(next);
-  UndoStep step = stepBackTo<State>(
-      before, [this] { return state(); }, [this](const State& state) { setState(state); });
+  UndoStep step = stepBackTo<ImportState>(
+      before, [this] { return state(); }, [this](const ImportState& state) { setState(state); });
   step.what = what;
   step.key = key;
   undo_.push(std::move(step));
 }
 
-// Pictures and residuals follow in the background; only those of the last change arrive.
-void ImportPage::setState(const State& state) {
+// Pictures and residuals follow in the background; only those of the last change arrive. A guess under way
+// begins again with what stands now.
+void ImportPage::setState(const ImportState& state) {
   manifest_.conventions = state.conventions;
   manifest_.like = state.like;
+  changed_ = state.changed;
   say({});
   showState();
+  if (isGuessing_) startGuess();
   drawPictures();
-  if (guess_) work_.measure(folder_, manifest_);
+  if (guess_ && !isGuessing_) work_.measure(folder_, manifest_);
 }
 
 void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
-  const State before = state();
+  const ImportState before = state();
   const bool isFirst = !guess_;
   guess_ = guess;
+  likeOfGuess_ = likeOfNext_;
+  isGuessing_ = false;
   manifest_ = guess->manifest;
   frames_->setFrames(manifest_.frames);
   sentences_->setGuess(*guess);
@@ -285,8 +296,8 @@ void ImportPage::useGuess(const std::shared_ptr<const capture::Guess>& guess) {
   showState();
   drawPictures();
   if (isFirst || before == state()) return;
-  UndoStep step = stepBackTo<State>(
-      before, [this] { return state(); }, [this](const State& state) { setState(state); });
+  UndoStep step = stepBackTo<ImportState>(
+      before, [this] { return state(); }, [this](const ImportState& state) { setState(state); });
   step.what = tr("guess again");
   undo_.push(std::move(step));
 }
@@ -297,6 +308,9 @@ void ImportPage::useFindings(const std::vector<capture::Finding>& findings) {
 }
 
 void ImportPage::fail(ImportTask task, const QString& sentence) {
+  if (task == ImportTask::Guess) isGuessing_ = false;
+  if (task == ImportTask::Save) isSaving_ = false;
+  showState();
   if (task == ImportTask::Pictures) frames_->setPictures({});
   if (task == ImportTask::Measure) useFindings({});
   say(sentence);
@@ -316,11 +330,13 @@ void ImportPage::showState() {
   if (isThere) like_->setCurrentIndex(std::max(0, like_->findData(QString::fromStdString(manifest_.like))));
   const std::string contradiction = capture::contradiction(capture::normalized(manifest_.conventions));
   if (!contradiction.empty()) say(QString::fromStdString(contradiction));
+  // What is being written is not changed meanwhile.
   for (QWidget* needsGuess :
        {static_cast<QWidget*>(table_), static_cast<QWidget*>(residuals_), static_cast<QWidget*>(reset_)})
-    needsGuess->setEnabled(isThere);
-  again_->setEnabled(!folder_.empty());
-  open_->setEnabled(isThere && contradiction.empty());
+    needsGuess->setEnabled(isThere && !isSaving_);
+  like_->setEnabled(!isSaving_);
+  again_->setEnabled(!folder_.empty() && !isSaving_);
+  open_->setEnabled(isThere && contradiction.empty() && !isSaving_);
   save_->setEnabled(open_->isEnabled());
 }
 
@@ -336,25 +352,31 @@ void ImportPage::say(const QString& sentence) {
 // Esc ends one thing at a time: what is under way before the page.
 void ImportPage::keyPressEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Escape) return QDialog::keyPressEvent(event);
-  bool stopped = false;
-  for (const ImportTask task : {ImportTask::Guess, ImportTask::Save}) {
-    if (underWay_[slotOf(task)].isEmpty()) continue;
-    work_.cancel(task);
-    stopped = true;
-  }
-  if (!stopped) return reject();
-  say(tr("Stopped. Guess again goes on; Esc closes the page."));
+  if (!stop({ImportTask::Guess, ImportTask::Save})) reject();
+}
+
+bool ImportPage::stop(const std::vector<ImportTask>& tasks) {
+  const bool wasMeasuring = !underWay_[slotOf(ImportTask::Measure)].isEmpty();
+  for (const ImportTask task : tasks) work_.cancel(task);
+  const auto has = [&](ImportTask task) { return std::ranges::find(tasks, task) != tasks.end(); };
+  const bool stopsGuess = has(ImportTask::Guess) && std::exchange(isGuessing_, false);
+  const bool stopsSaving = has(ImportTask::Save) && std::exchange(isSaving_, false);
+  if (wasMeasuring && has(ImportTask::Measure)) useFindings({}); // they are of other conventions
+  showState();
+  if (stopsGuess) say(tr("Stopped. Guess again goes on; Esc closes the page."));
+  if (stopsSaving) say(tr("Stopped; what was put there already stays. Esc closes the page."));
+  return stopsGuess || stopsSaving;
 }
 
 void ImportPage::open() {
-  if (!open_->isEnabled()) return;
+  if (!takeTyped() || !open_->isEnabled()) return;
   if (QFileInfo(QString::fromStdString(folder_.string())).isWritable()) return saveTo(folder_);
   say(tr("Nothing can be written into %1; save capture.json in another folder.")
           .arg(QString::fromStdString(folder_.string())));
 }
 
 void ImportPage::askWhereToSave() {
-  if (!save_->isEnabled()) return;
+  if (!takeTyped() || !save_->isEnabled()) return;
   auto* dialog = new QFileDialog(this, tr("Folder for capture.json and the frames"),
                                  QString::fromStdString(folder_.parent_path().string()));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -365,8 +387,11 @@ void ImportPage::askWhereToSave() {
 }
 
 void ImportPage::saveTo(const fs::path& folder) {
-  confirmReplace(this, capture::importedFiles(folder_, manifest_, folder),
-                 [this, folder] { work_.save(folder_, manifest_, folder); });
+  confirmReplace(this, capture::importedFiles(folder_, manifest_, folder), [this, folder] {
+    isSaving_ = true;
+    showState();
+    work_.save(folder_, withNoteOfChanges(manifest_, guess_->manifest.conventions), folder);
+  });
 }
 
 } // namespace taa::app

@@ -2,6 +2,7 @@
 // and a place to say otherwise. Not modal: the window can be used on.
 #pragma once
 
+#include "app/importing/ImportState.h"
 #include "app/importing/ImportWork.h"
 #include "app/undo/UndoStack.h"
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,13 +51,6 @@ class ImportPage : public QDialog {
   void keyPressEvent(QKeyEvent*) override;
 
  private:
-  /// What is undone.
-  struct State {
-    capture::Conventions conventions;
-    std::string like;
-    bool operator==(const State&) const = default;
-  };
-
   // Layout
   QWidget* makeHeader();
   QWidget* makeSides();
@@ -65,18 +60,23 @@ class ImportPage : public QDialog {
   void makeKeys();
   void connectWork();
   // Changes
-  State state() const { return {manifest_.conventions, manifest_.like}; }
-  void setState(const State& state);
-  void change(const State& next, const QString& what, const std::string& key);
-  void edit(const QString& path, const QString& text);
+  ImportState state() const { return {manifest_.conventions, manifest_.like, changed_}; }
+  void setState(const ImportState& state);
+  void change(const ImportState& next, const QString& what, const std::string& key);
+  /// Returns whether the table takes it; else it is said why.
+  bool edit(const QString& path, const QString& text);
+  /// What is still being typed counts as well; false where the table refuses it.
+  bool takeTyped();
   void applyHypothesis(const std::vector<std::string>& assignments, const QString& text);
   void startLike(const QString& id);
   void guessAgain();
+  void startGuess();
   void resetToGuess();
   // Results
   void useGuess(const std::shared_ptr<const capture::Guess>& guess);
   void useFindings(const std::vector<capture::Finding>& findings);
   void fail(ImportTask task, const QString& sentence);
+  bool stop(const std::vector<ImportTask>& tasks);
   void showWork(ImportTask task, const QString& what, int done, int total);
   // Display
   void showState();
@@ -92,6 +92,10 @@ class ImportPage : public QDialog {
   std::filesystem::path folder_;
   std::shared_ptr<const capture::Guess> guess_; ///< null: none yet. Shared with what delivers it
   capture::Manifest manifest_;
+  std::set<std::string> changed_; ///< see ImportState
+  std::string likeOfGuess_;       ///< that the guess began with
+  std::string likeOfNext_;        ///< that one under way begins with
+  bool isGuessing_ = false, isSaving_ = false;
   std::array<QString, 4> underWay_; ///< by ImportTask: what is being done, empty: nothing
   ConventionTable* table_;
   ResidualTable* residuals_;

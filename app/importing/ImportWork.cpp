@@ -37,6 +37,7 @@ std::size_t taskIndex(ImportTask task) {
 struct ImportWork::PlaneCache {
   struct Entry {
     fs::path folder;
+    int reading = 0;
     std::map<capture::PlaneKind, capture::PlaneSource> sources;
     int number = 0;
     capture::RowOrder rows{};
@@ -44,12 +45,14 @@ struct ImportWork::PlaneCache {
   };
   static constexpr std::size_t kKept = 2; ///< a frame and the one before it
 
-  const capture::FramePlanes& of(const fs::path& folder, const capture::Manifest& manifest, int index) {
+  /// Of another `reading` than before, files are thought to be other ones.
+  const capture::FramePlanes& of(const fs::path& folder, int reading, const capture::Manifest& manifest,
+                                 int index) {
     const capture::CapturedFrame& frame = manifest.frames[static_cast<std::size_t>(index)];
-    Entry wanted{folder, sourcesOf(manifest, frame), frame.number, manifest.conventions.rows, {}};
+    Entry wanted{folder, reading, sourcesOf(manifest, frame), frame.number, manifest.conventions.rows, {}};
     for (auto at = entries_.begin(); at != entries_.end(); ++at)
-      if (at->folder == wanted.folder && at->number == wanted.number && at->rows == wanted.rows &&
-          at->sources == wanted.sources) {
+      if (at->folder == wanted.folder && at->reading == reading && at->number == wanted.number &&
+          at->rows == wanted.rows && at->sources == wanted.sources) {
         entries_.splice(entries_.begin(), entries_, at);
         return entries_.front().planes;
       }
@@ -139,6 +142,7 @@ void ImportWork::guess(const fs::path& folder, const std::string& like,
                        const std::vector<std::string>& assignments) {
   cancel(ImportTask::Measure);
   cancel(ImportTask::Pictures);
+  ++reading_;
   post(ImportTask::Guess, [this, folder, like, assignments](const Progress& progress) -> Deliver {
     const auto guess =
         std::make_shared<const capture::Guess>(functions_.guess(folder, like, assignments, progress));
@@ -153,9 +157,10 @@ void ImportWork::measure(const fs::path& folder, const capture::Manifest& manife
 }
 
 void ImportWork::draw(const fs::path& folder, const capture::Manifest& manifest, int frame) {
-  post(ImportTask::Pictures, [this, folder, manifest, frame](const Progress&) -> Deliver {
+  post(ImportTask::Pictures, [this, folder, manifest, frame, reading = reading_](const Progress&) -> Deliver {
     const auto decoded = [&](int index) {
-      return capture::decode(manifest, static_cast<std::size_t>(index), planes_->of(folder, manifest, index));
+      return capture::decode(manifest, static_cast<std::size_t>(index),
+                             planes_->of(folder, reading, manifest, index));
     };
     const capture::DecodedFrame shown = decoded(frame);
     std::optional<capture::DecodedFrame> previous;

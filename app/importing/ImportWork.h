@@ -38,6 +38,7 @@ class ImportWork : public QObject {
   explicit ImportWork(ImportFunctions functions, QObject* parent = nullptr);
   ~ImportWork() override;
 
+  /// Frames may have been written again since: pictures are read anew, too.
   void guess(const std::filesystem::path& folder, const std::string& like,
              const std::vector<std::string>& assignments);
   void measure(const std::filesystem::path& folder, const capture::Manifest& manifest);
@@ -70,6 +71,7 @@ class ImportWork : public QObject {
 
   ImportFunctions functions_;
   std::unique_ptr<PlaneCache> planes_; ///< of the thread of pictures
+  int reading_ = 0;                    ///< counts guesses: what is drawn after one is read anew
   int versions_[4] = {};               ///< by task: what arrives of an older one is dropped
   LatestWork questions_, pictures_, files_;
 };

@@ -30,7 +30,9 @@
 #include <QTreeWidget>
 #include <QUrl>
 
+#include <cstddef>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -120,14 +122,55 @@ std::vector<capture::Finding> findingsOf(const capture::Conventions& stated) {
           findingOn("jitter.meaning", "Meaning of jitter", false, {{"content", 10.0}, {"sample", 10.1}})};
 }
 
-ImportFunctions knownAnswers() {
+/// With what a guess was begun.
+struct AskedGuess {
+  std::string like;
+  std::vector<std::string> assignments;
+};
+
+/// What the thread of the guesses is told and asks.
+class GuessLog {
+ public:
+  void add(const AskedGuess& guess) {
+    const std::lock_guard lock(mutex_);
+    asked_.push_back(guess);
+  }
+  std::size_t count() const {
+    const std::lock_guard lock(mutex_);
+    return asked_.size();
+  }
+  /// Expects that there is one.
+  AskedGuess last() const {
+    const std::lock_guard lock(mutex_);
+    return asked_.back();
+  }
+  /// What is guessed where no starting point is stated.
+  void setLike(const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    like_ = id;
+  }
+  std::string like() const {
+    const std::lock_guard lock(mutex_);
+    return like_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<AskedGuess> asked_;
+  std::string like_;
+};
+
+ImportFunctions knownAnswers(GuessLog& log) {
   ImportFunctions functions;
-  functions.guess = [](const std::filesystem::path&, const std::string& like, const std::vector<std::string>&,
-                       const Progress& progress) {
+  functions.guess = [&log](const std::filesystem::path&, const std::string& like,
+                           const std::vector<std::string>& assignments, const Progress& progress) {
+    log.add({like, assignments});
     report(progress, "Guessing", 0, 1);
     capture::Guess guess;
     guess.manifest = manifestOfFrames();
-    guess.manifest.like = like;
+    guess.manifest.like = like.empty() ? log.like() : like;
+    for (const std::string& assignment : assignments)
+      capture::applyAssignment(guess.manifest.conventions, assignment);
     guess.findings = findingsOf(guess.manifest.conventions);
     guess.sure = {"motion points forward"};
     guess.unsure = {"what jitter means"};
@@ -143,7 +186,8 @@ ImportFunctions knownAnswers() {
 class ImportPageTest : public testing::Test {
  protected:
   QTemporaryDir folder;
-  QPointer<ImportPage> page = new ImportPage(nullptr, knownAnswers());
+  GuessLog guesses;
+  QPointer<ImportPage> page = new ImportPage(nullptr, knownAnswers(guesses));
   QSignalSpy opened{page, &ImportPage::openRequested};
 
   void SetUp() override {
@@ -171,6 +215,14 @@ class ImportPageTest : public testing::Test {
   void key(QWidget* to, Qt::Key pressed, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyClick(to, pressed, modifiers);
   }
+  QLineEdit* field(std::string_view name) const { return qobject_cast<QLineEdit*>(row(name)->editor()); }
+  /// In the place of what is there, and leaves the field as it is.
+  void type(std::string_view name, const QString& text) {
+    field(name)->setFocus();
+    field(name)->selectAll();
+    QTest::keyClicks(field(name), text);
+  }
+  void guessAgain() { button("again")->click(); }
   /// By the keys, as somebody without a mouse does.
   void chooseNext(std::string_view name) {
     row(name)->editor()->setFocus();
@@ -318,6 +370,96 @@ TEST_F(ImportPageTest, OpenWritesWhatIsShown) {
   EXPECT_TRUE(test::waitFor([&] { return !page || !page->isVisible(); }));
 }
 
+TEST_F(ImportPageTest, WhatIsStillBeingTypedIsWritten) {
+  type("motion.scaleX", "-2");
+  key(field("motion.scaleX"), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitFor([&] { return opened.count() == 1; }));
+  const capture::Manifest written = capture::readManifest(path());
+  EXPECT_EQ(written.conventions.motion.scale.x, -2.0);
+  ASSERT_FALSE(written.notes.empty());
+  EXPECT_EQ(written.notes.back(), "set by hand after that: motion.scaleX=-2");
+}
+
+TEST_F(ImportPageTest, WhatIsStillBeingTypedAndIsNoNumberIsNotOpened) {
+  type("motion.scaleX", "many");
+  key(field("motion.scaleX"), Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(problem().contains("motion.scaleX")) << problem().toStdString();
+  QTest::qWait(50);
+  EXPECT_EQ(opened.count(), 0);
+  EXPECT_FALSE(std::filesystem::exists(manifestFile()));
+}
+
+TEST_F(ImportPageTest, AGuessThatArrivesLeavesWhatIsBeingTyped) {
+  guessAgain();
+  type("motion.scaleX", "-2");
+  guesses.setLike("three");
+  guessAgain(); // which takes what was typed
+  type("motion.scaleX", "-3");
+  ASSERT_TRUE(test::waitFor([&] { return page->manifest().like == "three"; }));
+  EXPECT_EQ(page->manifest().conventions.motion.scale.x, -2.0);
+  EXPECT_EQ(field("motion.scaleX")->text(), "-3");
+  key(page, Qt::Key_R, Qt::ControlModifier);
+  EXPECT_EQ(field("motion.scaleX")->text(), "-2") << "reset drops it";
+}
+
+TEST_F(ImportPageTest, WhatWasChangedIsNotQuestionedByAnyLaterGuess) {
+  chooseNext("motion.unit");
+  for (const std::size_t count : {2u, 3u}) {
+    guessAgain();
+    ASSERT_TRUE(test::waitFor([&] { return guesses.count() == count; }));
+    EXPECT_EQ(guesses.last().assignments, std::vector<std::string>{"motion.unit=uv"});
+    QTest::qWait(100);
+  }
+}
+
+TEST_F(ImportPageTest, AChangeDuringAGuessBeginsItAgain) {
+  guessAgain();
+  chooseNext("motion.unit");
+  EXPECT_TRUE(test::waitFor(
+      [&] { return guesses.last().assignments == std::vector<std::string>{"motion.unit=uv"}; }));
+}
+
+TEST_F(ImportPageTest, AnotherFolderIsNotBegunLikeTheOneBefore) {
+  guesses.setLike("three");
+  guessAgain();
+  ASSERT_TRUE(test::waitFor([&] { return page->manifest().like == "three"; }));
+  guessAgain();
+  ASSERT_TRUE(test::waitFor([&] { return guesses.count() == 3; }));
+  EXPECT_EQ(guesses.last().like, "") << "three.js was guessed, and nobody stated it";
+  page->openFolder(folder.path());
+  ASSERT_TRUE(test::waitFor([&] { return guesses.count() == 4; }));
+  EXPECT_EQ(guesses.last().like, "");
+}
+
+TEST_F(ImportPageTest, FramesThatWereWrittenAgainAreReadAgain) {
+  const QImage before = shownColor();
+  std::filesystem::copy_file(path() / "color.0012.raw", path() / "color.0011.raw",
+                             std::filesystem::copy_options::overwrite_existing);
+  guessAgain();
+  EXPECT_TRUE(test::waitFor([&] { return shownColor() != before; }));
+}
+
+TEST_F(ImportPageTest, WhatIsNotDrawnIsNotSaidToBeMissing) {
+  ASSERT_FALSE(std::filesystem::remove_all(path() / "motion.0011.raw") == 0);
+  page->openFolder(folder.path());
+  ASSERT_TRUE(test::waitFor([&] { return !problem().isEmpty(); })) << "frame 11 cannot be read";
+  for (const PictureBox* box : page->findChildren<PictureBox*>()) {
+    EXPECT_TRUE(box->picture().isNull());
+    EXPECT_FALSE(box->accessibleDescription().contains("There is no")) << box->caption().toStdString();
+  }
+}
+
+TEST_F(ImportPageTest, AlternatingRestsWhereThereIsNoFrameBefore) {
+  FlickerCompare* flicker = page->frames()->flicker();
+  flicker->setAlternating(true);
+  page->frames()->slider()->setValue(0);
+  ASSERT_TRUE(test::waitFor([&] { return !flicker->otherButton()->isEnabled(); }));
+  for (int i = 0; i < 4; ++i) {
+    QTest::qWait(150);
+    EXPECT_FALSE(shownColor().isNull()) << "the frame itself is there";
+  }
+}
+
 TEST_F(ImportPageTest, AManifestThatIsThereIsReplacedOnlyWhenTheUserSaysSo) {
   writeFile(manifestFile(), "mine");
   const auto answer = [&](QMessageBox::ButtonRole role) {
@@ -382,7 +524,8 @@ TEST_F(ImportPageTest, FitsIntoASmallScreen) {
 
 TEST(ImportPage, EscStopsAGuessBeforeItClosesThePage) {
   const QTemporaryDir folder;
-  ImportFunctions functions = knownAnswers();
+  GuessLog guesses;
+  ImportFunctions functions = knownAnswers(guesses);
   functions.guess = [](const std::filesystem::path&, const std::string&, const std::vector<std::string>&,
                        const Progress& progress) -> capture::Guess {
     while (true) report(progress, "Guessing", 0, 1);
