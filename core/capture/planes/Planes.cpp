@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
 #include <system_error>
@@ -167,6 +168,16 @@ FramePlanes readPlanes(const std::filesystem::path& folder, const Manifest& mani
                        const CapturedFrame& frame) {
   std::vector<ReadingJob> jobs = jobsOf(manifest, frame);
   readAll(jobs, folder, manifest, frame);
+  return collected(std::move(jobs));
+}
+
+FramePlanes readPlanesInTurn(const std::filesystem::path& folder, const Manifest& manifest,
+                             const CapturedFrame& frame, const std::function<void()>& proceed) {
+  std::vector<ReadingJob> jobs = jobsOf(manifest, frame);
+  for (ReadingJob& job : jobs) {
+    proceed();
+    read(folder, manifest, frame, job);
+  }
   return collected(std::move(jobs));
 }
 

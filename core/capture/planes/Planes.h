@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -29,9 +30,12 @@ using FramePlanes = std::map<PlaneKind, PlaneData>;
 /// size than stated, without the channels, too large, Y/C; in bounded time and memory. Thread-safe.
 PlaneData readPlane(const std::filesystem::path& folder, const Manifest& manifest, const CapturedFrame& frame,
                     PlaneKind kind);
-/// All planes that the frame has. Throws Error.
+/// All planes that the frame has, on two threads; those of one picture are read together. Throws Error.
 FramePlanes readPlanes(const std::filesystem::path& folder, const Manifest& manifest,
                        const CapturedFrame& frame);
+/// As above on this thread alone. `proceed` is called before each file; what it throws goes on.
+FramePlanes readPlanesInTurn(const std::filesystem::path& folder, const Manifest& manifest,
+                             const CapturedFrame& frame, const std::function<void()>& proceed);
 
 /// Writes a raw plane file of `format`, rows from the top, whole or not at all. Values are rounded to the
 /// nearest, those of integer and normalized formats clamped; channels that `format` has and the plane has not

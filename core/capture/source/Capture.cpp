@@ -6,13 +6,13 @@
 #include "core/capture/planes/Planes.h"
 
 #include <algorithm>
-#include <array>
 #include <condition_variable>
 #include <exception>
 #include <iterator>
 #include <list>
 #include <map>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -100,19 +100,12 @@ struct Capture::Impl {
   void run();
 };
 
-/// Plane by plane, so that closing a capture need not wait for a whole frame. Throws Error, Cancelled.
+/// File by file, so that closing a capture need not wait for a whole frame. Throws Error, Cancelled.
 FramePlanes Capture::Impl::planesAhead(const CapturedFrame& frame) {
-  FramePlanes planes;
-  for (std::size_t i = 0; i < kPlaneKinds; ++i) {
-    const auto kind = static_cast<PlaneKind>(i);
-    if (!manifest.plane(frame, kind)) continue;
-    {
-      const std::lock_guard lock(mutex);
-      if (ends) throw Cancelled();
-    }
-    planes.emplace(kind, readPlane(folder, manifest, frame, kind));
-  }
-  return planes;
+  return readPlanesInTurn(folder, manifest, frame, [this] {
+    const std::lock_guard lock(mutex);
+    if (ends) throw Cancelled();
+  });
 }
 
 /// Expects the lock, and that nobody reads the frame. Throws what reading it throws, with the lock held
@@ -127,6 +120,9 @@ Frame Capture::Impl::read(int index, std::unique_lock<std::mutex>& lock, bool is
     const CapturedFrame& stated = manifest.frames[at];
     FramePlanes planes = isAhead ? planesAhead(stated) : readPlanes(folder, manifest, stated);
     frame = std::make_shared<const DecodedFrame>(decode(manifest, at, std::move(planes)));
+  } catch (const std::bad_alloc&) {
+    const int number = manifest.frames[static_cast<std::size_t>(index)].number;
+    failure = std::make_exception_ptr(Error(say<"there is not enough memory for frame %1">(number)));
   } catch (...) {
     failure = std::current_exception();
   }

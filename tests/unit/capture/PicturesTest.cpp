@@ -113,7 +113,12 @@ TEST_F(Pictures, FindChannelsByNameInWhateverOrder) {
   EXPECT_EQ(planes.at(PlaneKind::Motion).image.texel(5, 2), glm::vec4(425.0f, 225.0f, 0.0f, 0.0f));
   EXPECT_EQ(planes.at(PlaneKind::Depth).image.texel(1, 3).x, 631.0f);
   EXPECT_EQ(planes.at(PlaneKind::ObjectId).integers[3 * kWidth + 1], 31u);
+  int files = 0;
+  const FramePlanes inTurn = readPlanesInTurn(folder, manifest, manifest.frames[0], [&] { ++files; });
+  EXPECT_EQ(files, 1) << "four planes of one picture are read together";
+  ASSERT_EQ(inTurn.size(), planes.size());
   for (const auto& [kind, plane] : planes) {
+    EXPECT_EQ(inTurn.at(kind).image.pixels, plane.image.pixels);
     const PlaneData alone = read(kind);
     EXPECT_EQ(alone.image.pixels, plane.image.pixels);
     EXPECT_EQ(alone.integers, plane.integers);
