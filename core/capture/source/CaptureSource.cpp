@@ -61,12 +61,14 @@ std::shared_ptr<const CaptureFacts> factsOf(const Manifest& manifest) {
 /// Image `of` the frame, which lives as long as the handle; null where it is empty. Throws Error where it is
 /// not as large as the picture.
 std::shared_ptr<const Image> part(std::shared_ptr<const DecodedFrame> frame, const Image& of, PlaneKind kind,
-                                  const glm::ivec2& picturePx) {
+                                  const Manifest& manifest) {
   if (of.empty()) return nullptr;
+  const glm::ivec2 picturePx = manifest.outputSize();
+  const int number = manifest.frames[static_cast<std::size_t>(frame->index)].number;
   if (of.width != picturePx.x || of.height != picturePx.y)
     throw Error(
         say<"plane \"%1\" of frame %2 has %3 × %4 pixels, and the picture has %5 × %6: nothing can be "
-            "compared">(planeName(kind), frame->index, of.width, of.height, picturePx.x, picturePx.y));
+            "compared">(planeName(kind), number, of.width, of.height, picturePx.x, picturePx.y));
   return {std::move(frame), &of};
 }
 
@@ -89,6 +91,8 @@ struct CaptureSource::Parts {
     assert(index >= 0 && index < static_cast<int>(manifest.frames.size()));
     return read(index);
   }
+  /// The engine's own, as messages say it.
+  int numberOf(int index) const { return manifest.frames[static_cast<std::size_t>(index)].number; }
   void drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out);
 };
 
@@ -118,7 +122,7 @@ void CaptureSource::draw(const FrameRequest& request, int frame, FrameInputs& ou
   out.block = blockOf(*decoded, parts_->manifest, fitted.precision);
   uploadSurfaces(*decoded, out);
   parts_->drawMotion(fitted.motion, *decoded, out);
-  gl::checkErrors(say<"uploading frame %1 of the capture">(frame));
+  gl::checkErrors(say<"uploading frame %1 of the capture">(parts_->numberOf(frame)));
 }
 
 FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
@@ -171,15 +175,15 @@ std::shared_ptr<const CaptureFacts> CaptureSource::capture() const {
 std::shared_ptr<const Image> CaptureSource::reference(int frame) {
   if (!parts_->facts->hasReference) throw Error(whyNoReference());
   const auto decoded = parts_->decoded(frame);
-  auto image = part(decoded, decoded->reference, PlaneKind::Reference, parts_->facts->outputPx);
-  if (!image) throw Error(say<"frame %1 of this capture has no reference">(frame));
+  auto image = part(decoded, decoded->reference, PlaneKind::Reference, parts_->manifest);
+  if (!image) throw Error(say<"frame %1 of this capture has no reference">(parts_->numberOf(frame)));
   return image;
 }
 
 std::shared_ptr<const Image> CaptureSource::engineOutput(int frame) {
   if (!parts_->facts->hasOutput) return nullptr;
   const auto decoded = parts_->decoded(frame);
-  return part(decoded, decoded->output, PlaneKind::Output, parts_->facts->outputPx);
+  return part(decoded, decoded->output, PlaneKind::Output, parts_->manifest);
 }
 
 } // namespace taa::capture

@@ -4,6 +4,7 @@
 #include "core/base/Error.h"
 #include "core/base/Half.h"
 #include "core/render/CaptureFacts.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/GlTest.h"
 #include "tests/support/capture/CapturedShot.h"
 
@@ -137,11 +138,13 @@ TEST_F(CaptureSourceTest, KnowsWhatSomeOfItsFramesHave) {
   manifest.frames[2].planes[capture::PlaneKind::Reference].file = "of the last frame alone";
   manifest.frames[1].planes[capture::PlaneKind::Output].file = "from the second frame on";
   manifest.planes.erase(capture::PlaneKind::Depth);
-  const CaptureSource source(manifest, {});
+  for (capture::CapturedFrame& frame : manifest.frames) frame.number += 100;
+  CaptureSource source(manifest, [&shot](int index) { return shot.frame(index); });
   EXPECT_TRUE(source.capture()->hasReference);
   EXPECT_TRUE(source.capture()->hasOutput);
   EXPECT_FALSE(source.capture()->hasMask);
   EXPECT_FALSE(source.capture()->hasCameraMotion) << "there is no depth to make it of";
+  EXPECT_EQ(test::errorOf([&] { source.reference(1); }), "frame 101 of this capture has no reference");
 }
 
 TEST_F(CaptureSourceTest, StandsStillWithoutMotionAndMatrices) {
