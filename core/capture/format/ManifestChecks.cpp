@@ -145,7 +145,7 @@ void requirePlanes(const std::map<PlaneKind, PlaneSource>& planes, const Manifes
 
 void requireMatrix(const std::optional<StatedMatrix>& matrix, const std::string& path) {
   if (!matrix) return;
-  for (const double number : *matrix) requireWithin(number, -1e30, 1e30, path);
+  for (const double number : *matrix) requireWithin(number, -kMaxMatrixElement, kMaxMatrixElement, path);
 }
 
 void requirePair(bool hasView, bool hasProjection, const std::string& view, const std::string& projection) {
@@ -169,8 +169,8 @@ void requireMatrices(const CapturedFrame& frame, std::size_t i) {
 
 void requireNumbers(const CapturedFrame& frame, const Manifest& manifest, std::size_t i) {
   if (frame.number < 0) throw Error(say<"\"%1\" is below 0">(framePath(i, "number")));
-  requireWithin(frame.jitter.x, -1e6, 1e6, framePath(i, "jitter"));
-  requireWithin(frame.jitter.y, -1e6, 1e6, framePath(i, "jitter"));
+  for (const double jitter : {frame.jitter.x, frame.jitter.y})
+    requireWithin(jitter, -kMaxStatedJitter, kMaxStatedJitter, framePath(i, "jitter"));
   requireWithin(frame.preExposure, 1e-12, 1e12, framePath(i, "preExposure"));
   if (frame.preExposure != 1.0 && !manifest.conventions.color.preExposed)
     throw Error(say<"\"%1\" is %2, but \"%3\" is off">(

@@ -95,8 +95,11 @@ ordered_json reference(const char* name, const char* description) {
   return {{"$ref", std::string("#/$defs/") + name}, {"description", description}};
 }
 
-ordered_json numbersSchema(std::size_t count) {
-  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", count}, {"maxItems", count}};
+ordered_json numbersSchema(std::size_t count, double most) {
+  return {{"type", "array"},
+          {"items", numberSchema("number", -most, most)},
+          {"minItems", count},
+          {"maxItems", count}};
 }
 
 ordered_json sizeSchema() {
@@ -122,7 +125,7 @@ ordered_json planeSchema() {
                                                        {{"required", {"channels"}}}};
   ordered_json file = textSchema("A file below the folder; {frame} stands for the frame's number, {frame:4} "
                                  "for it with four digits.");
-  file["pattern"] = R"(^(?!/)(?!(.*/)?\.\.(/|$))[^\\]*[^/\\]$)";
+  file["pattern"] = R"(^(?!$|/|.:|.*/$)(?!(.*/)?\.\.(/|$))([^\\{}]|\{frame(:[1-9])?\})*$)";
   ordered_json channels = {
       {"type", "array"}, {"items", textSchema("The name of a channel.")}, {"maxItems", 4}};
   ordered_json pitch = {{"type", "integer"}, {"minimum", 0}, {"maximum", 1 << 30}};
@@ -157,8 +160,9 @@ ordered_json frameSchema() {
   schema["properties"] = {
       {"number", withDescription(numberSchema("integer", 0, std::numeric_limits<int>::max()),
                                  "The engine's own number of the frame; rising.")},
-      {"jitter", withDescription(numbersSchema(2), "x and y, as conventions.jitter says; of all frames or of "
-                                                   "none.")},
+      {"jitter", withDescription(numbersSchema(2, kMaxStatedJitter),
+                                 "x and y, as conventions.jitter says; of all frames or of "
+                                 "none.")},
       {"view", reference("matrix", "From world to view space, as conventions.matrices says.")},
       {"projection", reference("matrix", "From view to clip space.")},
       {"previousView", reference("matrix", "Of the frame before; without, what that frame states.")},
@@ -228,7 +232,7 @@ std::string schemaText() {
   schema["required"] = {"format", "size", "frames"};
   schema["properties"] = manifestProperties();
   schema["$defs"] = {{"size", sizeSchema()},
-                     {"matrix", numbersSchema(16)},
+                     {"matrix", numbersSchema(16, kMaxMatrixElement)},
                      {"plane", planeSchema()},
                      {"planes", planesSchema()},
                      {"frame", frameSchema()}};

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ bool isOfType(const json& value, const std::string& type) {
 }
 
 bool accepts(const json& rule, const json& value);
+bool acceptsText(const json& rule, const std::string& text);
 
 bool acceptsObject(const json& rule, const json& value) {
   for (const json& key : rule.value("required", json::array()))
@@ -41,7 +43,12 @@ bool acceptsObject(const json& rule, const json& value) {
   for (const auto& [key, others] : dependent.items())
     for (const json& other : others)
       if (value.contains(key) && !value.contains(other.get<std::string>())) return false;
+  if (rule.contains("not") && accepts(rule["not"], value)) return false;
+  const json schemas = rule.value("dependentSchemas", json::object());
+  for (const auto& [key, other] : schemas.items())
+    if (value.contains(key) && !accepts(other, value)) return false;
   for (const auto& [key, member] : value.items()) {
+    if (rule.contains("propertyNames") && !acceptsText(rule["propertyNames"], key)) return false;
     const json properties = rule.value("properties", json::object());
     if (properties.contains(key) ? !accepts(properties[key], member)
                                  : rule.value("additionalProperties", json(true)) == false)
@@ -58,7 +65,13 @@ bool acceptsList(const json& rule, const json& value) {
   return true;
 }
 
-/// As much of draft 2020-12 as the schema uses for keys, choices and numbers.
+bool acceptsText(const json& rule, const std::string& text) {
+  if (rule.contains("maxLength") && text.size() > rule["maxLength"].get<std::size_t>()) return false;
+  return !rule.contains("pattern") ||
+         std::regex_search(text, std::regex(rule["pattern"].get<std::string>(), std::regex::ECMAScript));
+}
+
+/// As much of draft 2020-12 as the schema uses; lengths of texts are bytes here.
 bool accepts(const json& rule, const json& value) {
   if (rule.contains("$ref")) {
     const std::string name = rule["$ref"].get<std::string>().substr(std::string("#/$defs/").size());
@@ -78,6 +91,7 @@ bool accepts(const json& rule, const json& value) {
   }
   if (value.is_number() && rule.contains("minimum"))
     if (value < rule["minimum"] || value > rule["maximum"]) return false;
+  if (value.is_string() && !acceptsText(rule, value)) return false;
   if (value.is_object()) return acceptsObject(rule, value);
   return !value.is_array() || acceptsList(rule, value);
 }
@@ -145,6 +159,7 @@ TEST(Schema, TakesWhatIsRead) {
       with("/conventions", {{"motion", {{"notWritten", 0}, {"fallback", "zero"}}}, {"rows", "bottomFirst"}}),
       with("/planes/depth", {{"file", "d.raw"}, {"raw", "D32F"}, {"size", {480, 270}}, {"rowPitch", 1920}}),
       with("/objects", {{"7", "door"}}),
+      with("/planes/color/file", "...a/..b/{frame}.{frame:4}.exr"),
       with("/notes", {"A sentence."}),
   };
   for (const StartingPoint& point : startingPoints()) {
@@ -176,6 +191,23 @@ TEST(Schema, RefusesWhatIsNotRead) {
            with("/planes/depth", {{"raw", "R32F"}}),
            with("/planes/depth", {{"file", "d"}, {"raw", "float"}}),
            with("/planes/depth", {{"file", "d"}, {"rowPitch", 4}}),
+           with("/planes/depth", {{"file", "d"}, {"raw", "R32F"}, {"part", "x"}}),
+           with("/planes/depth", {{"file", "d"}, {"raw", "R32F"}, {"channels", {"Z"}}}),
+           with("/planes/color/file", ""),
+           with("/planes/color/file", "/etc/passwd"),
+           with("/planes/color/file", "C:/a.exr"),
+           with("/planes/color/file", "a/"),
+           with("/planes/color/file", "a\\b"),
+           with("/planes/color/file", ".."),
+           with("/planes/color/file", "a/../../b"),
+           with("/planes/color/file", "{name}"),
+           with("/planes/color/file", "{frame:0}"),
+           with("/planes/color/file", "{frame"),
+           with("/name", std::string(4097, 'x')),
+           with("/objects", {{"0", "door"}}),
+           with("/objects", {{"07", "door"}}),
+           with("/frames/0/jitter", {0, 1e7}),
+           with("/conventions", {{"motion.unit", "uv"}}),
        }) {
     EXPECT_FALSE(accepts(schema(), manifest)) << manifest.dump();
     EXPECT_FALSE(isRead(manifest)) << manifest.dump();
