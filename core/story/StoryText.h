@@ -1,4 +1,5 @@
-// Numbers and expressions of the stories, as text; for the files of ProbeStory only.
+// Numbers and expressions of the stories, as text; for the files of ProbeStory, and numbers of other
+// sentences.
 #pragma once
 
 #include "core/story/ProbeStory.h"
