@@ -4,6 +4,7 @@
 
 #include "core/gl/Context.h"
 #include "core/inspect/InspectedShot.h"
+#include "core/inspect/LineageOfShot.h"
 #include "core/inspect/MetricsOfShot.h"
 #include "core/inspect/OverTimeOfShot.h"
 #include "core/inspect/Probes.h"
@@ -31,6 +32,7 @@ class Inspector {
   Views& views() { return views_; }
   const Views& views() const { return views_; }
   Probes& probes() { return probes_; }
+  LineageOfShot& lineage() { return lineage_; }
   ReferenceOfShot& reference() { return reference_; }
   const ReferenceOfShot& reference() const { return reference_; }
   OverTimeOfShot& overTime() { return overTime_; }
@@ -49,6 +51,7 @@ class Inspector {
   ReferenceOfShot reference_;
   Views views_;
   Probes probes_;
+  LineageOfShot lineage_;
   MetricsOfShot metrics_;
   InspectedShot shot_;
 };

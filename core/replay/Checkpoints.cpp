@@ -66,6 +66,10 @@ void Checkpoints::keep(int frame, HistoryHandle history) {
   kept_[frame] = std::move(history);
 }
 
+void Checkpoints::keepAll(const Checkpoints& others) {
+  for (const auto& [frame, history] : others.kept_) kept_[frame] = history;
+}
+
 void Checkpoints::trim(std::size_t budget, int playhead, const Shot& shot) {
   std::size_t used = bytes();
   if (used <= budget) return;

@@ -64,6 +64,8 @@ class Checkpoints {
  public:
   /// Keeps the history that frame `frame` left.
   void keep(int frame, HistoryHandle history);
+  /// And all that `others` hold.
+  void keepAll(const Checkpoints& others);
   /// Gives up what `budget` bytes cannot hold.
   void trim(std::size_t budget, int playhead, const Shot& shot);
   /// Null when it is not kept.

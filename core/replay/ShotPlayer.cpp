@@ -136,23 +136,37 @@ ShownFrame* ShotPlayer::find(const std::optional<int>& frame) {
   return found == comparisonFrames_.end() ? nullptr : &*found;
 }
 
+// A lane as the only one, without anything exposed.
+ShownFrame ShotPlayer::replayed(int lane, std::vector<Checkpoints>& kept, int frame, std::size_t budget,
+                                const Progress& progress) {
+  const auto watched = std::exchange(maker_.watched, {});
+  try {
+    ShownFrame made = maker_.replay(onlyLane(lane), kept, frame, budget, progress);
+    maker_.watched = watched;
+    return made;
+  } catch (...) {
+    maker_.watched = watched;
+    throw;
+  }
+}
+
 // Checkpoints are only lent: the frames around the one on show stay kept, and of those on the way only the
 // last, which the next frame goes on from.
 ShownFrame ShotPlayer::makeInBackground(int frame, TraceCursor& cursor, const Progress& progress, int lane) {
   std::vector<Checkpoints> kept(1);
   kept[0] = checkpoints_[static_cast<std::size_t>(lane)];
   if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
-  const auto watched = std::exchange(maker_.watched, {});
-  std::optional<ShownFrame> made;
-  try {
-    made = maker_.replay(onlyLane(lane), kept, frame, 0, progress);
-  } catch (...) {
-    maker_.watched = watched;
-    throw;
-  }
-  maker_.watched = watched;
-  cursor = {frame, made->lanes[0].current};
-  return std::move(*made);
+  ShownFrame made = replayed(lane, kept, frame, 0, progress);
+  cursor = {frame, made.lanes[0].current};
+  return made;
+}
+
+ShownFrame ShotPlayer::makeInBackground(int frame, Checkpoints& kept, const Progress& progress, int lane) {
+  std::vector<Checkpoints> all{kept};
+  all[0].keepAll(checkpoints_[static_cast<std::size_t>(lane)]);
+  ShownFrame made = replayed(lane, all, frame, budget_ / 2, progress);
+  kept = std::move(all[0]);
+  return made;
 }
 
 void ShotPlayer::open(ShotState next) {

@@ -60,6 +60,9 @@ class ShotPlayer {
   ShownFrame* find(const std::optional<int>& frame);
   /// Any frame of a lane as the only one, exactly, without anything exposed; what is on show stays.
   ShownFrame makeInBackground(int frame, TraceCursor& cursor, const Progress& progress, int lane = 0);
+  /// The same for going back frame by frame: what it is reached from is looked for in `kept` as well, which
+  /// what is resolved on the way is added to, up to half of what checkpoints may use.
+  ShownFrame makeInBackground(int frame, Checkpoints& kept, const Progress& progress, int lane = 0);
 
   // Changing what it is a function of
   /// Another source, at frame 0.
@@ -84,6 +87,8 @@ class ShotPlayer {
   void reloadShaders();
 
  private:
+  ShownFrame replayed(int lane, std::vector<Checkpoints>& kept, int frame, std::size_t budget,
+                      const Progress& progress);
   void show(ShownFrame&& next);
   void keepShown();
   void trimCheckpoints();
