@@ -7,6 +7,7 @@
 #include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"
+#include "core/verdict/lineage/Lineage.h"
 
 #include <glm/vec2.hpp>
 
@@ -72,6 +73,14 @@ struct ProbeArguments {
   int frame = -1; ///< −1: that of the session
   bool json = false;
   bool whatIf = false; ///< also the pixel under other choices
+};
+
+struct LineageArguments {
+  ShotArguments shot;
+  std::string pixel;
+  int frame = -1;              ///< −1: that of the session
+  int frames = kLineageFrames; ///< how far back
+  bool json = false;
 };
 
 struct TraceArguments {

@@ -17,6 +17,10 @@ void runRender(const RenderArguments& arguments, std::ostream& out, const Progre
 /// Prints every intermediate at one pixel of one frame. Throws UsageError, Error, Cancelled.
 void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Prints the samples of the frames before that one pixel of one frame is made of. Throws UsageError, Error,
+/// Cancelled.
+void runLineage(const LineageArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 

@@ -5,6 +5,7 @@
 #include "core/inspect/Comparison.h"
 #include "core/measure/Flicker.h"
 #include "core/measure/Metrics.h"
+#include "core/verdict/lineage/Lineage.h"
 
 #include <CLI/CLI.hpp>
 
@@ -128,6 +129,20 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
   command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
 }
 
+void addLineage(CLI::App& app, LineageArguments& lineage, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand(
+      "lineage", "Print which samples of the frames before one pixel of one frame is made of");
+  addShotOptions(*command, lineage.shot);
+  command->add_option("--frame", lineage.frame, "Number of the frame, from 0; else the session's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--pixel", lineage.pixel, "X,Y; 0,0 is the top left")->required();
+  command->add_option("--frames", lineage.frames, "How many frames are followed back, with the frame itself")
+      ->check(CLI::Range(1, taa::kMaxLineageFrames))
+      ->capture_default_str();
+  command->add_flag("--json", lineage.json, "Print JSON");
+  command->callback([&lineage, &progress] { runLineage(lineage, std::cout, progress); });
+}
+
 void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("trace", "Print intermediates at pixels over frames, as CSV");
   addShotOptions(*command, trace.shot);
@@ -237,8 +252,9 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
-  throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, trace, profile, metrics, glsl, import and manual");
+  throw UsageError(
+      "there is no command \"" + std::string(argv[1]) +
+      "\"; there are list, render, probe, lineage, trace, profile, metrics, glsl, import and manual");
 }
 
 int run(int argc, char** argv) {
@@ -251,6 +267,7 @@ int run(int argc, char** argv) {
   ListArguments list;
   RenderArguments render;
   ProbeArguments probe;
+  LineageArguments lineage;
   TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
@@ -265,6 +282,7 @@ int run(int argc, char** argv) {
   addList(app, list);
   addRender(app, render, progress);
   addProbe(app, probe, progress);
+  addLineage(app, lineage, progress);
   addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);

@@ -55,12 +55,6 @@ std::string bulletList(const std::vector<std::string>& lines) {
   return text;
 }
 
-std::string placeText(const ProbeReport& report, const LaneFacts& lane) {
-  return say<"pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8">(
-      report.pixel.x, report.pixel.y, lane.info.frame, report.shot.source, report.shot.camera,
-      report.shot.width, report.shot.height, lane.preset);
-}
-
 /// What the window tells of a row; nothing without details.
 RowStory laneStory(const ProbedLane& lane, const glm::ivec2& pixel, IntermediateId id) {
   if (!lane.details) return {};
@@ -128,6 +122,11 @@ ordered_json laneJson(const LaneFacts& lane) {
           {"jitterPx", {floatJson(lane.info.jitterPx.x), floatJson(lane.info.jitterPx.y)}}};
 }
 
+std::string placeText(const ShotFacts& shot, const glm::ivec2& pixel, const LaneFacts& lane) {
+  return say<"pixel %1 %2 frame %3 of %4, camera %5, %6x%7, preset %8">(
+      pixel.x, pixel.y, lane.info.frame, shot.source, shot.camera, shot.width, shot.height, lane.preset);
+}
+
 ordered_json probeJson(const ProbeReport& report) {
   ordered_json json = shotJson(report.shot);
   json["frame"] = report.lanes.front().lane.info.frame;
@@ -147,7 +146,7 @@ ordered_json probeJson(const ProbeReport& report) {
 std::string probeText(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
-    text += (text.empty() ? "" : "\n") + placeText(report, lane.lane) + "\n";
+    text += (text.empty() ? "" : "\n") + placeText(report.shot, report.pixel, lane.lane) + "\n";
     for (const std::string& line : headlineOf(lane)) text += line + "\n";
     forEachRow([&](const StageInfo&, const Intermediate& row, bool) {
       text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
@@ -179,8 +178,8 @@ std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
 std::string probeMarkdown(const ProbeReport& report) {
   std::string text;
   for (const ProbedLane& lane : report.lanes) {
-    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report, lane.lane)) + "\n\n" +
-            bulletList(headlineOf(lane)) +
+    text += (text.empty() ? "" : "\n") + say<"Probe: %1">(placeText(report.shot, report.pixel, lane.lane)) +
+            "\n\n" + bulletList(headlineOf(lane)) +
             "\n| Stage | Intermediate | Value | Unit | What happened |\n|---|---|---|---|---|\n";
     forEachRow([&](const StageInfo& stage, const Intermediate& row, bool isFirst) {
       text += "| " + std::string(isFirst ? stage.label : "") + " | " + std::string(row.label) + " | " +

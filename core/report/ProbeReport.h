@@ -46,6 +46,9 @@ struct ProbeReport {
   std::vector<ProbedLane> lanes;
 };
 
+/// "pixel 3 4 frame 7 of builtin:fan, camera still, 960x540, preset balanced"
+std::string placeText(const ShotFacts& shot, const glm::ivec2& pixel, const LaneFacts& lane);
+
 nlohmann::ordered_json probeJson(const ProbeReport& report);
 /// The headline, then every row by stages, exact: "alpha 0.125", below it what happened there and its
 /// formula.
