@@ -89,6 +89,27 @@ TEST(Intermediates, EveryRejectReasonHasItsOwnText) {
   EXPECT_EQ(taa::rejectReasonText(-1), "unknown");
 }
 
+TEST(Intermediates, EveryCategoryOfAVerdictHasItsOwnText) {
+  for (const IntermediateId id : {IntermediateId::verdictMap, IntermediateId::geometryVerdict}) {
+    std::set<std::string_view> texts;
+    const int last = static_cast<int>(taa::intermediate(id).high);
+    for (int number = 0; number <= last; ++number) texts.insert(taa::categoryText(id, number));
+    EXPECT_EQ(texts.size(), 4u);
+    EXPECT_EQ(taa::categoryText(id, 2), "ghost let through");
+    EXPECT_EQ(taa::categoryText(id, 4), "unknown");
+  }
+  EXPECT_EQ(taa::categoryText(IntermediateId::rejectReason, 3), "off screen");
+  EXPECT_EQ(taa::categoryText(IntermediateId::objectId, 3), "") << "a number";
+}
+
+TEST(Intermediates, SayWhatMeasuresThemOverTime) {
+  using taa::OverTime;
+  EXPECT_EQ(taa::kindsOverTime(std::vector{IntermediateId::errorLag, IntermediateId::flicker,
+                                           IntermediateId::verdictMap, IntermediateId::alpha}),
+            (std::vector{OverTime::Flicker, OverTime::Parts}));
+  EXPECT_TRUE(taa::kindsOverTime(std::vector{IntermediateId::reference}).empty());
+}
+
 TEST(Intermediates, ASetStandsInTheOrderOfTheTable) {
   const std::vector<IntermediateId> ordered = taa::inTableOrder(
       {IntermediateId::resolved, IntermediateId::color, IntermediateId::resolved, IntermediateId::alpha});

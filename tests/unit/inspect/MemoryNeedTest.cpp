@@ -94,6 +94,17 @@ TEST(MemoryNeed, CountsTheReferenceWhereItIsWatched) {
             (44 + 2 * (4 + 4)) * kPixels);
 }
 
+// Sixteen frames of main memory: what is shown twice and the steps; of parts four errors, what was kept and
+// where history was read.
+TEST(MemoryNeed, CountsTheFramesOfRowsOverTime) {
+  using enum IntermediateId;
+  const std::size_t drawn = 44 + 4; // the reference, and the row
+  EXPECT_EQ(needOf({}, {flicker}).reference, (drawn + 16 * 4 * (6 + 3)) * kPixels);
+  EXPECT_EQ(needOf({}, {errorGhost}).reference, (drawn + 16 * 4 * (19 + 3)) * kPixels);
+  EXPECT_EQ(needOf({}, {flicker, errorGhost}).reference, (drawn + 4 + 16 * 4 * (6 + 19 + 3)) * kPixels)
+      << "the steps are those of both";
+}
+
 TEST(MemoryNeed, IsRefusedInWordsWhereTheReferenceDoesNotFit) {
   const MemoryNeed need{1u << 20, 1u << 20, 1u << 20, 7u << 20};
   EXPECT_EQ(
