@@ -26,7 +26,7 @@ constexpr std::size_t kLeastInRegion = 16;
 constexpr std::size_t kRoughStep = 8;
 
 /// Residuals that differ by less are the same but for rounding: 0.00001 of luma.
-constexpr double kRounding = 0.01;
+constexpr double kSameResidual = 0.01;
 
 // The best answer is clear where it wins by this factor, and in this share of the regions that say anything.
 constexpr double kClearFactor = 1.05, kClearShare = 0.7;
@@ -110,7 +110,7 @@ bool Comparison::hasRegions() const {
 }
 
 bool Comparison::isClear() const {
-  return gain >= kRounding && factor >= kClearFactor && share >= kClearShare && hasRegions();
+  return gain >= kSameResidual && factor >= kClearFactor && share >= kClearShare && hasRegions();
 }
 
 Comparison compare(FrameSamples& samples, const std::vector<Trial>& trials) {
@@ -170,7 +170,7 @@ std::string reasonOf(const Comparison& comparison) {
     return say<"the best two answers say the same of these frames">();
   if (!comparison.hasRegions())
     return say<"too little moves to tell: the best two answers differ at %1 pixels">(comparison.told);
-  if (comparison.gain < kRounding)
+  if (comparison.gain < kSameResidual)
     return say<"the pictures have too little detail to tell: the best two answers leave the same">();
   const int percent = static_cast<int>(std::lround(100.0 * comparison.share));
   const std::string factor = shortText(comparison.factor);
