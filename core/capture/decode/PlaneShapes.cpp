@@ -12,45 +12,24 @@ namespace taa::capture {
 
 namespace {
 
-/// Channels that a plane has to have, those it is given, and what stands in those it has not.
-struct Channels {
-  int needed, given;
-  float fill;
-};
-
-Channels channelsNeeded(PlaneKind kind) {
-  switch (kind) {
-  case PlaneKind::Color:
-  case PlaneKind::Output:
-  case PlaneKind::Reference:
-    return {3, 4, 1.0f};
-  case PlaneKind::Normal:
-  case PlaneKind::Fog:
-    return {3, 4, 0.0f};
-  case PlaneKind::Overlay:
-    return {4, 4, 0.0f};
-  case PlaneKind::Motion:
-    return {2, 2, 0.0f};
-  case PlaneKind::Mask:
-    return {1, 2, 0.0f};
-  case PlaneKind::Depth:
-  case PlaneKind::PreviousDepth:
-  case PlaneKind::ObjectId:
-    break;
-  }
-  return {1, 1, 0.0f};
+/// What stands in channels that a plane has not.
+float fillOf(PlaneKind kind) {
+  const bool isAlpha = kind == PlaneKind::Color || kind == PlaneKind::Output || kind == PlaneKind::Reference;
+  return isAlpha ? 1.0f : 0.0f;
 }
 
-Image withChannels(Image&& image, const Channels& wanted) {
-  if (image.channels == wanted.given) return std::move(image);
-  Image result(image.width, image.height, wanted.given);
-  const int copied = std::min(image.channels, wanted.given);
+/// As many as its kind has; see channelsOf().
+Image withAllChannels(Image&& image, PlaneKind kind) {
+  const int wanted = channelsOf(kind);
+  if (image.channels == wanted) return std::move(image);
+  const float fill = fillOf(kind);
+  Image result(image.width, image.height, wanted);
+  const int copied = std::min(image.channels, wanted);
   const float* from = image.pixels.data();
   float* to = result.pixels.data();
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  for (std::size_t i = 0; i < pixels; ++i, from += image.channels, to += wanted.given)
-    for (int channel = 0; channel < wanted.given; ++channel)
-      to[channel] = channel < copied ? from[channel] : wanted.fill;
+  for (std::size_t i = 0; i < pixels; ++i, from += image.channels, to += wanted)
+    for (int channel = 0; channel < wanted; ++channel) to[channel] = channel < copied ? from[channel] : fill;
   return result;
 }
 
@@ -73,7 +52,7 @@ PlaneData* PlaneShapes::find(PlaneKind kind) {
   const bool isSame = isId || (plane.image.width == plane.width && plane.image.height == plane.height);
   if (!isWhole || !isSame)
     throw Error(say<"frame %1: %2 does not have as many values as its size says">(frame_, planeName(kind)));
-  if (const int needed = channelsNeeded(kind).needed; channels < needed)
+  if (const int needed = leastChannelsOf(kind); channels < needed)
     throw Error(say<"frame %1: %2 has %3 channels, and %4 are needed; set its channels in capture.json">(
         frame_, planeName(kind), channels, needed));
   return &plane;
@@ -86,7 +65,7 @@ void PlaneShapes::note(PlaneKind kind, const PlaneData& plane) {
 
 Image PlaneShapes::takeUnscaled(PlaneKind kind) {
   PlaneData* plane = find(kind);
-  return plane ? withChannels(std::move(plane->image), channelsNeeded(kind)) : Image();
+  return plane ? withAllChannels(std::move(plane->image), kind) : Image();
 }
 
 Image PlaneShapes::take(PlaneKind kind) {

@@ -30,7 +30,9 @@ constexpr PlaneInfo kPlanes[] = {
     {"normal", 3, 4, "x, y, z in world space; fourth, where known, the number of the object's class."},
     {"previousDepth", 1, 1,
      "The distance along the camera's axis that the surface had in the previous frame, in meters; 0: none."},
-    {"mask", 1, 1, "What TAA should trust history less for, 0 to 1: reactive, responsive."},
+    {"mask", 1, 2,
+     "What TAA should trust history less for, 0 to 1: what was blended in (reactive); second, where known, "
+     "what changes without motion (responsive)."},
     {"overlay", 4, 4,
      "Red, green, blue, alpha, premultiplied, without jitter: what is laid over the output."},
     {"fog", 3, 4, "Light that fog scatters to the camera; fourth: what it takes of the surface's."},

@@ -26,7 +26,7 @@ enum class PlaneKind : std::uint8_t {
   ObjectId,      ///< one unsigned integer, 0: nothing
   Normal,        ///< x, y, z, world space; fourth: the number of the ObjectClass, where known
   PreviousDepth, ///< distance along the camera's axis that the surface had in the previous frame, m; 0: none
-  Mask,          ///< reactive, responsive, 0 to 1
+  Mask,          ///< reactive, responsive, 0 to 1; the second may be missing
   Overlay,       ///< red, green, blue, alpha, premultiplied, without jitter: laid over the output
   Fog,           ///< light that fog scatters to the camera; alpha: what it takes of the surface's
   Output,        ///< red, green, blue: what the engine's own TAA made of the frame
@@ -42,7 +42,7 @@ std::optional<PlaneKind> planeOf(std::string_view name);
 std::string_view planeDescription(PlaneKind kind);
 /// Channels that decode/ wants of it, 1 to 4.
 int channelsOf(PlaneKind kind);
-/// Channels that it needs: of colors the fourth may be missing, and so may the class of normals.
+/// Channels that it needs: of colors the fourth may be missing, of normals the class, of masks the second.
 int leastChannelsOf(PlaneKind kind);
 
 /// How a value lies in a raw plane, little-endian; the names are those of taa_capture.h without TAA_. D24S8:

@@ -186,9 +186,11 @@ std::vector<std::string> namesFor(const NamedLayer& layer, PlaneKind kind) {
   static constexpr std::string_view kOne[] = {"z", "r", "x", "v", "y"};
   static constexpr std::string_view kThree[] = {"xyz", "rgb"};
   std::span<const std::string_view> sets = kFour;
-  if (kind == PlaneKind::Motion) sets = kTwo;
+  // A mask of more channels than two is a gray picture.
+  const bool isGray = kind == PlaneKind::Mask && layer.channels.size() != 2;
+  if (kind == PlaneKind::Motion || kind == PlaneKind::Mask) sets = kTwo;
   if (kind == PlaneKind::Normal) sets = kThree;
-  if (channelsOf(kind) == 1) sets = kOne;
+  if (channelsOf(kind) == 1 || isGray) sets = kOne;
   for (const std::string_view set : sets) {
     const std::vector<std::string> names = pick(layer, set);
     if (!names.empty()) return names;

@@ -198,6 +198,8 @@ TEST(Manifest, PlanesHaveTheirNamesAndChannels) {
   EXPECT_EQ(channelsOf(PlaneKind::Depth), 1);
   EXPECT_EQ(leastChannelsOf(PlaneKind::Color), 3);
   EXPECT_EQ(leastChannelsOf(PlaneKind::Overlay), 4);
+  EXPECT_EQ(leastChannelsOf(PlaneKind::Mask), 1);
+  EXPECT_EQ(channelsOf(PlaneKind::Mask), 2);
 }
 
 TEST(Manifest, RawFormatsHaveTheirNames) {

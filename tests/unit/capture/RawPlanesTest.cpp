@@ -168,6 +168,8 @@ TEST(RawPlanes, DecodeMotionAndMasks) {
                      Shorts{0x3c00, 0x4000, 0x4200, 0x4400, 0xbc00, 0xc000, 0, 0}),
             (Values{1.0f, 2.0f, -1.0f, -2.0f}));
   EXPECT_EQ(valuesOf(PlaneKind::Mask, RawFormat::R8_UNORM, 2, Bytes{255, 0}), (Values{1.0f, 0.0f}));
+  EXPECT_EQ(valuesOf(PlaneKind::Mask, RawFormat::RG8_UNORM, 2, Bytes{255, 51, 0, 255}),
+            (Values{1.0f, 0.2f, 0.0f, 1.0f}));
   EXPECT_EQ(valuesOf(PlaneKind::Mask, RawFormat::R16_UNORM, 1, Shorts{13107}), (Values{0.2f}));
   EXPECT_EQ(valuesOf(PlaneKind::Mask, RawFormat::R8_UINT, 1, Bytes{7}), (Values{7.0f}));
 }

@@ -67,6 +67,15 @@ TEST(PlaneNames, AsksTheFileWhereChannelsSayNothing) {
             (Names{"Z"}));
 }
 
+TEST(PlaneNames, KnowsMasksOfOneAndTwoChannels) {
+  const auto maskIn = [](std::initializer_list<const char*> channels) {
+    return channelsIn(namedPlanes({partOf(channels)}, "mask.{frame}.exr"), PlaneKind::Mask);
+  };
+  EXPECT_EQ(maskIn({"mask.X", "mask.Y"}), (Names{"mask.X", "mask.Y"}));
+  EXPECT_EQ(maskIn({"Y"}), Names{"Y"});
+  EXPECT_EQ(maskIn({"B", "G", "R"}), Names{"R"}) << "gray";
+}
+
 TEST(PlaneNames, TakesFilesOfSeveralPlanesForColor) {
   const NamedPlanes planes =
       namedPlanes({partOf({"B", "G", "R", "taa.B", "taa.G", "taa.R"})}, "taa/a.{frame}.exr");
