@@ -28,7 +28,7 @@ void ImportFrames::askForFolder() {
 void ImportFrames::open(const QString& folder) {
   auto* page = new ImportPage(window_);
   connect(page, &ImportPage::openRequested, &keeper_, &SessionKeeper::openSource);
-  page->openFolder(folder);
+  if (!folder.isEmpty()) page->openFolder(folder);
   page->show();
 }
 

@@ -19,6 +19,7 @@ class ImportFrames : public QObject {
   /// Whether it is a folder that says nothing about its frames: it has no capture.json.
   static bool isWanted(const QString& path);
   void askForFolder();
+  /// The page; of an empty `folder` one on which a folder is still to be chosen.
   void open(const QString& folder);
 
  private:

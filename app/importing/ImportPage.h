@@ -36,6 +36,8 @@ class ImportPage : public QDialog {
   /// Begins to guess what is in it.
   void openFolder(const QString& folder);
   void askForFolder();
+  /// Whether all that it shows has arrived.
+  bool isComplete() const { return work_.isIdle(); }
   /// Empty until something was guessed.
   const capture::Manifest& manifest() const { return manifest_; }
   ConventionTable* table() const { return table_; }

@@ -7,9 +7,11 @@
 
 #include <QMetaObject>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <list>
 #include <map>
 #include <optional>
@@ -106,6 +108,7 @@ void ImportWork::deliver(ImportTask task, int version, const Deliver& deliver) {
 // What is thrown is told; nothing leaves the thread.
 void ImportWork::post(ImportTask task, Piece piece) {
   const int version = ++versions_[taskIndex(task)];
+  isAwaited_[taskIndex(task)] = true;
   threadOf(task).post([this, task, version, piece = std::move(piece)](const LatestWork::IsWanted& isWanted) {
     const auto tell = [&](const QString& what, int done, int total) {
       deliver(task, version,
@@ -128,14 +131,22 @@ void ImportWork::post(ImportTask task, Piece piece) {
       outcome = [this, task, sentence = QString::fromUtf8(error.what())] { Q_EMIT failed(task, sentence); };
     }
     tell({}, 0, 0);
-    if (outcome) deliver(task, version, outcome);
+    deliver(task, version, [this, task, outcome] {
+      isAwaited_[taskIndex(task)] = false;
+      if (outcome) outcome();
+    });
   });
 }
 
 void ImportWork::cancel(ImportTask task) {
   ++versions_[taskIndex(task)];
+  isAwaited_[taskIndex(task)] = false;
   threadOf(task).cancel();
   Q_EMIT workChanged(task, {}, 0, 0);
+}
+
+bool ImportWork::isIdle() const {
+  return std::ranges::none_of(isAwaited_, std::identity());
 }
 
 void ImportWork::guess(const fs::path& folder, const std::string& like,

@@ -49,6 +49,8 @@ class ImportWork : public QObject {
             const std::filesystem::path& to);
   /// Nothing of it arrives any more.
   void cancel(ImportTask task);
+  /// Whether all has arrived that was asked for.
+  bool isIdle() const;
 
  Q_SIGNALS:
   /// `what`: for people, empty at the end.
@@ -73,6 +75,7 @@ class ImportWork : public QObject {
   std::unique_ptr<PlaneCache> planes_; ///< of the thread of pictures
   int reading_ = 0;                    ///< counts guesses: what is drawn after one is read anew
   int versions_[4] = {};               ///< by task: what arrives of an older one is dropped
+  bool isAwaited_[4] = {};             ///< by task: the last one asked for has not arrived
   LatestWork questions_, pictures_, files_;
 };
 

@@ -1,16 +1,20 @@
 #include "app/window/Dialogs.h"
 
 #include "app/commands/Exports.h"
+#include "app/commands/ImportFrames.h"
 #include "app/commands/OwnPresets.h"
 #include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/importing/ImportPage.h"
 #include "app/menus/CommandLists.h"
+#include "app/session/Session.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/widgets/IconButton.h"
 
 #include <QApplication>
 #include <QDialog>
+#include <QFileInfo>
 #include <QPainter>
 #include <QPixmap>
 
@@ -32,6 +36,14 @@ void openGlsl(const DialogOpeners& by) {
   GlslWindow::openAt(by.session, intermediate(by.views.active()->id()).stage, by.window);
 }
 
+/// On the frames of the capture that is open, with capture.json or without.
+void openImport(const DialogOpeners& by) {
+  const Status& status = by.session.status();
+  const QFileInfo source(QString::fromStdString(status.source));
+  if (!status.capture) return by.imports.open({});
+  by.imports.open(source.isDir() ? source.filePath() : source.path());
+}
+
 void openMore(const DialogOpeners& by) {
   by.views.active()->header()->findChild<IconButton*>(QStringLiteral("more"))->click();
 }
@@ -44,6 +56,7 @@ const std::vector<std::pair<std::string, Open>>& dialogs() {
       {"keys", [](const DialogOpeners& by) { by.lists.showKeys(); }},
       {"reference", openReference},
       {"commands", [](const DialogOpeners& by) { by.lists.choose(); }},
+      {"import", openImport},
       {"histogram", [](const DialogOpeners& by) { by.views.active()->setHistogramShown(true); }},
       {"more", openMore}};
   return all;
@@ -63,6 +76,13 @@ const std::vector<std::string>& dialogNames() {
 void openDialog(const DialogOpeners& by, const std::string& name) {
   const auto found = std::ranges::find(dialogs(), name, &std::pair<std::string, Open>::first);
   found->second(by);
+}
+
+bool areDialogsComplete() {
+  return std::ranges::all_of(QApplication::topLevelWidgets(), [](QWidget* dialog) {
+    const auto* page = qobject_cast<ImportPage*>(dialog);
+    return !page || page->isComplete();
+  });
 }
 
 void paintDialogs(const QWidget& window, QPixmap& picture) {

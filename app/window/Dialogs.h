@@ -11,6 +11,7 @@ namespace taa::app {
 
 class CommandLists;
 class Exports;
+class ImportFrames;
 class OwnPresets;
 class Session;
 class ViewArea;
@@ -23,12 +24,15 @@ struct DialogOpeners {
   Exports& exports;
   OwnPresets& presets;
   CommandLists& lists;
+  ImportFrames& imports;
 };
 
 /// "export", "glsl", "presets", …
 const std::vector<std::string>& dialogNames();
 /// Opens one, as its command in a menu does; expects a name of the list and an open source.
 void openDialog(const DialogOpeners& by, const std::string& name);
+/// Whether all that the windows beside the main one show has arrived.
+bool areDialogsComplete();
 /// Adds the windows that are open beside `window` to a picture of it, where they are on the screen.
 void paintDialogs(const QWidget& window, QPixmap& picture);
 

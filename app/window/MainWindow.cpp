@@ -363,7 +363,7 @@ void MainWindow::openPage(const std::string& name) {
 }
 
 void MainWindow::openDialog(const std::string& name) {
-  app::openDialog({this, session_, *views_, *exports_, *presets_, *lists_}, name);
+  app::openDialog({this, session_, *views_, *exports_, *presets_, *lists_, *imports_}, name);
 }
 
 void MainWindow::takeScreenshot(const QString& file, int frame, const std::string& dialog,

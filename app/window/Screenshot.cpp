@@ -97,7 +97,7 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!areTracesComplete() || !isComplete() || !areProfilesComplete()) {
+  if (!areTracesComplete() || !isComplete() || !areProfilesComplete() || !areDialogsComplete()) {
     quiet_ = 0;
     return;
   }

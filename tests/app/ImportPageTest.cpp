@@ -17,6 +17,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -33,6 +34,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -559,6 +561,15 @@ TEST(ImportPage, RealFramesAreGuessed) {
 
 class ImportInWindow : public test::FakeWindow {
  protected:
+  /// A folder that the fake renderer takes for a capture, which is one.
+  static std::string captureIn(const QTemporaryDir& place) {
+    const std::string folder = place.path().toStdString() + test::kFakeCapture;
+    std::filesystem::create_directories(folder);
+    writeFrames(folder);
+    writeFile(std::filesystem::path(folder) / capture::kManifestName,
+              capture::manifestText(manifestOfFrames()));
+    return folder;
+  }
   void drop(const QString& path) {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
@@ -584,14 +595,29 @@ TEST_F(ImportInWindow, ADroppedFolderOfFramesOpensThePage) {
 
 TEST_F(ImportInWindow, ADroppedCaptureOpensAtOnce) {
   const QTemporaryDir place;
-  const std::string folder = place.path().toStdString() + test::kFakeCapture;
-  std::filesystem::create_directories(folder);
-  writeFrames(folder);
-  writeFile(std::filesystem::path(folder) / capture::kManifestName,
-            capture::manifestText(manifestOfFrames()));
+  const std::string folder = captureIn(place);
   drop(QString::fromStdString(folder));
   EXPECT_FALSE(window.findChild<ImportPage*>());
   EXPECT_EQ(renderer->status.source, folder);
+}
+
+TEST_F(ImportInWindow, APictureOfThePageWaitsForAllThatItShows) {
+  const QTemporaryDir place;
+  drop(QString::fromStdString(captureIn(place)));
+  const QString file = place.filePath(QStringLiteral("page.png"));
+  std::optional<int> ended;
+  window.takeScreenshot(file, 1, "import", [&](int code, const QString&) {
+    ended = code;
+    const auto* page = window.findChild<ImportPage*>();
+    ASSERT_TRUE(page);
+    EXPECT_TRUE(page->isComplete());
+    EXPECT_EQ(page->manifest().frames.size(), kFrames) << "of the capture that is open";
+    EXPECT_FALSE(page->frames()->flicker()->picture()->picture().isNull());
+  });
+  ASSERT_TRUE(test::waitFor([&] { return ended.has_value(); }));
+  EXPECT_EQ(*ended, 0);
+  EXPECT_FALSE(QImage(file).isNull());
+  window.findChild<ImportPage*>()->close();
 }
 
 TEST_F(ImportInWindow, TheMenuAsksForAFolder) {
