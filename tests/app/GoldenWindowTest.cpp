@@ -1,15 +1,20 @@
 // Each page of the window looks as it did: a golden picture of each, scaled down.
+#include "app/importing/ImportPage.h"
 #include "app/panels/LeftArea.h"
 #include "tests/app/WindowFixture.h"
+#include "tests/support/Paths.h"
 #include "tests/support/pictures/Golden.h"
+#include "tests/unit/capture/import/LeaningWall.h"
 
 #include <QApplication>
 #include <QFontInfo>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPixmap>
+#include <QPointer>
 
 #include <cstddef>
+#include <filesystem>
 #include <ostream>
 #include <set>
 #include <string>
@@ -48,6 +53,7 @@ const std::vector<Page>& pages() {
       {"jitter", Qt::Key_F7, Qt::NoModifier, true},
       {"weights", Qt::Key_F7, Qt::ShiftModifier, true},
       {"profiler", Qt::Key_F11, Qt::NoModifier, true},
+      {"import"},
   };
   return all;
 }
@@ -98,11 +104,31 @@ class GoldenWindow : public taa::app::test::FakeWindow {
   void open(const Page& page) {
     if (page.name == "light") window.setTheme(ThemeChoice::Light);
     if (page.name == "scene") window.left()->openPage(LeftPage::Scene);
+    if (page.name == "import") openImport();
     if (page.key != Qt::Key_unknown) key(page.key, page.modifiers);
     if (page.name == "plots") key(Qt::Key_F6, Qt::ControlModifier); // all frames
     QTest::qWait(400);                                              // charts follow a few times a second
   }
-  Image picture() { return taa::test::averaged(imageOf(window.grab().toImage()), kSide); }
+  /// Of the page that frames come in through, where it is open, else of the window.
+  Image picture() {
+    QWidget& shown = import_ ? static_cast<QWidget&>(*import_) : window;
+    return taa::test::averaged(imageOf(shown.grab().toImage()), kSide);
+  }
+
+ private:
+  // Of frames that a formula draws.
+  void openImport() {
+    const std::filesystem::path folder = taa::test::temporaryFolder() / "wall";
+    taa::capture::writeWall(folder, {});
+    import_ = new ImportPage(&window);
+    import_->resize(1184, 760);
+    import_->show();
+    import_->openFolder(QString::fromStdString(folder.string()));
+    ASSERT_TRUE(taa::app::test::waitFor([&] { return import_->isComplete(); }));
+    ASSERT_FALSE(import_->manifest().frames.empty());
+  }
+
+  QPointer<ImportPage> import_;
 };
 
 class GoldenPage : public GoldenWindow, public testing::WithParamInterface<Page> {};
