@@ -1,6 +1,7 @@
 // What the commands of taa-batch are asked for, and reading it from text.
 #pragma once
 
+#include "core/inspect/verdicts/VerdictOfShot.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
@@ -80,6 +81,15 @@ struct LineageArguments {
   std::string pixel;
   int frame = -1;              ///< −1: that of the session
   int frames = kLineageFrames; ///< how far back
+  bool json = false;
+};
+
+struct VerdictArguments {
+  ShotArguments shot;
+  std::string pixel;
+  int frame = -1;                ///< −1: that of the session
+  int samples = kVerdictSamples; ///< of the references
+  bool remedies = false;         ///< also what mends it
   bool json = false;
 };
 

@@ -21,6 +21,10 @@ void runProbe(const ProbeArguments& arguments, std::ostream& out, const Progress
 /// Cancelled.
 void runLineage(const LineageArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Prints what is wrong with one pixel of one frame, since when, and because of what. Throws UsageError,
+/// Error, Cancelled.
+void runVerdict(const VerdictArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Prints intermediates at pixels over a range of frames. Throws UsageError, Error, Cancelled.
 void runTrace(const TraceArguments& arguments, std::ostream& out, const Progress& progress);
 

@@ -143,6 +143,20 @@ void addLineage(CLI::App& app, LineageArguments& lineage, const taa::Progress& p
   command->callback([&lineage, &progress] { runLineage(lineage, std::cout, progress); });
 }
 
+void addVerdict(CLI::App& app, VerdictArguments& verdict, const taa::Progress& progress) {
+  CLI::App* command = app.add_subcommand(
+      "verdict", "Say what is wrong with one pixel of one frame, since when, and because of what");
+  addShotOptions(*command, verdict.shot);
+  command->add_option("--frame", verdict.frame, "Number of the frame, from 0; else the session's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--pixel", verdict.pixel, "X,Y; 0,0 is the top left")->required();
+  addReferenceSamples(*command, verdict.samples, "of the references that it is held against, 4 to 1024");
+  command->add_flag("--remedies", verdict.remedies,
+                    "Also try what may mend it, and print the best with their costs");
+  command->add_flag("--json", verdict.json, "Print JSON");
+  command->callback([&verdict, &progress] { runVerdict(verdict, std::cout, progress); });
+}
+
 void addTrace(CLI::App& app, TraceArguments& trace, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand("trace", "Print intermediates at pixels over frames, as CSV");
   addShotOptions(*command, trace.shot);
@@ -252,9 +266,9 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
-  throw UsageError(
-      "there is no command \"" + std::string(argv[1]) +
-      "\"; there are list, render, probe, lineage, trace, profile, metrics, glsl, import and manual");
+  throw UsageError("there is no command \"" + std::string(argv[1]) +
+                   "\"; there are list, render, probe, lineage, verdict, trace, profile, metrics, glsl, "
+                   "import and manual");
 }
 
 int run(int argc, char** argv) {
@@ -268,6 +282,7 @@ int run(int argc, char** argv) {
   RenderArguments render;
   ProbeArguments probe;
   LineageArguments lineage;
+  VerdictArguments verdict;
   TraceArguments trace;
   ProfileArguments profile;
   MetricsArguments metrics;
@@ -283,6 +298,7 @@ int run(int argc, char** argv) {
   addRender(app, render, progress);
   addProbe(app, probe, progress);
   addLineage(app, lineage, progress);
+  addVerdict(app, verdict, progress);
   addTrace(app, trace, progress);
   addProfile(app, profile, progress);
   addMetrics(app, metrics, progress);

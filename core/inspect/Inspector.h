@@ -4,14 +4,15 @@
 
 #include "core/gl/Context.h"
 #include "core/inspect/InspectedShot.h"
-#include "core/inspect/LineageOfShot.h"
 #include "core/inspect/MetricsOfShot.h"
-#include "core/inspect/OverTimeOfShot.h"
 #include "core/inspect/Probes.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/ShotProfiler.h"
 #include "core/inspect/UsedShaders.h"
 #include "core/inspect/Views.h"
+#include "core/inspect/overtime/OverTimeOfShot.h"
+#include "core/inspect/verdicts/LineageOfShot.h"
+#include "core/inspect/verdicts/VerdictOfShot.h"
 #include "core/measure/References.h"
 #include "core/picture/Visualizer.h"
 #include "core/replay/ShotPlayer.h"
@@ -33,6 +34,7 @@ class Inspector {
   const Views& views() const { return views_; }
   Probes& probes() { return probes_; }
   LineageOfShot& lineage() { return lineage_; }
+  VerdictOfShot& verdicts() { return verdicts_; }
   ReferenceOfShot& reference() { return reference_; }
   const ReferenceOfShot& reference() const { return reference_; }
   OverTimeOfShot& overTime() { return overTime_; }
@@ -52,6 +54,7 @@ class Inspector {
   Views views_;
   Probes probes_;
   LineageOfShot lineage_;
+  VerdictOfShot verdicts_;
   MetricsOfShot metrics_;
   InspectedShot shot_;
 };

@@ -48,6 +48,11 @@ SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int f
 
 } // namespace
 
+SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int frame) {
+  FrameInputs drawn;
+  return drawSurfaces(frames, ofLane, frame, drawn);
+}
+
 Image drawSteps(FrameSource& frames, const FrameRequest& ofLane, int frame, DrawnSurfaces& last) {
   FrameInputs drawn;
   if (!last || last->first != frame - 1)

@@ -10,6 +10,9 @@
 
 namespace taa {
 
+/// What the centers of a frame's pixels show, as drawSteps() draws it. Throws Error.
+SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int frame);
+
 /// A frame and what was seen in it.
 using DrawnSurfaces = std::optional<std::pair<int, SeenSurfaces>>;
 

@@ -2,7 +2,7 @@
 // done.
 #pragma once
 
-#include "core/inspect/MetricCursor.h"
+#include "core/inspect/overtime/MetricCursor.h"
 #include "core/jobs/Job.h"
 #include "core/jobs/Transport.h"
 #include "core/jobs/Wanted.h"

@@ -42,23 +42,6 @@ struct SeenOfDot {
         bilinear(nearest * nearest + (1.0f - nearest) * (1.0f - nearest)) {}
 };
 
-// R'(p), as near to `now` as it may be.
-glm::vec3 formerColor(const Image& before, const glm::vec2& placePx, const glm::vec3& now) {
-  const twin::AxisPlace x = twin::axisPlace(placePx.x), y = twin::axisPlace(placePx.y);
-  const glm::vec3 middle = bilinearColor(before, x, y);
-  const SeenOfDot seenX(x.fraction), seenY(y.fraction);
-  const float ranges = (1.0f - seenX.bilinear * seenY.bilinear) / (seenX.nearest * seenY.nearest);
-  if (ranges == 0.0f) return middle;
-  glm::vec3 low = middle, high = middle;
-  for (int k = 0; k < 16; ++k) {
-    const glm::vec3 texel = pixelColor(before, x.texel - 1 + k % 4, y.texel - 1 + k / 4);
-    low = glm::min(low, texel);
-    high = glm::max(high, texel);
-  }
-  const glm::vec3 reach = ranges * (high - low);
-  return glm::clamp(now, middle - reach, middle + reach);
-}
-
 glm::vec3 summedColor(const Image& image, const twin::HistoryTexels& texels) {
   glm::vec3 sum(0.0f);
   for (const auto& texel : texels.all()) sum += texel.weight * pixelColor(image, texel.at.x, texel.at.y);
@@ -101,6 +84,22 @@ bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm:
   if (std::isnan(step[0])) return true;
   const glm::vec2 off = glm::abs(positionPx - (glm::vec2(pixel) + 0.5f - glm::vec2(step[0], step[1])));
   return !(std::max(off.x, off.y) <= kSamePlacePx);
+}
+
+glm::vec3 formerColor(const Image& before, const glm::vec2& placePx, const glm::vec3& now) {
+  const twin::AxisPlace x = twin::axisPlace(placePx.x), y = twin::axisPlace(placePx.y);
+  const glm::vec3 middle = bilinearColor(before, x, y);
+  const SeenOfDot seenX(x.fraction), seenY(y.fraction);
+  const float ranges = (1.0f - seenX.bilinear * seenY.bilinear) / (seenX.nearest * seenY.nearest);
+  if (ranges == 0.0f) return middle;
+  glm::vec3 low = middle, high = middle;
+  for (int k = 0; k < 16; ++k) {
+    const glm::vec3 texel = pixelColor(before, x.texel - 1 + k % 4, y.texel - 1 + k / 4);
+    low = glm::min(low, texel);
+    high = glm::max(high, texel);
+  }
+  const glm::vec3 reach = ranges * (high - low);
+  return glm::clamp(now, middle - reach, middle + reach);
 }
 
 FrameErrors frameErrors(const PartsInputs& now, const Image* before, const HistorySettings& settings) {

@@ -23,6 +23,9 @@
 #include "core/settings/Settings.h"
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <glm/vec2.hpp>
 
 namespace taa {
 
@@ -59,5 +62,8 @@ FrameErrors frameErrors(const PartsInputs& now, const Image* before, const Histo
 /// Whether the history read at `positionPx` is of another place than the surface of a pixel, which came from
 /// there by `step` (surfaceSteps()).
 bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm::ivec2& pixel);
+
+/// R'(p): of what reference `before` may have held at `placePx`, the color that is nearest to `now`.
+glm::vec3 formerColor(const Image& before, const glm::vec2& placePx, const glm::vec3& now);
 
 } // namespace taa

@@ -49,6 +49,10 @@ Image lumaOf(const Image& color) {
 
 } // namespace
 
+IntermediateId rowOfPart(ErrorPart part) {
+  return kPartIds[static_cast<std::size_t>(part)];
+}
+
 std::vector<IntermediateId> rowsOfErrors(const Settings& settings) {
   std::vector<Id> ids{Id::historyPosition, Id::depthEdge, Id::currentFiltered, Id::resolved};
   if (!hasOwnAlphas(settings))

@@ -10,6 +10,9 @@
 
 namespace taa {
 
+/// The row that a part is.
+IntermediateId rowOfPart(ErrorPart part);
+
 /// What frameErrors() takes of a frame's resolve.
 std::vector<IntermediateId> rowsOfErrors(const Settings& settings);
 /// What verdicts over a frame's history take besides.

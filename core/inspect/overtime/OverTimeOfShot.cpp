@@ -1,4 +1,4 @@
-#include "core/inspect/OverTimeOfShot.h"
+#include "core/inspect/overtime/OverTimeOfShot.h"
 
 #include "core/base/Say.h"
 #include "core/gl/PassTimer.h"

@@ -1,4 +1,4 @@
-#include "core/inspect/FrameWindow.h"
+#include "core/inspect/overtime/FrameWindow.h"
 
 #include <algorithm>
 

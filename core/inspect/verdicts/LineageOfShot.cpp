@@ -1,4 +1,4 @@
-#include "core/inspect/LineageOfShot.h"
+#include "core/inspect/verdicts/LineageOfShot.h"
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"

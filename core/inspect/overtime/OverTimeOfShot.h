@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
-#include "core/inspect/FrameWindow.h"
+#include "core/inspect/overtime/FrameWindow.h"
 #include "core/measure/RowsOverTime.h"
 #include "core/settings/Lanes.h"
 #include "core/taa/rows/Intermediates.h"

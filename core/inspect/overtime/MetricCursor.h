@@ -1,7 +1,7 @@
 // Where the metrics of frames that are not on show have come to.
 #pragma once
 
-#include "core/inspect/FrameWindow.h"
+#include "core/inspect/overtime/FrameWindow.h"
 #include "core/measure/References.h"
 #include "core/replay/TraceCursor.h"
 

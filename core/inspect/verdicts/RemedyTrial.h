@@ -1,0 +1,36 @@
+// What other settings would have made of the last frames: whole pictures, and a pixel's surface in them.
+#pragma once
+
+#include "core/inspect/verdicts/EvidenceFrames.h"
+#include "core/verdict/pixel/Remedies.h"
+
+#include <map>
+#include <vector>
+
+namespace taa {
+
+/// Frames that are measured, the last of those that are tried.
+inline constexpr int kMeasuredFrames = 4;
+
+class RemedyTrial {
+ public:
+  /// `moments`: where the surface was, latest first. `first`: frame that is tried first, on the history that
+  /// the present settings left before it.
+  RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence, const std::vector<SurfaceMoment>& moments,
+              int first);
+
+  /// Throws Error, Cancelled.
+  TriedRemedy measure(const Remedy& remedy, const Progress& progress);
+
+ private:
+  HistoryHandle historyBefore(const Progress& progress);
+
+  ShotPlayer& player_;
+  EvidenceFrames& evidence_;
+  const std::vector<SurfaceMoment>& moments_;
+  int first_;
+  HistoryHandle before_;
+  std::map<int, InputsHandle> inputs_; // drawn once for all
+};
+
+} // namespace taa

@@ -1,0 +1,111 @@
+#include "core/inspect/verdicts/VerdictOfShot.h"
+
+#include "core/base/Error.h"
+#include "core/base/Say.h"
+#include "core/inspect/MemoryNeed.h"
+#include "core/inspect/verdicts/EvidenceFrames.h"
+#include "core/inspect/verdicts/RemedyTrial.h"
+#include "core/scene/SceneOutline.h"
+#include "core/verdict/pixel/VerdictText.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+/// The frame in which most of today's ghost came in, by what of it points the error's way.
+const ErrorOfFrame* mostOfGhost(const PixelError& error) {
+  const ErrorOfFrame* most = nullptr;
+  double brought = 0.0;
+  for (const ErrorOfFrame& entry : error.frames) {
+    const double share = glm::dot(of(entry.split, ErrorPart::Ghost), error.error());
+    if (entry.ghostObject < 0 || share <= brought) continue;
+    brought = share;
+    most = &entry;
+  }
+  return most;
+}
+
+void addGhost(VerdictEvidence& evidence, EvidenceFrames& frames) {
+  const ErrorOfFrame* most = mostOfGhost(evidence.error);
+  if (!most) return;
+  evidence.ghostFrame = most->frame;
+  evidence.ghostRecord = frames.record(most->frame, most->ghostPixel);
+  const float* step = frames.steps(most->frame).at(most->ghostPixel.x, most->ghostPixel.y);
+  if (step[0] == step[0]) evidence.ghostMotion = glm::dvec2(step[0], step[1]);
+}
+
+std::string nameOf(const Scene& scene, int object) {
+  const SceneOutline outline = outlineOf(scene, {});
+  const int node = outline.nodeOf(object);
+  return node < 0 ? std::string() : scene.nodes[static_cast<std::size_t>(node)].name;
+}
+
+/// Where the trouble began, but frames enough for it to settle, and few enough to try many.
+int firstTried(const ShotState& state, int frame, const PixelVerdict& verdict) {
+  constexpr int kLeast = 8, kMost = 16;
+  const int wanted = std::clamp(frame - verdict.since + 3, kLeast, kMost);
+  int first = frame;
+  while (first > 0 && frame - first + 1 < wanted && !startsHistory(state, first)) --first;
+  return first;
+}
+
+} // namespace
+
+VerdictOfShot::VerdictOfShot(ShotPlayer& player, References& references, const gl::Driver& driver)
+    : player_(player), references_(references), driver_(driver) {}
+
+void VerdictOfShot::require(const VerdictQuestion& question) const {
+  const glm::ivec2 size = player_.picturePx(), pixel = question.pixel;
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
+    throw Error(
+        say<"pixel (%1, %2) lies outside the picture of %3 × %4 pixels">(pixel.x, pixel.y, size.x, size.y));
+  const int count = player_.state().scene->shot.frames;
+  if (question.frame < 0 || question.frame >= count)
+    throw Error(say<"there is no frame %1: the shot has frames 0 to %2">(question.frame, count - 1));
+  requireReference(driver_, referenceBytes(player_.settings(question.lane), size, player_.hasFog()), size);
+}
+
+VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress& progress) {
+  require(question);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, progress);
+  VerdictEvidence evidence;
+  LineageOptions options;
+  options.frames = kVerdictFrames;
+  evidence.error = pixelError(frames, question.frame, question.pixel, options, progress);
+  evidence.moments = frames.moments(question.frame, question.pixel, kVerdictFrames);
+  const SurfaceMoment& oldest = evidence.moments.back();
+  evidence.endsHidden = static_cast<int>(evidence.moments.size()) < kVerdictFrames &&
+                        !startsHistory(frames.state(), oldest.frame);
+  frames.fill(evidence.moments);
+  addGhost(evidence, frames);
+  VerdictAnswer answer{judge(evidence, frames.settings()), std::move(evidence.error), {}, {}};
+  if (answer.verdict.causeObject) answer.object = nameOf(*player_.state().scene, *answer.verdict.causeObject);
+  answer.sentence = verdictSentence(answer.verdict, question.frame, answer.object, frames.settings());
+  return answer;
+}
+
+RemedyAnswer VerdictOfShot::remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+                                     const Progress& progress) {
+  require(question);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, progress);
+  const std::vector<SurfaceMoment> moments = frames.moments(question.frame, question.pixel, kMeasuredFrames);
+  RemedyAnswer answer;
+  answer.first = firstTried(frames.state(), question.frame, verdict);
+  RemedyTrial trial(player_, frames, moments, answer.first);
+  const TriedRemedy before = trial.measure({{}, frames.settings()}, progress);
+  answer.pixel = before.pixel;
+  answer.picture = before.picture;
+  std::vector<TriedRemedy> tried;
+  for (const Remedy& remedy : remediesFor(verdict, frames.settings()))
+    tried.push_back(trial.measure(remedy, progress));
+  answer.tried = static_cast<int>(tried.size());
+  answer.best = bestRemedies(tried, before.pixel, 3);
+  return answer;
+}
+
+} // namespace taa

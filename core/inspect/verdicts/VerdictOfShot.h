@@ -1,0 +1,68 @@
+// Verdicts on pixels of the frame on show, and of others, and what mends them.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/verdict/pixel/PixelVerdict.h"
+#include "core/verdict/pixel/Remedies.h"
+
+#include <glm/vec2.hpp>
+
+#include <string>
+#include <vector>
+
+namespace taa::gl {
+struct Driver;
+}
+
+namespace taa {
+
+class References;
+class ShotPlayer;
+
+/// Samples of each reference that a verdict is made from.
+inline constexpr int kVerdictSamples = 16;
+
+struct VerdictQuestion {
+  int frame = 0;
+  glm::ivec2 pixel{0};
+  int lane = 0;
+  int samples = kVerdictSamples; ///< of the references
+};
+
+struct VerdictAnswer {
+  PixelVerdict verdict;
+  PixelError error;
+  std::string object;   ///< name of what a ghost is of; empty: none, or it has none
+  std::string sentence; ///< in the user's language
+};
+
+/// The best remedies, and what they are held against.
+struct RemedyAnswer {
+  RemedyMeasure pixel, picture;  ///< as it is
+  std::vector<TriedRemedy> best; ///< three at most
+  int tried = 0;
+  int first = 0; ///< frame that they were tried from
+};
+
+class VerdictOfShot {
+ public:
+  /// `references`: those of all frames, which it uses and adds to.
+  VerdictOfShot(ShotPlayer& player, References& references, const gl::Driver& driver);
+
+  /// Of a pixel of any frame, exactly; what is on show stays. Throws Error where there is no such pixel or
+  /// frame, or where a capture has no reference; Cancelled.
+  VerdictAnswer of(const VerdictQuestion& question, const Progress& progress = {});
+  /// Tries what may mend it: each remedy's frames are resolved from where the trouble began, a few frames
+  /// before, on the history there was. As of().
+  RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+                        const Progress& progress = {});
+
+ private:
+  void require(const VerdictQuestion& question) const;
+
+  ShotPlayer& player_;
+  References& references_;
+  const gl::Driver& driver_;
+};
+
+} // namespace taa

@@ -1,0 +1,42 @@
+// What a verdict on a pixel is made from: its lineage, what its surface really did, and the truth. No GL.
+#pragma once
+
+#include "core/base/Image.h"
+#include "core/taa/twin/Twin.h"
+#include "core/verdict/lineage/Lineage.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+
+namespace taa {
+
+/// The surface that a pixel shows, in one frame.
+struct SurfaceMoment {
+  int frame = 0;
+  glm::ivec2 pixel{0};
+  twin::PixelRecord record{};
+  glm::dvec3 resolved{0.0}, reference{0.0}; ///< scene-linear
+};
+
+/// All of one lane. Frames may be asked for in any order; those that lie in the window are kept.
+class EvidenceSource : public LineageSource {
+ public:
+  /// Every intermediate of the pixel but those of the reference.
+  virtual twin::PixelRecord record(int frame, const glm::ivec2& pixel) = 0;
+  /// Three channels, scene-linear, of the picture's size. Valid as long as the source.
+  virtual const Image& reference(int frame) = 0;
+  /// What surfaces really did, and the objects that pixels show: surfaceSteps(); NaN motion everywhere in a
+  /// frame that starts history. Valid as long as the source.
+  virtual const Image& steps(int frame) = 0;
+};
+
+/// A value of a three-channel picture; pixels beyond the border are those at it.
+inline glm::dvec3 colorAt(const Image& image, const glm::ivec2& pixel) {
+  const float* value =
+      image.at(std::clamp(pixel.x, 0, image.width - 1), std::clamp(pixel.y, 0, image.height - 1));
+  return {value[0], value[1], value[2]};
+}
+
+} // namespace taa

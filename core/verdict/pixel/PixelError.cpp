@@ -1,0 +1,180 @@
+#include "core/verdict/pixel/PixelError.h"
+
+#include "core/base/Say.h"
+#include "core/verdict/parts/FrameErrors.h"
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace taa {
+
+namespace {
+
+struct InRowOrder {
+  bool operator()(const glm::ivec2& a, const glm::ivec2& b) const {
+    return std::tie(a.y, a.x) < std::tie(b.y, b.x);
+  }
+};
+
+/// A pixel of an older frame: its share in today's, and its color.
+struct ErrorNode {
+  glm::dvec3 weight{0.0}, color{0.0};
+};
+using ErrorNodes = std::map<glm::ivec2, ErrorNode, InRowOrder>;
+
+double largest(const glm::dvec3& value) {
+  return std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
+}
+
+double meanOf(const glm::dvec3& value) {
+  return (value.x + value.y + value.z) / 3.0;
+}
+
+glm::ivec2 pixelAt(const glm::dvec2& positionPx) {
+  return glm::ivec2(glm::floor(positionPx));
+}
+
+/// What truth changed between a frame and the one before at a pixel.
+struct TrueChange {
+  glm::dvec3 ghost{0.0}, lag{0.0}, blur{0.0};
+  int object = -1; ///< that history was read of, where it is a ghost
+};
+
+class ErrorWalk {
+ public:
+  ErrorWalk(EvidenceSource& source, const LineageOptions& options, PixelError& found)
+      : source_(source), options_(options), found_(found) {}
+
+  void begin() { nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0)}; }
+  bool isDone() const { return nodes_.empty(); }
+  void visit(int frame);
+  void end(int frame);
+
+ private:
+  void leave(int frame, const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry);
+  void follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry);
+  TrueChange trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step, const glm::dvec3& truth);
+
+  EvidenceSource& source_;
+  const LineageOptions& options_;
+  PixelError& found_;
+  ErrorNodes nodes_, before_; // of the frame that is visited, and of the one before it
+  double heaviest_ = 0.0, heaviestGhost_ = 0.0;
+};
+
+void ErrorWalk::leave(int frame, const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
+  of(entry.split, ErrorPart::Older) += node.weight * (node.color - colorAt(source_.reference(frame), pixel));
+}
+
+void ErrorWalk::visit(int frame) {
+  ErrorOfFrame entry;
+  entry.frame = frame;
+  heaviest_ = heaviestGhost_ = 0.0;
+  before_.clear();
+  for (const auto& [pixel, node] : nodes_)
+    if (found_.frames.empty() || largest(node.weight) >= options_.minWeight)
+      follow(pixel, node, entry);
+    else
+      leave(frame, pixel, node, entry);
+  if (entry.ghostObject < 0) entry.ghostPixel = entry.pixel;
+  found_.frames.push_back(entry);
+  nodes_ = std::move(before_);
+}
+
+void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
+  const PixelStep step = source_.step(entry.frame, pixel);
+  const glm::dvec3 truth = colorAt(source_.reference(entry.frame), pixel);
+  const bool isToday = found_.frames.empty();
+  const glm::dvec3 became = isToday ? step.resolved : node.color;
+  if (isToday) {
+    found_.resolved = step.resolved;
+    found_.reference = truth;
+  }
+  if (const double weight = largest(node.weight); weight > heaviest_) {
+    heaviest_ = weight;
+    entry.pixel = pixel;
+  }
+  entry.weight += meanOf(node.weight);
+  const glm::dvec3 samples = node.weight * step.alpha;
+  of(entry.split, ErrorPart::Aliasing) += samples * (step.current - truth);
+  if (step.history.empty()) { // all of it is of this frame
+    of(entry.split, ErrorPart::Rectification) +=
+        node.weight * (became - truth) - samples * (step.current - truth);
+    return;
+  }
+  const glm::dvec3 history = node.weight - samples;
+  glm::dvec3 read(0.0);
+  for (const HistoryRead& tap : step.history) {
+    read += tap.weight * tap.color;
+    ErrorNode& older = before_[tap.texel];
+    older.weight += tap.weight * history;
+    older.color = tap.color;
+  }
+  of(entry.split, ErrorPart::Rectification) += node.weight * became - samples * step.current - history * read;
+  if (!(largest(history) > 0.0)) return;
+  const TrueChange change = trueChange(entry.frame, pixel, step, truth);
+  of(entry.split, ErrorPart::Ghost) += history * change.ghost;
+  of(entry.split, ErrorPart::Lag) += history * change.lag;
+  of(entry.split, ErrorPart::Blur) += history * change.blur;
+  if (const double ghost = largest(history * change.ghost); ghost > heaviestGhost_) {
+    heaviestGhost_ = ghost;
+    entry.ghostPixel = pixel;
+    entry.ghostObject = change.object;
+  }
+}
+
+TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step,
+                                 const glm::dvec3& truth) {
+  const Image& earlier = source_.reference(frame - 1);
+  glm::dvec3 before(0.0);
+  for (const HistoryRead& tap : step.history) before += tap.weight * colorAt(earlier, tap.texel);
+  const glm::dvec3 all = before - truth;
+  const glm::vec2 read(step.historyPosition);
+  const float* way = source_.steps(frame).at(pixel.x, pixel.y);
+  TrueChange change;
+  if (isOfOtherSurface(way, read, pixel)) {
+    change.ghost = all;
+    change.object = static_cast<int>(colorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
+    return change;
+  }
+  const glm::dvec3 former(
+      formerColor(earlier, glm::vec2(pixel) + 0.5f - glm::vec2(way[0], way[1]), glm::vec3(truth)));
+  change.lag = former - truth;
+  change.blur = all - change.lag;
+  return change;
+}
+
+void ErrorWalk::end(int frame) {
+  if (nodes_.empty()) return;
+  ErrorOfFrame& last = found_.frames.back();
+  for (const auto& [pixel, node] : nodes_) leave(frame, pixel, node, last);
+}
+
+} // namespace
+
+PixelError pixelError(EvidenceSource& source, int frame, const glm::ivec2& pixel,
+                      const LineageOptions& options, const Progress& progress) {
+  PixelError found;
+  found.frame = frame;
+  found.pixel = pixel;
+  ErrorWalk walk(source, options, found);
+  walk.begin();
+  int age = 0;
+  for (; age < options.frames && !walk.isDone(); ++age) {
+    report(progress, say<"Following the error">(), age, options.frames);
+    walk.visit(frame - age);
+  }
+  walk.end(frame - age);
+  for (const ErrorOfFrame& entry : found.frames)
+    for (std::size_t part = 0; part < kErrorParts; ++part) found.sum[part] += entry.split[part];
+  return found;
+}
+
+} // namespace taa

@@ -1,0 +1,309 @@
+#include "core/verdict/pixel/PixelVerdict.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace taa {
+
+// In the order of the enumerators.
+constexpr std::array<VerdictKindInfo, 9> kVerdictKinds{{
+    {VerdictKind::None, "none", "Nothing is wrong",
+     "The pixel is as far from the reference as a converged one may be, and still."},
+    {VerdictKind::Ghost, "ghost", "Ghost", "History is of something that was there before."},
+    {VerdictKind::DisocclusionRestart, "disocclusionRestart", "Restart after disocclusion",
+     "The surface has just come into sight, and its few samples are not averaged yet."},
+    {VerdictKind::Flicker, "flicker", "Flicker",
+     "What is shown changes from frame to frame, and truth does not."},
+    {VerdictKind::HighlightFlicker, "highlightFlicker", "Highlight flicker",
+     "Samples brighter than white come and go."},
+    {VerdictKind::Blur, "blur", "Blur", "Detail was lost by reading between pixels, or by filters."},
+    {VerdictKind::Aliasing, "aliasing", "Aliasing",
+     "Too few samples are averaged, although there were more."},
+    {VerdictKind::MaskSmear, "maskSmear", "Smear of a mask",
+     "What changes without motion is smeared, because no mask, or a wrong one, says that it does."},
+    {VerdictKind::Lag, "lag", "Lag", "The light has changed, and history has not."},
+}};
+
+namespace {
+
+using Id = IntermediateId;
+
+double largestOf(const glm::dvec3& value) {
+  return std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
+}
+
+double valueOf(const twin::PixelRecord& record, Id id) {
+  return static_cast<double>(twin::at(record, id).x);
+}
+
+bool wasRejected(const twin::PixelRecord& record) {
+  return valueOf(record, Id::rejectReason) != 0.0;
+}
+
+bool isRestart(const twin::PixelRecord& record) {
+  return valueOf(record, Id::alpha) >= 1.0;
+}
+
+/// Error of what a screen is sent.
+glm::dvec3 shownError(const SurfaceMoment& moment) {
+  return shownValue(moment.resolved) - shownValue(moment.reference);
+}
+
+/// The upper quartile of how far each moment's error is from the mean of those beside it: what comes and goes
+/// with the jitter, not what comes once and fades.
+double flickerOf(const std::vector<SurfaceMoment>& moments) {
+  std::vector<double> bends;
+  for (std::size_t at = 1; at + 1 < moments.size(); ++at)
+    bends.push_back(largestOf(shownError(moments[at]) -
+                              0.5 * (shownError(moments[at - 1]) + shownError(moments[at + 1]))));
+  if (bends.size() < 3) return 0.0;
+  std::ranges::sort(bends);
+  return bends[(3 * bends.size()) / 4];
+}
+
+/// Whether white is exceeded anywhere, by truth or by single samples.
+bool isHighlight(const std::vector<SurfaceMoment>& moments) {
+  return std::ranges::any_of(moments, [](const SurfaceMoment& moment) {
+    return largestOf(moment.reference) > 1.0 ||
+           largestOf(glm::dvec3(glm::vec3(twin::at(moment.record, Id::color)))) > 1.0;
+  });
+}
+
+class Judge {
+ public:
+  Judge(const VerdictEvidence& evidence, const Settings& settings)
+      : evidence_(evidence), settings_(settings), now_(evidence.moments.front()) {}
+
+  PixelVerdict verdict();
+
+ private:
+  void measure();
+  void findPart();
+  void findOnset();
+  void conclude();
+  void concludeGhost();
+  void concludeSamples();
+  void concludeHistory();
+  Stage stageOfGhost();
+  Stage stageOfFlicker() const;
+  void addRow(Id id, const SurfaceMoment& moment, std::optional<double> limit = {});
+  void addGhostRow(Id id, std::optional<double> limit = {});
+  const SurfaceMoment* restart() const;
+  double meanBias() const;
+
+  const VerdictEvidence& evidence_;
+  const Settings& settings_;
+  const SurfaceMoment& now_;
+  PixelVerdict found_;
+};
+
+PixelVerdict Judge::verdict() {
+  measure();
+  findPart();
+  found_.since = found_.causeFrame = evidence_.error.frame;
+  if (found_.error < kVisibleError && found_.flicker < kVisibleFlicker) {
+    addRow(Id::historyLength, now_);
+    addRow(Id::alpha, now_);
+    addRow(Id::clipAmount, now_);
+    addRow(Id::rejectReason, now_);
+    return found_;
+  }
+  findOnset();
+  conclude();
+  return found_;
+}
+
+void Judge::measure() {
+  found_.error = largestOf(shownError(now_));
+  found_.flicker = flickerOf(evidence_.moments);
+}
+
+// A part's share is what of the error points its way: the shares sum up to 1.
+void Judge::findPart() {
+  const glm::dvec3 error = evidence_.error.error();
+  const double square = glm::dot(error, error);
+  if (square == 0.0) return;
+  for (std::size_t part = 0; part < kErrorParts; ++part) {
+    const double share = glm::dot(evidence_.error.sum[part], error) / square;
+    if (share <= found_.share) continue;
+    found_.share = share;
+    found_.part = static_cast<ErrorPart>(part);
+  }
+}
+
+// It came in with the oldest frame that brought an eighth of what the one that brought most did.
+void Judge::findOnset() {
+  const glm::dvec3 error = evidence_.error.error();
+  const auto brought = [&](const ErrorOfFrame& entry) {
+    return glm::dot(of(entry.split, found_.part), error);
+  };
+  double most = 0.0;
+  for (const ErrorOfFrame& entry : evidence_.error.frames) {
+    if (brought(entry) <= most) continue;
+    most = brought(entry);
+    found_.causeFrame = entry.frame;
+  }
+  for (const ErrorOfFrame& entry : evidence_.error.frames)
+    if (brought(entry) >= most / 8.0) found_.since = entry.frame;
+  const glm::dvec3 older = of(evidence_.error.sum, ErrorPart::Older);
+  found_.isOlder = found_.part == ErrorPart::Older || glm::dot(older, error) > 0.25 * glm::dot(error, error);
+}
+
+void Judge::conclude() {
+  if (!isTaaOn(settings_)) {
+    found_.kind = VerdictKind::Aliasing;
+    found_.stage = Stage::Blend;
+    addRow(Id::alpha, now_);
+    addRow(Id::historyLength, now_);
+    return;
+  }
+  const bool isTransient = found_.part == ErrorPart::Ghost && found_.error >= kVisibleError;
+  if (found_.flicker >= kVisibleFlicker && !isTransient) {
+    found_.kind = isHighlight(evidence_.moments) ? VerdictKind::HighlightFlicker : VerdictKind::Flicker;
+    found_.stage = stageOfFlicker();
+    return;
+  }
+  switch (found_.part) {
+  case ErrorPart::Ghost:
+    return concludeGhost();
+  case ErrorPart::Aliasing:
+    return concludeSamples();
+  case ErrorPart::Lag:
+  case ErrorPart::Blur:
+  case ErrorPart::Rectification:
+  case ErrorPart::Older:
+    return concludeHistory();
+  }
+}
+
+void Judge::concludeGhost() {
+  found_.kind = VerdictKind::Ghost;
+  for (const ErrorOfFrame& entry : evidence_.error.frames)
+    if (entry.frame == evidence_.ghostFrame && entry.ghostObject >= 0) found_.causeObject = entry.ghostObject;
+  if (evidence_.ghostFrame >= 0) found_.causeFrame = evidence_.ghostFrame - 1; // what was seen there then
+  found_.stage = stageOfGhost();
+}
+
+// The first in the order of the stages that did not do what it is there for.
+Stage Judge::stageOfGhost() {
+  const twin::PixelRecord& record = evidence_.ghostRecord;
+  const glm::dvec2 used(glm::vec2(twin::at(record, Id::dilatedMotion)));
+  addGhostRow(Id::dilatedMotion);
+  if (settings_.reproject.method == ReprojectMethod::InPlace) return Stage::Reproject;
+  if (evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
+    const bool isNeighbors = twin::at(record, Id::dilatedOffset) != glm::vec4(0.0f);
+    addGhostRow(Id::dilatedOffset);
+    return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
+  }
+  const ValidateSettings& validate = settings_.validate;
+  const bool tests = isOn(validate.depth) || isOn(validate.object) || isOn(validate.objectClass) ||
+                     isOn(validate.normal) || validate.velocity != VelocityTest::None;
+  addGhostRow(Id::depthMismatch, valueOf(record, Id::depthAllowed));
+  addGhostRow(Id::rejectReason);
+  addGhostRow(Id::clipAmount);
+  addGhostRow(Id::alpha);
+  if (tests || settings_.rectify.method == RectifyMethod::None) return Stage::ValidateHistory;
+  return Stage::RectifyHistory;
+}
+
+Stage Judge::stageOfFlicker() const {
+  return restart() ? Stage::ValidateHistory : Stage::RectifyHistory;
+}
+
+/// The latest moment in which history was given up; null: none.
+const SurfaceMoment* Judge::restart() const {
+  const auto at = std::ranges::find_if(evidence_.moments,
+                                       [](const SurfaceMoment& moment) { return isRestart(moment.record); });
+  return at == evidence_.moments.end() ? nullptr : &*at;
+}
+
+/// How much of the samples' errors points one way: 1 where all do, as behind a filter that blurs.
+double Judge::meanBias() const {
+  glm::dvec3 sum(0.0);
+  double sizes = 0.0;
+  for (const ErrorOfFrame& entry : evidence_.error.frames) {
+    sum += of(entry.split, ErrorPart::Aliasing);
+    sizes += glm::length(of(entry.split, ErrorPart::Aliasing));
+  }
+  return sizes > 0.0 ? glm::length(sum) / sizes : 0.0;
+}
+
+void Judge::concludeSamples() {
+  const SurfaceMoment* start = restart();
+  if (start) {
+    const bool hadHistory = valueOf(start->record, Id::rejectReason) != 1.0; // RejectReason::NoHistory
+    const bool isLast = start == &evidence_.moments.back();
+    found_.since = found_.causeFrame = start->frame;
+    const bool wasHidden = isLast && evidence_.endsHidden;
+    found_.kind = wasHidden || !hadHistory ? VerdictKind::DisocclusionRestart : VerdictKind::Aliasing;
+    found_.stage = Stage::ValidateHistory;
+    found_.throwsGoodAway = hadHistory && !wasHidden;
+    addRow(Id::rejectReason, *start, 0.0);
+    addRow(Id::depthMismatch, *start, valueOf(start->record, Id::depthAllowed));
+    addRow(Id::historyLength, now_);
+    addRow(Id::alpha, now_);
+    return;
+  }
+  constexpr double kOneWay = 0.7;
+  const bool isFiltered = meanBias() > kOneWay && evidence_.error.frames.size() > 3;
+  found_.kind = isFiltered ? VerdictKind::Blur : VerdictKind::Aliasing;
+  found_.stage = isFiltered ? Stage::FilterCurrent : Stage::BlendWeight;
+  addRow(Id::currentFiltered, now_);
+  addRow(Id::alpha, now_);
+  addRow(Id::historyLength, now_);
+  addRow(Id::clipAmount, now_);
+}
+
+void Judge::concludeHistory() {
+  const double mask = std::max(valueOf(now_.record, Id::reactive), valueOf(now_.record, Id::responsive));
+  addRow(Id::historyRaw, now_);
+  addRow(Id::historyRectified, now_);
+  addRow(Id::clipAmount, now_);
+  addRow(Id::alpha, now_);
+  if (found_.part == ErrorPart::Blur) {
+    found_.kind = VerdictKind::Blur;
+    found_.stage = Stage::SampleHistory;
+  } else if (found_.part == ErrorPart::Rectification) {
+    found_.kind = VerdictKind::Blur;
+    found_.stage = Stage::RectifyHistory;
+    found_.throwsGoodAway = true;
+  } else {
+    found_.kind = mask > 0.0 ? VerdictKind::MaskSmear : VerdictKind::Lag;
+    found_.stage = mask > 0.0 ? Stage::BlendWeight : Stage::RectifyHistory;
+    addRow(Id::alphaMask, now_);
+  }
+}
+
+void Judge::addRow(Id id, const SurfaceMoment& moment, std::optional<double> limit) {
+  found_.rows.push_back({id, moment.frame, moment.pixel, valueOf(moment.record, id), limit});
+}
+
+void Judge::addGhostRow(Id id, std::optional<double> limit) {
+  for (const ErrorOfFrame& entry : evidence_.error.frames)
+    if (entry.frame == evidence_.ghostFrame)
+      found_.rows.push_back({id, entry.frame, entry.ghostPixel, valueOf(evidence_.ghostRecord, id), limit});
+}
+
+} // namespace
+
+glm::dvec3 shownValue(const glm::dvec3& linear) {
+  glm::dvec3 shown;
+  for (int channel = 0; channel < 3; ++channel) {
+    const double value = std::clamp(linear[channel], 0.0, 1.0);
+    shown[channel] = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
+  }
+  return shown;
+}
+
+PixelVerdict judge(const VerdictEvidence& evidence, const Settings& settings) {
+  return Judge(evidence, settings).verdict();
+}
+
+} // namespace taa

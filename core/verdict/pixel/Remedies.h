@@ -1,0 +1,39 @@
+// What might mend a pixel: changes of settings that are worth a try for what is wrong with it, and which of
+// those that were tried are worth telling. No GL.
+#pragma once
+
+#include "core/settings/Settings.h"
+#include "core/verdict/pixel/PixelVerdict.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace taa {
+
+struct Remedy {
+  std::vector<std::string> changes; ///< "rectify.method=clipToFiltered", one to three
+  Settings settings;                ///< with them
+};
+
+/// Of a pixel over its last moments, or of the whole picture, against the reference, as shown (0 to 1).
+struct RemedyMeasure {
+  double error = 0.0;     ///< root of the mean squared error
+  double flicker = 0.0;   ///< root of the mean squared change of the error from frame to frame
+  double sharpness = 1.0; ///< sum of the gradients' lengths against the reference's; of a picture only
+};
+
+struct TriedRemedy {
+  Remedy remedy;
+  RemedyMeasure pixel, picture;
+};
+
+/// Those worth a try, likely ones first: none that changes nothing or draws other inputs.
+std::vector<Remedy> remediesFor(const PixelVerdict& verdict, const Settings& settings);
+
+/// The best `count` of those that bring the pixel clearly nearer to the truth than `before`, by its error and
+/// flicker together. One that has all changes of a better or equal one, and more, is left out.
+std::vector<TriedRemedy> bestRemedies(const std::vector<TriedRemedy>& tried, const RemedyMeasure& before,
+                                      std::size_t count);
+
+} // namespace taa

@@ -1,0 +1,135 @@
+#include "core/verdict/pixel/VerdictText.h"
+
+#include "core/base/Say.h"
+#include "core/story/StoryText.h"
+
+#include <cmath>
+
+namespace taa {
+
+namespace {
+
+std::string kindLabel(VerdictKind kind) {
+  return sayLabel(kVerdictKinds[static_cast<std::size_t>(kind)].label);
+}
+
+std::string stepsText(double shown) {
+  return story::numberText(255.0 * shown, 3);
+}
+
+std::string agoText(int frames) {
+  if (frames <= 0) return say<"in this frame">();
+  return frames == 1 ? say<"1 frame ago">() : say<"%1 frames ago">(frames);
+}
+
+const VerdictRow* rowOf(const PixelVerdict& verdict, IntermediateId id) {
+  for (const VerdictRow& row : verdict.rows)
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+double valueOf(const PixelVerdict& verdict, IntermediateId id) {
+  const VerdictRow* row = rowOf(verdict, id);
+  return row ? row->value : 0.0;
+}
+
+bool testsGeometry(const ValidateSettings& validate) {
+  return isOn(validate.depth) || isOn(validate.object) || isOn(validate.objectClass) ||
+         isOn(validate.normal) || validate.velocity != VelocityTest::None;
+}
+
+std::string pulledText(const PixelVerdict& verdict, const Settings& settings) {
+  if (settings.rectify.method == RectifyMethod::None) return say<"history is taken as it is">();
+  const double pulled = valueOf(verdict, IntermediateId::clipAmount);
+  if (pulled == 0.0) return say<"its color lies within those around, so that rectification leaves it">();
+  return say<"rectification pulls it %1 of the way only">(story::percentText(pulled));
+}
+
+std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
+  switch (verdict.stage) {
+  case Stage::Reproject:
+    return say<"history is read in place, not where the surface was">();
+  case Stage::DilateMotion:
+    return say<"the pixel follows a neighbor's motion, and reads what that neighbor came from">();
+  case Stage::Inputs:
+    return say<"its motion vector is not the surface's motion">();
+  case Stage::RectifyHistory:
+    return say<"no test of geometry runs, and %1">(pulledText(verdict, settings));
+  default:
+    break;
+  }
+  if (!testsGeometry(settings.validate))
+    return say<"no test of geometry runs, and %1">(pulledText(verdict, settings));
+  const int reason = static_cast<int>(valueOf(verdict, IntermediateId::rejectReason));
+  if (reason != 0) return say<"it was found out (%1), and still counts">(sayLabel(rejectReasonText(reason)));
+  return say<"the tests of geometry let it pass, and %1">(pulledText(verdict, settings));
+}
+
+std::string restartReason(const PixelVerdict& verdict) {
+  const std::string samples = story::numberText(valueOf(verdict, IntermediateId::historyLength), 3);
+  const int reason = static_cast<int>(valueOf(verdict, IntermediateId::rejectReason));
+  if (verdict.throwsGoodAway)
+    return say<"history was thrown away (%1), although the surface was there; %2 samples are averaged">(
+        sayLabel(rejectReasonText(reason)), samples);
+  return say<"the surface was not to be seen before, and %1 samples are averaged">(samples);
+}
+
+std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
+  if (!isTaaOn(settings)) return say<"TAA is off">();
+  switch (verdict.kind) {
+  case VerdictKind::None:
+    break;
+  case VerdictKind::Ghost:
+    return ghostReason(verdict, settings);
+  case VerdictKind::DisocclusionRestart:
+    return restartReason(verdict);
+  case VerdictKind::Flicker:
+  case VerdictKind::HighlightFlicker:
+    return verdict.stage == Stage::ValidateHistory
+               ? say<"history is thrown away again and again">()
+               : say<"rectification follows the samples of single frames">();
+  case VerdictKind::Aliasing:
+    if (verdict.stage == Stage::ValidateHistory) return restartReason(verdict);
+    return say<"the current frame counts %1">(story::percentText(valueOf(verdict, IntermediateId::alpha)));
+  case VerdictKind::Blur:
+    if (verdict.stage == Stage::SampleHistory)
+      return say<"reading history between its pixels takes detail">();
+    if (verdict.stage == Stage::FilterCurrent)
+      return say<"the filter of the current frame takes detail, frame by frame">();
+    return say<"rectification takes good history back to the colors around">();
+  case VerdictKind::MaskSmear:
+    return say<"the mask is set, and history counts all the same">();
+  case VerdictKind::Lag:
+    return say<"what is seen has changed, and %1">(pulledText(verdict, settings));
+  }
+  return {};
+}
+
+/// "Ghost of the red bar, 6 frames ago"
+std::string subjectOf(const PixelVerdict& verdict, int frame, const std::string& object) {
+  std::string text = kindLabel(verdict.kind);
+  if (verdict.causeObject)
+    text = say<"%1 of %2">(text, *verdict.causeObject == 0 ? say<"the sky">()
+                                 : object.empty()          ? say<"object %1">(*verdict.causeObject)
+                                                           : object);
+  if (verdict.kind == VerdictKind::Ghost || verdict.kind == VerdictKind::DisocclusionRestart)
+    text = say<"%1, %2">(text, agoText(frame - verdict.causeFrame));
+  else if (verdict.kind == VerdictKind::Lag || verdict.kind == VerdictKind::Aliasing)
+    text = say<"%1, since frame %2">(text, verdict.since);
+  return text;
+}
+
+} // namespace
+
+std::string verdictSentence(const PixelVerdict& verdict, int frame, const std::string& object,
+                            const Settings& settings) {
+  if (verdict.kind == VerdictKind::None) return say<"Nothing is wrong: %1">(verdictMeasures(verdict));
+  return say<"%1: %2.">(subjectOf(verdict, frame, object), reasonOf(verdict, settings));
+}
+
+std::string verdictMeasures(const PixelVerdict& verdict) {
+  return say<"%1 of 255 steps off the reference, of which %2 are no error; %3 from frame to frame.">(
+      stepsText(verdict.error), stepsText(kVisibleError), stepsText(verdict.flicker));
+}
+
+} // namespace taa

@@ -1,0 +1,219 @@
+// The error of a pixel by part and frame, of frames made by hand.
+#include "core/verdict/pixel/PixelError.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+namespace {
+
+using taa::ErrorPart;
+using taa::of;
+
+constexpr int kWidth = 8, kHeight = 4;
+
+/// Frames of 8×4 pixels: what each was resolved from is made up, what it resolved to follows.
+class MadeEvidence : public taa::EvidenceSource {
+ public:
+  struct Pixel {
+    glm::dvec3 alpha{0.25}, current{0.0}, added{0.0}; ///< added: what the resolve made of it besides
+    glm::dvec2 read{0.0};                             ///< px, where history was read
+    std::vector<std::pair<glm::ivec2, double>> taps;
+  };
+  struct Frame {
+    std::array<Pixel, kWidth * kHeight> pixels{};
+    std::array<glm::dvec3, kWidth * kHeight> resolved{};
+    taa::Image reference{kWidth, kHeight, 3}, steps{kWidth, kHeight, 3};
+    bool starts = false;
+  };
+
+  static std::size_t indexOf(const glm::ivec2& pixel) {
+    return static_cast<std::size_t>(pixel.y * kWidth + pixel.x);
+  }
+  /// Resolves a frame on the one before.
+  void add(int number, Frame frame) {
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        Pixel& pixel = frame.pixels[indexOf({x, y})];
+        if (frame.starts) pixel.alpha = glm::dvec3(1.0);
+        glm::dvec3 history(0.0);
+        if (!frame.starts)
+          for (const auto& [at, weight] : pixel.taps)
+            history += weight * frames_.at(number - 1).resolved[indexOf(at)];
+        frame.resolved[indexOf({x, y})] =
+            pixel.alpha * pixel.current + (1.0 - pixel.alpha) * history + pixel.added;
+      }
+    frames_[number] = std::move(frame);
+  }
+  const Frame& at(int number) const { return frames_.at(number); }
+
+  taa::PixelStep step(int frame, const glm::ivec2& pixel) override {
+    const Frame& made = frames_.at(frame);
+    const Pixel& of = made.pixels[indexOf(pixel)];
+    taa::PixelStep step;
+    step.alpha = of.alpha;
+    step.current = of.current;
+    step.resolved = made.resolved[indexOf(pixel)];
+    step.historyPosition = of.read;
+    if (!made.starts)
+      for (const auto& [at, weight] : of.taps)
+        step.history.push_back({at, weight, frames_.at(frame - 1).resolved[indexOf(at)]});
+    return step;
+  }
+  taa::twin::PixelRecord record(int, const glm::ivec2&) override { return {}; }
+  const taa::Image& reference(int frame) override { return frames_.at(frame).reference; }
+  const taa::Image& steps(int frame) override { return frames_.at(frame).steps; }
+
+ private:
+  std::map<int, Frame> frames_;
+};
+
+/// Nothing moves, all of history is the pixel's own; object 1 everywhere, reference and samples of one value.
+MadeEvidence::Frame stillFrame(double value) {
+  MadeEvidence::Frame frame;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      MadeEvidence::Pixel& pixel = frame.pixels[MadeEvidence::indexOf({x, y})];
+      pixel.current = glm::dvec3(value);
+      pixel.read = glm::dvec2(x + 0.5, y + 0.5);
+      pixel.taps = {{{x, y}, 1.0}};
+      for (int channel = 0; channel < 3; ++channel)
+        frame.reference.at(x, y)[channel] = static_cast<float>(value);
+      frame.steps.at(x, y)[2] = 1.0f;
+    }
+  return frame;
+}
+
+glm::dvec3 sumOf(const taa::PixelError& found) {
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& part : found.sum) sum += part;
+  return sum;
+}
+
+TEST(PixelError, PartsOfAnyFramesSumUpToTheError) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(0.0, 1.0);
+  MadeEvidence evidence;
+  for (int number = 0; number < 9; ++number) {
+    MadeEvidence::Frame frame = stillFrame(0.0);
+    frame.starts = number == 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        MadeEvidence::Pixel& pixel = frame.pixels[MadeEvidence::indexOf({x, y})];
+        pixel.current = {value(random), value(random), value(random)};
+        pixel.alpha = glm::dvec3(value(random));
+        pixel.added = glm::dvec3(0.1 * value(random));
+        const double weight = value(random);
+        pixel.taps = {{{(x + number) % kWidth, y}, weight}, {{x, (y + 1) % kHeight}, 1.1 - weight}};
+        for (int channel = 0; channel < 3; ++channel)
+          frame.reference.at(x, y)[channel] = static_cast<float>(value(random));
+        if (value(random) < 0.3) frame.steps.at(x, y)[0] = std::numeric_limits<float>::quiet_NaN();
+      }
+    evidence.add(number, frame);
+  }
+  for (const int frames : {1, 3, 32})
+    for (const glm::ivec2 pixel : {glm::ivec2(0, 0), glm::ivec2(3, 2), glm::ivec2(7, 3)}) {
+      taa::LineageOptions options;
+      options.frames = frames;
+      options.minWeight = 1e-3;
+      const taa::PixelError found = pixelError(evidence, 8, pixel, options);
+      const glm::dvec3 sum = sumOf(found);
+      for (int channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(sum[channel], found.error()[channel], 1e-12) << frames;
+    }
+}
+
+TEST(PixelError, IsAGhostOfWhatWasReadWhereTheSurfaceWasNotSeen) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame before = stillFrame(0.8);
+  before.starts = true;
+  before.steps.at(4, 2)[2] = 6.0f; // object 6 was in front
+  evidence.add(0, before);
+  MadeEvidence::Frame now = stillFrame(0.2);
+  now.steps.at(4, 2)[0] = std::numeric_limits<float>::quiet_NaN();
+  evidence.add(1, now);
+  evidence.add(2, stillFrame(0.2));
+  const taa::PixelError found = pixelError(evidence, 2, {4, 2});
+  // ¾ of ¾ of a history that is 0.6 too bright.
+  EXPECT_NEAR(of(found.sum, ErrorPart::Ghost).x, 0.75 * 0.75 * 0.6, 1e-7);
+  EXPECT_NEAR(found.error().x, 0.75 * 0.75 * 0.6, 1e-7);
+  ASSERT_GE(found.frames.size(), 2u);
+  EXPECT_EQ(found.frames[0].ghostObject, -1);
+  EXPECT_EQ(found.frames[1].frame, 1);
+  EXPECT_EQ(found.frames[1].ghostObject, 6);
+  EXPECT_EQ(found.frames[1].ghostPixel, glm::ivec2(4, 2));
+}
+
+TEST(PixelError, IsAGhostWhereHistoryWasReadBesideItsSurface) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame before = stillFrame(0.5);
+  before.starts = true;
+  before.steps.at(5, 2)[2] = 3.0f;
+  for (int channel = 0; channel < 3; ++channel) before.reference.at(5, 2)[channel] = 0.9f;
+  before.pixels[MadeEvidence::indexOf({5, 2})].current = glm::dvec3(0.9);
+  evidence.add(0, before);
+  MadeEvidence::Frame now = stillFrame(0.5);
+  MadeEvidence::Pixel& pixel = now.pixels[MadeEvidence::indexOf({4, 2})];
+  pixel.read = {5.5, 2.5}; // a neighbor's motion, although the surface did not move
+  pixel.taps = {{{5, 2}, 1.0}};
+  evidence.add(1, now);
+  const taa::PixelError found = pixelError(evidence, 1, {4, 2});
+  EXPECT_NEAR(of(found.sum, ErrorPart::Ghost).y, 0.75 * 0.4, 1e-7);
+  EXPECT_EQ(found.frames[0].ghostObject, 3);
+}
+
+TEST(PixelError, IsLagWhereTheLightChanged) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame before = stillFrame(0.6);
+  before.starts = true;
+  evidence.add(0, before);
+  evidence.add(1, stillFrame(0.1));
+  const taa::PixelError found = pixelError(evidence, 1, {2, 1});
+  EXPECT_NEAR(of(found.sum, ErrorPart::Lag).z, 0.75 * 0.5, 1e-7);
+  EXPECT_NEAR(found.error().z, 0.75 * 0.5, 1e-7);
+}
+
+TEST(PixelError, IsAliasingWhereSamplesAreNotTheMean) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame first = stillFrame(0.5);
+  first.starts = true;
+  evidence.add(0, first);
+  MadeEvidence::Frame second = stillFrame(0.5);
+  second.pixels[MadeEvidence::indexOf({2, 1})].current = glm::dvec3(0.9);
+  evidence.add(1, second);
+  evidence.add(2, stillFrame(0.5));
+  const taa::PixelError found = pixelError(evidence, 2, {2, 1});
+  EXPECT_NEAR(of(found.sum, ErrorPart::Aliasing).x, 0.75 * 0.25 * 0.4, 1e-7);
+  EXPECT_NEAR(of(found.frames[1].split, ErrorPart::Aliasing).x, 0.75 * 0.25 * 0.4, 1e-7);
+}
+
+TEST(PixelError, IsRectificationsWhereHistoryWasPulledAway) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame first = stillFrame(0.5);
+  first.starts = true;
+  evidence.add(0, first);
+  MadeEvidence::Frame second = stillFrame(0.5);
+  second.pixels[MadeEvidence::indexOf({2, 1})].added = glm::dvec3(-0.3);
+  evidence.add(1, second);
+  const taa::PixelError found = pixelError(evidence, 1, {2, 1});
+  EXPECT_NEAR(of(found.sum, ErrorPart::Rectification).x, -0.3, 1e-7);
+}
+
+TEST(PixelError, OfBeforeTheWindowIsOlder) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame first = stillFrame(0.5);
+  first.starts = true;
+  first.pixels[MadeEvidence::indexOf({2, 1})].current = glm::dvec3(0.9);
+  evidence.add(0, first);
+  for (int number = 1; number < 4; ++number) evidence.add(number, stillFrame(0.5));
+  taa::LineageOptions options;
+  options.frames = 2;
+  const taa::PixelError found = pixelError(evidence, 3, {2, 1}, options);
+  EXPECT_NEAR(of(found.sum, ErrorPart::Older).x, std::pow(0.75, 3) * 0.4, 1e-7);
+}
+
+} // namespace

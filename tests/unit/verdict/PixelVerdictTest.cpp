@@ -1,0 +1,236 @@
+// What is concluded from evidence that is made by hand, each with what is true of it.
+#include "core/verdict/pixel/PixelVerdict.h"
+#include "core/settings/Parameters.h"
+#include "core/verdict/pixel/Remedies.h"
+#include "core/verdict/pixel/VerdictText.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using taa::ErrorPart;
+using taa::IntermediateId;
+using taa::of;
+using taa::Settings;
+using taa::Stage;
+using taa::VerdictEvidence;
+using taa::VerdictKind;
+
+/// A pixel of frame 40 that is what it should be, in as many moments as a verdict looks at.
+VerdictEvidence healthy() {
+  VerdictEvidence evidence;
+  evidence.error.frame = 40;
+  for (int age = 0; age < taa::kVerdictFrames; ++age) {
+    taa::SurfaceMoment moment;
+    moment.frame = 40 - age;
+    moment.resolved = moment.reference = glm::dvec3(0.5);
+    taa::twin::at(moment.record, IntermediateId::alpha).x = 0.1f;
+    taa::twin::at(moment.record, IntermediateId::historyLength).x = 19.0f;
+    evidence.moments.push_back(moment);
+    taa::ErrorOfFrame entry;
+    entry.frame = moment.frame;
+    evidence.error.frames.push_back(entry);
+  }
+  evidence.error.resolved = evidence.error.reference = glm::dvec3(0.5);
+  return evidence;
+}
+
+/// Adds an error that came in `age` frames ago.
+void addError(VerdictEvidence& evidence, ErrorPart part, int age, const glm::dvec3& error) {
+  of(evidence.error.frames[static_cast<std::size_t>(age)].split, part) += error;
+  of(evidence.error.sum, part) += error;
+  evidence.error.resolved += error;
+  evidence.moments.front().resolved += error;
+}
+
+VerdictEvidence ghostOf(int object, int age) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Ghost, age, {0.4, 0.0, 0.0});
+  evidence.error.frames[static_cast<std::size_t>(age)].ghostObject = object;
+  evidence.ghostFrame = 40 - age;
+  return evidence;
+}
+
+TEST(PixelVerdict, OfAPixelThatIsRightSaysSo) {
+  const taa::PixelVerdict verdict = judge(healthy(), Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::None);
+  EXPECT_EQ(verdict.error, 0.0);
+  EXPECT_EQ(verdict.flicker, 0.0);
+  EXPECT_GE(verdict.rows.size(), 4u);
+  EXPECT_TRUE(verdictSentence(verdict, 40, "", Settings{}).starts_with("Nothing is wrong: "));
+}
+
+TEST(PixelVerdict, NamesAGhostWithItsObjectAndTheFrameThatShowedIt) {
+  const taa::PixelVerdict verdict = judge(ghostOf(5, 5), Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
+  EXPECT_EQ(verdict.part, ErrorPart::Ghost);
+  EXPECT_NEAR(verdict.share, 1.0, 1e-12);
+  EXPECT_EQ(verdict.since, 35);
+  EXPECT_EQ(verdict.causeFrame, 34); // what history was read of in the frame before
+  EXPECT_EQ(verdict.causeObject, 5);
+  const std::string sentence = verdictSentence(verdict, 40, "red bar", Settings{});
+  EXPECT_TRUE(sentence.starts_with("Ghost of red bar, 6 frames ago: ")) << sentence;
+}
+
+TEST(PixelVerdict, BlamesTheFirstStageThatCouldHaveStoppedAGhost) {
+  Settings settings;
+  settings.validate.depth = taa::Switch::Off;
+  settings.rectify.method = taa::RectifyMethod::None;
+  EXPECT_EQ(judge(ghostOf(5, 3), settings).stage, Stage::ValidateHistory);
+  settings.rectify.method = taa::RectifyMethod::Clamp;
+  EXPECT_EQ(judge(ghostOf(5, 3), settings).stage, Stage::RectifyHistory);
+  settings.validate.depth = taa::Switch::On; // it ran, and let it pass
+  EXPECT_EQ(judge(ghostOf(5, 3), settings).stage, Stage::ValidateHistory);
+  settings.reproject.method = taa::ReprojectMethod::InPlace;
+  EXPECT_EQ(judge(ghostOf(5, 3), settings).stage, Stage::Reproject);
+}
+
+TEST(PixelVerdict, BlamesMotionThatIsNotTheSurfaces) {
+  VerdictEvidence evidence = ghostOf(5, 2);
+  evidence.ghostMotion = glm::dvec2(0.0);
+  taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedMotion) = {6.0f, 0.0f, 0.0f, 0.0f};
+  EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::Inputs);
+  taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedOffset) = {1.0f, 0.0f, 0.0f, 0.0f};
+  EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::DilateMotion);
+}
+
+TEST(PixelVerdict, TellsWhatComesAndGoesFromWhatFades) {
+  VerdictEvidence flickering = healthy();
+  for (std::size_t age = 0; age < flickering.moments.size(); ++age)
+    flickering.moments[age].resolved += age % 2 == 0 ? 0.1 : -0.1;
+  of(flickering.error.sum, ErrorPart::Rectification) = glm::dvec3(0.1);
+  flickering.error.resolved += 0.1;
+  EXPECT_EQ(judge(flickering, Settings{}).kind, VerdictKind::Flicker);
+
+  VerdictEvidence fading = healthy();
+  addError(fading, ErrorPart::Lag, 6, glm::dvec3(0.2));
+  double error = 0.2;
+  for (std::size_t age = 0; age <= 6; ++age, error /= 0.9)
+    fading.moments[age].resolved = glm::dvec3(0.5 + error);
+  const taa::PixelVerdict verdict = judge(fading, Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::Lag);
+  EXPECT_EQ(verdict.since, 34);
+}
+
+TEST(PixelVerdict, CallsFlickerOfWhatIsBrighterThanWhiteAHighlights) {
+  VerdictEvidence evidence = healthy();
+  for (std::size_t age = 0; age < evidence.moments.size(); ++age) {
+    evidence.moments[age].resolved += age % 2 == 0 ? 0.1 : -0.1;
+    taa::twin::at(evidence.moments[age].record, IntermediateId::color) = {age % 4 == 0 ? 6.0f : 0.2f, 0, 0,
+                                                                          0};
+  }
+  of(evidence.error.sum, ErrorPart::Aliasing) = glm::dvec3(0.1);
+  evidence.error.resolved += 0.1;
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::HighlightFlicker);
+}
+
+/// History was given up three frames ago.
+VerdictEvidence restarted(float reason) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Aliasing, 3, glm::dvec3(0.2));
+  taa::twin::at(evidence.moments[3].record, IntermediateId::alpha).x = 1.0f;
+  taa::twin::at(evidence.moments[3].record, IntermediateId::rejectReason).x = reason;
+  return evidence;
+}
+
+TEST(PixelVerdict, TellsARestartThatHadToBeFromGoodHistoryThrownAway) {
+  VerdictEvidence hidden = restarted(4.0f); // depth
+  hidden.moments.resize(4);
+  hidden.endsHidden = true;
+  const taa::PixelVerdict had = judge(hidden, Settings{});
+  EXPECT_EQ(had.kind, VerdictKind::DisocclusionRestart);
+  EXPECT_FALSE(had.throwsGoodAway);
+  EXPECT_EQ(had.since, 37);
+
+  const taa::PixelVerdict thrown = judge(restarted(4.0f), Settings{});
+  EXPECT_EQ(thrown.kind, VerdictKind::Aliasing);
+  EXPECT_TRUE(thrown.throwsGoodAway);
+  EXPECT_EQ(thrown.stage, Stage::ValidateHistory);
+  const std::string sentence = verdictSentence(thrown, 40, "", Settings{});
+  EXPECT_NE(sentence.find("although the surface was there"), std::string::npos) << sentence;
+}
+
+TEST(PixelVerdict, NamesWhatTakesDetail) {
+  VerdictEvidence read = healthy();
+  addError(read, ErrorPart::Blur, 2, glm::dvec3(0.2));
+  EXPECT_EQ(judge(read, Settings{}).kind, VerdictKind::Blur);
+  EXPECT_EQ(judge(read, Settings{}).stage, Stage::SampleHistory);
+
+  VerdictEvidence filtered = healthy();
+  for (int age = 0; age < 10; ++age) addError(filtered, ErrorPart::Aliasing, age, glm::dvec3(0.02));
+  EXPECT_EQ(judge(filtered, Settings{}).kind, VerdictKind::Blur);
+  EXPECT_EQ(judge(filtered, Settings{}).stage, Stage::FilterCurrent);
+
+  VerdictEvidence pulled = healthy();
+  addError(pulled, ErrorPart::Rectification, 1, glm::dvec3(0.2));
+  EXPECT_EQ(judge(pulled, Settings{}).stage, Stage::RectifyHistory);
+  EXPECT_TRUE(judge(pulled, Settings{}).throwsGoodAway);
+}
+
+TEST(PixelVerdict, CallsLagUnderAMaskASmear) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Lag, 1, glm::dvec3(0.2));
+  taa::twin::at(evidence.moments[0].record, IntermediateId::responsive).x = 1.0f;
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::MaskSmear);
+}
+
+TEST(PixelVerdict, HasASentenceWithoutPlacesLeftForEveryKindAndStage) {
+  for (const taa::VerdictKindInfo& info : taa::kVerdictKinds)
+    for (const taa::StageInfo& stage : taa::kStages) {
+      taa::PixelVerdict verdict;
+      verdict.kind = info.kind;
+      verdict.stage = stage.stage;
+      const std::string sentence = verdictSentence(verdict, 3, "fan", Settings{});
+      for (const char* place : {"%1", "%2", "%3"})
+        EXPECT_EQ(sentence.find(place), std::string::npos) << sentence;
+      EXPECT_EQ(sentence.find(": ."), std::string::npos) << sentence;
+      EXPECT_TRUE(sentence.ends_with('.')) << sentence;
+    }
+}
+
+TEST(Remedies, ChangeOneToThreeSettingsAndNoInputs) {
+  Settings settings;
+  settings.rectify.method = taa::RectifyMethod::None;
+  settings.validate.depth = taa::Switch::Off;
+  for (const taa::VerdictKindInfo& info : taa::kVerdictKinds) {
+    taa::PixelVerdict verdict;
+    verdict.kind = info.kind;
+    const std::vector<taa::Remedy> remedies = remediesFor(verdict, settings);
+    EXPECT_EQ(remedies.empty(), info.kind == VerdictKind::None) << info.id;
+    for (const taa::Remedy& remedy : remedies) {
+      EXPECT_GE(remedy.changes.size(), 1u);
+      EXPECT_LE(remedy.changes.size(), 3u);
+      EXPECT_EQ(remedy.changes, differences(remedy.settings, settings));
+      EXPECT_TRUE(sameInputs(remedy.settings, settings));
+    }
+  }
+}
+
+taa::TriedRemedy triedRemedy(std::vector<std::string> changes, double error) {
+  taa::TriedRemedy tried;
+  tried.remedy.changes = std::move(changes);
+  tried.pixel.error = error;
+  return tried;
+}
+
+TEST(Remedies, ThatHelpAreToldBestFirstAndWithoutWhatAddsNothing) {
+  const std::vector<taa::TriedRemedy> tried{triedRemedy({"a"}, 0.19),      triedRemedy({"b"}, 0.05),
+                                            triedRemedy({"a", "b"}, 0.05), triedRemedy({"c"}, 0.1),
+                                            triedRemedy({"d"}, 0.12),      triedRemedy({"e"}, 0.01)};
+  taa::RemedyMeasure before;
+  before.error = 0.2;
+  const std::vector<taa::TriedRemedy> best = bestRemedies(tried, before, 3);
+  ASSERT_EQ(best.size(), 3u);
+  EXPECT_EQ(best[0].remedy.changes, std::vector<std::string>{"e"});
+  EXPECT_EQ(best[1].remedy.changes, std::vector<std::string>{"b"});
+  EXPECT_EQ(best[2].remedy.changes, std::vector<std::string>{"c"});
+  EXPECT_TRUE(bestRemedies({triedRemedy({"a"}, 0.19)}, before, 3).empty()); // nearer, but not clearly
+}
+
+} // namespace
