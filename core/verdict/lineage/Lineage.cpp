@@ -23,7 +23,7 @@ double greatestOf(const glm::dvec3& weight) {
 }
 
 /// Of sums of a million shares; less is not told from nothing.
-constexpr double kRounding = 1e-9;
+constexpr double kSumRounding = 1e-9;
 
 /// Row by row, so that sums are made in one order.
 struct RowMajor {
@@ -214,11 +214,11 @@ void LineageWalk::end() {
   }
   if (squares > 0.0) lineage_.effectiveFrames = sum * sum / squares;
   if (lineage_.variance > 0.0) lineage_.effectiveSamples = sampleSum_ * sampleSum_ / lineage_.variance;
-  if (std::fabs(lineage_.blank) < kRounding) lineage_.blank = 0.0;
+  if (std::fabs(lineage_.blank) < kSumRounding) lineage_.blank = 0.0;
   lineage_.radiusPx = std::sqrt(squaredOffset_.mean());
   [[maybe_unused]] const double whole =
       lineage_.weight + lineage_.rectified + lineage_.older + lineage_.pruned + lineage_.blank;
-  assert(std::fabs(whole - 1.0) < kRounding);
+  assert(std::fabs(whole - 1.0) < kSumRounding);
 }
 
 } // namespace
