@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace taa {
 

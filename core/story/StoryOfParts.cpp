@@ -4,6 +4,8 @@
 #include "core/taa/twin/Color.h"
 #include "core/taa/twin/Known.h"
 
+#include <string>
+
 namespace taa::story {
 
 namespace {

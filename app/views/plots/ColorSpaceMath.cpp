@@ -41,15 +41,15 @@ class ToPlot {
 };
 
 /// A half space: dot(normal, point) ≤ limit.
-struct Plane {
+struct HalfSpace {
   glm::dvec3 normal{0.0};
   double limit = 0.0;
 };
 
 /// Both walls of the slabs across `directions`.
-std::vector<Plane> planesAround(const std::vector<glm::vec3>& points,
-                                const std::vector<glm::vec3>& directions) {
-  std::vector<Plane> planes;
+std::vector<HalfSpace> planesAround(const std::vector<glm::vec3>& points,
+                                    const std::vector<glm::vec3>& directions) {
+  std::vector<HalfSpace> planes;
   for (const glm::vec3& direction : directions)
     for (const double sign : {-1.0, 1.0}) {
       const glm::dvec3 normal = sign * glm::dvec3(direction);
@@ -61,10 +61,10 @@ std::vector<Plane> planesAround(const std::vector<glm::vec3>& points,
 }
 
 /// What all planes leave of the line of points a + t·d.
-std::optional<std::pair<double, double>> clipped(const std::vector<Plane>& planes, const glm::dvec3& a,
+std::optional<std::pair<double, double>> clipped(const std::vector<HalfSpace>& planes, const glm::dvec3& a,
                                                  const glm::dvec3& d, double slack) {
   double from = -1e9, to = 1e9;
-  for (const Plane& plane : planes) {
+  for (const HalfSpace& plane : planes) {
     const double slope = glm::dot(plane.normal, d), rest = plane.limit - glm::dot(plane.normal, a);
     if (std::abs(slope) < 1e-12) {
       if (rest < -slack) return {};
@@ -120,7 +120,7 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
 
 std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
                                const std::vector<glm::vec3>& directions) {
-  const std::vector<Plane> planes = planesAround(points, directions);
+  const std::vector<HalfSpace> planes = planesAround(points, directions);
   glm::vec3 low = points.front(), high = low;
   for (const glm::vec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
   const double size = static_cast<double>(glm::length(high - low));

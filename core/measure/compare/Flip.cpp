@@ -109,10 +109,10 @@ SeenPicture seen(const Image& linear, const FlipFilters& filters, const glm::mat
 
 /// Small and middling differences get most of the scale.
 float redistributed(float distance, float largest) {
-  constexpr float kMiddle = 0.4f, kShare = 0.95f;
+  constexpr float kMiddle = 0.4f, kLargeShare = 0.95f;
   const float middle = kMiddle * largest;
-  if (distance < middle) return kShare / middle * distance;
-  return kShare + (distance - middle) / (largest - middle) * (1.0f - kShare);
+  if (distance < middle) return kLargeShare / middle * distance;
+  return kLargeShare + (distance - middle) / (largest - middle) * (1.0f - kLargeShare);
 }
 
 float flipOf(const SeenPicture& a, const SeenPicture& b, float largest, std::size_t at) {

@@ -11,8 +11,6 @@ namespace taa {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// a √(π/b) exp(−π² d² / b) at d degrees: the contrast sensitivity of a channel, as a filter (table 1).
 struct Sensitivity {
   double a, b;
@@ -26,22 +24,23 @@ std::vector<double> gaussian(const Sensitivity& sensitivity, int radius, double 
   std::vector<double> values;
   for (int x = -radius; x <= radius; ++x) {
     const double degrees = x / pixelsPerDegree;
-    values.push_back(std::exp(-kPi * kPi * degrees * degrees / sensitivity.b));
+    values.push_back(std::exp(-std::numbers::pi * std::numbers::pi * degrees * degrees / sensitivity.b));
   }
   return values;
 }
 
-double sumOf(const std::vector<double>& values) {
+double sumOfWeights(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum;
 }
 
 /// Times `scale`, without the ends that are nothing to a float.
-FilterWeights scaled(const std::vector<double>& values, double scale) {
-  constexpr double kNothing = 1e-10; // of the middle; a float has 24 bits, 6e-8
+FilterWeights scaledWeights(const std::vector<double>& values, double scale) {
+  constexpr double kNegligible = 1e-10; // of the middle; a float has 24 bits, 6e-8
   const auto first = static_cast<std::ptrdiff_t>(
-      std::ranges::find_if(values, [](double value) { return std::abs(value) > kNothing; }) - values.begin());
+      std::ranges::find_if(values, [](double value) { return std::abs(value) > kNegligible; }) -
+      values.begin());
   FilterWeights weights;
   for (auto at = values.begin() + first; at != values.end() - first; ++at)
     weights.push_back(static_cast<float>(*at * scale));
@@ -49,7 +48,7 @@ FilterWeights scaled(const std::vector<double>& values, double scale) {
 }
 
 FilterWeights normalized(const std::vector<double>& values) {
-  return scaled(values, 1.0 / sumOf(values));
+  return scaledWeights(values, 1.0 / sumOfWeights(values));
 }
 
 /// What is above 0 to the sum 1, what is below to −1.
@@ -57,7 +56,7 @@ FilterWeights balanced(std::vector<double> values) {
   double above = 0.0, below = 0.0;
   for (const double value : values) (value > 0.0 ? above : below) += std::abs(value);
   for (double& value : values) value /= value > 0.0 ? above : below;
-  return scaled(values, 1.0);
+  return scaledWeights(values, 1.0);
 }
 
 } // namespace
@@ -65,17 +64,18 @@ FilterWeights balanced(std::vector<double> values) {
 FlipFilters::FlipFilters(double pixelsPerDegree) {
   assert(pixelsPerDegree > 0.0);
   // Three standard deviations of the widest, for all channels.
-  const double deviation = std::sqrt(kBlueYellow.b / (2.0 * kPi * kPi));
+  const double deviation = std::sqrt(kBlueYellow.b / (2.0 * std::numbers::pi * std::numbers::pi));
   const auto reach = static_cast<int>(std::ceil(3.0 * deviation * pixelsPerDegree));
   achromatic = normalized(gaussian(kAchromatic, reach, pixelsPerDegree));
   redGreen = normalized(gaussian(kRedGreen, reach, pixelsPerDegree));
   const std::vector<double> wide = gaussian(kBlueYellow, reach, pixelsPerDegree);
   const std::vector<double> tail = gaussian(kBlueYellowTail, reach, pixelsPerDegree);
-  const double ofWide = kBlueYellow.a * std::sqrt(kPi / kBlueYellow.b);
-  const double ofTail = kBlueYellowTail.a * std::sqrt(kPi / kBlueYellowTail.b);
-  const double sum = ofWide * sumOf(wide) * sumOf(wide) + ofTail * sumOf(tail) * sumOf(tail);
-  blueYellow = scaled(wide, std::sqrt(ofWide / sum));
-  blueYellowTail = scaled(tail, std::sqrt(ofTail / sum));
+  const double ofWide = kBlueYellow.a * std::sqrt(std::numbers::pi / kBlueYellow.b);
+  const double ofTail = kBlueYellowTail.a * std::sqrt(std::numbers::pi / kBlueYellowTail.b);
+  const double sum =
+      ofWide * sumOfWeights(wide) * sumOfWeights(wide) + ofTail * sumOfWeights(tail) * sumOfWeights(tail);
+  blueYellow = scaledWeights(wide, std::sqrt(ofWide / sum));
+  blueYellowTail = scaledWeights(tail, std::sqrt(ofTail / sum));
 
   const double sigma = 0.5 * kFeatureDegrees * pixelsPerDegree;
   const auto featureReach = static_cast<int>(std::ceil(3.0 * sigma));

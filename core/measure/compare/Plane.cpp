@@ -12,11 +12,11 @@ namespace taa {
 
 namespace {
 
-using Block = std::array<float, static_cast<std::size_t>(kPlaneBlock)>;
+using PlaneBlock = std::array<float, static_cast<std::size_t>(kPlaneBlock)>;
 
-constexpr Block kNoBase{};
+constexpr PlaneBlock kNoBase{};
 
-void addWeighted(Block& sum, const float* values, const float* base, float weight) {
+void addWeighted(PlaneBlock& sum, const float* values, const float* base, float weight) {
   for (std::size_t at = 0; at < sum.size(); ++at) sum[at] += weight * (values[at] - base[at]);
 }
 
@@ -43,7 +43,7 @@ Plane alongRows(const Plane& plane, const FilterWeights& weights, FilterBase bas
   for (int y = 0; y < plane.height; ++y) {
     extendRow(extended, plane.row(y), plane.width, radius);
     for (std::size_t x = 0; x < plane.stride; x += kPlaneBlock) {
-      Block sum{};
+      PlaneBlock sum{};
       const float* off = base == FilterBase::Itself ? extended.data() + x + radius : kNoBase.data();
       for (std::size_t k = 0; k < weights.size(); ++k)
         addWeighted(sum, extended.data() + x + k, off, weights[k]);
@@ -58,7 +58,7 @@ Plane alongColumns(const Plane& plane, const FilterWeights& weights, FilterBase 
   Plane out(plane.width, plane.height);
   for (int y = 0; y < plane.height; ++y)
     for (std::size_t x = 0; x < plane.stride; x += kPlaneBlock) {
-      Block sum{};
+      PlaneBlock sum{};
       const float* off = base == FilterBase::Itself ? plane.row(y) + x : kNoBase.data();
       for (int k = 0; k <= 2 * radius; ++k)
         addWeighted(sum, plane.row(std::clamp(y + k - radius, 0, plane.height - 1)) + x, off,

@@ -21,14 +21,14 @@ bool hasOwnAlphas(const Settings& settings) {
   return settings.weight.source == AlphaSource::ContrastPerChannel;
 }
 
-bool weighsByLuma(const Settings& settings) {
+bool mixesByLuma(const Settings& settings) {
   return settings.blend.tone == ToneWeight::Luma || settings.blend.tone == ToneWeight::LumaAsPrinted;
 }
 
 // The share of the current color in each channel, as the blend makes it of its α (manual 15.1).
 Image sharesOfChannels(const RowImages& resolve, const Settings& settings) {
   Image shares = resolve.at(Id::alphaChannels);
-  if (!weighsByLuma(settings)) return shares;
+  if (!mixesByLuma(settings)) return shares;
   for (std::size_t at = 0; at < shares.pixels.size(); ++at) {
     float& alpha = shares.pixels[at];
     const float current = alpha * resolve.at(Id::toneWeightCurrent).pixels[at / 3];
@@ -38,7 +38,7 @@ Image sharesOfChannels(const RowImages& resolve, const Settings& settings) {
   return shares;
 }
 
-Image lumaOf(const Image& color) {
+Image lumaRow(const Image& color) {
   Image luma(color.width, color.height, 1);
   for (std::size_t pixel = 0; pixel < luma.pixels.size(); ++pixel) {
     const float* value = color.pixels.data() + 3 * pixel;
@@ -80,7 +80,7 @@ RowImages partsRows(const ErrorParts& parts, const RowImages& resolve, const Ima
                     const Image& steps) {
   RowImages rows;
   for (std::size_t part = 0; part < kErrorParts; ++part)
-    rows.emplace(kPartIds[part], lumaOf(parts.images[part]));
+    rows.emplace(kPartIds[part], lumaRow(parts.images[part]));
   const Image& reasons = resolve.at(Id::rejectReason);
   rows.emplace(Id::verdictMap, verdictMap({resolve.at(Id::historyRaw), resolve.at(Id::historyRectified),
                                            reference, reasons}));
