@@ -43,10 +43,6 @@ double valueOf(const twin::PixelRecord& record, Id id) {
   return static_cast<double>(twin::at(record, id).x);
 }
 
-bool wasRejected(const twin::PixelRecord& record) {
-  return valueOf(record, Id::rejectReason) != 0.0;
-}
-
 bool isRestart(const twin::PixelRecord& record) {
   return valueOf(record, Id::alpha) >= 1.0;
 }
