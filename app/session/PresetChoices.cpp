@@ -4,6 +4,7 @@
 #include "app/session/UserPresets.h"
 #include "app/style/Text.h"
 #include "app/undo/UndoStack.h"
+#include "core/base/OldNames.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 
@@ -78,6 +79,7 @@ void PresetChoices::setPreset(const QString& idOrPath) {
     const Preset preset = taa::preset(idOrPath.toStdString());
     change({preset.settings, preset.settings, preset.id},
            tr("choice of preset %1").arg(tableText(preset.label)));
+    sayNotes(preset.notes);
   });
 }
 
@@ -111,10 +113,20 @@ void PresetChoices::setOtherPresets(const QStringList& idsOrPaths) {
   otherPresets_ = idsOrPaths;
   outbox_.guarded([&] {
     std::vector<Settings> lanes;
-    for (const QString& each : idsOrPaths) lanes.push_back(preset(each.toStdString()).settings);
+    std::vector<std::string> notes;
+    for (const QString& each : idsOrPaths) {
+      const Preset other = preset(each.toStdString());
+      lanes.push_back(other.settings);
+      addNotes(notes, other.notes);
+    }
     otherLanes_ = std::move(lanes);
     outbox_.post(request::SetOtherLanes{otherLanes_});
+    sayNotes(notes);
   });
+}
+
+void PresetChoices::sayNotes(const std::vector<std::string>& notes) {
+  if (!notes.empty()) Q_EMIT said(tr("The preset is of an earlier version: %1.").arg(clauses(notes)));
 }
 
 } // namespace taa::app

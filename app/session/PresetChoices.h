@@ -56,10 +56,12 @@ class PresetChoices : public QObject {
 
  Q_SIGNALS:
   void settingsChanged();
+  void said(const QString& sentence); ///< of a preset that was read
 
  private:
   void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
   void consider(const Settings& settings);
+  void sayNotes(const std::vector<std::string>& notes);
 
   Outbox& outbox_;
   UndoStack& undo_;

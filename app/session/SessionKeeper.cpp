@@ -2,6 +2,7 @@
 
 #include "app/session/Autosave.h"
 #include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/bars/OfferBar.h"
 #include "core/base/Error.h"
@@ -175,11 +176,8 @@ void SessionKeeper::finishRestoring() {
 
 // After the window has cleared what was said of the scene before.
 void SessionKeeper::noteOldNames(const SessionFile& file) {
-  QStringList notes;
-  for (const std::string& note : file.notes) notes << QString::fromStdString(note);
-  if (notes.isEmpty()) return;
-  const QString sentence =
-      tr("The session is of an earlier version: %1.").arg(notes.join(QLatin1String("; ")));
+  if (file.notes.empty()) return;
+  const QString sentence = tr("The session is of an earlier version: %1.").arg(clauses(file.notes));
   QMetaObject::invokeMethod(
       this, [this, sentence] { Q_EMIT said(sentence); }, Qt::QueuedConnection);
 }

@@ -3,8 +3,11 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace taa::app {
 
@@ -23,6 +26,13 @@ inline QString sentence(std::string_view clause) {
   QString text = qtext(clause);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text + QLatin1Char('.');
+}
+
+/// Clauses of the core in one row.
+inline QString clauses(const std::vector<std::string>& all) {
+  QStringList texts;
+  for (const std::string& clause : all) texts << qtext(clause);
+  return texts.join(QLatin1String("; "));
 }
 
 } // namespace taa::app

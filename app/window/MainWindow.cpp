@@ -286,6 +286,7 @@ void MainWindow::connectSession() {
 void MainWindow::connectMessages() {
   connect(&session_, &Session::errorOccurred, messages_, &MessagesBar::showError);
   connect(&session_, &Session::shadersReloaded, messages_, &MessagesBar::showShaders);
+  connect(&session_.presets(), &PresetChoices::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);

@@ -15,4 +15,9 @@ std::string oldNameNote(const OldName& name) {
   return say<"%1 is called %2 now">(name.old, name.now);
 }
 
+void addNotes(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  for (const std::string& note : more)
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+}
+
 } // namespace taa

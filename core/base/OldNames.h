@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taa {
 
@@ -17,5 +18,8 @@ const OldName* findOldName(std::span<const OldName> names, std::string_view old)
 
 /// "weight.most is called weight.sourceMax now"
 std::string oldNameNote(const OldName& name);
+
+/// Adds those of `more` that are not among the notes yet: each is said once, however often its name is read.
+void addNotes(std::vector<std::string>& notes, const std::vector<std::string>& more);
 
 } // namespace taa

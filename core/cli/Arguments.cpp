@@ -1,6 +1,7 @@
 #include "core/cli/Arguments.h"
 
 #include "core/base/Error.h"
+#include "core/base/OldNames.h"
 #include "core/io/CameraTrackJson.h"
 #include "core/measure/Metrics.h"
 #include "core/settings/Lanes.h"
@@ -38,11 +39,15 @@ std::optional<glm::ivec2> parsePair(const std::string& text, std::string_view se
 
 } // namespace
 
-Settings presetSettings(const std::string& name) {
+LaneChoice laneOfPreset(const std::string& name, const std::string& preset) {
   // A name that is wrong is the caller's mistake; a file that cannot be read is the world's.
-  if (name.ends_with(".json")) return preset(name).settings;
+  const auto read = [&] {
+    const Preset row = taa::preset(preset);
+    return LaneChoice{name, preset, row.settings, row.notes};
+  };
+  if (preset.ends_with(".json")) return read();
   try {
-    return preset(name).settings;
+    return read();
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
@@ -135,8 +140,8 @@ std::vector<LaneChoice> lanesOf(const ShotArguments& arguments) {
                      std::to_string(kMaxLanes) + " lanes at most");
   std::vector<LaneChoice> lanes;
   for (const std::string& name : arguments.lanes)
-    lanes.push_back({std::string(1, static_cast<char>('A' + lanes.size())), name, presetSettings(name)});
-  if (lanes.empty()) lanes.push_back({"", arguments.preset, presetSettings(arguments.preset)});
+    lanes.push_back(laneOfPreset(std::string(1, static_cast<char>('A' + lanes.size())), name));
+  if (lanes.empty()) lanes.push_back(laneOfPreset("", arguments.preset));
   if (lanes.size() == 1) lanes[0].name.clear();
   assign(lanes, arguments.assignments);
   return lanes;
@@ -146,7 +151,7 @@ void assign(std::vector<LaneChoice>& lanes, const std::vector<std::string>& assi
   for (LaneChoice& lane : lanes)
     for (const std::string& assignment : assignments) try {
         if (assignment.starts_with(kMotionPrefix)) continue; // of an object, not of a lane: motionModesOf
-        applyAssignment(lane.settings, assignment);
+        addNotes(lane.notes, applyAssignment(lane.settings, assignment));
       } catch (const Error& error) {
         throw UsageError(std::string("--set: ") + error.what());
       }

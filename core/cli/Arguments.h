@@ -147,6 +147,7 @@ struct LaneChoice {
   std::string name; ///< "A" to "D"; empty when it is the only one
   std::string preset;
   Settings settings;
+  std::vector<std::string> notes{}; ///< to say of preset and assignments: what has another name by now
 };
 
 // Each throws UsageError that says what is expected.
@@ -158,8 +159,9 @@ void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set
 std::vector<ClassOverride> objectClassesOf(const ShotArguments& arguments);
 std::optional<CameraTrack> cameraTrackOf(const ShotArguments& arguments); ///< also Error: its file
-Settings presetSettings(const std::string& name);                         ///< also Error: a preset file
-std::vector<LaneChoice> lanesOf(const ShotArguments& arguments);          ///< also Error: a preset file
+/// A lane of a preset; also Error: a preset file.
+LaneChoice laneOfPreset(const std::string& name, const std::string& preset);
+std::vector<LaneChoice> lanesOf(const ShotArguments& arguments); ///< also Error: a preset file
 void assign(std::vector<LaneChoice>& lanes,
             const std::vector<std::string>& assignments); ///< but motion modes
 

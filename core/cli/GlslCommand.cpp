@@ -3,6 +3,7 @@
 
 #include "core/base/ExistingFiles.h"
 #include "core/base/Files.h"
+#include "core/cli/Shot.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/taa/glsl/GlslExport.h"
@@ -17,6 +18,7 @@ void runGlsl(const GlslArguments& arguments, std::ostream& out) {
   shot.preset = arguments.preset;
   shot.assignments = arguments.assignments;
   const LaneChoice choice = lanesOf(shot).front();
+  sayNotes({}, {choice});
   const Settings plain = preset(arguments.preset).settings;
   if (!arguments.file.empty() && !arguments.force) refuseToReplace({arguments.file});
   const std::string text =

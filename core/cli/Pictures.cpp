@@ -62,8 +62,7 @@ void Pictures::check(const std::vector<IntermediateId>& ids) const {
 void Pictures::addLane(ShotPlan& plan) const {
   if (!compares()) return;
   if (plan.lanes.size() > 1) throw UsageError("--compare is of one lane: leave --lane out");
-  if (comparison_.kind == OtherKind::Preset)
-    plan.lanes.push_back({"other", comparison_.preset, presetSettings(comparison_.preset)});
+  if (comparison_.kind == OtherKind::Preset) plan.lanes.push_back(laneOfPreset("other", comparison_.preset));
 }
 
 ViewStyle Pictures::styled(ViewStyle style, const std::vector<std::string>& assignments) const {

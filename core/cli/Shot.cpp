@@ -1,6 +1,7 @@
 #include "core/cli/Shot.h"
 
 #include "core/base/Error.h"
+#include "core/base/OldNames.h"
 #include "core/capture/source/Capture.h"
 #include "core/io/SessionFile.h"
 #include "core/render/CaptureFacts.h"
@@ -22,7 +23,6 @@ namespace {
 // The session's, with --set on top.
 ShotPlan planSession(const ShotArguments& arguments) {
   const SessionFile session = readSession(arguments.session);
-  for (const std::string& note : session.notes) std::cerr << "note: " << note << '\n';
   ObjectFilter filter = session.filter; // and what is said besides
   filter.hidden.insert(filter.hidden.end(), arguments.filter.hidden.begin(), arguments.filter.hidden.end());
   if (!arguments.filter.isolated.empty()) filter.isolated = arguments.filter.isolated;
@@ -39,6 +39,7 @@ ShotPlan planSession(const ShotArguments& arguments) {
   for (const MotionOverride& mode : motionModesOf(arguments)) plan.motionModes.push_back(mode);
   for (const ClassOverride& given : objectClassesOf(arguments)) plan.objectClasses.push_back(given);
   plan.restarts.insert(plan.restarts.end(), arguments.restarts.begin(), arguments.restarts.end());
+  plan.notes = session.notes;
   return plan;
 }
 
@@ -76,8 +77,14 @@ void checkForCapture(const CaptureFacts& captured, const ShotArguments& argument
 
 } // namespace
 
+void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lanes) {
+  for (const LaneChoice& lane : lanes) addNotes(notes, lane.notes);
+  for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
+}
+
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
               const Progress& progress) {
+  sayNotes(plan.notes, plan.lanes);
   std::vector<Settings> settings;
   for (const LaneChoice& lane : plan.lanes) settings.push_back(lane.settings);
   inspector.shot().setCheckpointBudget(static_cast<std::size_t>(arguments.checkpointsMiB) << 20);

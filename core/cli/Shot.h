@@ -24,11 +24,16 @@ struct ShotPlan {
   int frame = -1; ///< of a session; −1: none is said
   std::vector<ClassOverride> objectClasses;
   std::vector<int> restarts;
-  bool isSizeAsked = false; ///< by the caller, not by a session or as the default
+  bool isSizeAsked = false;         ///< by the caller, not by a session or as the default
+  std::vector<std::string> notes{}; ///< to say of the session
 };
 ShotPlan planShot(const ShotArguments& arguments);
 
-/// Opens source, camera, size and lanes; the scene's warnings go to stderr. Throws Error, Cancelled.
+/// Says on stderr, each once, which names that were given have changed: `notes` and those of the lanes.
+void sayNotes(std::vector<std::string> notes, const std::vector<LaneChoice>& lanes);
+
+/// Opens source, camera, size and lanes; the plan's notes and the scene's warnings go to stderr. Throws
+/// Error, Cancelled.
 void openShot(Inspector& inspector, const ShotArguments& arguments, const ShotPlan& plan,
               const Progress& progress);
 

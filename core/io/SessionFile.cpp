@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -76,11 +75,11 @@ using Notes = std::vector<std::string>;
 SessionLane laneFromJson(const Json& preset, const Json& settings, const Json* presetSettings, Notes& notes) {
   SessionLane lane;
   lane.preset = textOf(preset, "preset");
-  std::ranges::copy(fromJson(settings, lane.settings), std::back_inserter(notes));
+  addNotes(notes, fromJson(settings, lane.settings));
   const auto known = std::ranges::find(builtinPresets(), lane.preset, &Preset::id);
   if (known != builtinPresets().end()) lane.presetSettings = known->settings;
   if (presetSettings)
-    fromJson(*presetSettings, lane.presetSettings);
+    addNotes(notes, fromJson(*presetSettings, lane.presetSettings));
   else if (known == builtinPresets().end())
     lane.presetSettings = lane.settings;
   return lane;
@@ -156,7 +155,7 @@ void renameFields(Json& window, Notes& notes) {
     const std::string now = fieldPlace(name.now, window).second;
     if (!group->contains(now)) (*group)[now] = group->at(old);
     group->erase(old);
-    notes.push_back(oldNameNote(name));
+    addNotes(notes, {oldNameNote(name)});
   }
 }
 

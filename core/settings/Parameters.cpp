@@ -207,12 +207,24 @@ double parseValue(const Parameter& row, std::string_view text) {
   refuseValue(row, text);
 }
 
-void applyAssignment(Settings& settings, std::string_view assignment) {
+namespace {
+
+/// What is said of a row that was found by this path; nothing where it is its own.
+std::vector<std::string> notesOf(const Parameter& row, std::string_view path) {
+  if (row.path == path) return {};
+  return {oldNameNote({path, row.path})};
+}
+
+} // namespace
+
+std::vector<std::string> applyAssignment(Settings& settings, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     throw Error(say<"cannot read \"%1\": write path=value, for example rectify.method=clamp">(assignment));
-  const Parameter& row = parameter(assignment.substr(0, equals));
+  const std::string_view path = assignment.substr(0, equals);
+  const Parameter& row = parameter(path);
   row.set(settings, parseValue(row, assignment.substr(equals + 1)));
+  return notesOf(row, path);
 }
 
 std::vector<std::string> differences(const Settings& settings, const Settings& base) {
@@ -243,7 +255,7 @@ std::vector<std::string> fromJson(const nlohmann::json& json, Settings& settings
     for (const auto& [name, value] : rows.items()) {
       const std::string path = group + "." + name;
       const Parameter& row = parameter(path);
-      if (row.path != path) notes.push_back(oldNameNote({path, row.path}));
+      addNotes(notes, notesOf(row, path));
       row.set(changed, valueFromJson(row, value));
     }
   }

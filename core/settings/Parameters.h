@@ -106,8 +106,8 @@ std::string relevantWhen(const Parameter& parameter);
 std::string valueText(const Parameter& parameter, double value);
 /// Reads what valueText writes. Throws Error naming path, text and what is allowed.
 double parseValue(const Parameter& parameter, std::string_view text);
-/// Applies "path=value". Throws Error.
-void applyAssignment(Settings& settings, std::string_view assignment);
+/// Applies "path=value". Throws Error. Returns a note where the path has another name by now.
+std::vector<std::string> applyAssignment(Settings& settings, std::string_view assignment);
 /// The assignments that turn `base` into `settings`.
 std::vector<std::string> differences(const Settings& settings, const Settings& base);
 

@@ -39,7 +39,7 @@ Preset presetFromJson(const nlohmann::json& json, const SettingsOf& settingsOf) 
              json.value("description", ""),
              json.contains("base") ? settingsOf(json.at("base")) : Settings{},
              json.value("step", 0)};
-  fromJson(json.at("settings"), row.settings);
+  row.notes = fromJson(json.at("settings"), row.settings);
   return row;
 }
 

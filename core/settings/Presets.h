@@ -20,6 +20,7 @@ struct Preset {
   /// Of the ladder that the listings of a source make, from 1: what one of them adds to those before. 0: a
   /// whole pipeline.
   int step = 0;
+  std::vector<std::string> notes{}; ///< to say of a file that was read: what has another name by now
 };
 
 /// What presets are listed under, in menus and lists alike.

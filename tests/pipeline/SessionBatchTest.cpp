@@ -10,6 +10,7 @@
 #include <OpenImageIO/imageio.h>
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -94,6 +95,32 @@ TEST_F(SessionBatchTest, RestartsAndClassesAreFlagsAndPartOfASession) {
   EXPECT_NE(late.err.find("frame 240"), std::string::npos) << late.err;
   EXPECT_EQ(batch(joined(at5, {"--class", "nobody=character"})).exitCode, 1);
   EXPECT_EQ(batch(joined(at5, {"--class", "rotor=person"})).exitCode, 2);
+}
+
+// By each way that names come in, and by each command that takes them.
+TEST_F(SessionBatchTest, OldNamesAreSaidOnceOnTheErrorStream) {
+  const std::string note = "note: weight.most is called weight.sourceMax now\n";
+  const auto notesIn = [&](const std::vector<std::string>& arguments) {
+    const ProcessResult result = batch(arguments);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out.find("weight.most"), std::string::npos) << result.out;
+    std::size_t count = 0;
+    for (std::size_t at = result.err.find(note); at != std::string::npos; at = result.err.find(note, at + 1))
+      ++count;
+    return count;
+  };
+  const std::string preset = (folder_ / "old.json").string();
+  taa::writeFile(preset, R"({"format": 1, "id": "a", "label": "A", "settings": {"weight": {"most": 0.5}}})");
+  nlohmann::json session = nlohmann::json::parse(taa::readFile(file()));
+  session["settings"]["weight"] = {{"most", 0.5}};
+  taa::writeFile(file(), session.dump());
+  const std::vector<std::string> small{"probe",   "builtin:fan", "--size",  "16x9",
+                                       "--pixel", "3,3",         "--frame", "0"};
+  EXPECT_EQ(notesIn(joined(small, {"--set", "weight.most=0.5"})), 1u);
+  EXPECT_EQ(notesIn(joined(small, {"--lane", preset, "--lane", preset, "--set", "weight.most=0.5"})), 1u);
+  EXPECT_EQ(notesIn({"probe", "--session", file().string(), "--pixel", "3,3"}), 1u);
+  EXPECT_EQ(notesIn({"glsl", "--set", "weight.most=0.5"}), 1u);
+  EXPECT_EQ(notesIn({"glsl", "--set", "weight.sourceMax=0.5"}), 0u);
 }
 
 TEST_F(SessionBatchTest, MistakesAreNamed) {

@@ -396,6 +396,15 @@ TEST(Presets, GoOnFromAnotherPreset) {
   EXPECT_THROW(presetFromText(text("nothing"), "test"), Error);
 }
 
+TEST(Presets, ReadTheNamesOfTheVersionBeforeWithANote) {
+  const Preset row = presetFromText(
+      R"({"format": 1, "id": "a", "label": "A", "settings": {"weight": {"most": 0.5, "alpha": 0.2}}})",
+      "test");
+  EXPECT_EQ(row.settings.weight.sourceMax, 0.5f);
+  EXPECT_EQ(row.notes, std::vector<std::string>{"weight.most is called weight.sourceMax now"});
+  for (const Preset& builtin : builtinPresets()) EXPECT_TRUE(builtin.notes.empty()) << builtin.id;
+}
+
 TEST(Presets, ReadBackFromTheirText) {
   for (const Preset& row : builtinPresets()) {
     const Preset again = presetFromText(presetToText(row), "test");

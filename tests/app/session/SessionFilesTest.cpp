@@ -6,6 +6,7 @@
 #include "app/menus/CommandLists.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/ProbePanel.h"
+#include "app/panels/TimelinePanel.h"
 #include "app/session/Autosave.h"
 #include "app/session/SessionKeeper.h"
 #include "app/session/ShaderWatch.h"
@@ -122,6 +123,39 @@ TEST_F(SessionFiles, ADroppedSessionBringsEverythingBack) {
   EXPECT_EQ(session.probes().active(), 1);
   own->keeper()->saveTo(path("again.taa.json"));
   EXPECT_EQ(readFile(path("again.taa.json").toStdString()), saved);
+}
+
+TEST_F(SessionFiles, OneOfTheVersionBeforeOpensAndSaysWhatHasAnotherName) {
+  session.probes().setPixel(glm::ivec2(30, 20));
+  session.probes().add(glm::ivec2(12, 9), Follow::Surface);
+  session.probes().setActive(0);
+  settle();
+  own->keeper()->saveTo(path("it.taa.json"));
+  std::string text = readFile(path("it.taa.json").toStdString());
+  const auto rename = [&](const std::string& now, const std::string& old) {
+    const std::size_t at = text.find(now);
+    ASSERT_NE(at, std::string::npos) << now;
+    text.replace(at, now.size(), old);
+  };
+  rename("\"probes\"", "\"pins\"");
+  rename("\"activeProbe\"", "\"activePin\"");
+  rename("\"metric\": \"\"", "\"figure\": \"meanAlpha\"");
+  writeFile(path("old.taa.json").toStdString(), text);
+  session.probes().removeAll();
+  settle();
+  QString sentence;
+  QObject::connect(own->keeper(), &SessionKeeper::said, own.get(),
+                   [&](const QString& said) { sentence = said; });
+  drop(path("old.taa.json"));
+  ASSERT_EQ(session.probes().all().size(), 2u);
+  EXPECT_EQ(session.probes().all()[0].pixel, glm::ivec2(30, 20));
+  EXPECT_EQ(session.probes().all()[1].follow, Follow::Surface);
+  EXPECT_EQ(session.probes().active(), 0);
+  EXPECT_EQ(own->timeline()->stripMetric(), Metric::MeanAlpha);
+  EXPECT_EQ(
+      sentence.toStdString(),
+      "The session is of an earlier version: pins is called probes now; activePin is called activeProbe "
+      "now; timeline.figure is called timeline.metric now.");
 }
 
 TEST_F(SessionFiles, OneThatCannotBeOpenedIsNamedAndChangesNothing) {

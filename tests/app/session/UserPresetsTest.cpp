@@ -6,6 +6,7 @@
 #include "app/panels/MessagesBar.h"
 #include "app/widgets/Prompt.h"
 #include "core/base/Error.h"
+#include "core/base/Files.h"
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
@@ -70,6 +71,27 @@ TEST_F(UserPresetsTest, AreSavedByAKeyAndOpenAgain) {
   session.presets().setPreset("minimal");
   session.presets().setPreset(found[0].path);
   EXPECT_EQ(session.presets().settings().weight.minimum, 0.25f);
+}
+
+TEST_F(UserPresetsTest, OfTheVersionBeforeSayWhatHasAnotherName) {
+  std::vector<QString> sentences;
+  QObject::connect(&session.presets(), &PresetChoices::said, &own,
+                   [&](const QString& sentence) { sentences.push_back(sentence); });
+  const QString path = folder.filePath("old.json");
+  writeFile(
+      path.toStdString(),
+      R"({"format": 1, "id": "a", "label": "A", "settings": {"weight": {"most": 0.5, "least": 0.25}}})");
+  const QString expected =
+      "The preset is of an earlier version: weight.least is called weight.sourceMin now; "
+      "weight.most is called weight.sourceMax now.";
+  session.presets().setPreset(path);
+  EXPECT_EQ(session.presets().settings().weight.sourceMax, 0.5f);
+  EXPECT_EQ(sentences, std::vector<QString>{expected});
+  EXPECT_TRUE(own.messages()->text().contains(expected)) << own.messages()->text().toStdString();
+  session.presets().setOtherPresets({"balanced", path, path});
+  EXPECT_EQ(sentences, (std::vector<QString>{expected, expected})) << "one note for all of them";
+  session.presets().setPreset("minimal");
+  EXPECT_EQ(sentences.size(), 2u);
 }
 
 TEST_F(UserPresetsTest, OneOfTheSameNameIsReplacedOnlyWhenTheUserSaysSo) {

@@ -81,3 +81,11 @@ TEST(Arguments, AssignToEveryLane) {
   arguments.assignments = {"weight.alpha=0.25"};
   for (const LaneChoice& lane : lanesOf(arguments)) EXPECT_EQ(lane.settings.weight.alpha, 0.25f);
 }
+
+TEST(Arguments, NoteEachOldNameOfALaneOnce) {
+  ShotArguments arguments;
+  arguments.assignments = {"weight.most=0.5", "weight.most=0.25", "weight.alpha=0.25"};
+  const LaneChoice lane = lanesOf(arguments).front();
+  EXPECT_EQ(lane.settings.weight.sourceMax, 0.25f);
+  EXPECT_EQ(lane.notes, std::vector<std::string>{"weight.most is called weight.sourceMax now"});
+}

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 using namespace taa;
 
@@ -22,4 +24,11 @@ TEST(OldNames, AreFoundByTheirWholeName) {
 
 TEST(OldNames, AreNotedWithTheNewOne) {
   EXPECT_EQ(oldNameNote(kSampleNames[0]), "a.old is called a.new now");
+}
+
+TEST(OldNames, AreSaidOnce) {
+  std::vector<std::string> notes{"x"};
+  addNotes(notes, {"y", "x", "y"});
+  addNotes(notes, {"z", "y"});
+  EXPECT_EQ(notes, (std::vector<std::string>{"x", "y", "z"}));
 }

@@ -67,6 +67,16 @@ TEST(SessionFile, ReadsTheNamesOfTheVersionBeforeWithANote) {
   EXPECT_EQ(session.notes.front(), "rectify.leastStrength is called rectify.minStrength now");
 }
 
+TEST(SessionFile, SaysAnOldNameOnceWhereverItStands) {
+  const nlohmann::json old{{"weight", {{"most", 0.5}}}};
+  nlohmann::json json = nlohmann::json::parse(sessionToText(sample()));
+  json["settings"] = json["presetSettings"] = json["lanes"][0]["settings"] = old;
+  const SessionFile session = sessionFromText(json.dump(), "a.taa.json");
+  EXPECT_EQ(session.settings.presetSettings.weight.sourceMax, 0.5f);
+  EXPECT_EQ(session.lanes.at(0).settings.weight.sourceMax, 0.5f);
+  EXPECT_EQ(session.notes, std::vector<std::string>{"weight.most is called weight.sourceMax now"});
+}
+
 TEST(SessionFile, ReadsTheWindowOfTheVersionBeforeWithANote) {
   const nlohmann::json old{{"pins", {{{"x", 3}, {"y", 4}}}},
                            {"activePin", 0},
