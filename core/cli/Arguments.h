@@ -86,9 +86,10 @@ struct LineageArguments {
 
 struct VerdictArguments {
   ShotArguments shot;
-  std::string pixel;
+  std::string pixel;             ///< empty: of the whole picture
   int frame = -1;                ///< −1: that of the session
   int samples = kVerdictSamples; ///< of the references
+  int worst = 5;                 ///< pixels of each category and error of the whole picture
   bool remedies = false;         ///< also what mends it
   bool json = false;
 };

@@ -145,14 +145,23 @@ void addLineage(CLI::App& app, LineageArguments& lineage, const taa::Progress& p
 
 void addVerdict(CLI::App& app, VerdictArguments& verdict, const taa::Progress& progress) {
   CLI::App* command = app.add_subcommand(
-      "verdict", "Say what is wrong with one pixel of one frame, since when, and because of what");
+      "verdict",
+      "Say what is wrong with one pixel of one frame, since when, and because of what; without a pixel where "
+      "history was rightly kept or removed, let through or thrown away, what the error is made of, and the "
+      "worst pixels of each");
   addShotOptions(*command, verdict.shot);
   command->add_option("--frame", verdict.frame, "Number of the frame, from 0; else the session's")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--pixel", verdict.pixel, "X,Y; 0,0 is the top left")->required();
+  CLI::Option* pixel = command->add_option("--pixel", verdict.pixel, "X,Y; 0,0 is the top left");
+  command->add_option("--worst", verdict.worst, "Without a pixel: worst pixels of each, 0 to 1000")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str()
+      ->excludes(pixel);
   addReferenceSamples(*command, verdict.samples, "of the references that it is held against, 4 to 1024");
-  command->add_flag("--remedies", verdict.remedies,
-                    "Also try what may mend it, and print the best with their costs");
+  command
+      ->add_flag("--remedies", verdict.remedies,
+                 "Also try what may mend it, and print the best with their costs")
+      ->needs(pixel);
   command->add_flag("--json", verdict.json, "Print JSON");
   command->callback([&verdict, &progress] { runVerdict(verdict, std::cout, progress); });
 }

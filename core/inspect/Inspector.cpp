@@ -9,7 +9,7 @@ Inspector::Inspector()
       overTime_(player_, references_, context_.driver()),
       reference_(player_, references_, overTime_, context_.driver()),
       views_(player_, visualizer_, reference_), probes_(player_, reference_), lineage_(player_),
-      verdicts_(player_, references_, context_.driver()),
+      verdicts_(player_, references_, context_.driver()), worst_(views_, reference_),
       metrics_(player_, views_, reference_, overTime_, references_),
       shot_(context_.driver(), player_, visualizer_, reference_, profiler_) {}
 

@@ -13,6 +13,7 @@
 #include "core/inspect/overtime/OverTimeOfShot.h"
 #include "core/inspect/verdicts/LineageOfShot.h"
 #include "core/inspect/verdicts/VerdictOfShot.h"
+#include "core/inspect/verdicts/WorstOfShot.h"
 #include "core/measure/References.h"
 #include "core/picture/Visualizer.h"
 #include "core/replay/ShotPlayer.h"
@@ -35,6 +36,7 @@ class Inspector {
   Probes& probes() { return probes_; }
   LineageOfShot& lineage() { return lineage_; }
   VerdictOfShot& verdicts() { return verdicts_; }
+  WorstOfShot& worst() { return worst_; }
   ReferenceOfShot& reference() { return reference_; }
   const ReferenceOfShot& reference() const { return reference_; }
   OverTimeOfShot& overTime() { return overTime_; }
@@ -55,6 +57,7 @@ class Inspector {
   Probes probes_;
   LineageOfShot lineage_;
   VerdictOfShot verdicts_;
+  WorstOfShot worst_;
   MetricsOfShot metrics_;
   InspectedShot shot_;
 };

@@ -395,7 +395,9 @@ TEST_F(BatchMetrics, PrintsMetricsOfEachFrameAndLane) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const json report = json::parse(result.out);
   EXPECT_EQ(report["referenceSamples"], 8);
-  EXPECT_EQ(report["metrics"].size(), taa::kMetrics.size() - 2) << "nothing over time unless it is asked for";
+  const auto single = std::ranges::count(taa::kMetrics, false, &taa::MetricInfo::isOverTime);
+  EXPECT_EQ(report["metrics"].size(), static_cast<std::size_t>(single))
+      << "nothing over time unless it is asked for";
   ASSERT_EQ(report["lanes"].size(), 2u);
   for (const json& lane : report["lanes"]) {
     ASSERT_EQ(lane["frames"].size(), 3u);
@@ -431,6 +433,25 @@ TEST_F(BatchMetrics, PrintsFlickerOverTheLastFramesWhenAskedTo) {
   ASSERT_EQ(alone.exitCode, 0) << alone.err;
   EXPECT_NE(alone.out.find(",deviationOverTime\n"), std::string::npos) << alone.out;
   EXPECT_EQ(alone.out.find("flicker"), std::string::npos) << "it needs a reference";
+}
+
+TEST_F(BatchMetrics, SplitsTheErrorWhenAskedTo) {
+  const std::vector<std::string> command = {"metrics",  "builtin:fan", "--size",  "32x18",
+                                            "--frames", "0..2",        "--parts", "--reference-samples"};
+  const ProcessResult result = batch(joined(command, {"4", "--json"}));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json report = json::parse(result.out);
+  const json frames = report["lanes"][0]["frames"];
+  EXPECT_EQ(frames[0]["errorBlur"], 0.0) << "history starts";
+  EXPECT_GT(frames[2]["errorBlur"].get<double>(), 0.0);
+  EXPECT_FALSE(frames[2].contains("flicker")) << "nobody asked for it";
+  for (const json& frame : frames) {
+    double share = 0.0;
+    for (const char* category : {"rightlyKept", "ghostRemoved", "ghostLetThrough", "historyThrownAway"})
+      share += frame[category].get<double>();
+    EXPECT_NEAR(share, 100.0, 1e-9);
+  }
+  EXPECT_EQ(batch(joined(command, {"0"})).exitCode, 2) << "it needs a reference";
 }
 
 TEST_F(BatchMetrics, ComparesWithNothingWhereNoSamplesAreWanted) {

@@ -1,0 +1,81 @@
+// The worst pixels of a shot's frame, and what taa-batch says of the whole picture.
+#include "core/base/Error.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+#include "tests/support/SmallInspector.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+using nlohmann::json;
+using taa::Image;
+using taa::IntermediateId;
+using taa::WorstPixel;
+using namespace taa::test::small;
+
+class WorstOfShotTest : public InspectorTest {};
+
+TEST_F(WorstOfShotTest, AreWhereTheRowIsLargest) {
+  const auto inspector = opened();
+  inspector->shot().seek(5);
+  EXPECT_THROW(inspector->worst().of({}), taa::Error) << "there is no reference yet";
+  inspector->reference().refine(4);
+  const Image error = inspector->views().image(IntermediateId::referenceErrorAbs);
+  const std::vector<WorstPixel> worst = inspector->worst().of({.count = 3, .apartPx = 4});
+  ASSERT_EQ(worst.size(), 3u);
+  EXPECT_EQ(worst[0].badness, *std::ranges::max_element(error.pixels));
+  for (const WorstPixel& found : worst) EXPECT_EQ(found.badness, *error.at(found.pixel.x, found.pixel.y));
+}
+
+TEST_F(WorstOfShotTest, OfARejectReasonAreThoseItRejects) {
+  const auto inspector = opened();
+  inspector->shot().seek(5);
+  const Image reasons = inspector->views().image(IntermediateId::rejectReason);
+  const float reason = *std::ranges::max_element(reasons.pixels);
+  ASSERT_GT(reason, 0.0f) << "the fan uncovers what is behind it";
+  const taa::WorstQuestion question{.row = IntermediateId::rejectReason,
+                                    .category = static_cast<int>(reason)};
+  for (const bool hasReference : {false, true}) {
+    if (hasReference) inspector->reference().refine(4);
+    const std::vector<WorstPixel> worst = inspector->worst().of(question);
+    ASSERT_FALSE(worst.empty());
+    for (const WorstPixel& found : worst) EXPECT_EQ(*reasons.at(found.pixel.x, found.pixel.y), reason);
+    EXPECT_EQ(worst[0].badness > 1e-6f, hasReference) << "by the error, where it is known";
+  }
+}
+
+TEST_F(WorstOfShotTest, TheBatchCountsAllPixelsAndSplitsTheError) {
+  const std::vector<std::string> command = {taa::test::binary("taa-batch").string(),
+                                            "verdict",
+                                            "builtin:fan",
+                                            "--size",
+                                            "48x27",
+                                            "--frame",
+                                            "6",
+                                            "--reference-samples",
+                                            "4",
+                                            "--worst",
+                                            "2",
+                                            "--json"};
+  const taa::test::ProcessResult result = taa::test::runProcess(command);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json lane = json::parse(result.out)["lanes"][0];
+  for (const char* row : {"verdictMap", "geometryVerdict", "rejectReason"}) {
+    std::size_t pixels = 0;
+    for (const json& category : lane[row]) pixels += category["pixels"].get<std::size_t>();
+    EXPECT_EQ(pixels, std::size_t(kWidth) * kHeight) << row;
+  }
+  const auto inspector = opened();
+  inspector->shot().seek(6);
+  inspector->overTime().refine({taa::OverTime::Parts}, 4);
+  const Image ghost = inspector->views().image(IntermediateId::errorGhost);
+  const json error = lane["errors"]["errorGhost"];
+  ASSERT_EQ(error["worst"].size(), 2u);
+  const int x = error["worst"][0]["pixel"][0], y = error["worst"][0]["pixel"][1];
+  EXPECT_EQ(error["worst"][0]["error"].get<float>(), std::fabs(*ghost.at(x, y)));
+}
