@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -90,7 +91,7 @@ void EvidenceFrames::fill(std::vector<SurfaceMoment>& moments) {
            static_cast<int>(moments.size()));
     moment.record = record(moment.frame, moment.pixel);
     moment.resolved = glm::dvec3(glm::vec3(twin::at(moment.record, IntermediateId::resolved)));
-    moment.reference = colorAt(reference(moment.frame), moment.pixel);
+    moment.reference = pixelColorAt(reference(moment.frame), moment.pixel);
   }
 }
 

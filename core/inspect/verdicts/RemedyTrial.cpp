@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -19,21 +20,22 @@ Image shownErrors(const Image& resolved, const Image& reference) {
   Image errors(resolved.width, resolved.height, 3);
   for (int y = 0; y < errors.height; ++y)
     for (int x = 0; x < errors.width; ++x) {
-      const glm::dvec3 error = shownValue(colorAt(resolved, {x, y})) - shownValue(colorAt(reference, {x, y}));
+      const glm::dvec3 error =
+          shownValue(pixelColorAt(resolved, {x, y})) - shownValue(pixelColorAt(reference, {x, y}));
       for (int channel = 0; channel < 3; ++channel)
         errors.at(x, y)[channel] = static_cast<float>(error[channel]);
     }
   return errors;
 }
 
-double meanSquare(const glm::dvec3& value) {
+double meanOfSquares(const glm::dvec3& value) {
   return glm::dot(value, value) / 3.0;
 }
 
 /// Sum of the lengths of luma's differences to the right and below, as shown.
 double gradientSum(const Image& linear) {
   const auto luma = [&](int x, int y) {
-    return glm::dot(shownValue(colorAt(linear, {x, y})), glm::dvec3(0.2126, 0.7152, 0.0722));
+    return glm::dot(shownValue(pixelColorAt(linear, {x, y})), glm::dvec3(0.2126, 0.7152, 0.0722));
   };
   double sum = 0.0;
   for (int y = 0; y + 1 < linear.height; ++y)
@@ -56,8 +58,8 @@ void addPicture(SquareSums& sums, const Image& errors, const std::optional<Image
   double error = 0.0, change = 0.0;
   for (int y = 0; y < errors.height; ++y)
     for (int x = 0; x < errors.width; ++x) {
-      error += meanSquare(colorAt(errors, {x, y}));
-      if (before) change += meanSquare(colorAt(errors, {x, y}) - colorAt(*before, {x, y}));
+      error += meanOfSquares(pixelColorAt(errors, {x, y}));
+      if (before) change += meanOfSquares(pixelColorAt(errors, {x, y}) - pixelColorAt(*before, {x, y}));
     }
   const double pixels = double(errors.width) * errors.height;
   sums.errors += error / pixels;
@@ -107,11 +109,11 @@ TriedRemedy RemedyTrial::measure(const Remedy& remedy, const Progress& progress)
     addPicture(picture, errors, errorsBefore);
     const auto moment = std::ranges::find(moments_, frame, &SurfaceMoment::frame);
     if (moment != moments_.end()) {
-      const glm::dvec3 error = colorAt(errors, moment->pixel);
-      pixel.errors += meanSquare(error);
+      const glm::dvec3 error = pixelColorAt(errors, moment->pixel);
+      pixel.errors += meanOfSquares(error);
       ++pixel.errorCount;
       if (pixelBefore) {
-        pixel.changes += meanSquare(error - *pixelBefore);
+        pixel.changes += meanOfSquares(error - *pixelBefore);
         ++pixel.changeCount;
       }
       pixelBefore = error;

@@ -19,22 +19,22 @@ ordered_json numberJson(double value) {
   return floatJson(static_cast<float>(value));
 }
 
-std::string numberOf(double value) {
+std::string shortNumber(double value) {
   return floatText(static_cast<float>(value));
 }
 
-ordered_json colorJson(const glm::dvec3& color) {
+ordered_json channelsJson(const glm::dvec3& color) {
   return {numberJson(color.x), numberJson(color.y), numberJson(color.z)};
 }
 
-std::string_view partName(ErrorPart part) {
+std::string_view rowNameOf(ErrorPart part) {
   return intermediate(rowOfPart(part)).name;
 }
 
 ordered_json splitJson(const ErrorSplit& split) {
   ordered_json json = ordered_json::object();
   for (std::size_t part = 0; part < kErrorParts; ++part)
-    json[std::string(partName(static_cast<ErrorPart>(part)))] = colorJson(split[part]);
+    json[std::string(rowNameOf(static_cast<ErrorPart>(part)))] = channelsJson(split[part]);
   return json;
 }
 
@@ -75,14 +75,14 @@ ordered_json laneValues(const VerdictOfLane& lane) {
       {"throwsGoodHistoryAway", verdict.throwsGoodAway},
       {"error", numberJson(verdict.error)},
       {"flicker", numberJson(verdict.flicker)},
-      {"part", partName(verdict.part)},
+      {"part", rowNameOf(verdict.part)},
       {"share", numberJson(verdict.share)},
       {"since", verdict.since},
       {"causeFrame", verdict.causeFrame},
       {"causeObject", verdict.causeObject ? ordered_json(*verdict.causeObject) : ordered_json()},
       {"causeName", lane.answer.object},
-      {"resolved", colorJson(lane.answer.error.resolved)},
-      {"reference", colorJson(lane.answer.error.reference)},
+      {"resolved", channelsJson(lane.answer.error.resolved)},
+      {"reference", channelsJson(lane.answer.error.reference)},
       {"parts", splitJson(lane.answer.error.sum)},
       {"rows", ordered_json::array()},
       {"frames", ordered_json::array()}};
@@ -101,9 +101,9 @@ std::string changesText(const std::vector<std::string>& changes) {
 }
 
 std::string measureText(const RemedyMeasure& pixel, const RemedyMeasure& picture) {
-  return "pixel: error " + numberOf(pixel.error) + ", flicker " + numberOf(pixel.flicker) +
-         "; picture: error " + numberOf(picture.error) + ", flicker " + numberOf(picture.flicker) +
-         ", sharpness " + numberOf(picture.sharpness);
+  return "pixel: error " + shortNumber(pixel.error) + ", flicker " + shortNumber(pixel.flicker) +
+         "; picture: error " + shortNumber(picture.error) + ", flicker " + shortNumber(picture.flicker) +
+         ", sharpness " + shortNumber(picture.sharpness);
 }
 
 } // namespace
@@ -127,16 +127,16 @@ std::string verdictText(const VerdictOfLane& lane) {
   if (verdict.kind != VerdictKind::None) text += verdictMeasures(verdict) + '\n';
   text += "Because of\n";
   for (const VerdictRow& row : verdict.rows) {
-    text += "  " + std::string(intermediate(row.id).name) + " " + numberOf(row.value);
-    if (row.limit) text += " against " + numberOf(*row.limit);
+    text += "  " + std::string(intermediate(row.id).name) + " " + shortNumber(row.value);
+    if (row.limit) text += " against " + shortNumber(*row.limit);
     text += " in frame " + std::to_string(row.frame) + " at " + std::to_string(row.pixel.x) + "," +
             std::to_string(row.pixel.y) + '\n';
   }
   text += "Parts of the error (red, green, blue)\n";
   for (std::size_t part = 0; part < kErrorParts; ++part) {
     const glm::dvec3& value = lane.answer.error.sum[part];
-    text += "  " + std::string(partName(static_cast<ErrorPart>(part))) + " " + numberOf(value.x) + " " +
-            numberOf(value.y) + " " + numberOf(value.z) + '\n';
+    text += "  " + std::string(rowNameOf(static_cast<ErrorPart>(part))) + " " + shortNumber(value.x) + " " +
+            shortNumber(value.y) + " " + shortNumber(value.z) + '\n';
   }
   if (!lane.remedies) return text;
   text += "Remedies, of " + std::to_string(lane.remedies->tried) + " tried from frame " +

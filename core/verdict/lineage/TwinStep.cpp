@@ -127,15 +127,30 @@ std::vector<TexelWeight> upsampleWeights(const TwinPixel& pixel) {
 /// Of the current color before it is sharpened (manual §7, §22).
 std::vector<TexelWeight> filterWeightsOf(const TwinPixel& pixel) {
   const glm::ivec2& middle = pixel.details.texel;
-  const CurrentFilter filter = pixel.settings.current.filter;
   if (!isTaaOn(pixel.settings)) return {{middle, 1.0}};
   if (isUpsampled(pixel.settings)) {
     const std::vector<TexelWeight> weights = upsampleWeights(pixel);
     return normalizedWeights(weights, middle, weightSum(weights) > kMinWeightSum);
   }
-  if (filter == CurrentFilter::Unjitter) return unjitterWeights(middle, pixel.details.jitterPx);
-  if (filter == CurrentFilter::UnjitterAsPrinted) return unjitterWeights(middle, -pixel.details.jitterPx);
-  if (filter == CurrentFilter::Center) return {{middle, 1.0}};
+  switch (pixel.settings.current.filter) {
+  case CurrentFilter::Unjitter:
+    return unjitterWeights(middle, pixel.details.jitterPx);
+  case CurrentFilter::UnjitterAsPrinted:
+    return unjitterWeights(middle, -pixel.details.jitterPx);
+  case CurrentFilter::Center:
+    return {{middle, 1.0}};
+  case CurrentFilter::Gaussian:
+  case CurrentFilter::Tent:
+  case CurrentFilter::Box:
+  case CurrentFilter::Mitchell:
+  case CurrentFilter::CatmullRom:
+  case CurrentFilter::BlackmanHarris:
+  case CurrentFilter::Lanczos:
+  case CurrentFilter::DistanceAsPrinted:
+  case CurrentFilter::MitchellAsPrinted:
+  case CurrentFilter::BlackmanHarrisAsPrinted:
+    break;
+  }
   const std::vector<TexelWeight> weights = nineWeights(pixel);
   return normalizedWeights(weights, middle, std::fabs(weightSum(weights)) > kMinWeightSum);
 }

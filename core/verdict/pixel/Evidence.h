@@ -33,7 +33,7 @@ class EvidenceSource : public LineageSource {
 };
 
 /// A value of a three-channel picture; pixels beyond the border are those at it.
-inline glm::dvec3 colorAt(const Image& image, const glm::ivec2& pixel) {
+inline glm::dvec3 pixelColorAt(const Image& image, const glm::ivec2& pixel) {
   const float* value =
       image.at(std::clamp(pixel.x, 0, image.width - 1), std::clamp(pixel.y, 0, image.height - 1));
   return {value[0], value[1], value[2]};

@@ -70,7 +70,8 @@ class ErrorWalk {
 };
 
 void ErrorWalk::leave(int frame, const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
-  of(entry.split, ErrorPart::Older) += node.weight * (node.color - colorAt(source_.reference(frame), pixel));
+  of(entry.split, ErrorPart::Older) +=
+      node.weight * (node.color - pixelColorAt(source_.reference(frame), pixel));
 }
 
 void ErrorWalk::visit(int frame) {
@@ -90,7 +91,7 @@ void ErrorWalk::visit(int frame) {
 
 void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
   const PixelStep step = source_.step(entry.frame, pixel);
-  const glm::dvec3 truth = colorAt(source_.reference(entry.frame), pixel);
+  const glm::dvec3 truth = pixelColorAt(source_.reference(entry.frame), pixel);
   const bool isToday = found_.frames.empty();
   const glm::dvec3 became = isToday ? step.resolved : node.color;
   if (isToday) {
@@ -134,14 +135,14 @@ TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const Pixel
                                  const glm::dvec3& truth) {
   const Image& earlier = source_.reference(frame - 1);
   glm::dvec3 before(0.0);
-  for (const HistoryRead& tap : step.history) before += tap.weight * colorAt(earlier, tap.texel);
+  for (const HistoryRead& tap : step.history) before += tap.weight * pixelColorAt(earlier, tap.texel);
   const glm::dvec3 all = before - truth;
   const glm::vec2 read(step.historyPosition);
   const float* way = source_.steps(frame).at(pixel.x, pixel.y);
   TrueChange change;
   if (isOfOtherSurface(way, read, pixel)) {
     change.ghost = all;
-    change.object = static_cast<int>(colorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
+    change.object = static_cast<int>(pixelColorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
     return change;
   }
   const glm::dvec3 former(

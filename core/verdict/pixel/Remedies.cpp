@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 namespace taa {
 
@@ -17,52 +18,52 @@ struct Cure {
   void (*apply)(Settings&);
 };
 
-using Kind = VerdictKind;
+using Fault = VerdictKind;
 
 // Likely ones first (manual, techniques; the cures of the sources that each kind is described in).
 const std::array<Cure, 29>& cures() {
   static const std::array<Cure, 29> kCures{{
-      {{Kind::Ghost}, [](Settings& s) { s.reproject.method = ReprojectMethod::Motion; }},
-      {{Kind::Ghost, Kind::Lag}, [](Settings& s) { s.rectify.method = RectifyMethod::ClipToFiltered; }},
-      {{Kind::Ghost}, [](Settings& s) { s.validate.depth = Switch::On; }},
-      {{Kind::Ghost}, [](Settings& s) { s.validate.object = Switch::On; }},
-      {{Kind::Ghost, Kind::Lag}, [](Settings& s) { s.neighborhood.box = BoxKind::Intersection; }},
-      {{Kind::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
-      {{Kind::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
-      {{Kind::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
-      {{Kind::Ghost, Kind::Lag, Kind::MaskSmear},
+      {{Fault::Ghost}, [](Settings& s) { s.reproject.method = ReprojectMethod::Motion; }},
+      {{Fault::Ghost, Fault::Lag}, [](Settings& s) { s.rectify.method = RectifyMethod::ClipToFiltered; }},
+      {{Fault::Ghost}, [](Settings& s) { s.validate.depth = Switch::On; }},
+      {{Fault::Ghost}, [](Settings& s) { s.validate.object = Switch::On; }},
+      {{Fault::Ghost, Fault::Lag}, [](Settings& s) { s.neighborhood.box = BoxKind::Intersection; }},
+      {{Fault::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
+      {{Fault::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
+      {{Fault::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
+      {{Fault::Ghost, Fault::Lag, Fault::MaskSmear},
        [](Settings& s) {
          s.rectify.method = RectifyMethod::ClipToFiltered;
          s.neighborhood.box = BoxKind::Variance;
          s.neighborhood.gamma = 1.0f;
        }},
-      {{Kind::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Responsive; }},
-      {{Kind::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Reactive; }},
-      {{Kind::HighlightFlicker}, [](Settings& s) { s.blend.tone = ToneWeight::Luma; }},
-      {{Kind::HighlightFlicker}, [](Settings& s) { s.space.tone = ToneSpace::ReinhardLuma; }},
-      {{Kind::HighlightFlicker}, [](Settings& s) { s.current.lumaWeighted = Switch::On; }},
-      {{Kind::Flicker, Kind::HighlightFlicker, Kind::Aliasing},
+      {{Fault::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Responsive; }},
+      {{Fault::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Reactive; }},
+      {{Fault::HighlightFlicker}, [](Settings& s) { s.blend.tone = ToneWeight::Luma; }},
+      {{Fault::HighlightFlicker}, [](Settings& s) { s.space.tone = ToneSpace::ReinhardLuma; }},
+      {{Fault::HighlightFlicker}, [](Settings& s) { s.current.lumaWeighted = Switch::On; }},
+      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing},
        [](Settings& s) { s.weight.source = AlphaSource::HistoryLength; }},
-      {{Kind::Flicker, Kind::HighlightFlicker, Kind::Aliasing, Kind::DisocclusionRestart},
+      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing, Fault::DisocclusionRestart},
        [](Settings& s) { s.current.filter = CurrentFilter::Gaussian; }},
-      {{Kind::DisocclusionRestart}, [](Settings& s) { s.blend.restart = Restart::Blurred; }},
-      {{Kind::DisocclusionRestart}, [](Settings& s) { s.current.filter = CurrentFilter::Tent; }},
-      {{Kind::Flicker, Kind::HighlightFlicker}, [](Settings& s) { s.rectify.instability = Switch::On; }},
-      {{Kind::Flicker, Kind::Blur}, [](Settings& s) { s.rectify.locks = Switch::On; }},
-      {{Kind::Flicker, Kind::HighlightFlicker}, [](Settings& s) { s.weight.lumaFlicker = Switch::On; }},
-      {{Kind::Flicker, Kind::HighlightFlicker}, [](Settings& s) { s.weight.nearClamp = Switch::On; }},
-      {{Kind::Flicker, Kind::HighlightFlicker, Kind::Aliasing},
+      {{Fault::DisocclusionRestart}, [](Settings& s) { s.blend.restart = Restart::Blurred; }},
+      {{Fault::DisocclusionRestart}, [](Settings& s) { s.current.filter = CurrentFilter::Tent; }},
+      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.rectify.instability = Switch::On; }},
+      {{Fault::Flicker, Fault::Blur}, [](Settings& s) { s.rectify.locks = Switch::On; }},
+      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.weight.lumaFlicker = Switch::On; }},
+      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.weight.nearClamp = Switch::On; }},
+      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing},
        [](Settings& s) {
          s.weight.minimum *= 0.5f;
          s.weight.alpha *= 0.5f;
        }},
-      {{Kind::Flicker, Kind::HighlightFlicker, Kind::Aliasing, Kind::Blur},
+      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing, Fault::Blur},
        [](Settings& s) { s.neighborhood.gamma = std::min(2.0f * s.neighborhood.gamma, 4.0f); }},
-      {{Kind::Aliasing, Kind::Flicker}, [](Settings& s) { s.validate.depth = Switch::Off; }},
-      {{Kind::Aliasing, Kind::Flicker}, [](Settings& s) { s.validate.object = Switch::Off; }},
-      {{Kind::Aliasing, Kind::Flicker}, [](Settings& s) { s.validate.flicker = Switch::On; }},
-      {{Kind::Blur}, [](Settings& s) { s.history.filter = HistoryFilter::CatmullRom9; }},
-      {{Kind::Blur}, [](Settings& s) { s.current.filter = CurrentFilter::BlackmanHarris; }},
+      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.depth = Switch::Off; }},
+      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.object = Switch::Off; }},
+      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.flicker = Switch::On; }},
+      {{Fault::Blur}, [](Settings& s) { s.history.filter = HistoryFilter::CatmullRom9; }},
+      {{Fault::Blur}, [](Settings& s) { s.current.filter = CurrentFilter::BlackmanHarris; }},
   }};
   return kCures;
 }

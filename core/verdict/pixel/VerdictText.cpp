@@ -22,14 +22,14 @@ std::string agoText(int frames) {
   return frames == 1 ? say<"1 frame ago">() : say<"%1 frames ago">(frames);
 }
 
-const VerdictRow* rowOf(const PixelVerdict& verdict, IntermediateId id) {
+const VerdictRow* decidingRow(const PixelVerdict& verdict, IntermediateId id) {
   for (const VerdictRow& row : verdict.rows)
     if (row.id == id) return &row;
   return nullptr;
 }
 
-double valueOf(const PixelVerdict& verdict, IntermediateId id) {
-  const VerdictRow* row = rowOf(verdict, id);
+double decidingValue(const PixelVerdict& verdict, IntermediateId id) {
+  const VerdictRow* row = decidingRow(verdict, id);
   return row ? row->value : 0.0;
 }
 
@@ -40,7 +40,7 @@ bool testsGeometry(const ValidateSettings& validate) {
 
 std::string pulledText(const PixelVerdict& verdict, const Settings& settings) {
   if (settings.rectify.method == RectifyMethod::None) return say<"history is taken as it is">();
-  const double pulled = valueOf(verdict, IntermediateId::clipAmount);
+  const double pulled = decidingValue(verdict, IntermediateId::clipAmount);
   if (pulled == 0.0) return say<"its color lies within those around, so that rectification leaves it">();
   return say<"rectification pulls it %1 of the way only">(story::percentText(pulled));
 }
@@ -60,14 +60,14 @@ std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
   }
   if (!testsGeometry(settings.validate))
     return say<"no test of geometry runs, and %1">(pulledText(verdict, settings));
-  const int reason = static_cast<int>(valueOf(verdict, IntermediateId::rejectReason));
+  const int reason = static_cast<int>(decidingValue(verdict, IntermediateId::rejectReason));
   if (reason != 0) return say<"it was found out (%1), and still counts">(sayLabel(rejectReasonText(reason)));
   return say<"the tests of geometry let it pass, and %1">(pulledText(verdict, settings));
 }
 
 std::string restartReason(const PixelVerdict& verdict) {
-  const std::string samples = story::numberText(valueOf(verdict, IntermediateId::historyLength), 3);
-  const int reason = static_cast<int>(valueOf(verdict, IntermediateId::rejectReason));
+  const std::string samples = story::numberText(decidingValue(verdict, IntermediateId::historyLength), 3);
+  const int reason = static_cast<int>(decidingValue(verdict, IntermediateId::rejectReason));
   if (verdict.throwsGoodAway)
     return say<"history was thrown away (%1), although the surface was there; %2 samples are averaged">(
         sayLabel(rejectReasonText(reason)), samples);
@@ -90,7 +90,8 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
                : say<"rectification follows the samples of single frames">();
   case VerdictKind::Aliasing:
     if (verdict.stage == Stage::ValidateHistory) return restartReason(verdict);
-    return say<"the current frame counts %1">(story::percentText(valueOf(verdict, IntermediateId::alpha)));
+    return say<"the current frame counts %1">(
+        story::percentText(decidingValue(verdict, IntermediateId::alpha)));
   case VerdictKind::Blur:
     if (verdict.stage == Stage::SampleHistory)
       return say<"reading history between its pixels takes detail">();
@@ -106,7 +107,7 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
 }
 
 /// "Ghost of the red bar, 6 frames ago"
-std::string subjectOf(const PixelVerdict& verdict, int frame, const std::string& object) {
+std::string faultText(const PixelVerdict& verdict, int frame, const std::string& object) {
   std::string text = kindLabel(verdict.kind);
   if (verdict.causeObject)
     text = say<"%1 of %2">(text, *verdict.causeObject == 0 ? say<"the sky">()
@@ -124,7 +125,7 @@ std::string subjectOf(const PixelVerdict& verdict, int frame, const std::string&
 std::string verdictSentence(const PixelVerdict& verdict, int frame, const std::string& object,
                             const Settings& settings) {
   if (verdict.kind == VerdictKind::None) return say<"Nothing is wrong: %1">(verdictMeasures(verdict));
-  return say<"%1: %2.">(subjectOf(verdict, frame, object), reasonOf(verdict, settings));
+  return say<"%1: %2.">(faultText(verdict, frame, object), reasonOf(verdict, settings));
 }
 
 std::string verdictMeasures(const PixelVerdict& verdict) {
