@@ -33,18 +33,18 @@ constexpr std::array<VerdictKindInfo, 9> kVerdictKinds{{
 
 namespace {
 
-using Row = IntermediateId;
+using RowId = IntermediateId;
 
 double largestOf(const glm::dvec3& value) {
   return std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
 }
 
-double recordValue(const twin::PixelRecord& record, Row id) {
+double recordValue(const twin::PixelRecord& record, RowId id) {
   return static_cast<double>(twin::at(record, id).x);
 }
 
 bool isRestart(const twin::PixelRecord& record) {
-  return recordValue(record, Row::alpha) >= 1.0;
+  return recordValue(record, RowId::alpha) >= 1.0;
 }
 
 /// Error of what a screen is sent.
@@ -68,7 +68,7 @@ double flickerOf(const std::vector<SurfaceMoment>& moments) {
 bool isHighlight(const std::vector<SurfaceMoment>& moments) {
   return std::ranges::any_of(moments, [](const SurfaceMoment& moment) {
     return largestOf(moment.reference) > 1.0 ||
-           largestOf(glm::dvec3(glm::vec3(twin::at(moment.record, Row::color)))) > 1.0;
+           largestOf(glm::dvec3(glm::vec3(twin::at(moment.record, RowId::color)))) > 1.0;
   });
 }
 
@@ -89,8 +89,8 @@ class Judge {
   void concludeHistory();
   Stage stageOfGhost();
   Stage stageOfFlicker() const;
-  void addRow(Row id, const SurfaceMoment& moment, std::optional<double> limit = {});
-  void addGhostRow(Row id, std::optional<double> limit = {});
+  void addRow(RowId id, const SurfaceMoment& moment, std::optional<double> limit = {});
+  void addGhostRow(RowId id, std::optional<double> limit = {});
   const SurfaceMoment* restart() const;
   double meanBias() const;
 
@@ -105,10 +105,10 @@ PixelVerdict Judge::verdict() {
   findPart();
   found_.since = found_.causeFrame = evidence_.error.frame;
   if (found_.error < kVisibleError && found_.flicker < kVisibleFlicker) {
-    addRow(Row::historyLength, now_);
-    addRow(Row::alpha, now_);
-    addRow(Row::clipAmount, now_);
-    addRow(Row::rejectReason, now_);
+    addRow(RowId::historyLength, now_);
+    addRow(RowId::alpha, now_);
+    addRow(RowId::clipAmount, now_);
+    addRow(RowId::rejectReason, now_);
     return found_;
   }
   findOnset();
@@ -156,8 +156,8 @@ void Judge::conclude() {
   if (!isTaaOn(settings_)) {
     found_.kind = VerdictKind::Aliasing;
     found_.stage = Stage::Blend;
-    addRow(Row::alpha, now_);
-    addRow(Row::historyLength, now_);
+    addRow(RowId::alpha, now_);
+    addRow(RowId::historyLength, now_);
     return;
   }
   const bool isTransient = found_.part == ErrorPart::Ghost && found_.error >= kVisibleError;
@@ -190,21 +190,21 @@ void Judge::concludeGhost() {
 // The first in the order of the stages that did not do what it is there for.
 Stage Judge::stageOfGhost() {
   const twin::PixelRecord& record = evidence_.ghostRecord;
-  const glm::dvec2 used(glm::vec2(twin::at(record, Row::dilatedMotion)));
-  addGhostRow(Row::dilatedMotion);
+  const glm::dvec2 used(glm::vec2(twin::at(record, RowId::dilatedMotion)));
+  addGhostRow(RowId::dilatedMotion);
   if (settings_.reproject.method == ReprojectMethod::InPlace) return Stage::Reproject;
   if (evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
-    const bool isNeighbors = twin::at(record, Row::dilatedOffset) != glm::vec4(0.0f);
-    addGhostRow(Row::dilatedOffset);
+    const bool isNeighbors = twin::at(record, RowId::dilatedOffset) != glm::vec4(0.0f);
+    addGhostRow(RowId::dilatedOffset);
     return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
   }
   const ValidateSettings& validate = settings_.validate;
   const bool tests = isOn(validate.depth) || isOn(validate.object) || isOn(validate.objectClass) ||
                      isOn(validate.normal) || validate.velocity != VelocityTest::None;
-  addGhostRow(Row::depthMismatch, recordValue(record, Row::depthAllowed));
-  addGhostRow(Row::rejectReason);
-  addGhostRow(Row::clipAmount);
-  addGhostRow(Row::alpha);
+  addGhostRow(RowId::depthMismatch, recordValue(record, RowId::depthAllowed));
+  addGhostRow(RowId::rejectReason);
+  addGhostRow(RowId::clipAmount);
+  addGhostRow(RowId::alpha);
   if (tests || settings_.rectify.method == RectifyMethod::None) return Stage::ValidateHistory;
   return Stage::RectifyHistory;
 }
@@ -234,36 +234,36 @@ double Judge::meanBias() const {
 void Judge::concludeSamples() {
   const SurfaceMoment* start = restart();
   if (start) {
-    const bool hadHistory = recordValue(start->record, Row::rejectReason) != 1.0; // RejectReason::NoHistory
+    const bool hadHistory = recordValue(start->record, RowId::rejectReason) != 1.0; // RejectReason::NoHistory
     const bool isLast = start == &evidence_.moments.back();
     found_.since = found_.causeFrame = start->frame;
     const bool wasHidden = isLast && evidence_.endsHidden;
     found_.kind = wasHidden || !hadHistory ? VerdictKind::DisocclusionRestart : VerdictKind::Aliasing;
     found_.stage = Stage::ValidateHistory;
     found_.throwsGoodAway = hadHistory && !wasHidden;
-    addRow(Row::rejectReason, *start, 0.0);
-    addRow(Row::depthMismatch, *start, recordValue(start->record, Row::depthAllowed));
-    addRow(Row::historyLength, now_);
-    addRow(Row::alpha, now_);
+    addRow(RowId::rejectReason, *start, 0.0);
+    addRow(RowId::depthMismatch, *start, recordValue(start->record, RowId::depthAllowed));
+    addRow(RowId::historyLength, now_);
+    addRow(RowId::alpha, now_);
     return;
   }
   constexpr double kOneWay = 0.7;
   const bool isFiltered = meanBias() > kOneWay && evidence_.error.frames.size() > 3;
   found_.kind = isFiltered ? VerdictKind::Blur : VerdictKind::Aliasing;
   found_.stage = isFiltered ? Stage::FilterCurrent : Stage::BlendWeight;
-  addRow(Row::currentFiltered, now_);
-  addRow(Row::alpha, now_);
-  addRow(Row::historyLength, now_);
-  addRow(Row::clipAmount, now_);
+  addRow(RowId::currentFiltered, now_);
+  addRow(RowId::alpha, now_);
+  addRow(RowId::historyLength, now_);
+  addRow(RowId::clipAmount, now_);
 }
 
 void Judge::concludeHistory() {
   const double mask =
-      std::max(recordValue(now_.record, Row::reactive), recordValue(now_.record, Row::responsive));
-  addRow(Row::historyRaw, now_);
-  addRow(Row::historyRectified, now_);
-  addRow(Row::clipAmount, now_);
-  addRow(Row::alpha, now_);
+      std::max(recordValue(now_.record, RowId::reactive), recordValue(now_.record, RowId::responsive));
+  addRow(RowId::historyRaw, now_);
+  addRow(RowId::historyRectified, now_);
+  addRow(RowId::clipAmount, now_);
+  addRow(RowId::alpha, now_);
   if (found_.part == ErrorPart::Blur) {
     found_.kind = VerdictKind::Blur;
     found_.stage = Stage::SampleHistory;
@@ -274,15 +274,15 @@ void Judge::concludeHistory() {
   } else {
     found_.kind = mask > 0.0 ? VerdictKind::MaskSmear : VerdictKind::Lag;
     found_.stage = mask > 0.0 ? Stage::BlendWeight : Stage::RectifyHistory;
-    addRow(Row::alphaMask, now_);
+    addRow(RowId::alphaMask, now_);
   }
 }
 
-void Judge::addRow(Row id, const SurfaceMoment& moment, std::optional<double> limit) {
+void Judge::addRow(RowId id, const SurfaceMoment& moment, std::optional<double> limit) {
   found_.rows.push_back({id, moment.frame, moment.pixel, recordValue(moment.record, id), limit});
 }
 
-void Judge::addGhostRow(Row id, std::optional<double> limit) {
+void Judge::addGhostRow(RowId id, std::optional<double> limit) {
   for (const ErrorOfFrame& entry : evidence_.error.frames)
     if (entry.frame == evidence_.ghostFrame)
       found_.rows.push_back(
