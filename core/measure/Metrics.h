@@ -65,6 +65,7 @@ struct MetricInfo {
   std::string_view row;        ///< the intermediate it is made of; empty: of output and reference
   bool needsReference = false; ///< not known of a frame without a reference
   bool isOverTime = false;     ///< of the frames before, too: not known before those were made
+  bool isHigherBetter = false; ///< of two settings the one with more of it is the better one
   int category = -1;           ///< of a row of categories: the share of pixels that have it; −1: a mean
 };
 
@@ -84,7 +85,7 @@ inline constexpr std::array<MetricInfo, 20> kMetrics{{
      "", true},
     {Metric::Psnr, "psnr", "PSNR", "dB", 10, 60,
      "Peak signal to noise of output against reference as they are shown, −20 log₁₀ RMSE: the peak is 1.", "",
-     true},
+     true, false, true},
     {Metric::RmseLinear, "rmseLinear", "RMSE, scene-linear", "", 0, 1,
      "As RMSE, but scene-linear and not clamped: bright highlights count for what they are.", "", true},
     {Metric::Deviation, "deviationOverTime", "Deviation over time", "", 0, 0.02,
@@ -113,14 +114,16 @@ inline constexpr std::array<MetricInfo, 20> kMetrics{{
      "Mean |luma| of the error from before the frames that the others are followed over.", "errorOlder", true,
      true},
     {Metric::RightlyKept, "rightlyKept", "Rightly kept", "%", 0, 100,
-     "Share of pixels whose history was as it should be, and was left so.", "verdictMap", true, true, 0},
+     "Share of pixels whose history was as it should be, and was left so.", "verdictMap", true, true, true,
+     0},
     {Metric::GhostRemoved, "ghostRemoved", "Ghost removed", "%", 0, 100,
-     "Share of pixels whose history was off, and was rejected or pulled.", "verdictMap", true, true, 1},
+     "Share of pixels whose history was off, and was rejected or pulled.", "verdictMap", true, true, false,
+     1},
     {Metric::GhostLetThrough, "ghostLetThrough", "Ghost let through", "%", 0, 100,
-     "Share of pixels whose history was off, and was left so.", "verdictMap", true, true, 2},
+     "Share of pixels whose history was off, and was left so.", "verdictMap", true, true, false, 2},
     {Metric::HistoryThrownAway, "historyThrownAway", "Good history thrown away", "%", 0, 100,
      "Share of pixels whose history was as it should be, and was rejected or pulled.", "verdictMap", true,
-     true, 3},
+     true, false, 3},
 }};
 
 constexpr const MetricInfo& metricInfo(Metric metric) {

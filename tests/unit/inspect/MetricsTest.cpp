@@ -83,6 +83,14 @@ TEST(Metrics, OfRows) {
   EXPECT_DOUBLE_EQ(taa::metricOf(Metric::HistoryLength, row({1.0f, 16.0f})), 8.5);
 }
 
+TEST(Metrics, SayWhichOfTwoSettingsIsTheBetterOne) {
+  EXPECT_TRUE(metricInfo(Metric::Psnr).isHigherBetter);
+  EXPECT_FALSE(metricInfo(Metric::Rmse).isHigherBetter);
+  EXPECT_FALSE(metricInfo(Metric::Flicker).isHigherBetter);
+  EXPECT_TRUE(metricInfo(Metric::RightlyKept).isHigherBetter);
+  EXPECT_FALSE(metricInfo(Metric::HistoryThrownAway).isHigherBetter);
+}
+
 TEST(Metrics, SayWhatTheyAre) {
   std::set<std::string_view> ids;
   for (std::size_t index = 0; index < kMetrics.size(); ++index) {
