@@ -29,4 +29,9 @@ StageCosts ShotProfiler::measureStages(const Progress& progress, int lane) {
   return stages_.measure(player_.maker().pass, player_.resolved(lane), progress);
 }
 
+CostRatio ShotProfiler::measureRatio(int lane, int base, const Progress& progress) {
+  return measureCostRatio(player_.maker().pass, player_.resolved(lane), player_.resolved(base), method_,
+                          progress);
+}
+
 } // namespace taa

@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/gl/PassTimer.h"
 #include "core/measure/Profiler.h"
+#include "core/measure/ResolveRatio.h"
 #include "core/measure/StageMeter.h"
 
 #include <optional>
@@ -25,6 +26,8 @@ class ShotProfiler {
   /// What each stage costs on the frame on show. Cancelled: keeps what it has and goes on from there when it
   /// is asked again for the same frame.
   StageCosts measureStages(const Progress& progress = {}, int lane = 0);
+  /// How much longer the resolve of a lane takes on the frame on show than that of another.
+  CostRatio measureRatio(int lane, int base, const Progress& progress = {});
 
  private:
   ShotPlayer& player_;
