@@ -1,5 +1,6 @@
 #include "core/sweep/MetricsOfFrames.h"
 
+#include "core/base/FreeMemory.h"
 #include "core/base/Say.h"
 #include "core/base/Text.h"
 #include "core/inspect/Inspector.h"
@@ -30,6 +31,15 @@ void requireMeasurable(const Inspector& inspector, int referenceSamples) {
   if (const auto captured = inspector.shot().capture();
       captured && !captured->hasReference && referenceSamples > 0)
     throw Error(whyNoReference());
+}
+
+void keepReferences(Inspector& inspector, const MetricsRequest& request) {
+  const auto frames = static_cast<std::size_t>(request.last - request.first + inspector.overTime().frames());
+  const auto pixels = static_cast<std::size_t>(inspector.shot().width()) *
+                      static_cast<std::size_t>(inspector.shot().height());
+  const std::size_t wanted = frames * pixels * 3 * sizeof(double);
+  const std::size_t most = std::max(kReferenceBudget, freeMemory().value_or(0) / 2);
+  inspector.reference().setBudget(std::clamp(wanted, kReferenceBudget, most));
 }
 
 std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,

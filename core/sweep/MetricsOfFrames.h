@@ -30,6 +30,10 @@ std::vector<Metric> metricsThere(int referenceSamples, const std::vector<OverTim
 /// Throws Error where a captured sequence without a reference of its own would be compared with one.
 void requireMeasurable(const Inspector& inspector, int referenceSamples);
 
+/// Has the references of all these frames kept, as far as half of the free memory goes: whoever measures the
+/// same frames with other settings draws none of them again.
+void keepReferences(Inspector& inspector, const MetricsRequest& request);
+
 /// Of each lane of what is open; ends at the last frame. Throws Error, Cancelled.
 std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,
                                        const Progress& progress);
