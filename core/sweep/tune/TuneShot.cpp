@@ -1,0 +1,42 @@
+#include "core/sweep/tune/TuneShot.h"
+
+#include "core/inspect/Inspector.h"
+#include "core/settings/Parameters.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+
+namespace taa {
+
+TuneShot::TuneShot(Inspector& inspector, const TuneGoal& goal, const MetricsRequest& request)
+    : inspector_(inspector), goal_(goal), request_(request), start_(inspector.shot().settings()) {
+  assert(inspector.shot().laneCount() == 1);
+  request_.wanted = goal.metrics();
+  if (std::ranges::none_of(request_.wanted, [](Metric metric) { return metricInfo(metric).needsReference; }))
+    request_.referenceSamples = 0;
+  costs_.emplace(programKey(start_), 1.0);
+  keepReferences(inspector, request_);
+}
+
+TuneNumbers TuneShot::measure(const Settings& settings, const Progress& progress) {
+  TuneNumbers numbers;
+  inspector_.shot().setSettings(settings);
+  const LaneMetrics lane = measureFrames(inspector_, request_, progress).front();
+  for (const Metric metric : request_.wanted)
+    numbers.means[static_cast<std::size_t>(metric)] = meanOfFrames(lane, metric);
+  if (goal_.countsCost()) numbers.cost = costOf(settings, progress);
+  return numbers;
+}
+
+double TuneShot::costOf(const Settings& settings, const Progress& progress) {
+  const std::string program = programKey(settings);
+  if (const auto known = costs_.find(program); known != costs_.end()) return known->second;
+  inspector_.shot().changeLanes({settings, start_});
+  inspector_.shot().refine(progress);
+  const double cost = inspector_.profiler().measureRatio(0, 1, progress).known();
+  inspector_.shot().changeLanes({settings});
+  return costs_.emplace(program, cost).first->second;
+}
+
+} // namespace taa
