@@ -75,6 +75,13 @@ glm::ivec2 parsePixel(const std::string& text) {
   return *pixel;
 }
 
+SweepShard parseShard(const std::string& text) {
+  const std::optional<glm::ivec2> shard = parsePair(text, "/");
+  if (!shard || shard->x < 1 || shard->x > shard->y)
+    throw UsageError("--shard " + text + ": expected I/N, the I-th of N parts, for example 1/4");
+  return {static_cast<std::size_t>(shard->x), static_cast<std::size_t>(shard->y)};
+}
+
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names) {
   std::vector<IntermediateId> ids;
   for (const std::string& name : names) {

@@ -7,6 +7,8 @@
 #include "core/scene/ObjectFilter.h"
 #include "core/scene/camera/CameraTrack.h"
 #include "core/settings/Settings.h"
+#include "core/sweep/PointClaim.h"
+#include "core/sweep/SweepPoints.h"
 #include "core/taa/rows/Intermediates.h"
 #include "core/verdict/lineage/Lineage.h"
 
@@ -134,6 +136,26 @@ struct ImportArguments {
   bool json = false;
 };
 
+struct SweepArguments {
+  std::string spec, folder;
+  std::string shard = "1/1";
+  int claimTimeoutSeconds = static_cast<int>(kClaimTimeout.count());
+  bool json = false;
+};
+
+struct TuneArguments {
+  ShotArguments shot;
+  std::string goal, frames;        ///< "METRIC=WEIGHT,…"; frames empty: that of the session
+  std::string preset, glsl;        ///< files; glsl empty: none
+  std::vector<std::string> varied; ///< paths or groups; empty: all of the resolve
+  int referenceSamples = 64, flickerFrames = 16;
+  int evaluations = 200;
+  int seconds = 0; ///< instead of evaluations; 0: those
+  unsigned seed = 1;
+  bool force = false; ///< replace files that are there
+  bool json = false;
+};
+
 struct ManualArguments {
   std::string folder;
 };
@@ -155,6 +177,7 @@ struct LaneChoice {
 FrameRange parseFrames(const std::string& text); ///< "A..B", or one frame
 glm::ivec2 parseSize(const std::string& text);   ///< "WxH"
 glm::ivec2 parsePixel(const std::string& text);  ///< "X,Y"
+SweepShard parseShard(const std::string& text);  ///< "I/N", from 1
 std::vector<IntermediateId> parseEmit(const std::vector<std::string>& names);
 void checkReferenceSamples(int samples);
 std::vector<MotionOverride> motionModesOf(const ShotArguments& arguments); ///< --motion-mode, then --set

@@ -44,6 +44,15 @@ void runGlsl(const GlslArguments& arguments, std::ostream& out);
 /// Cancelled.
 bool runImport(const ImportArguments& arguments, std::ostream& out, const Progress& progress);
 
+/// Measures the points of a sweep that are not there yet, and merges all into tables in their folder; prints
+/// how many there were. Returns whether all that were tried here could be measured. Throws UsageError, Error,
+/// Cancelled.
+bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress& progress);
+
+/// Looks for settings that serve a goal better, and writes the best as a preset; prints the way there. Throws
+/// UsageError, Error; Cancelled, after it has written the best there was until then.
+void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& progress);
+
 /// Writes the manual's pages of settings, intermediates, presets, scenes and techniques into a folder, over
 /// those that are there; prints the files. Throws Error.
 void runManual(const ManualArguments& arguments, std::ostream& out);

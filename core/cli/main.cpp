@@ -2,6 +2,7 @@
 #include "core/base/Error.h"
 #include "core/cli/Commands.h"
 #include "core/cli/ShotOptions.h"
+#include "core/cli/sweep/SweepOptions.h"
 #include "core/inspect/Comparison.h"
 #include "core/measure/Flicker.h"
 #include "core/measure/Metrics.h"
@@ -275,9 +276,10 @@ void requireCommand(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   const auto isMeant = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isMeant).empty()) return;
-  throw UsageError("there is no command \"" + std::string(argv[1]) +
-                   "\"; there are list, render, probe, lineage, verdict, trace, profile, metrics, glsl, "
-                   "import and manual");
+  throw UsageError(
+      "there is no command \"" + std::string(argv[1]) +
+      "\"; there are list, render, probe, lineage, verdict, trace, profile, metrics, sweep, tune, "
+      "glsl, import and manual");
 }
 
 int run(int argc, char** argv) {
@@ -298,6 +300,9 @@ int run(int argc, char** argv) {
   GlslArguments glsl;
   ImportArguments import;
   bool isContradicted = false;
+  SweepArguments sweep;
+  bool hasFailed = false;
+  TuneArguments tune;
   ManualArguments manual;
   const ProgressLine line;
   const taa::Progress progress = [&line](std::string_view what, int done, int total) {
@@ -313,6 +318,8 @@ int run(int argc, char** argv) {
   addMetrics(app, metrics, progress);
   addGlsl(app, glsl);
   addImport(app, import, progress, isContradicted);
+  addSweep(app, sweep, progress, hasFailed);
+  addTune(app, tune, progress);
   addManual(app, manual);
   requireCommand(app, argc, argv);
   try {
@@ -321,6 +328,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kUsage;
   }
   if (!std::cout.flush()) throw taa::Error("cannot write the result to standard output");
+  if (hasFailed) return kWorldsFault;
   return isContradicted ? kContradicted : 0;
 }
 

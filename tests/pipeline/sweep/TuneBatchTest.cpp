@@ -1,0 +1,132 @@
+// taa-batch tune as users and scripts meet it.
+#include "core/base/Files.h"
+#include "core/settings/Parameters.h"
+#include "core/settings/Presets.h"
+#include "core/taa/glsl/GlslExport.h"
+#include "tests/support/GlTest.h"
+#include "tests/support/Paths.h"
+#include "tests/support/Process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using taa::test::ProcessResult;
+
+class TuneBatchTest : public taa::test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    folder_ = taa::test::temporaryFolder() / "tune";
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  fs::path preset() const { return folder_ / "better.json"; }
+  ProcessResult tune(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments = {taa::test::binary("taa-batch").string(),
+                                          "tune",
+                                          "builtin:fan",
+                                          "--size",
+                                          "48x28",
+                                          "--frames",
+                                          "2..3",
+                                          "--reference-samples",
+                                          "4",
+                                          "--flicker-frames",
+                                          "2",
+                                          "--out",
+                                          preset().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return taa::test::runProcess(arguments);
+  }
+  void expectUsage(const std::vector<std::string>& more, const std::string& word) const {
+    const ProcessResult result = tune(more);
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(preset()));
+  }
+  fs::path folder_;
+};
+
+const std::vector<std::string> kTwoRows{"--goal",   "rmse=1,flicker=0.5",
+                                        "--vary",   "weight.minimum",
+                                        "--vary",   "rectify.method",
+                                        "--set",    "weight.minimum=0.9",
+                                        "--budget", "30",
+                                        "--json"};
+
+} // namespace
+
+TEST_F(TuneBatchTest, FindsBetterSettingsAndSaysTheWay) {
+  const ProcessResult result = tune(kTwoRows);
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const ordered_json json = ordered_json::parse(result.out);
+  EXPECT_DOUBLE_EQ(json["startGoal"].get<double>(), 1.5);
+  ASSERT_FALSE(json["steps"].empty()) << "a frame of nine tenths is as if there were no TAA";
+  double goal = 1.5;
+  taa::Settings settings = taa::preset("balanced").settings;
+  applyAssignment(settings, "weight.minimum=0.9");
+  for (const ordered_json& step : json["steps"]) {
+    EXPECT_LT(step["goal"].get<double>(), goal);
+    goal = step["goal"];
+    applyAssignment(settings, step["change"].get<std::string>());
+  }
+  EXPECT_EQ(json["bestGoal"].get<double>(), goal);
+  EXPECT_TRUE(taa::preset(preset().string()).settings == settings);
+  double sum = 0.0;
+  for (const ordered_json& term : json["goal"])
+    sum += term["weight"].get<double>() * term["best"].get<double>() / term["start"].get<double>();
+  EXPECT_NEAR(sum, goal, 1e-12);
+}
+
+TEST_F(TuneBatchTest, GoesTheSameWayTwice) {
+  const ordered_json first = ordered_json::parse(tune(kTwoRows).out);
+  fs::remove(preset());
+  const ordered_json second = ordered_json::parse(tune(kTwoRows).out);
+  EXPECT_EQ(first["steps"], second["steps"]);
+  EXPECT_EQ(first["evaluations"], second["evaluations"]);
+}
+
+TEST_F(TuneBatchTest, WritesTheResolveAsGlslToo) {
+  const fs::path glsl = folder_ / "better.frag";
+  const ProcessResult result = tune(
+      {"--goal", "rmse=1,cost=0.1", "--vary", "rectify.method", "--budget", "3", "--glsl", glsl.string()});
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(taa::readFile(glsl), taa::exportedGlsl(taa::preset(preset().string()).settings, "better"));
+  EXPECT_NE(result.out.find(preset().string() + "\n" + glsl.string() + "\n"), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("cost"), std::string::npos);
+}
+
+TEST_F(TuneBatchTest, NeverEndsWorseThanItBegan) {
+  const ordered_json json = ordered_json::parse(
+      tune({"--goal", "flicker=1,rmse=1", "--vary", "history", "--budget", "12", "--json"}).out);
+  EXPECT_LE(json["bestGoal"].get<double>(), json["startGoal"].get<double>());
+  EXPECT_LE(json["evaluations"].get<int>(), 12);
+}
+
+TEST_F(TuneBatchTest, SaysWhatIsWrong) {
+  expectUsage({"--goal", "rsme=1"}, "rsme");
+  expectUsage({"--goal", "rmse=1", "--vary", "jitter.period"}, "jitter.period");
+  expectUsage({"--goal", "rmse=1", "--lane", "balanced", "--lane", "minimal"}, "one lane");
+  taa::writeFile(preset(), "{}");
+  const ProcessResult there = tune({"--goal", "rmse=1", "--budget", "1"});
+  EXPECT_EQ(there.exitCode, 1);
+  EXPECT_NE(there.err.find("--force"), std::string::npos) << there.err;
+  EXPECT_EQ(taa::readFile(preset()), "{}");
+}
+
+TEST_F(TuneBatchTest, SaysWhereAMetricIsNotKnown) {
+  const ProcessResult result = taa::test::runProcess(
+      {taa::test::binary("taa-batch").string(), "tune", "builtin:fan", "--size", "48x28", "--frames", "0",
+       "--goal", "flicker=1", "--reference-samples", "4", "--out", preset().string()});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.err.find("flicker is not known"), std::string::npos) << result.err;
+}
