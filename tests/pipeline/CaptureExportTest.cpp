@@ -112,6 +112,7 @@ TEST_F(CaptureExportTest, InputsComeBackInEveryEnginesConventions) {
 TEST_F(CaptureExportTest, BothMasksComeBack) {
   Settings settings;
   settings.inputs.mask = MaskSource::Opacity;
+  settings.inputs.blended = BlendedAs::Before; // only what is blended is reactive
   const Exported written = exported("masks", "builtin:glass", settings, {});
   const DecodedFrame frame = written.read();
   ASSERT_EQ(frame.mask.channels, 2);
