@@ -18,6 +18,14 @@ namespace taa::app {
 ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& panel, QObject* parent)
     : QObject(parent), session_(session), views_(views), panel_(panel) {
   connect(&panel_, &ProbePanel::copyRequested, this, [this] { copy(ProbeFormat::Text); });
+  connect(&session_, &Session::worstPixelArrived, this, [this](const WorstDelivery& worst) {
+    session_.probes().setPixel(worst.found.worst.pixel);
+    views_.active()->viewport()->reveal(worst.found.worst.pixel);
+  });
+}
+
+void ProbeCommands::goToNextWorst() {
+  session_.probes().findWorst(views_.active()->id());
 }
 
 bool ProbeCommands::addAnother() {

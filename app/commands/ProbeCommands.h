@@ -20,6 +20,8 @@ class ProbeCommands : public QObject {
   /// Of the selected row, else of what the active view shows.
   void copyValue();
   void copy(ProbeFormat format);
+  /// Sets the probe to the next one of the worst pixels by what the active view shows, once it is found.
+  void goToNextWorst();
   /// Where the mouse is, else to the right of the active probe; the next place that no probe has. False:
   /// there is neither.
   bool addAnother();

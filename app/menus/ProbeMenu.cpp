@@ -36,6 +36,9 @@ void ProbeMenu::addPlaces(const Targets& on) {
   add(tr("Go to the probe"), keys({"P"}), [&probes, &views = on.views] {
     if (const auto probed = probes.pixel()) views.active()->viewport()->reveal(*probed);
   });
+  add(tr("Go to the next &worst pixel"), keys({"Shift+W"}), [&probe = on.probe] {
+    probe.goToNextWorst();
+  })->setToolTip(tr("By the error or the verdict that the active view shows, else by the absolute error"));
   add(tr("&Remove the probe"), keys({"Del"}), [&probes] { probes.setPixel({}); });
   add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&probes] { probes.removeAll(); });
 }

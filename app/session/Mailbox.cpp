@@ -53,6 +53,7 @@ struct Keep {
   void operator()(ShadersRead shaders) const { delivery.shaders = std::move(shaders); }
   void operator()(ExportResult exported) const { delivery.exported = std::move(exported); }
   void operator()(ObjectArea area) const { delivery.area = std::move(area); }
+  void operator()(WorstDelivery worst) const { delivery.worst = worst; }
   void operator()(StageShares shares) const { delivery.shares = std::move(shares); }
   void operator()(TraceDelivery trace) const { delivery.traces.push_back(std::move(trace)); }
 };

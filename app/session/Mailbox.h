@@ -28,6 +28,7 @@ struct Delivery {
   std::optional<ShadersRead> shaders;
   std::optional<ExportResult> exported;
   std::optional<ObjectArea> area;
+  std::optional<WorstDelivery> worst;
   std::optional<StageShares> shares;
   std::vector<TraceDelivery> traces; ///< all of them: each is a frame
 };

@@ -96,6 +96,10 @@ void ProbeChoices::change(const QString& what, const std::string& key, const std
   send();
 }
 
+void ProbeChoices::findWorst(IntermediateId row) {
+  outbox_.post(request::FindWorst{row, 0, pixel()});
+}
+
 void ProbeChoices::setPixel(std::optional<glm::ivec2> pixel) {
   const int active = probes_.active();
   if (!pixel) return remove(active);

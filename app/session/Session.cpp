@@ -61,6 +61,7 @@ void Session::deliver() {
   if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(delivery.shaders->error));
   if (delivery.exported) Q_EMIT exported(*delivery.exported);
   if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
+  if (delivery.worst) Q_EMIT worstPixelArrived(*delivery.worst);
   if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
 }
 

@@ -96,6 +96,7 @@ class Session : public QObject {
   void shadersReloaded(const QString& error); ///< empty: they are in use
   void exported(const ExportResult& result);
   void objectAreaArrived(const ObjectArea& area);
+  void worstPixelArrived(const WorstDelivery& worst);
   void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
   void openingFailed(); ///< of what was opened last; what was open still is

@@ -79,6 +79,7 @@ void Scheduler::deliver() {
     probes_.deliver();
     metrics_.deliver();
     objects_.deliver();
+    worst_.deliver();
     costing_.deliver();
   }
   status_.deliver();

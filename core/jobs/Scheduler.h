@@ -25,6 +25,7 @@
 #include "core/jobs/shown/ShownProbes.h"
 #include "core/jobs/shown/ShownStatus.h"
 #include "core/jobs/shown/ShownViews.h"
+#include "core/jobs/shown/ShownWorst.h"
 #include "core/requests/RequestQueue.h"
 
 #include <array>
@@ -59,8 +60,9 @@ class Scheduler {
 
   // Everything a request may concern; a request is heard by each that has a member take() for its type.
   auto parts() {
-    return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, exporting_,
-                    comparing_, costing_, traces_, compiling_, thumbnails_, reference_, overTime_, metrics_);
+    return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, worst_,
+                    exporting_, comparing_, costing_, traces_, compiling_, thumbnails_, reference_, overTime_,
+                    metrics_);
   }
   // The first one that is due comes first.
   auto jobs() {
@@ -89,6 +91,7 @@ class Scheduler {
   Comparing comparing_{desk_, transport_, wanted_};
   ShownProbes probes_{desk_, wanted_, traces_};
   ShownObjects objects_{desk_, transport_, goal_};
+  ShownWorst worst_{desk_};
   ShownStatus status_{desk_, transport_, goal_, flight_, changes_, wanted_};
 };
 

@@ -33,6 +33,7 @@ enum class RequestKind {
   Export,
   Profile,
   Reference,
+  Worst,
   Metrics
 };
 inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Metrics) + 1;

@@ -14,8 +14,12 @@
 #include "core/scene/camera/CameraTrack.h"
 #include "core/scene/camera/FlightRecording.h"
 #include "core/settings/Settings.h"
+#include "core/taa/rows/Intermediates.h"
+
+#include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -236,6 +240,14 @@ struct SetReferenceSamples {
   static constexpr RequestRule kRule{.kind = RequestKind::Reference};
 };
 
+/// Says where the frame on show is worst, by what a row shows of it (see WorstOfShot::next()).
+struct FindWorst {
+  IntermediateId row = IntermediateId::referenceErrorAbs;
+  int lane = 0;
+  std::optional<glm::ivec2> after; ///< the next one after this pixel; nothing: the worst
+  static constexpr RequestRule kRule{.kind = RequestKind::Worst, .isOfScene = true};
+};
+
 /// Metrics of each new frame on show, of each lane, played or not; again when its reference has come on. They
 /// cost a run of the resolve a frame. Those of the other frames that are played come in idle time, of the
 /// first lane, the nearest first. None: an empty list.
@@ -282,8 +294,8 @@ using Request =
                  request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
                  request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetProfiling,
                  request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
-                 request::SetMetrics, request::SetTracing, request::FillTraces, request::ReloadShaders,
-                 request::Cancel, request::ExportSequence>;
+                 request::FindWorst, request::SetMetrics, request::SetTracing, request::FillTraces,
+                 request::ReloadShaders, request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {
   return std::visit([](const auto& each) -> const RequestRule& { return each.kRule; }, request);

@@ -128,9 +128,15 @@ struct ObjectArea {
   gl::Rect box;
 };
 
-using Result =
-    std::variant<ViewResult, ProbeResult, Status, Work, Failure, FrameProfile, StageCosts, Thumbnail,
-                 FrameMetrics, ShadersRead, ExportResult, ObjectArea, StageShares, TraceDelivery>;
+/// One of the worst pixels of the frame on show.
+struct WorstDelivery {
+  int frame = 0;
+  FoundWorst found;
+};
+
+using Result = std::variant<ViewResult, ProbeResult, Status, Work, Failure, FrameProfile, StageCosts,
+                            Thumbnail, FrameMetrics, ShadersRead, ExportResult, ObjectArea, WorstDelivery,
+                            StageShares, TraceDelivery>;
 
 /// A result, and the request that it answers: the latest of its kind that was taken up.
 struct Answer {

@@ -179,6 +179,15 @@ void FakeRenderer::take(const request::Locate& asked) {
   tell(std::move(area));
 }
 
+/// The n-th that is asked for is at (n, 2).
+void FakeRenderer::take(const request::FindWorst& asked) {
+  worstAsked.push_back(asked);
+  WorstDelivery worst;
+  worst.frame = status.info.frame;
+  worst.found.worst.pixel = {static_cast<int>(worstAsked.size()), 2};
+  tell(std::move(worst));
+}
+
 void FakeRenderer::take(const request::SetSettings& asked) {
   const auto& [settings] = asked;
   ++settingsSent;

@@ -39,7 +39,8 @@ class FakeRenderer final : public Renderer {
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
   std::vector<int> located; ///< objects
-  RequestId requests = 0;   ///< so far
+  std::vector<request::FindWorst> worstAsked;
+  RequestId requests = 0; ///< so far
   /// The next request of this kind is answered with an error and nothing else.
   std::optional<RequestKind> refused;
   int reloads = 0, cancels = 0, settingsSent = 0;
@@ -69,6 +70,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::AddCameraTrack& asked);
   void take(const request::SetFlownCameras& asked);
   void take(const request::Locate& asked);
+  void take(const request::FindWorst& asked);
   void take(const request::SetTracing& asked);
   void take(const request::FillTraces& asked);
   void take(const request::Prepare& asked) { prepared = asked.settings; }

@@ -2,6 +2,8 @@
 #include "app/panels/ProbePanel.h"
 #include "app/models/ProbeModel.h"
 #include "app/style/Numbers.h"
+#include "app/views/ViewArea.h"
+#include "app/views/ViewPanel.h"
 #include "core/story/ProbeHeadline.h"
 #include "tests/app/WindowFixture.h"
 
@@ -142,6 +144,19 @@ TEST_F(ProbeTable, GoesAwayWithEscape) {
   EXPECT_FALSE(session.probes().pixel());
   EXPECT_TRUE(renderer->probes.all.empty());
   EXPECT_FALSE(window.probe()->table()->isVisible());
+}
+
+TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
+  window.views()->active()->setIntermediate(IntermediateId::errorGhost);
+  key(Qt::Key_W, Qt::ShiftModifier);
+  ASSERT_EQ(renderer->worstAsked.size(), 1u);
+  EXPECT_EQ(renderer->worstAsked[0].row, IntermediateId::errorGhost);
+  EXPECT_FALSE(renderer->worstAsked[0].after) << "there is no probe";
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(1, 2));
+  key(Qt::Key_W, Qt::ShiftModifier);
+  ASSERT_EQ(renderer->worstAsked.size(), 2u);
+  EXPECT_EQ(renderer->worstAsked[1].after, glm::ivec2(1, 2));
+  EXPECT_EQ(session.probes().pixel(), glm::ivec2(2, 2));
 }
 
 // In a panel as wide as a window of 1600 pixels and more opens it, names and units are there to their last

@@ -49,6 +49,23 @@ TEST_F(WorstOfShotTest, OfARejectReasonAreThoseItRejects) {
   }
 }
 
+TEST_F(WorstOfShotTest, TheNextOneIsOfTheSameCategory) {
+  const auto inspector = opened();
+  inspector->shot().seek(5);
+  const Image reasons = inspector->views().image(IntermediateId::rejectReason);
+  const taa::FoundWorst first = inspector->worst().next(IntermediateId::rejectReason, 0, {});
+  ASSERT_TRUE(first.question.category);
+  EXPECT_EQ(*reasons.at(first.worst.pixel.x, first.worst.pixel.y),
+            static_cast<float>(*first.question.category));
+  const taa::FoundWorst second = inspector->worst().next(IntermediateId::rejectReason, 0, first.worst.pixel);
+  EXPECT_EQ(second.question.category, first.question.category);
+  EXPECT_EQ(second.number, first.count > 1 ? 2 : 1);
+  inspector->reference().refine(4);
+  EXPECT_EQ(inspector->worst().next(IntermediateId::motion, 0, {}).question.row,
+            IntermediateId::referenceErrorAbs)
+      << "a motion is not wrong by itself";
+}
+
 TEST_F(WorstOfShotTest, TheBatchCountsAllPixelsAndSplitsTheError) {
   const std::vector<std::string> command = {taa::test::binary("taa-batch").string(),
                                             "verdict",

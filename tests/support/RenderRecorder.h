@@ -36,6 +36,7 @@ struct Recorder {
   std::vector<FrameMetrics> metrics;
   std::vector<TraceDelivery> traces;
   std::vector<ObjectArea> areas;
+  std::vector<WorstDelivery> worst;
   std::vector<ExportResult> exports;
   // Also called, without the lock
   std::function<void(const Work&)> onWork;
@@ -69,6 +70,7 @@ struct Recorder {
   void take(FrameMetrics result) { add(metrics, std::move(result)); }
   void take(TraceDelivery trace) { add(traces, std::move(trace)); }
   void take(ObjectArea area) { add(areas, std::move(area)); }
+  void take(WorstDelivery found) { add(worst, found); }
   void take(ShadersRead read) {
     if (onShaders) onShaders(read);
   }

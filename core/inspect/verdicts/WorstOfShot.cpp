@@ -1,11 +1,54 @@
 #include "core/inspect/verdicts/WorstOfShot.h"
 
+#include "core/base/Error.h"
+#include "core/base/Say.h"
 #include "core/inspect/ReferenceOfShot.h"
 #include "core/inspect/Views.h"
+#include "core/verdict/parts/VerdictMaps.h"
+
+#include <algorithm>
+#include <cstddef>
 
 namespace taa {
 
+namespace {
+constexpr int kMaxWorst = 64; // that a key goes through
+} // namespace
+
 WorstOfShot::WorstOfShot(Views& views, ReferenceOfShot& reference) : views_(views), reference_(reference) {}
+
+WorstQuestion WorstOfShot::questionOf(IntermediateId shown, int lane,
+                                      const std::optional<glm::ivec2>& after) {
+  WorstQuestion question{.count = kMaxWorst, .lane = lane};
+  const Intermediate& row = intermediate(shown);
+  const bool isCategories = !categoryText(shown, 0).empty();
+  const bool isAmount = row.visual == Visual::Scalar || row.visual == Visual::Signed;
+  if (isCategories || (isOfReference(shown) && isAmount)) question.row = shown;
+  if (!isCategories) return question;
+  const Image image = views_.image(shown, lane);
+  std::vector<int> order{static_cast<int>(HistoryVerdict::LetThrough)};
+  for (int category = 1; category <= static_cast<int>(row.high); ++category) order.push_back(category);
+  if (shown == IntermediateId::rejectReason) order.erase(order.begin());
+  if (after) order.insert(order.begin(), static_cast<int>(*image.at(after->x, after->y)));
+  const auto isWrong = [&](int category) {
+    return category > 0 && std::ranges::count(image.pixels, static_cast<float>(category)) > 0;
+  };
+  const auto found = std::ranges::find_if(order, isWrong);
+  question.category = found == order.end() ? 0 : *found;
+  return question;
+}
+
+FoundWorst WorstOfShot::next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after) {
+  const WorstQuestion question = questionOf(shown, lane, after);
+  const std::vector<WorstPixel> worst = question.category == 0 ? std::vector<WorstPixel>() : of(question);
+  if (worst.empty())
+    throw Error(say<"nothing is wrong in this picture by %1">(sayLabel(intermediate(question.row).label)));
+  const auto now =
+      std::ranges::find_if(worst, [&](const WorstPixel& one) { return after && one.pixel == *after; });
+  const std::size_t next =
+      now == worst.end() ? 0 : (static_cast<std::size_t>(now - worst.begin()) + 1) % worst.size();
+  return {question, worst[next], static_cast<int>(next) + 1, static_cast<int>(worst.size())};
+}
 
 std::vector<WorstPixel> WorstOfShot::of(const WorstQuestion& question) {
   const Image row = views_.image(question.row, question.lane);

@@ -4,6 +4,8 @@
 #include "core/taa/rows/Intermediates.h"
 #include "core/verdict/parts/WorstPixels.h"
 
+#include <glm/vec2.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,13 @@ struct WorstQuestion {
   int lane = 0;
 };
 
+/// One of those that a key goes through.
+struct FoundWorst {
+  WorstQuestion question; ///< row and category that it is of
+  WorstPixel worst;
+  int number = 1, count = 1; ///< the worst is 1
+};
+
 class WorstOfShot {
  public:
   /// Of rows that views show.
@@ -29,8 +38,15 @@ class WorstOfShot {
   /// Of a category the pixels with the largest absolute error come first, where there is a reference of the
   /// frame. Throws Error where the row is not made.
   std::vector<WorstPixel> of(const WorstQuestion& question);
+  /// The one after the pixel `after`, the worst where that is none of them or the last. Of errors and what is
+  /// made of them; of a row of categories that of `after`, unless nothing is wrong with it: then of the first
+  /// in which something is, ghosts let through before others. Of any other row that of the absolute error.
+  /// Throws Error where the row is not made, or nothing is wrong anywhere.
+  FoundWorst next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after);
 
  private:
+  WorstQuestion questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after);
+
   Views& views_;
   ReferenceOfShot& reference_;
 };

@@ -1,0 +1,48 @@
+// The worst pixels of the frame on show, on the render thread.
+#include "tests/support/RenderRecorder.h"
+
+#include <cstddef>
+#include <optional>
+
+using taa::IntermediateId;
+using taa::test::onThread::viewOf;
+
+class RenderWorstTest : public taa::test::onThread::RenderThreadTest {};
+
+TEST_F(RenderWorstTest, ComesOneAfterTheOtherAndBeginsAnew) {
+  thread->post(taa::request::SetReferenceSamples{4});
+  thread->post(taa::request::Seek{3});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::referenceError)}});
+  thread->waitUntilIdle();
+  std::optional<glm::ivec2> after;
+  int count = 1;
+  for (int number = 1; number <= count; ++number) {
+    thread->post(taa::request::FindWorst{IntermediateId::referenceError, 0, after});
+    thread->waitUntilIdle();
+    ASSERT_EQ(recorder.worst.size(), static_cast<std::size_t>(number));
+    const taa::FoundWorst& found = recorder.worst.back().found;
+    EXPECT_EQ(recorder.worst.back().frame, 3);
+    EXPECT_EQ(found.number, number);
+    if (number > 1) {
+      EXPECT_LE(found.worst.badness, recorder.worst[recorder.worst.size() - 2].found.worst.badness);
+    }
+    count = found.count;
+    after = found.worst.pixel;
+  }
+  EXPECT_GT(count, 2);
+  thread->post(taa::request::FindWorst{IntermediateId::referenceError, 0, after});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.worst.back().found.number, 1);
+  EXPECT_EQ(recorder.worst.back().found.worst, recorder.worst.front().found.worst);
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderWorstTest, IsToldWhereItCannotBeKnown) {
+  thread->post(taa::request::FindWorst{IntermediateId::errorLag, 0, {}});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.worst.empty());
+  ASSERT_EQ(recorder.failures.size(), 1u);
+  EXPECT_EQ(recorder.failures[0].kind, taa::RequestKind::Worst);
+  EXPECT_NE(recorder.failures[0].sentence.find("Lag part"), std::string::npos)
+      << recorder.failures[0].sentence;
+}
