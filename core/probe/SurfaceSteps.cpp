@@ -52,6 +52,9 @@ Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before) {
       step[0] = isKnown ? motion[0] : kNothing;
       step[1] = isKnown ? motion[1] : kNothing;
       step[2] = object;
+      step[3] = isKnown && *before.objectId.at(static_cast<int>(place.x), static_cast<int>(place.y)) != object
+                    ? 1.0f
+                    : 0.0f;
     }
   return steps;
 }

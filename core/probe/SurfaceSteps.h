@@ -18,8 +18,9 @@ struct SeenSurfaces {
   Image previousDepthView; ///< m, of the same surface a frame ago; 0: the sky or none
 };
 
-/// Channels of what surfaceSteps() gives: the motion, px, and the object that moves.
-inline constexpr int kStepChannels = 3;
+/// Channels of what surfaceSteps() gives: the motion, px, the object that moves, and 1 where it was only seen
+/// beside its place: the center of the pixel that holds that showed something else.
+inline constexpr int kStepChannels = 4;
 
 /// How the surface of each pixel came there from the frame before: its motion, NaN where it was not seen
 /// then: off the picture, without a previous position, or behind something else. It was seen where one of the

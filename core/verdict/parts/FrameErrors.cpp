@@ -81,7 +81,7 @@ void addHistory(FrameErrors& errors, const PartsInputs& now, const Image& before
 } // namespace
 
 bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm::ivec2& pixel) {
-  if (std::isnan(step[0])) return true;
+  if (std::isnan(step[0]) || step[3] != 0.0f) return true;
   const glm::vec2 off = glm::abs(positionPx - (glm::vec2(pixel) + 0.5f - glm::vec2(step[0], step[1])));
   return !(std::max(off.x, off.y) <= kSamePlacePx);
 }

@@ -8,8 +8,8 @@
 //   blur     = (1 − α)·(Σ wᵢ·R'(xᵢ) − R'(p))           what reading between pixels changed
 //   lag      = (1 − α)·(R'(p) − R)                     what has changed on the surface since
 //   ghost    = (1 − α)·(Σ wᵢ·R'(xᵢ) − R)               instead of both, where history is of something else
-// It is of something else where the surface was not seen in the frame before (core/probe/SurfaceSteps.h) or
-// q is more than half a pixel from p along an axis.
+// It is of something else where the surface was not seen in the frame before, or only beside p
+// (core/probe/SurfaceSteps.h), and where q is more than half a pixel from p along an axis.
 //
 // R'(p) between pixels is not known: a mean over a pixel there may show more than the means beside it. Of an
 // isolated dot or line, at fractions f of a pixel from the next texel and with m = max(f, 1 − f), the nearest

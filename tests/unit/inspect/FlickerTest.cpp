@@ -163,6 +163,8 @@ TEST(SurfaceSteps, EndWhereSomethingElseWasInFront) {
   Image steps = taa::surfaceSteps(wall(), before);
   EXPECT_TRUE(std::isnan(steps.at(4, 2)[0])) << "another object in all of the 3×3";
   EXPECT_EQ(steps.at(3, 2)[0], 0.0f) << "the surface is beside it";
+  EXPECT_EQ(steps.at(3, 2)[3], 1.0f) << "and not there";
+  EXPECT_EQ(steps.at(2, 2)[3], 0.0f);
   before = wall();
   for (float& depth : before.depthView.pixels) depth = 1.9f;
   EXPECT_TRUE(std::isnan(taa::surfaceSteps(wall(), before).at(4, 2)[0])) << "the same object, nearer";

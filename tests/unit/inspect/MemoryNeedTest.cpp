@@ -99,9 +99,9 @@ TEST(MemoryNeed, CountsTheReferenceWhereItIsWatched) {
 TEST(MemoryNeed, CountsTheFramesOfRowsOverTime) {
   using enum IntermediateId;
   const std::size_t drawn = 44 + 4; // the reference, and the row
-  EXPECT_EQ(needOf({}, {flicker}).reference, (drawn + 16 * 4 * (6 + 3)) * kPixels);
-  EXPECT_EQ(needOf({}, {errorGhost}).reference, (drawn + 16 * 4 * (19 + 3)) * kPixels);
-  EXPECT_EQ(needOf({}, {flicker, errorGhost}).reference, (drawn + 4 + 16 * 4 * (6 + 19 + 3)) * kPixels)
+  EXPECT_EQ(needOf({}, {flicker}).reference, (drawn + 16 * 4 * (6 + 4)) * kPixels);
+  EXPECT_EQ(needOf({}, {errorGhost}).reference, (drawn + 16 * 4 * (19 + 4)) * kPixels);
+  EXPECT_EQ(needOf({}, {flicker, errorGhost}).reference, (drawn + 4 + 16 * 4 * (6 + 19 + 4)) * kPixels)
       << "the steps are those of both";
 }
 

@@ -125,4 +125,6 @@ TEST(GeometryVerdict, NeedsRejectionWhereHistoryIsReadBesideTheSurface) {
   EXPECT_EQ(verdictOf(0.5f, 0.25f), HistoryVerdict::RightlyKept);
   EXPECT_EQ(verdictOf(0.5f, 2.0f), HistoryVerdict::LetThrough) << "it came from the left";
   EXPECT_EQ(verdictOf(-1.5f, 2.0f), HistoryVerdict::RightlyKept) << "and is read there";
+  steps.at(0, 0)[3] = 1.0f;
+  EXPECT_EQ(verdictOf(-1.5f, 2.0f), HistoryVerdict::LetThrough) << "where something else was in front";
 }
