@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 using taa::IntermediateId;
 using taa::test::onThread::viewOf;
