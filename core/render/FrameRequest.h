@@ -1,6 +1,7 @@
 // What of a source is asked for besides a frame's number.
 #pragma once
 
+#include "core/gl/Texture.h"
 #include "core/scene/MotionMode.h"
 #include "core/scene/ObjectClass.h"
 #include "core/scene/ObjectFilter.h"
@@ -27,6 +28,8 @@ struct FrameRequest {
   std::optional<glm::vec2> jitterPx = {};        ///< instead of what the sequence of `jitter` says
   std::vector<ClassOverride> objectClasses = {}; ///< of objects by name; others have what moves them
   std::vector<int> restarts = {}; ///< frames that use no history besides those where the shot is cut
+  /// Texels that are wanted, as if all were drawn; others hold anything. A capture draws all. Default: all.
+  std::optional<gl::Rect> part = {};
   bool operator==(const FrameRequest&) const = default;
 };
 

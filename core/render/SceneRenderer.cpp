@@ -126,7 +126,7 @@ void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View&
   target.clearDepth(0.0f);
   if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f));
   gbuffer.draw(*scene, resources, request.inputs, view, frame, target, warmUp);
-  sky.draw(frame, background);
+  sky.draw(frame, background, view.part);
 }
 
 void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const FrameInputs& out,

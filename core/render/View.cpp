@@ -43,6 +43,7 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   View view;
   view.info = frameInfo(scene, request, frame);
   view.projection = request.jitter.projection;
+  view.part = request.part;
   const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
   const double time = frameTime(scene, frame);
   const int previous = previousFrame(scene, frame);

@@ -22,6 +22,7 @@ struct View {
   std::vector<NodeState> nodes;                    ///< as Scene::nodes
   std::vector<std::optional<ObjectClass>> classes; ///< likewise: those that nodes are given
   JitterProjection projection = JitterProjection::Translation;
+  std::optional<gl::Rect> part; ///< texels that are wanted; default: all
 };
 
 /// The camera a request looks through, flown or the scene's. Throws Error when there is none of its name.

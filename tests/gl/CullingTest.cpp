@@ -87,6 +87,30 @@ TEST_P(CullingTest, ChangesNoBitOfAnyCamera) {
   }
 }
 
+// Scissored, and what lies outside the part is left out.
+TEST_P(CullingTest, APartIsAsItIsInTheWhole) {
+  const auto scene = std::make_shared<const Scene>(openScene("builtin:" + GetParam()));
+  SceneRenderer renderer(scene);
+  FrameInputs whole, parted;
+  FrameRequest asked = request(*scene);
+  renderer.draw(asked, 61, whole);
+  const int drawn = renderer.counts().drawn;
+  int fewest = drawn;
+  for (const gl::Rect& part : {gl::Rect{0, 0, 1, 1}, gl::Rect{70, 40, 20, 10}, gl::Rect{131, 57, 29, 33}}) {
+    asked.part = part;
+    renderer.draw(asked, 61, parted);
+    fewest = std::min(fewest, renderer.counts().drawn);
+    for (const auto texture :
+         {&FrameInputs::color, &FrameInputs::depth, &FrameInputs::motion, &FrameInputs::normal,
+          &FrameInputs::objectId, &FrameInputs::previousDepth, &FrameInputs::mask, &FrameInputs::fog}) {
+      if (!(whole.*texture)) continue;
+      EXPECT_EQ((parted.*texture).download(part).pixels, (whole.*texture).download(part).pixels)
+          << part.x << ", " << part.y;
+    }
+  }
+  EXPECT_LT(fewest, drawn);
+}
+
 TEST_P(CullingTest, LeavesOutWhatTheCameraTurnsAwayFrom) {
   const Scene scene = openScene("builtin:" + GetParam());
   int fewest = 1000000, objects = 0;

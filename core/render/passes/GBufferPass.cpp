@@ -27,15 +27,29 @@ glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
 
 constexpr float kBeyondAll = std::numeric_limits<float>::max();
 
+/// What is seen of clip space divided by w, along x and y.
+struct ClipSides {
+  glm::vec2 low{-1.0f}, high{1.0f};
+};
+
+/// Of the part that is wanted, with a margin for jitter and the width of points and lines.
+ClipSides clipSides(const View& view) {
+  constexpr float marginPx = 3.0f;
+  const glm::vec2 sizePx = view.block.sizePx;
+  const gl::Rect part =
+      view.part.value_or(gl::Rect{0, 0, static_cast<int>(sizePx.x), static_cast<int>(sizePx.y)});
+  const glm::vec2 from = glm::vec2(part.x, part.y) - marginPx;
+  const glm::vec2 to = glm::vec2(part.x + part.width, part.y + part.height) + marginPx;
+  const glm::vec2 low = 2.0f * from / sizePx - 1.0f, high = 2.0f * to / sizePx - 1.0f;
+  return {{low.x, -high.y}, {high.x, -low.y}}; // rows go down, y goes up
+}
+
 /// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
-/// view. The distance is view depth less a constant; only its order matters. `marginPx` covers jitter and the
-/// width of points and lines; `jitter` is FrameBlock::printedJitter, which may move near or far things by
-/// more.
-std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, glm::vec2 sizePx,
+/// view. The distance is view depth less a constant; only its order matters. `jitter` is
+/// FrameBlock::printedJitter, which may move near or far things by more than the margin.
+std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, const ClipSides& sides,
                                    const glm::vec4& jitter) {
   if (box.isEmpty()) return kBeyondAll;
-  constexpr float marginPx = 3.0f;
-  const glm::vec2 limit = 1.0f + 2.0f * marginPx / sizePx;
   std::array<int, 5> outside{};
   float farthest = std::numeric_limits<float>::lowest();
   for (int corner = 0; corner < 8; ++corner) {
@@ -44,10 +58,10 @@ std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromM
                                   corner & 4 ? box.max.z : box.min.z, 1.0f);
     clip.x += jitter.x * clip.w + jitter.z * clip.z;
     clip.y += jitter.y * clip.w + jitter.w * clip.z;
-    outside[0] += clip.x > limit.x * clip.w;
-    outside[1] += clip.x < -limit.x * clip.w;
-    outside[2] += clip.y > limit.y * clip.w;
-    outside[3] += clip.y < -limit.y * clip.w;
+    outside[0] += clip.x > sides.high.x * clip.w;
+    outside[1] += clip.x < sides.low.x * clip.w;
+    outside[2] += clip.y > sides.high.y * clip.w;
+    outside[3] += clip.y < sides.low.y * clip.w;
     outside[4] += clip.z > clip.w; // before the near plane, which has depth 1
     farthest = std::max(farthest, clip.w - clip.z);
   }
@@ -224,6 +238,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
   visible_.clear();
   blended_.clear();
   counts_ = {};
+  const ClipSides sides = clipSides(view);
   for (std::size_t index = 0; index < items_.size(); ++index) {
     const Item& item = items_[index];
     const Primitive& primitive = scene.meshes[static_cast<std::size_t>(item.mesh)]
@@ -234,8 +249,7 @@ void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
     if (primitive.indices.empty() || !view.nodes[static_cast<std::size_t>(item.node)].isVisible) continue;
     ++counts_.objects;
     const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
-    const auto distance =
-        farthestPoint(boundsOf(scene, view, item), block.clipFromModel, view.block.sizePx, jitter);
+    const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, sides, jitter);
     if (culls && !distance) continue;
     ++counts_.drawn;
     counts_.triangles += primitive.indices.size() / 3;
@@ -306,13 +320,15 @@ void GBufferPass::draw(const Scene& scene, const SceneResources& resources, cons
   if (warmUp) keepOneOfEach();
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
-  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = {}}, "GBufferPass");
+  part_ = view.part;
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_}, "GBufferPass");
   drawItems(scene, resources, frame, visible_, pass, warmUp);
 }
 
 void GBufferPass::drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
                               const gl::Framebuffer& target, const Progress& warmUp) {
-  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = {}}, "GBufferPass blended");
+  gl::RenderPass pass(target, {.depthTest = true, .depthWrite = false, .scissor = part_},
+                      "GBufferPass blended");
   pass.blending(0, gl::Blending::Over);
   pass.blending(kMaskAttachment, gl::Blending::Largest);
   drawItems(scene, resources, frame, blended_, pass, warmUp);

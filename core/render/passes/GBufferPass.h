@@ -15,6 +15,7 @@
 #include <compare>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -114,6 +115,7 @@ class GBufferPass {
   std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
   std::vector<Visible> visible_, blended_;
   DrawCounts counts_;
+  std::optional<gl::Rect> part_; ///< of the view of the last draw()
   bool culls_ = true;
 };
 

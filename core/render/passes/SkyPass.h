@@ -3,13 +3,16 @@
 
 #include "core/gl/RenderPass.h"
 
+#include <optional>
+
 namespace taa {
 
 class SkyPass {
  public:
   SkyPass();
   /// Where `target` holds depth 0. `frame` holds the view's block.
-  void draw(const gl::Buffer& frame, const gl::Framebuffer& target) const;
+  void draw(const gl::Buffer& frame, const gl::Framebuffer& target,
+            const std::optional<gl::Rect>& part = {}) const;
   /// Compiles again; on Error the old program stays.
   void reloadShaders();
 
