@@ -1,18 +1,37 @@
 #include "core/probe/TwinInputs.h"
 
+#include <utility>
+
 namespace taa {
 
-twin::Texels twinTexels(const gl::Texture& texture, TwinReading reading) {
+namespace {
+
+using Require = std::function<void(const gl::Rect&)>;
+
+twin::Texels texelsInParts(const gl::Texture& texture, const Require& require) {
   if (!texture) return {};
-  if (reading == TwinReading::Whole) return texture.download();
   return {texture.width(), texture.height(), gl::channels(texture.format()),
-          [&texture](int x, int y, int width, int height) {
-            return texture.download({x, y, width, height});
+          [&texture, require](int x, int y, int width, int height) {
+            const gl::Rect part{x, y, width, height};
+            if (require) require(part);
+            return texture.download(part);
           }};
 }
 
-twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, TwinReading reading) {
+void readHistory(const History& previous, TwinReading reading, twin::Inputs& twin) {
   const auto read = [reading](const gl::Texture& texture) { return twinTexels(texture, reading); };
+  twin.historyColor = read(previous.color);
+  twin.historySurface = read(previous.surface);
+  twin.historyObject = read(previous.object);
+  twin.historyNormal = read(previous.normal);
+  twin.historyMotion = read(previous.motion);
+  twin.historyLock = read(previous.lock);
+  twin.historyLumas = read(previous.lumas);
+}
+
+/// `read` makes texels of a texture.
+template <typename Read>
+twin::Inputs drawnInputs(const FrameInputs& inputs, const Read& read) {
   twin::Inputs twin;
   twin.color = read(inputs.color);
   twin.depth = read(inputs.depth);
@@ -23,20 +42,34 @@ twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, Twin
   twin.mask = read(inputs.mask);
   twin.overlay = read(inputs.overlay);
   twin.fog = read(inputs.fog);
-  if (previous) {
-    twin.historyColor = read(previous->color);
-    twin.historySurface = read(previous->surface);
-    twin.historyObject = read(previous->object);
-    twin.historyNormal = read(previous->normal);
-    twin.historyMotion = read(previous->motion);
-    twin.historyLock = read(previous->lock);
-    twin.historyLumas = read(previous->lumas);
-  }
   twin.outputPx = inputs.outputPx;
   twin.frame = inputs.info.frame;
   twin.stepSeconds = inputs.info.stepSeconds;
   twin.jitterPx = inputs.block.jitterPx;
   twin.depthTerms = inputs.block.depthTerms;
+  return twin;
+}
+
+} // namespace
+
+twin::Texels twinTexels(const gl::Texture& texture, TwinReading reading) {
+  if (!texture) return {};
+  if (reading == TwinReading::Whole) return texture.download();
+  return texelsInParts(texture, {});
+}
+
+twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, TwinReading reading) {
+  twin::Inputs twin =
+      drawnInputs(inputs, [reading](const gl::Texture& texture) { return twinTexels(texture, reading); });
+  if (previous) readHistory(*previous, reading, twin);
+  return twin;
+}
+
+twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous,
+                        std::function<void(const gl::Rect& part)> require) {
+  twin::Inputs twin =
+      drawnInputs(inputs, [&require](const gl::Texture& texture) { return texelsInParts(texture, require); });
+  if (previous) readHistory(*previous, TwinReading::Parts, twin);
   return twin;
 }
 

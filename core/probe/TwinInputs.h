@@ -7,6 +7,7 @@
 #include "core/taa/twin/Twin.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace taa {
 
@@ -19,5 +20,8 @@ enum class TwinReading : std::uint8_t {
 twin::Texels twinTexels(const gl::Texture& texture, TwinReading reading);
 /// All but what it resolved to. `previous`: the history it was resolved on, or nothing.
 twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous, TwinReading reading);
+/// In parts, of inputs that are drawn where they are read: `require` draws a part before it is.
+twin::Inputs twinInputs(const FrameInputs& inputs, const History* previous,
+                        std::function<void(const gl::Rect& part)> require);
 
 } // namespace taa
