@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/inspect/verdicts/TwinFrames.h"
 #include "core/measure/DrawnSurfaces.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/verdict/pixel/Evidence.h"
@@ -21,7 +22,6 @@ class EvidenceFrames : public EvidenceSource {
  public:
   /// `samples`: of each reference; those that are drawn are kept in `references` as far as its budget goes.
   EvidenceFrames(ShotPlayer& player, References& references, int lane, int samples, const Progress& progress);
-  ~EvidenceFrames() override;
 
   PixelStep step(int frame, const glm::ivec2& pixel) override;
   twin::PixelRecord record(int frame, const glm::ivec2& pixel) override;
@@ -33,23 +33,15 @@ class EvidenceFrames : public EvidenceSource {
   std::vector<SurfaceMoment> moments(int frame, const glm::ivec2& pixel, int frames);
   /// Fills in the values of moments, frame by frame.
   void fill(std::vector<SurfaceMoment>& moments);
-  const Settings& settings() const { return state_.lanes[0]; }
-  const ShotState& state() const { return state_; }
+  const Settings& settings() const { return frames_.settings(); }
+  const ShotState& state() const { return frames_.state(); }
   int lane() const { return lane_; }
 
  private:
-  void open(int frame);
-  void close();
-
-  ShotPlayer& player_;
   References& references_;
-  ShotState state_; // of the lane alone
+  TwinFrames frames_;
   int lane_, samples_;
   const Progress& progress_;
-  Checkpoints kept_;
-  std::optional<ShownFrame> made_; // nothing: the frame on show is read, or none
-  std::optional<int> frame_;
-  twin::Inputs inputs_;
   std::map<int, Image> means_, steps_;
   DrawnSurfaces seen_;
 };

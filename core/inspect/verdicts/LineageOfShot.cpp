@@ -3,59 +3,24 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
+#include "core/inspect/verdicts/TwinFrames.h"
 #include "core/measure/Profiler.h"
-#include "core/probe/TwinInputs.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/verdict/lineage/TwinStep.h"
-
-#include <optional>
-#include <utility>
 
 namespace taa {
 
 namespace {
 
-/// One frame at a time, read where the twin looks.
 class LineageFrames : public LineageSource {
  public:
-  LineageFrames(ShotPlayer& player, int lane, const Progress& progress)
-      : player_(player), state_(player.onlyLane(lane)), lane_(lane), progress_(progress) {}
-  ~LineageFrames() override { close(); }
-
+  LineageFrames(ShotPlayer& player, int lane, const Progress& progress) : frames_(player, lane, progress) {}
   PixelStep step(int frame, const glm::ivec2& pixel) override {
-    if (frame_ != frame) open(frame);
-    return pixelStep(inputs_, state_.lanes[0], pixel);
+    return pixelStep(frames_.at(frame, pixel), frames_.settings(), pixel);
   }
 
  private:
-  void open(int frame) {
-    close();
-    const ShownLane& shown = player_.lane(lane_);
-    if (frame == player_.shown().frame && shown.exact) {
-      inputs_ = twinInputs(player_.inputs(lane_), shown.previous.get(), TwinReading::Parts);
-    } else {
-      made_ = player_.makeInBackground(frame, kept_, progress_, lane_);
-      const FrameInputs& drawn = player_.maker().inputs(state_, *made_, 0);
-      inputs_ = twinInputs(drawn, made_->lanes[0].previous.get(), TwinReading::Parts);
-    }
-    frame_ = frame;
-  }
-  // Textures go back after what reads them has gone.
-  void close() {
-    frame_.reset();
-    inputs_ = {};
-    if (made_) player_.maker().recycle(std::move(*made_));
-    made_.reset();
-  }
-
-  ShotPlayer& player_;
-  ShotState state_; // of the lane alone
-  int lane_;
-  const Progress& progress_;
-  Checkpoints kept_;
-  std::optional<ShownFrame> made_; // nothing: the frame on show is read, or none
-  std::optional<int> frame_;
-  twin::Inputs inputs_;
+  TwinFrames frames_;
 };
 
 } // namespace
