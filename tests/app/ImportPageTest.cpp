@@ -7,6 +7,7 @@
 #include "app/importing/FramePanel.h"
 #include "app/importing/PictureBox.h"
 #include "app/importing/ResidualTable.h"
+#include "app/window/Dialogs.h"
 #include "core/base/Files.h"
 #include "core/capture/planes/Planes.h"
 #include "tests/app/WindowFixture.h"
@@ -34,7 +35,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -601,23 +601,27 @@ TEST_F(ImportInWindow, ADroppedCaptureOpensAtOnce) {
   EXPECT_EQ(renderer->status.source, folder);
 }
 
-TEST_F(ImportInWindow, APictureOfThePageWaitsForAllThatItShows) {
+// As a picture of the window asks for it, which is taken when all is there.
+TEST_F(ImportInWindow, IsOpenedByItsNameOnTheCaptureThatIsOpen) {
   const QTemporaryDir place;
   drop(QString::fromStdString(captureIn(place)));
-  const QString file = place.filePath(QStringLiteral("page.png"));
-  std::optional<int> ended;
-  window.takeScreenshot(file, 1, "import", [&](int code, const QString&) {
-    ended = code;
-    const auto* page = window.findChild<ImportPage*>();
-    ASSERT_TRUE(page);
-    EXPECT_TRUE(page->isComplete());
-    EXPECT_EQ(page->manifest().frames.size(), kFrames) << "of the capture that is open";
-    EXPECT_FALSE(page->frames()->flicker()->picture()->picture().isNull());
-  });
-  ASSERT_TRUE(test::waitFor([&] { return ended.has_value(); }));
-  EXPECT_EQ(*ended, 0);
-  EXPECT_FALSE(QImage(file).isNull());
-  window.findChild<ImportPage*>()->close();
+  window.openDialog("import");
+  auto* page = window.findChild<ImportPage*>();
+  ASSERT_TRUE(page && page->isVisible());
+  EXPECT_FALSE(areDialogsComplete()) << "the page has not looked at its frames yet";
+  ASSERT_TRUE(test::waitFor([] { return areDialogsComplete(); }));
+  EXPECT_EQ(page->manifest().frames.size(), kFrames);
+  EXPECT_FALSE(page->frames()->flicker()->picture()->picture().isNull());
+  page->close();
+}
+
+TEST_F(ImportInWindow, IsOpenedByItsNameWithoutFramesWhereASceneIsOpen) {
+  window.openDialog("import");
+  auto* page = window.findChild<ImportPage*>();
+  ASSERT_TRUE(page && page->isVisible());
+  EXPECT_TRUE(areDialogsComplete());
+  EXPECT_TRUE(page->manifest().frames.empty());
+  page->close();
 }
 
 TEST_F(ImportInWindow, TheMenuAsksForAFolder) {
