@@ -35,7 +35,10 @@ testEngine() {
 # Adds to the counts of tests/run, a check an engine.
 testEngines() {
   local root=$1 folder engine
-  installPackages nodejs npm chromium blender
+  local packages=(chromium blender)
+  # Debian's npm goes with no other node than Debian's.
+  command -v npm >/dev/null || packages+=(nodejs npm)
+  installPackages "${packages[@]}"
   folder=$(mktemp -d "${TMPDIR:-/tmp}/taa-engines.XXXXXX")
   prepareWeb "$root" || { count failed; return; }
   for engine in three babylon blender; do
