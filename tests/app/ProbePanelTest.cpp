@@ -13,6 +13,7 @@
 #include <QTreeView>
 
 #include <map>
+#include <optional>
 #include <string>
 
 using namespace taa;
@@ -147,6 +148,8 @@ TEST_F(ProbeTable, GoesAwayWithEscape) {
 }
 
 TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
+  session.probes().setPixel(std::nullopt);
+  settle();
   window.views()->active()->setIntermediate(IntermediateId::errorGhost);
   key(Qt::Key_W, Qt::ShiftModifier);
   ASSERT_EQ(renderer->worstAsked.size(), 1u);
