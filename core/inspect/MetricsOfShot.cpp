@@ -22,10 +22,10 @@ bool isAgainstReference(Metric metric) {
   return metricInfo(metric).needsReference;
 }
 
-/// The row of the frame alone that a metric is made of.
+/// The row of the frame's own resolve that a metric is made of.
 std::optional<IntermediateId> rowOf(Metric metric) {
-  const MetricInfo& info = metricInfo(metric);
-  return info.isOverTime ? std::nullopt : findIntermediate(info.row);
+  const std::optional<IntermediateId> row = findIntermediate(metricInfo(metric).row);
+  return row && isOfReference(*row) ? std::nullopt : row;
 }
 
 /// The rows that metrics are made of.
@@ -44,12 +44,10 @@ void addRowMetrics(FrameMetrics& metrics, const std::vector<Metric>& wanted,
           metricOf(metric, rows[static_cast<std::size_t>(std::ranges::find(ids, *id) - ids.begin())]);
 }
 
-void addError(FrameMetrics& metrics, const std::vector<Metric>& wanted, const PictureError& error) {
-  for (const Metric metric : wanted) {
-    if (metric == Metric::Rmse) metrics.at(metric) = error.rmse;
-    if (metric == Metric::Psnr) metrics.at(metric) = error.psnr;
-    if (metric == Metric::RmseLinear) metrics.at(metric) = error.rmseLinear;
-  }
+void addCompared(FrameMetrics& metrics, const std::vector<Metric>& wanted, PictureComparison& compared,
+                 const Progress& progress) {
+  for (const Metric metric : wanted)
+    if (isOfPictures(metric)) metrics.at(metric) = compared.metric(metric, progress);
 }
 
 /// What measures those of them that are over time.
@@ -96,7 +94,7 @@ FrameMetrics MetricsOfShot::measure(const std::vector<Metric>& wanted, int lane)
       std::ranges::any_of(wanted, isAgainstReference) ? reference_.rows(lane) : nullptr;
   if (!rows) return metrics;
   metrics.referenceSamples = rows->samples();
-  addError(metrics, wanted, rows->error());
+  addCompared(metrics, wanted, rows->compared(), {});
   return metrics;
 }
 
@@ -129,7 +127,8 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
   maker.recycle(std::move(made));
   if (reference) {
     metrics.referenceSamples = samples;
-    addError(metrics, wanted, pictureError(resolve.at(IntermediateId::output), reference->mean()));
+    PictureComparison comparison(resolve.at(IntermediateId::output), reference->mean());
+    addCompared(metrics, wanted, comparison, progress);
   }
   if (need.kinds.empty()) return metrics;
   for (const auto& [kind, maps] : overTime_.finish(cursor.window, need, resolve, progress))

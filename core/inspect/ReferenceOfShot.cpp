@@ -47,7 +47,7 @@ void ReferenceOfShot::setBudget(std::size_t bytes) {
 }
 
 PictureError ReferenceOfShot::error(int lane) {
-  return requiredRows(IntermediateId::reference, lane).error();
+  return requiredRows(IntermediateId::reference, lane).compared().error();
 }
 
 ReferenceKey ReferenceOfShot::keyOf(int lane) const {
@@ -107,24 +107,21 @@ const gl::Texture* ReferenceOfShot::texture(IntermediateId id, int lane) {
 void ReferenceOfShot::addTo(std::vector<twin::PixelRecord>& records, const gl::Rect& region, int lane) {
   const ReferenceRows* made = rows(lane);
   const std::shared_ptr<const Image> ofEngine = player_.state().frames->engineOutput(player_.shown().frame);
-  for (int y = 0; y < region.height; ++y)
-    for (int x = 0; x < region.width; ++x) {
-      twin::PixelRecord& record = records[static_cast<std::size_t>(y) * region.width + x];
-      const glm::ivec2 pixel(region.x + x, region.y + y);
-      for (const Intermediate& row : kIntermediates) {
-        if (!isOfReference(row.id)) continue;
-        glm::vec4& value = twin::at(record, row.id);
-        if (const RowsOverTime* over = isOverTime(row.id) ? overTime_.rows(row.id, lane) : nullptr)
-          value = over->map(row.id).texel(pixel.x, pixel.y);
-        else if (isOfEngine(row.id)) {
-          if (ofEngine)
-            value = referenceValue(row.id, twin::at(record, IntermediateId::resolved),
-                                   ofEngine->texel(pixel.x, pixel.y));
-        } else if (made && !isOverTime(row.id))
-          value = referenceValue(row.id, twin::at(record, IntermediateId::output),
-                                 made->reference().texel(pixel.x, pixel.y));
+  for (const Intermediate& row : kIntermediates) {
+    if (!isOfReference(row.id)) continue;
+    const bool isMap = isOverTime(row.id) || needsPixelsAround(row.id);
+    const Image map = isMap && has(row.id, lane) ? image(row.id, region, lane) : Image();
+    const Image* other = isOfEngine(row.id) ? ofEngine.get() : made ? &made->reference() : nullptr;
+    if (isMap ? map.empty() : !other) continue;
+    const IntermediateId ours = isOfEngine(row.id) ? IntermediateId::resolved : IntermediateId::output;
+    for (int y = 0; y < region.height; ++y)
+      for (int x = 0; x < region.width; ++x) {
+        twin::PixelRecord& record = records[static_cast<std::size_t>(y) * region.width + x];
+        twin::at(record, row.id) =
+            isMap ? map.texel(x, y)
+                  : referenceValue(row.id, twin::at(record, ours), other->texel(region.x + x, region.y + y));
       }
-    }
+  }
 }
 
 void ReferenceOfShot::forget() {

@@ -58,25 +58,6 @@ PictureError pictureError(const Image& picture, const Image& reference) {
   return error;
 }
 
-std::optional<Metric> findMetric(std::string_view id) {
-  const auto found = std::ranges::find(kMetrics, id, &MetricInfo::id);
-  if (found == kMetrics.end()) return {};
-  return found->metric;
-}
-
-OverTime overTimeOf(Metric metric) {
-  const std::optional<IntermediateId> row = findIntermediate(metricInfo(metric).row);
-  return row ? overTime(*row) : OverTime::None;
-}
-
-std::optional<Metric> meanOfRow(IntermediateId id) {
-  const auto found = std::ranges::find_if(kMetrics, [id](const MetricInfo& info) {
-    return info.isOverTime && info.category < 0 && info.row == intermediate(id).name;
-  });
-  if (found == kMetrics.end()) return {};
-  return found->metric;
-}
-
 double metricOf(Metric metric, const Image& row) {
   assert(!metricInfo(metric).row.empty() && !metricInfo(metric).isOverTime);
   assert(row.channels == 1 && !row.empty());

@@ -1,5 +1,6 @@
 #include "core/measure/ReferenceRows.h"
 
+#include "core/measure/compare/RelativeError.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/twin/Color.h"
 
@@ -13,12 +14,14 @@
 namespace taa {
 
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference) {
-  assert(isOfReference(id) && !isOverTime(id));
+  assert(isOfReference(id) && !isOverTime(id) && !needsPixelsAround(id));
   if (id == IntermediateId::reference || id == IntermediateId::engineOutput)
     return {glm::vec3(reference), 0.0f};
   const glm::vec3 is(output), should(reference);
   if (id == IntermediateId::referenceError || id == IntermediateId::engineDifference)
     return {twin::luma(is) - twin::luma(should), 0.0f, 0.0f, 0.0f};
+  if (id == IntermediateId::relativeError)
+    return {static_cast<float>(relativeError(is, should)), 0.0f, 0.0f, 0.0f};
   const glm::vec3 difference = glm::abs(is - should);
   return {std::max({difference.x, difference.y, difference.z}), 0.0f, 0.0f, 0.0f};
 }
@@ -44,16 +47,20 @@ void ReferenceRows::set(const Origin& origin, Image reference, Image output) {
   settings_ = origin.settings;
   key_ = origin.key;
   samples_ = origin.samples;
-  reference_ = std::move(reference);
-  output_ = std::move(output);
+  compared_ = PictureComparison(std::move(output), std::move(reference));
 }
 
-Image ReferenceRows::image(IntermediateId id, const gl::Rect& region) const {
+Image ReferenceRows::image(IntermediateId id, const gl::Rect& region) {
+  const bool isWhole = region.width == reference().width && region.height == reference().height;
+  if (needsPixelsAround(id) && isWhole) return compared_.map(id);
+  if (needsPixelsAround(id))
+    return compared_.mapPart(id, {region.x, region.y}, {region.width, region.height});
   Image row(region.width, region.height, intermediate(id).channels);
   for (int y = 0; y < region.height; ++y)
     for (int x = 0; x < region.width; ++x) {
       const int px = region.x + x, py = region.y + y;
-      const glm::vec4 value = referenceValue(id, output_.texel(px, py), reference_.texel(px, py));
+      const glm::vec4 value =
+          referenceValue(id, compared_.picture().texel(px, py), reference().texel(px, py));
       for (int channel = 0; channel < row.channels; ++channel) row.at(x, y)[channel] = value[channel];
     }
   return row;
@@ -61,13 +68,10 @@ Image ReferenceRows::image(IntermediateId id, const gl::Rect& region) const {
 
 const gl::Texture& ReferenceRows::texture(IntermediateId id) {
   gl::Texture& texture = textures_[id];
-  if (!texture) texture = rowTexture(image(id, {0, 0, reference_.width, reference_.height}), "reference row");
+  if (texture) return texture;
+  const gl::Rect whole{0, 0, reference().width, reference().height};
+  texture = rowTexture(needsPixelsAround(id) ? compared_.map(id) : image(id, whole), "reference row");
   return texture;
-}
-
-const PictureError& ReferenceRows::error() {
-  if (!error_) error_ = pictureError(output_, reference_);
-  return *error_;
 }
 
 } // namespace taa

@@ -5,6 +5,7 @@
 #include "core/base/Image.h"
 #include "core/measure/Metrics.h"
 #include "core/measure/References.h"
+#include "core/measure/compare/PictureComparison.h"
 #include "core/replay/Checkpoints.h"
 #include "core/settings/Settings.h"
 #include "core/taa/rows/Intermediates.h"
@@ -17,7 +18,7 @@
 namespace taa {
 
 /// The value of a row of the reference in one pixel, missing channels 0: of the output against it, or of the
-/// resolved color against the engine's output. Expects one of a single frame.
+/// resolved color against the engine's output. Expects one of that pixel and frame alone.
 glm::vec4 referenceValue(IntermediateId id, const glm::vec4& output, const glm::vec4& reference);
 
 /// A row of one channel or three as the Visualizer takes it.
@@ -38,20 +39,20 @@ class ReferenceRows {
   void forget() { *this = {}; }
 
   int samples() const { return samples_; }
-  const Image& reference() const { return reference_; }
-  Image image(IntermediateId id, const gl::Rect& region) const;
+  const Image& reference() const { return compared_.reference(); }
+  /// Numbers and maps of the two pictures.
+  PictureComparison& compared() { return compared_; }
+  Image image(IntermediateId id, const gl::Rect& region);
   /// One layer, for the Visualizer.
   const gl::Texture& texture(IntermediateId id);
-  const PictureError& error();
 
  private:
   std::weak_ptr<const History> current_; // whose output it is; it may end meanwhile
   Settings settings_;
   ReferenceKey key_;
   int samples_ = 0;
-  Image reference_, output_;
+  PictureComparison compared_;
   std::map<IntermediateId, gl::Texture> textures_; // made when first shown
-  std::optional<PictureError> error_;
 };
 
 } // namespace taa

@@ -2,6 +2,7 @@
 
 #include "core/measure/Flicker.h"
 #include "core/measure/ReferenceRows.h"
+#include "core/measure/compare/GhostEnergy.h"
 #include "core/settings/Parameters.h"
 
 #include <algorithm>
@@ -14,8 +15,10 @@ namespace taa {
 std::optional<double> metricOverTime(Metric metric, const RowImages& rows) {
   const MetricInfo& info = metricInfo(metric);
   const Image& row = rows.at(intermediateNamed(info.row));
-  if (overTimeOf(metric) == OverTime::Flicker)
-    return meanOverTime(row, rows.at(IntermediateId::framesFollowed));
+  if (overTimeOf(metric) == OverTime::Flicker) {
+    const std::optional<double> mean = meanOverTime(row, rows.at(IntermediateId::framesFollowed));
+    return mean && metric == Metric::GhostEnergy ? ghostEnergy(row) : mean;
+  }
   double sum = 0.0;
   for (const float value : row.pixels)
     sum +=

@@ -24,7 +24,8 @@ struct OverTimeKey {
 };
 
 /// A metric over time from the rows it is measured with, its own among them; nothing where nothing of the
-/// frame was seen before. Parts of the error: the mean of their amounts.
+/// frame was seen before. Parts of the error: the mean of their amounts; ghosts: the root of their mean
+/// square.
 std::optional<double> metricOverTime(Metric metric, const RowImages& rows);
 
 class RowsOverTime {

@@ -70,9 +70,10 @@ struct ViewResult {
       false; ///< it came with the capture: it is one picture, and the samples mean nothing
   std::optional<PictureError> error{};
   /// Of a row over time: samples of the references that went into it, 0: none; nothing: it is not measured
-  /// yet, the picture is empty. And its mean over the picture (meanOfRow()), where anything was seen before.
+  /// yet, the picture is empty.
   std::optional<int> overTimeSamples{};
-  std::optional<double> overTimeMean{};
+  /// Of a row of the reference that a metric is the number of (metricOfMap()): that, where it is known.
+  std::optional<double> number{};
   int frame = 0;
   bool exact = true;
   ReasonCounts reasons{};          ///< where they are shown

@@ -254,6 +254,25 @@ ArrowScale arrowScale(const ViewTransform& transform) {
   return {2.0f * reach, std::min(1.0f, kMinReach / reach)};
 }
 
+namespace {
+
+/// Whether the row is the size of an error.
+bool isErrorSize(IntermediateId id) {
+  switch (id) {
+  case IntermediateId::referenceErrorAbs:
+  case IntermediateId::engineDifferenceAbs:
+  case IntermediateId::relativeError:
+  case IntermediateId::flip:
+  case IntermediateId::ssimMap:
+  case IntermediateId::ghost:
+    return true;
+  default:
+    return false;
+  }
+}
+
+} // namespace
+
 ViewStyle defaultStyle(const Intermediate& row) {
   ViewStyle style;
   style.low = row.low;
@@ -278,8 +297,7 @@ ViewStyle defaultStyle(const Intermediate& row) {
     style.map = ColorMap::Categorical;
     break;
   }
-  if (row.id == IntermediateId::referenceErrorAbs || row.id == IntermediateId::engineDifferenceAbs)
-    style.map = ColorMap::Inferno; // dark: as it should be
+  if (isErrorSize(row.id)) style.map = ColorMap::Inferno; // dark: as it should be
   return style;
 }
 

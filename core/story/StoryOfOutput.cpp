@@ -166,6 +166,17 @@ RowStory trustStory(const Teller& t) {
           t.equals("1 − clamp((" + t.number(Id::speed) + " − 2) / 13, 0, 1)", Id::blurTrust), ""};
 }
 
+RowStory relativeStory(const glm::vec3& is, const glm::vec3& should, const Teller& t) {
+  std::string sum;
+  for (int i = 0; i < 3; ++i) {
+    const std::string reference = t.number(should[i]);
+    sum += sum.empty() ? "(" : " + ";
+    sum += "(" + t.number(is[i]) + " − " + reference + ")^2 / (" + reference + "^2 + 0.01)";
+  }
+  return {say<"the squared difference over the reference's own square, the mean of red, green and blue">(),
+          t.equals(sum + ") / 3", Id::relativeError), ""};
+}
+
 RowStory errorStory(Id id, const Teller& t) {
   if (!twin::isKnown(t.probed.record, Id::reference)) return {say<"there is no reference yet">(), "", ""};
   const glm::vec3 is = t.color(Id::output), should = t.color(Id::reference);
@@ -185,6 +196,16 @@ RowStory errorStory(Id id, const Teller& t) {
       channels[static_cast<std::size_t>(i)] = "|" + t.number(is[i]) + " − " + t.number(should[i]) + "|";
     return {say<"the largest difference of red, green and blue">(), t.equals(call("max", channels), id), ""};
   }
+  case Id::relativeError:
+    return relativeStory(is, should, t);
+  case Id::flip:
+    return {t.value(id) == 0.0f ? say<"nothing of the difference is seen">()
+                                : say<"what is seen of the difference from the reference here, of 1">(),
+            "", ""};
+  case Id::ssimMap:
+    return {t.value(id) == 0.0f ? say<"its structure is that of the reference">()
+                                : say<"how unlike the reference's structure it is, in 11 × 11 pixels">(),
+            "", ""};
   default: // no error
     return {};
   }

@@ -43,6 +43,10 @@ RowStory flickerStory(Id id, const Teller& t) {
   if (!twin::isKnown(t.probed.record, id)) return {say<"it is not measured yet">(), "", ""};
   if (id == Id::flicker) return excessStory(t);
   if (id == Id::deviationOverTime) return deviationStory(t);
+  if (id == Id::ghost)
+    return {t.value(id) == 0.0f ? say<"no error towards what was shown a frame ago">()
+                                : say<"the error lies so far towards what was shown a frame ago">(),
+            "", ""};
   return {t.value(id) < 2.0f ? say<"what is seen here was not seen in the frame before">()
                              : say<"frames in which the surface was seen, one after the other">(),
           "", ""};

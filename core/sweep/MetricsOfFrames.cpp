@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 std::vector<Metric> metricsThere(int referenceSamples, const std::vector<OverTime>& kinds) {
   std::vector<Metric> there;
   for (const MetricInfo& info : kMetrics)
-    if ((referenceSamples > 0 || !info.needsReference) &&
+    if (!info.isCostly && (referenceSamples > 0 || !info.needsReference) &&
         (!info.isOverTime || std::ranges::count(kinds, overTimeOf(info.metric)) > 0))
       there.push_back(info.metric);
   return there;

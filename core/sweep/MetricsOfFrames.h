@@ -24,7 +24,8 @@ struct MetricsRequest {
   int referenceSamples = kReferenceSamples; ///< 0: nothing is compared with a reference
 };
 
-/// All of them, but without samples those that need none, and over time only what of `kinds` is measured.
+/// All of them that are not costly, but without samples those that need none, and over time only what of
+/// `kinds` is measured.
 std::vector<Metric> metricsThere(int referenceSamples, const std::vector<OverTime>& kinds);
 
 /// Throws Error where a captured sequence without a reference of its own would be compared with one.

@@ -152,7 +152,7 @@ SweepSettings settingsEntry(const Json& entry, const std::string& place, const f
   return made;
 }
 
-Metric metricNamed(const std::string& id, const std::string& place) {
+Metric metricOfSpec(const std::string& id, const std::string& place) {
   if (const std::optional<Metric> metric = findMetric(id)) return *metric;
   std::vector<std::string> known;
   for (const MetricInfo& info : kMetrics) known.emplace_back(info.id);
@@ -196,7 +196,7 @@ void readMetrics(const Json& json, SweepSpec& spec) {
   if (const Json* const metrics = capture::findField(json, "metrics")) {
     spec.metrics.clear();
     for (const std::string& id : textsOf(*metrics, "metrics")) {
-      const Metric metric = metricNamed(id, "metrics");
+      const Metric metric = metricOfSpec(id, "metrics");
       if (metricInfo(metric).needsReference && spec.referenceSamples == 0)
         throw Error(say<"the metric %1 needs a reference, and \"referenceSamples\" is 0">(id));
       if (std::ranges::find(spec.metrics, metric) == spec.metrics.end()) spec.metrics.push_back(metric);
@@ -206,7 +206,7 @@ void readMetrics(const Json& json, SweepSpec& spec) {
   if (const Json* const pareto = capture::findField(json, "pareto")) {
     const std::vector<std::string> two = textsOf(*pareto, "pareto");
     if (two.size() != 2) throw Error(say<"\"%1\" wants two metrics">("pareto"));
-    spec.tradeOff = {metricNamed(two[0], "pareto"), metricNamed(two[1], "pareto")};
+    spec.tradeOff = {metricOfSpec(two[0], "pareto"), metricOfSpec(two[1], "pareto")};
   }
   for (const Metric metric : spec.tradeOff)
     if (std::ranges::find(spec.metrics, metric) == spec.metrics.end())

@@ -358,7 +358,7 @@ ViewResult FakeRenderer::draw(int view) const {
     result.referenceSamples = 64;
     result.error = PictureError{0.0125, 38.25, 0.5};
     result.overTimeSamples = 64;
-    result.overTimeMean = 0.00125;
+    result.number = 0.00125;
   }
   if (request.withValues) {
     result.region = {0, 0, status.width, status.height};

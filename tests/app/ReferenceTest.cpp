@@ -83,4 +83,7 @@ TEST(ReferenceNote, SaysSamplesAndError) {
   EXPECT_EQ(referenceNote(same), QString::fromUtf8("4 samples · RMSE 0.0000 · PSNR ∞"));
   same.isReferenceGiven = true;
   EXPECT_EQ(referenceNote(same), QString::fromUtf8("the capture's own · RMSE 0.0000 · PSNR ∞"));
+  ViewResult seen = resultOf(IntermediateId::flip, 64);
+  seen.number = 0.03127;
+  EXPECT_EQ(referenceNote(seen), QString::fromUtf8("64 samples · FLIP 0.0313"));
 }

@@ -130,12 +130,13 @@ bool isSaidInWords(IntermediateId id, const ProbedPixel& probed) {
            twin::at(probed.record, Id::alphaInvalid).x >= 1.0f;
   case Id::referenceError:
   case Id::referenceErrorAbs:
+  case Id::relativeError:
     return !twin::isKnown(probed.record, Id::reference);
   case Id::engineDifference:
   case Id::engineDifferenceAbs:
     return !twin::isKnown(probed.record, Id::engineOutput);
   default:
-    return taa::isOverTime(id); // of other frames
+    return taa::isOverTime(id) || taa::needsPixelsAround(id); // of what is not the pixel's own
   }
 }
 
@@ -267,6 +268,7 @@ TEST_F(ProbeStoryTest, ErrorsAgainstTheReferenceAreDifferencesOfWhatIsShown) {
   checkPixel(*inspector, {24, 8}, "with a reference");
   EXPECT_NE(told(IntermediateId::referenceError).formula, "");
   EXPECT_NE(told(IntermediateId::referenceErrorAbs).formula, "");
+  EXPECT_NE(told(IntermediateId::relativeError).formula, "");
 }
 
 TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {

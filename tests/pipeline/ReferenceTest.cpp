@@ -1,6 +1,9 @@
 // The supersampled reference: what it is, that it is the same however it was reached, and that it changes
 // nothing.
 #include "core/base/Error.h"
+#include "core/measure/compare/Flip.h"
+#include "core/measure/compare/RelativeError.h"
+#include "core/measure/compare/Ssim.h"
 #include "core/render/SceneRenderer.h"
 #include "core/render/jitter/ReferencePoints.h"
 #include "core/scene/SceneSource.h"
@@ -23,8 +26,9 @@ using namespace taa::test::small;
 
 namespace {
 
-const std::vector<IntermediateId> kRows = {IntermediateId::reference, IntermediateId::referenceError,
-                                           IntermediateId::referenceErrorAbs};
+const std::vector<IntermediateId> kRows = {
+    IntermediateId::reference,     IntermediateId::referenceError, IntermediateId::referenceErrorAbs,
+    IntermediateId::relativeError, IntermediateId::flip,           IntermediateId::ssimMap};
 
 Settings changed(std::initializer_list<const char*> assignments) {
   Settings settings;
@@ -195,13 +199,19 @@ TEST_F(ReferenceTest, RowsAreTheirFormulas) {
       ASSERT_EQ(rows[1].texel(x, y).x, luma(is) - luma(should)) << x << ", " << y;
       const glm::vec4 off = glm::abs(is - should);
       ASSERT_EQ(rows[2].texel(x, y).x, std::max({off.x, off.y, off.z})) << x << ", " << y;
+      const double relative = taa::relativeError(glm::vec3(is), glm::vec3(should));
+      ASSERT_EQ(rows[3].texel(x, y).x, static_cast<float>(relative)) << x << ", " << y;
     }
   EXPECT_GT(taa::pictureError(output, rows[0]).rmse, 0.0) << "else nothing was tested";
+  EXPECT_TRUE(isSame(rows[4], taa::flipMap(output, rows[0])));
+  const Image alike = taa::ssimMap(taa::shownColors(output), taa::shownColors(rows[0]));
+  EXPECT_EQ(*rows[5].at(7, 5), 1.0f - *alike.at(7, 5));
   const taa::PixelRecord record = inspector->probes().probe(20, 9);
   for (std::size_t row = 0; row < kRows.size(); ++row)
     EXPECT_EQ(taa::twin::at(record, kRows[row]), rows[row].texel(20, 9));
   const taa::gl::Rect part{11, 5, 7, 3};
-  EXPECT_EQ(inspector->views().image(kRows[1], 0, part).texel(6, 2), rows[1].texel(17, 7));
+  for (std::size_t row = 1; row < kRows.size(); ++row)
+    EXPECT_EQ(inspector->views().image(kRows[row], 0, part).texel(6, 2), rows[row].texel(17, 7));
 }
 
 TEST_F(ReferenceTest, ErrorsFollowTheSettings) {
@@ -272,6 +282,14 @@ TEST_F(ReferenceTest, MetricsAreThoseOfTheImages) {
   const taa::PictureError error = taa::pictureError(inspector->views().image(IntermediateId::output),
                                                     inspector->views().image(IntermediateId::reference));
   EXPECT_EQ(*metrics.at(Metric::Psnr), error.psnr);
+  metrics = inspector->metrics().measure({Metric::Flip, Metric::Ssim, Metric::HdrFlip, Metric::Sharpness});
+  const std::vector<Image> maps = inspector->views().images({IntermediateId::flip, IntermediateId::ssimMap});
+  double seen = 0.0;
+  for (const float value : maps[0].pixels) seen += value;
+  EXPECT_DOUBLE_EQ(*metrics.at(Metric::Flip), seen / kPixels);
+  EXPECT_DOUBLE_EQ(*metrics.at(Metric::Ssim), 1.0 - taa::meanSsim(maps[1]));
+  EXPECT_GT(*metrics.at(Metric::HdrFlip), 0.0);
+  EXPECT_GT(*metrics.at(Metric::Sharpness), 0.1);
 }
 
 // builtin:thin says what its lines cover: see there.

@@ -1,5 +1,8 @@
 #include "app/views/legend/ReferenceNote.h"
 
+#include "app/style/Text.h"
+#include "core/measure/MetricTable.h"
+
 #include <QObject>
 
 #include <cmath>
@@ -11,9 +14,9 @@ namespace {
 
 QString overTimeNote(const ViewResult& result) {
   if (!result.overTimeSamples) return QObject::tr("not measured yet: comes while paused");
-  const std::optional<Metric> metric = meanOfRow(result.request.id);
-  if (metric && !result.overTimeMean) return QObject::tr("nothing in this frame was seen before");
-  const QString mean = metric ? QObject::tr("mean %1").arg(*result.overTimeMean, 0, 'f', 5) : QString();
+  const std::optional<Metric> metric = metricOfMap(result.request.id);
+  if (metric && !result.number) return QObject::tr("nothing in this frame was seen before");
+  const QString mean = metric ? QObject::tr("mean %1").arg(*result.number, 0, 'f', 5) : QString();
   if (!needsReference(result.request.id)) return mean;
   if (!metric) return QObject::tr("%1 samples").arg(*result.overTimeSamples);
   return QObject::tr("%1 samples · %2").arg(*result.overTimeSamples).arg(mean);
@@ -23,6 +26,10 @@ QString errorText(const PictureError& error) {
   const QString psnr =
       std::isinf(error.psnr) ? QStringLiteral("∞") : QStringLiteral("%1 dB").arg(error.psnr, 0, 'f', 1);
   return QObject::tr("RMSE %1 · PSNR %2").arg(error.rmse, 0, 'f', 4).arg(psnr);
+}
+
+QString numberText(Metric metric, double number) {
+  return QObject::tr("%1 %2").arg(tableText(metricInfo(metric).label)).arg(number, 0, 'f', 4);
 }
 
 QString engineNote(const ViewResult& result) {
@@ -37,8 +44,11 @@ QString referenceNote(const ViewResult& result) {
   if (isOfEngine(result.request.id)) return engineNote(result);
   if (!isOfReference(result.request.id)) return {};
   if (result.referenceSamples == 0 || !result.error) return QObject::tr("not drawn yet: comes while paused");
-  if (result.isReferenceGiven) return QObject::tr("the capture's own · %1").arg(errorText(*result.error));
-  return QObject::tr("%1 samples · %2").arg(result.referenceSamples).arg(errorText(*result.error));
+  const std::optional<Metric> metric = metricOfMap(result.request.id);
+  const QString text =
+      metric && result.number ? numberText(*metric, *result.number) : errorText(*result.error);
+  if (result.isReferenceGiven) return QObject::tr("the capture's own · %1").arg(text);
+  return QObject::tr("%1 samples · %2").arg(result.referenceSamples).arg(text);
 }
 
 } // namespace taa::app

@@ -6,6 +6,7 @@
 #include "core/measure/Metrics.h"
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
+#include "core/measure/compare/GhostEnergy.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/settings/Parameters.h"
 #include "core/verdict/parts/PartsRows.h"
@@ -26,12 +27,24 @@ RowImages imagesOf(const Exposure& exposure, const std::vector<IntermediateId>& 
   return images;
 }
 
-RowImages flickerRows(const FrameWindow& window, int first, int last, const Progress& progress) {
+// Without a frame before there is no ghost.
+Image ghostRow(const FrameWindow& window, int first, int last, const Image& historyPosition) {
+  const FlickerFrame& now = window.frames.at(last).flicker;
+  if (first == last) return {now.shown.width, now.shown.height, 1};
+  return ghostMap({now.shown, now.reference, window.frames.at(last - 1).flicker.shown, historyPosition});
+}
+
+RowImages flickerRows(const FrameWindow& window, int first, int last, const RowImages& resolve,
+                      const Progress& progress) {
   std::vector<const FlickerFrame*> newestFirst;
   for (int frame = last; frame >= first; --frame) newestFirst.push_back(&window.frames.at(frame).flicker);
   FlickerMaps maps = flickerMaps(newestFirst, progress);
   RowImages rows;
-  if (!maps.flicker.empty()) rows.emplace(IntermediateId::flicker, std::move(maps.flicker));
+  if (!maps.flicker.empty()) {
+    rows.emplace(IntermediateId::flicker, std::move(maps.flicker));
+    rows.emplace(IntermediateId::ghost,
+                 ghostRow(window, first, last, resolve.at(IntermediateId::historyPosition)));
+  }
   rows.emplace(IntermediateId::deviationOverTime, std::move(maps.deviation));
   rows.emplace(IntermediateId::framesFollowed, std::move(maps.frames));
   return rows;
@@ -93,7 +106,7 @@ std::vector<IntermediateId> OverTimeOfShot::missingRows(const FrameWindow& windo
 
 std::vector<IntermediateId> OverTimeOfShot::rowsOfLast(const OverTimeNeed& need) const {
   std::vector<IntermediateId> ids;
-  if (need.has(OverTime::Flicker)) ids.push_back(IntermediateId::output);
+  if (need.has(OverTime::Flicker)) ids = {IntermediateId::historyPosition, IntermediateId::output};
   if (!need.has(OverTime::Parts)) return ids;
   for (const std::vector<IntermediateId>& rows :
        {rowsOfErrors(player_.settings(need.lane)), rowsOfVerdicts()})
@@ -200,7 +213,7 @@ std::map<OverTime, RowImages> OverTimeOfShot::finish(FrameWindow& window, const 
   const Progress told = toldAtTheEnd(progress, need.last - first + 1);
   std::map<OverTime, RowImages> rows;
   for (const OverTime kind : need.kinds)
-    rows.emplace(kind, kind == OverTime::Flicker ? flickerRows(window, first, need.last, told)
+    rows.emplace(kind, kind == OverTime::Flicker ? flickerRows(window, first, need.last, resolve, told)
                                                  : partsOf(window, need, resolve, told));
   return rows;
 }

@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@ bool isOverTimeMetric(Metric metric) {
 
 bool needsReferenceFor(Metric metric) {
   return metricInfo(metric).needsReference;
+}
+
+bool isCheapMetric(Metric metric) {
+  return !metricInfo(metric).isCostly;
 }
 
 // Where each takes many frames before it the first of a row is dear.
@@ -50,10 +55,12 @@ void MetricMeasuring::settle() {
 void MetricMeasuring::deliver() {
   const std::pair now(desk_.version(), desk_.referenceVersion);
   if (wanted_.metrics.empty() || deliveredOf_ == now) return;
-  deliveredOf_ = now; // also when it fails: once is enough to tell
-  desk_.attempt(RequestKind::Metrics, [this] {
+  deliveredOf_ = now;        // also when it fails: once is enough to tell
+  std::vector<Metric> cheap; // the others come while nothing else is to be done
+  std::ranges::copy_if(wanted_.metrics, std::back_inserter(cheap), isCheapMetric);
+  desk_.attempt(RequestKind::Metrics, [&] {
     const int lanes = desk_.inspector.shot().laneCount();
-    for (int lane = 0; lane < lanes; ++lane) tell(desk_.inspector.metrics().measure(wanted_.metrics, lane));
+    for (int lane = 0; lane < lanes; ++lane) tell(desk_.inspector.metrics().measure(cheap, lane));
   });
 }
 
@@ -62,6 +69,7 @@ bool MetricMeasuring::isWhole(const FrameMetrics& metrics) const {
   if (std::ranges::any_of(wanted_.metrics, needsReferenceFor) && metrics.referenceSamples != samples)
     return false;
   return std::ranges::none_of(wanted_.metrics, [&](Metric metric) {
+    if (!isCheapMetric(metric) && !metrics.at(metric)) return true;
     const int needed = metricInfo(metric).needsReference ? samples : 0;
     return isOverTimeMetric(metric) && samplesOf(metrics, overTimeOf(metric)).value_or(-1) < needed;
   });

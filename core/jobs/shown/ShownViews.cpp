@@ -117,19 +117,25 @@ void ShownViews::addReference(ViewResult& result) {
   const ViewRequest& view = result.request;
   if (isOverTime(view.id)) {
     result.overTimeSamples = desk_.inspector.overTime().samples(overTime(view.id), view.lane);
-    if (const std::optional<Metric> mean = meanOfRow(view.id))
-      result.overTimeMean = desk_.inspector.metrics().measure({*mean}, view.lane).at(*mean);
+    addNumber(result);
     return;
   }
   ReferenceOfShot& reference = desk_.inspector.reference();
   if (isOfEngine(view.id)) {
-    if (ReferenceRows* rows = reference.engineRows(view.lane)) result.error = rows->error();
+    if (ReferenceRows* rows = reference.engineRows(view.lane)) result.error = rows->compared().error();
     return;
   }
   const std::shared_ptr<const CaptureFacts> captured = desk_.inspector.shot().capture();
   result.isReferenceGiven = captured && captured->hasReference;
   result.referenceSamples = reference.samples(view.lane);
-  if (result.referenceSamples > 0) result.error = reference.error(view.lane);
+  if (result.referenceSamples == 0) return;
+  result.error = reference.error(view.lane);
+  addNumber(result);
+}
+
+void ShownViews::addNumber(ViewResult& result) {
+  if (const std::optional<Metric> metric = metricOfMap(result.request.id))
+    result.number = desk_.inspector.metrics().measure({*metric}, result.request.lane).at(*metric);
 }
 
 } // namespace taa

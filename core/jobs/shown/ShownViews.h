@@ -34,6 +34,7 @@ class ShownViews {
   ViewResult draw(int index, const PictureSource& source, const std::optional<PictureSource>& other);
   void drawOther(ViewResult& result, const PictureSource& other);
   void addReference(ViewResult& result);
+  void addNumber(ViewResult& result);
   ReasonCounts reasonsOf(const PictureSource& source, IntermediateId id, const ViewStyle& style);
 
   Desk& desk_;

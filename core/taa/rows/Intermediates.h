@@ -41,9 +41,11 @@ enum class OverTime : std::uint8_t {
 struct MadeOf {
   bool isReference = false; ///< the supersampled picture
   bool isEngine = false;    ///< the output of the engine a capture was taken of
+  bool isAround = false;    ///< output and reference in the pixels around it, too
   OverTime overTime = OverTime::None;
 };
 inline constexpr MadeOf kOfReference{.isReference = true};
+inline constexpr MadeOf kOfPixelsAround{.isReference = true, .isAround = true};
 inline constexpr MadeOf kOfEngine{.isEngine = true};
 inline constexpr MadeOf kOfFrames{.overTime = OverTime::Flicker};
 inline constexpr MadeOf kOfFlicker{.isReference = true, .overTime = OverTime::Flicker};
@@ -206,6 +208,24 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       kOfReference)                                                                                          \
   ROW(referenceErrorAbs, "Absolute error", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                          \
       "Largest difference of output and reference in red, green or blue, scene-linear.", kOfReference)       \
+  ROW(relativeError, "Relative error", Reference, 1, "", 0, 1, Scalar, 1e-3,                                 \
+      "Squared difference of output and reference over the reference's own square + 0.01, scene-linear: "    \
+      "the "                                                                                                 \
+      "mean over red, green and blue.",                                                                      \
+      kOfReference)                                                                                          \
+  ROW(flip, "FLIP", Reference, 1, "", 0, 1, Scalar, 1e-3,                                                    \
+      "How much a person who flips between output and reference sees of their difference, on a screen with " \
+      "67 pixels per degree: 0 nothing, 1 all there can be.",                                                \
+      kOfPixelsAround)                                                                                       \
+  ROW(ssimMap, "1 − SSIM", Reference, 1, "", 0, 1, Scalar, 1e-3,                                             \
+      "How unlike output and reference are in structure, by luma as it is shown in 11 × 11 pixels: 0 "      \
+      "alike, "                                                                                              \
+      "1 nothing in common, 2 the negative.",                                                                \
+      kOfPixelsAround)                                                                                       \
+  ROW(ghost, "Ghost", Reference, 1, "", 0, 0.25, Scalar, 1e-3,                                               \
+      "Part of the error that lies towards what was shown a frame ago where history was read: of what is "   \
+      "shown (sRGB, 0 to 1), without what a blur of the reference could have made.",                         \
+      kOfFlicker)                                                                                            \
   ROW(flicker, "Flicker", Reference, 1, "", 0, 0.05, Scalar, 1e-3,                                           \
       "Standard deviation over the last frames of what is shown (sRGB, 0 to 1), followed along the motion, " \
       "without what the reference has of it: the root of the difference of variances.",                      \
@@ -307,6 +327,10 @@ std::vector<OverTime> kindsOverTime(std::span<const IntermediateId> ids);
 /// Those of them that need the output of the engine a capture was taken of.
 constexpr bool isOfEngine(IntermediateId id) {
   return intermediate(id).madeOf.isEngine;
+}
+/// Those of them whose value in a pixel needs output and reference around it, too.
+constexpr bool needsPixelsAround(IntermediateId id) {
+  return intermediate(id).madeOf.isAround;
 }
 /// Those of them that need a reference.
 constexpr bool needsReference(IntermediateId id) {

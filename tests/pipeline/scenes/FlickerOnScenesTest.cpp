@@ -3,6 +3,7 @@
 #include "core/base/Error.h"
 #include "core/inspect/overtime/MetricCursor.h"
 #include "core/measure/Flicker.h"
+#include "core/measure/compare/GhostEnergy.h"
 #include "core/taa/twin/Known.h"
 #include "tests/support/SmallInspector.h"
 
@@ -180,6 +181,39 @@ TEST_F(FlickerOnScenesTest, LooksWithoutHarmAndGoesOnAfterACancel) {
   const auto straight = small();
   straight->shot().seek(9);
   expectSameRows(rows, rowsOf(*straight));
+}
+
+TEST_F(FlickerOnScenesTest, GhostsLieTowardsWhatWasShownAFrameAgo) {
+  const auto inspector = small();
+  taa::Settings unguarded; // history is kept wherever it comes from
+  for (const char* assignment : {"rectify.method=none", "validate.depth=off", "output.sharpen=none"})
+    taa::applyAssignment(unguarded, assignment);
+  inspector->shot().setSettings(unguarded);
+  inspector->shot().seek(8);
+  const Image before = taa::shownColors(inspector->views().image(output));
+  inspector->shot().seek(9);
+  inspector->reference().makeRows({reference, ghost}, kSamples);
+  const Image shown = taa::shownColors(inspector->views().image(output));
+  const Image expected = taa::ghostMap({shown, taa::shownColors(inspector->views().image(reference)), before,
+                                        inspector->views().image(historyPosition)});
+  EXPECT_TRUE(isSame(inspector->views().image(ghost), expected));
+  const taa::FrameMetrics metrics = inspector->metrics().measure({Metric::GhostEnergy, Metric::Rmse});
+  EXPECT_EQ(metrics.at(Metric::GhostEnergy), taa::ghostEnergy(expected));
+  EXPECT_GT(*metrics.at(Metric::GhostEnergy), 0.01) << "the blades leave trails";
+  EXPECT_LE(*metrics.at(Metric::GhostEnergy), *metrics.at(Metric::Rmse));
+  taa::MetricCursor cursor;
+  EXPECT_EQ(
+      inspector->metrics().measureFrame(9, {Metric::GhostEnergy}, kSamples, cursor).at(Metric::GhostEnergy),
+      metrics.at(Metric::GhostEnergy));
+  inspector->shot().setSettings({});
+  inspector->overTime().refine({OverTime::Flicker}, kSamples);
+  EXPECT_LT(*inspector->metrics().measure({Metric::GhostEnergy}).at(Metric::GhostEnergy),
+            0.5 * *metrics.at(Metric::GhostEnergy))
+      << "rectification takes most of them away";
+  inspector->shot().seek(0);
+  inspector->overTime().refine({OverTime::Flicker}, kSamples);
+  EXPECT_FALSE(inspector->metrics().measure({Metric::GhostEnergy}).at(Metric::GhostEnergy))
+      << "nothing was shown before";
 }
 
 TEST_F(FlickerOnScenesTest, MetricsOfOtherFramesAreThoseOfTheFrame) {

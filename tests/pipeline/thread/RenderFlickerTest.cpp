@@ -35,13 +35,13 @@ TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
   ASSERT_EQ(recorder.pictures.size(), 2u);
   EXPECT_FALSE(recorder.pictures.front().overTimeSamples) << "at once, as far as it is known";
   EXPECT_EQ(recorder.pictures.back().overTimeSamples, 0) << "no reference was drawn for it";
-  const std::optional<double> deviation = recorder.pictures.back().overTimeMean;
+  const std::optional<double> deviation = recorder.pictures.back().number;
   ASSERT_TRUE(deviation);
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.pictures.back().overTimeSamples, kSamples);
-  ASSERT_TRUE(recorder.pictures.back().overTimeMean);
-  EXPECT_LE(*recorder.pictures.back().overTimeMean, *deviation);
+  ASSERT_TRUE(recorder.pictures.back().number);
+  EXPECT_LE(*recorder.pictures.back().number, *deviation);
   EXPECT_TRUE(wasTold());
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_TRUE(recorder.errors.empty());

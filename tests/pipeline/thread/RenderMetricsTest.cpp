@@ -83,6 +83,25 @@ TEST_F(RenderMetricsTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) 
   EXPECT_TRUE(recorder.errors.empty());
 }
 
+TEST_F(RenderMetricsTest, WhatTakesSecondsIsNotMadeWithThePicture) {
+  thread->post(taa::request::SetReferenceSamples{kSamples});
+  thread->post(taa::request::SetPlayback{{.range = std::pair(3, 4)}});
+  thread->post(taa::request::Seek{3});
+  thread->post(taa::request::SetMetrics{{Metric::Flip, Metric::HdrFlip}});
+  thread->waitUntilIdle();
+  std::set<int> frames;
+  for (const FrameMetrics& one : recorder.metrics)
+    if (one.at(Metric::HdrFlip)) {
+      frames.insert(one.frame);
+      EXPECT_TRUE(one.at(Metric::Flip)) << "all of them come together";
+    }
+  EXPECT_EQ(frames, (std::set<int>{3, 4})) << "while nothing else is to be done";
+  const auto first = std::ranges::find_if(
+      recorder.metrics, [](const FrameMetrics& one) { return one.at(Metric::Flip).has_value(); });
+  ASSERT_NE(first, recorder.metrics.end());
+  EXPECT_FALSE(first->at(Metric::HdrFlip)) << "of the frame on show what is cheap comes first";
+}
+
 TEST_F(RenderMetricsTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {

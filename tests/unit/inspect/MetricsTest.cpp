@@ -1,20 +1,14 @@
 // Metrics of pictures against values worked out by hand.
 #include "core/measure/Metrics.h"
 
-#include "core/taa/rows/Intermediates.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <set>
-#include <string_view>
 #include <vector>
 
 using taa::Image;
-using taa::kMetrics;
 using taa::Metric;
-using taa::MetricInfo;
 
 namespace {
 
@@ -81,33 +75,4 @@ TEST(Metrics, OfRows) {
   EXPECT_DOUBLE_EQ(taa::metricOf(Metric::Clipped, row({0.0f, 0.001f, 1.0f, 0.0f})), 50.0);
   EXPECT_DOUBLE_EQ(taa::metricOf(Metric::ClipAmount, row({0.0f, 0.25f, 1.0f, 0.75f})), 0.5);
   EXPECT_DOUBLE_EQ(taa::metricOf(Metric::HistoryLength, row({1.0f, 16.0f})), 8.5);
-}
-
-TEST(Metrics, SayWhichOfTwoSettingsIsTheBetterOne) {
-  EXPECT_TRUE(metricInfo(Metric::Psnr).isHigherBetter);
-  EXPECT_FALSE(metricInfo(Metric::Rmse).isHigherBetter);
-  EXPECT_FALSE(metricInfo(Metric::Flicker).isHigherBetter);
-  EXPECT_TRUE(metricInfo(Metric::RightlyKept).isHigherBetter);
-  EXPECT_FALSE(metricInfo(Metric::HistoryThrownAway).isHigherBetter);
-}
-
-TEST(Metrics, SayWhatTheyAre) {
-  std::set<std::string_view> ids;
-  for (std::size_t index = 0; index < kMetrics.size(); ++index) {
-    const MetricInfo& info = kMetrics[index];
-    EXPECT_EQ(static_cast<std::size_t>(info.metric), index) << info.id;
-    EXPECT_EQ(taa::findMetric(info.id), info.metric);
-    EXPECT_TRUE(ids.insert(info.id).second) << info.id;
-    EXPECT_TRUE(info.description.ends_with('.')) << info.id;
-    EXPECT_LT(info.low, info.high) << info.id;
-    EXPECT_EQ(info.row.empty(), info.needsReference && !info.isOverTime) << info.id;
-    if (info.row.empty()) continue;
-    const auto id = taa::findIntermediate(info.row);
-    ASSERT_TRUE(id) << info.row;
-    EXPECT_EQ(taa::intermediate(*id).channels, 1) << info.row;
-    EXPECT_EQ(taa::isOfReference(*id), info.isOverTime) << info.row;
-    EXPECT_EQ(taa::needsReference(*id), info.needsReference) << info.row;
-    EXPECT_EQ(taa::isOverTime(*id), info.isOverTime) << info.row;
-  }
-  EXPECT_FALSE(taa::findMetric("mse"));
 }
