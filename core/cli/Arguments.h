@@ -114,9 +114,10 @@ struct ProfileArguments {
 struct MetricsArguments {
   ShotArguments shot;
   std::string frames;
-  int referenceSamples = 64; ///< 0: nothing is compared with a reference
-  bool flicker = false;      ///< also what is over time: frames before those, and their references
-  bool parts = false;        ///< also what the error is made of, over those frames
+  int referenceSamples = 64;      ///< 0: nothing is compared with a reference
+  bool flicker = false;           ///< also what is over time: frames before those, and their references
+  bool parts = false;             ///< also what the error is made of, over those frames
+  std::vector<std::string> named; ///< ids of these alone; empty: all that are not costly
   int flickerFrames = 16;
   bool json = false, csv = false;
 };

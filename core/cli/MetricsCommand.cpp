@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,32 @@ std::vector<OverTime> askedKinds(const MetricsArguments& arguments) {
   return kinds;
 }
 
+Metric parseMetric(const std::string& id) {
+  try {
+    return metricNamed(id);
+  } catch (const Error& error) {
+    throw UsageError(std::string("--metrics: ") + error.what());
+  }
+}
+
+std::vector<Metric> wantedMetrics(const MetricsArguments& arguments) {
+  const std::vector<OverTime> kinds = askedKinds(arguments);
+  const int samples = arguments.referenceSamples;
+  if (arguments.parts && samples == 0)
+    throw UsageError("--parts needs a reference: --reference-samples above 0");
+  if (arguments.named.empty()) return metricsThere(samples, kinds);
+  if (!kinds.empty())
+    throw UsageError("--metrics names all that is measured: leave out --flicker and --parts");
+  std::set<Metric> wanted; // in the order of the table
+  for (const std::string& id : arguments.named) {
+    const Metric metric = parseMetric(id);
+    if (metricInfo(metric).needsReference && samples == 0)
+      throw UsageError("--metrics " + id + " needs a reference: --reference-samples above 0");
+    wanted.insert(metric);
+  }
+  return {wanted.begin(), wanted.end()};
+}
+
 } // namespace
 
 void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Progress& progress) {
@@ -82,9 +109,7 @@ void runMetrics(const MetricsArguments& arguments, std::ostream& out, const Prog
   const FrameRange range = parseFrames(arguments.frames);
   const int samples = arguments.referenceSamples;
   if (samples != 0) checkReferenceSamples(samples);
-  if (arguments.parts && samples == 0)
-    throw UsageError("--parts needs a reference: --reference-samples above 0");
-  const std::vector<Metric> wanted = metricsThere(samples, askedKinds(arguments));
+  const std::vector<Metric> wanted = wantedMetrics(arguments);
   Inspector inspector;
   inspector.overTime().setFrames(arguments.flickerFrames);
   openShot(inspector, arguments.shot, plan, progress);

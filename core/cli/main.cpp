@@ -211,6 +211,12 @@ void addMetrics(CLI::App& app, MetricsArguments& metrics, const taa::Progress& p
       "Also split the error into ghost, lag, blur, aliasing, rectification and what is older than "
       "those frames, and count where history was rightly removed, let through or thrown away");
   command
+      ->add_option("--metrics", metrics.named,
+                   "Measure these alone, with commas between; hdrFlip, which takes seconds a frame, is "
+                   "measured only where it is named")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
       ->add_option("--flicker-frames", metrics.flickerFrames,
                    "Frames that flicker and parts are taken over, 2 to 64")
       ->check(CLI::Range(taa::kMinFlickerFrames, taa::kMaxFlickerFrames))

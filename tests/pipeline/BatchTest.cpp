@@ -395,9 +395,9 @@ TEST_F(BatchMetrics, PrintsMetricsOfEachFrameAndLane) {
   ASSERT_EQ(result.exitCode, 0) << result.err;
   const json report = json::parse(result.out);
   EXPECT_EQ(report["referenceSamples"], 8);
-  const auto single = std::ranges::count(taa::kMetrics, false, &taa::MetricInfo::isOverTime);
-  EXPECT_EQ(report["metrics"].size(), static_cast<std::size_t>(single))
-      << "nothing over time unless it is asked for";
+  const auto isUsual = [](const taa::MetricInfo& info) { return !info.isOverTime && !info.isCostly; };
+  EXPECT_EQ(report["metrics"].size(), static_cast<std::size_t>(std::ranges::count_if(taa::kMetrics, isUsual)))
+      << "nothing over time, and nothing costly, unless it is asked for";
   ASSERT_EQ(report["lanes"].size(), 2u);
   for (const json& lane : report["lanes"]) {
     ASSERT_EQ(lane["frames"].size(), 3u);
@@ -452,6 +452,29 @@ TEST_F(BatchMetrics, SplitsTheErrorWhenAskedTo) {
     EXPECT_NEAR(share, 100.0, 1e-9);
   }
   EXPECT_EQ(batch(joined(command, {"0"})).exitCode, 2) << "it needs a reference";
+}
+
+TEST_F(BatchMetrics, MeasuresThoseThatAreNamedAlone) {
+  const std::vector<std::string> command = {
+      "metrics", "builtin:fan",         "--size", "32x18", "--frames", "2", "--flicker-frames",
+      "2",       "--reference-samples", "4"};
+  const ProcessResult result = batch(joined(command, {"--metrics", "hdrFlip,ghostEnergy,flip", "--json"}));
+  ASSERT_EQ(result.exitCode, 0) << result.err;
+  const json report = json::parse(result.out);
+  ASSERT_EQ(report["metrics"].size(), 3u);
+  EXPECT_EQ(report["metrics"][0]["id"], "flip") << "in the order of the table";
+  const json& frame = report["lanes"][0]["frames"][0];
+  EXPECT_GT(frame["flip"].get<double>(), 0.0);
+  EXPECT_GE(frame["hdrFlip"].get<double>(), 0.0);
+  EXPECT_GE(frame["ghostEnergy"].get<double>(), 0.0);
+  EXPECT_FALSE(frame.contains("rmse"));
+}
+
+TEST(BatchMistakes, MetricsHaveNamesAndWhatTheyNeed) {
+  const std::vector<std::string> command = {"metrics", "builtin:fan", "--frames", "0", "--metrics"};
+  expectUsageError(joined(command, {"flop"}), {"--metrics", "flop", "hdrFlip"});
+  expectUsageError(joined(command, {"flip", "--reference-samples", "0"}), {"flip", "reference"});
+  expectUsageError(joined(command, {"flip", "--flicker"}), {"--metrics", "--flicker"});
 }
 
 TEST_F(BatchMetrics, ComparesWithNothingWhereNoSamplesAreWanted) {
