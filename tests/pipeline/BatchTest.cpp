@@ -447,7 +447,7 @@ TEST_F(BatchMetrics, SplitsTheErrorWhenAskedTo) {
   EXPECT_FALSE(frames[2].contains("flicker")) << "nobody asked for it";
   for (const json& frame : frames) {
     double share = 0.0;
-    for (const char* category : {"rightlyKept", "ghostRemoved", "ghostLetThrough", "historyThrownAway"})
+    for (const char* category : {"rightlyKept", "historyRemoved", "historyLetThrough", "historyThrownAway"})
       share += frame[category].get<double>();
     EXPECT_NEAR(share, 100.0, 1e-9);
   }

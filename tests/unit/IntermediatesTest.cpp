@@ -95,7 +95,7 @@ TEST(Intermediates, EveryCategoryOfAVerdictHasItsOwnText) {
     const int last = static_cast<int>(taa::intermediate(id).high);
     for (int number = 0; number <= last; ++number) texts.insert(taa::categoryText(id, number));
     EXPECT_EQ(texts.size(), 4u);
-    EXPECT_EQ(taa::categoryText(id, 2), "ghost let through");
+    EXPECT_EQ(taa::categoryText(id, 2), "wrong history let through");
     EXPECT_EQ(taa::categoryText(id, 4), "unknown");
   }
   EXPECT_EQ(taa::categoryText(IntermediateId::rejectReason, 3), "off screen");

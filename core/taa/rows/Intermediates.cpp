@@ -76,8 +76,8 @@ std::string_view rejectReasonText(int reason) {
 std::string_view categoryText(IntermediateId id, int number) {
   if (id == IntermediateId::rejectReason) return rejectReasonText(number);
   if (id != IntermediateId::verdictMap && id != IntermediateId::geometryVerdict) return {};
-  static constexpr std::string_view kVerdicts[] = {"rightly kept", "ghost removed", "ghost let through",
-                                                   "good history thrown away"};
+  static constexpr std::string_view kVerdicts[] = {"rightly kept", "wrong history removed",
+                                                   "wrong history let through", "good history thrown away"};
   return number >= 0 && number < static_cast<int>(std::size(kVerdicts)) ? kVerdicts[number] : "unknown";
 }
 

@@ -256,9 +256,10 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
   ROW(errorOlder, "Older part", Reference, 1, "", -0.1, 0.1, Signed, 1e-3,                                   \
       "Luma of the error from before the frames that the others are followed over.", kOfParts)               \
   ROW(verdictMap, "History verdict", Reference, 1, "", 0, 3, Index, 0,                                       \
-      "Whether history had to be removed, being off by more than 2/255 of what is shown, and was, by "       \
-      "rejection or by more than that: 0 rightly kept, 1 ghost removed, 2 ghost let through, 3 good "        \
-      "history thrown away.",                                                                                \
+      "Whether history had to be removed, being off by more than 8/255 of what is shown, and was, by "       \
+      "rejection or by more than that: 0 rightly kept, 1 wrong history removed, 2 wrong history let "        \
+      "through, "                                                                                            \
+      "3 good history thrown away.",                                                                         \
       kOfParts)                                                                                              \
   ROW(geometryVerdict, "Geometry verdict", Reference, 1, "", 0, 3, Index, 0,                                 \
       "The same of rejection alone: whether history was of something else, by the scene's geometry, and "    \

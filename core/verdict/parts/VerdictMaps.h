@@ -5,8 +5,10 @@
 
 namespace taa {
 
-/// Largest difference that is not seen: two steps of 8 bits of what is shown (sRGB, 0 to 1).
-inline constexpr float kSeenDifference = 2.0f / 255.0f;
+/// Largest difference that is no error: eight steps of 8 bits of what is shown (sRGB, 0 to 1), as in verdicts
+/// on pixels. Of two steps half of a textured picture that moves is off, by resampling and by the samples
+/// that the reference itself is short of.
+inline constexpr float kSeenDifference = 8.0f / 255.0f;
 
 /// Values of both maps.
 enum class HistoryVerdict : int {

@@ -5,6 +5,7 @@
 #include "core/settings/Settings.h"
 #include "core/settings/Stage.h"
 #include "core/taa/rows/Intermediates.h"
+#include "core/verdict/parts/VerdictMaps.h"
 #include "core/verdict/pixel/PixelError.h"
 
 #include <glm/vec2.hpp>
@@ -53,7 +54,7 @@ struct VerdictEvidence {
 
 /// What is shown may differ by this much without being wrong: 8 of 255 steps of what a screen is sent. A
 /// pixel that holds 19 samples' worth of averaging is off by more at no edge of half the contrast.
-inline constexpr double kVisibleError = 8.0 / 255.0;
+inline constexpr double kVisibleError = static_cast<double>(kSeenDifference);
 /// And may change from frame to frame by this much.
 inline constexpr double kVisibleFlicker = 5.0 / 255.0;
 /// Frames that are looked at.

@@ -188,7 +188,7 @@ TEST_F(PartsOnScenesTest, StartWithHistory) {
 
 TEST_F(PartsOnScenesTest, MetricsOfOtherFramesAreThoseOfTheFrame) {
   const auto inspector = small();
-  const std::vector<Metric> wanted{Metric::ErrorGhost,  Metric::ErrorBlur, Metric::GhostLetThrough,
+  const std::vector<Metric> wanted{Metric::ErrorGhost,  Metric::ErrorBlur, Metric::HistoryLetThrough,
                                    Metric::RightlyKept, Metric::Flicker,   Metric::MeanAlpha};
   taa::MetricCursor cursor;
   std::vector<taa::FrameMetrics> beside;

@@ -77,8 +77,8 @@ TEST(PartsRows, MetricsAreMeansOfAmountsAndSharesOfCategories) {
   rows[IntermediateId::verdictMap] = Image(8, 1, 1);
   rows[IntermediateId::verdictMap].pixels = {0, 1, 2, 2, 3, 0, 2, 0};
   EXPECT_EQ(taa::metricOverTime(Metric::RightlyKept, rows), 37.5);
-  EXPECT_EQ(taa::metricOverTime(Metric::GhostRemoved, rows), 12.5);
-  EXPECT_EQ(taa::metricOverTime(Metric::GhostLetThrough, rows), 37.5);
+  EXPECT_EQ(taa::metricOverTime(Metric::HistoryRemoved, rows), 12.5);
+  EXPECT_EQ(taa::metricOverTime(Metric::HistoryLetThrough, rows), 37.5);
   EXPECT_EQ(taa::metricOverTime(Metric::HistoryThrownAway, rows), 12.5);
 }
 

@@ -43,11 +43,11 @@ void expectMap(const Image& map, HistoryVerdict inMask, HistoryVerdict outside) 
 
 } // namespace
 
-TEST(VerdictMap, OfPoisonedHistoryIsAGhostLetThroughExactlyThere) {
+TEST(VerdictMap, OfPoisonedHistoryIsAHistoryLetThroughExactlyThere) {
   expectMap(taa::verdictMap(poisoned()), HistoryVerdict::LetThrough, HistoryVerdict::RightlyKept);
 }
 
-TEST(VerdictMap, OfPoisonThatWasPulledAwayIsAGhostRemoved) {
+TEST(VerdictMap, OfPoisonThatWasPulledAwayIsAHistoryRemoved) {
   TreatedHistory history = poisoned();
   history.rectified = gray([](int, int) { return 0.25f; });
   // 0.05 more than the history beside it is more than two steps, too.
