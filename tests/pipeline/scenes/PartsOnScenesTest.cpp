@@ -150,7 +150,7 @@ TEST_F(PartsOnScenesTest, AreBlurWhereTheCameraMovesAndTheFilterBlurs) {
 TEST_F(PartsOnScenesTest, AreAGhostBehindWhatMovesUnlessHistoryIsRejected) {
   const auto rowsWith = [](const taa::Settings& settings) {
     const auto inspector = small(settings, "builtin:disocclusion");
-    inspector->shot().setSize(96, 54);
+    inspector->shot().setSize(192, 108); // so that more than a pixel is uncovered in a frame
     inspector->shot().seek(24);
     return rowsOf(*inspector);
   };
@@ -162,7 +162,11 @@ TEST_F(PartsOnScenesTest, AreAGhostBehindWhatMovesUnlessHistoryIsRejected) {
   };
   using enum taa::HistoryVerdict;
   EXPECT_GT(shares(through, LetThrough), 0.0);
-  EXPECT_GT(shares(removed, Removed), shares(through, Removed) + 0.5 * shares(through, LetThrough));
+  // The depth test looks around by a pixel: where less is uncovered it finds what is there still.
+  EXPECT_LT(shares(removed, LetThrough), 0.8 * shares(through, LetThrough));
+  EXPECT_DOUBLE_EQ(shares(removed, Removed) + shares(removed, LetThrough),
+                   shares(through, Removed) + shares(through, LetThrough))
+      << "what has to be removed is a matter of the scene";
   EXPECT_LT(meanOf(removed[0]), 0.7 * meanOf(through[0]));
 }
 
