@@ -35,6 +35,9 @@ namespace {
 
 using RowId = IntermediateId;
 
+/// Rectification moves history by some of the way nearly everywhere; by less than this share it does nothing.
+constexpr double kClippedShare = 0.05;
+
 double largestOf(const glm::dvec3& value) {
   return std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
 }
@@ -52,23 +55,38 @@ glm::dvec3 shownError(const SurfaceMoment& moment) {
   return shownValue(moment.resolved) - shownValue(moment.reference);
 }
 
-/// The upper quartile of how far each moment's error is from the mean of those beside it: what comes and goes
-/// with the jitter, not what comes once and fades.
+/// How far a moment's color, as shown, is from the mean of those beside it.
+glm::dvec3 bendOf(const std::vector<SurfaceMoment>& moments, std::size_t at,
+                  glm::dvec3 SurfaceMoment::*color) {
+  return glm::abs(shownValue(moments[at].*color) -
+                  0.5 * (shownValue(moments[at - 1].*color) + shownValue(moments[at + 1].*color)));
+}
+
+/// The upper quartile of how much more each moment stands out from those beside it than truth does there:
+/// what comes and goes with the jitter, not what comes once and fades, nor what a moving edge or texture
+/// does.
 double flickerOf(const std::vector<SurfaceMoment>& moments) {
   std::vector<double> bends;
-  for (std::size_t at = 1; at + 1 < moments.size(); ++at)
-    bends.push_back(largestOf(shownError(moments[at]) -
-                              0.5 * (shownError(moments[at - 1]) + shownError(moments[at + 1]))));
+  for (std::size_t at = 1; at + 1 < moments.size(); ++at) {
+    const glm::dvec3 beyond =
+        bendOf(moments, at, &SurfaceMoment::resolved) - bendOf(moments, at, &SurfaceMoment::reference);
+    bends.push_back(std::max({0.0, beyond.x, beyond.y, beyond.z}));
+  }
   if (bends.size() < 3) return 0.0;
   std::ranges::sort(bends);
   return bends[(3 * bends.size()) / 4];
 }
 
-/// Whether white is exceeded anywhere, by truth or by single samples.
+double largestOf(const twin::PixelRecord& record, RowId id) {
+  return largestOf(glm::dvec3(glm::vec3(twin::at(record, id))));
+}
+
+/// Whether white is exceeded anywhere, by truth, by single samples or by those around that the filter takes
+/// in.
 bool isHighlight(const std::vector<SurfaceMoment>& moments) {
   return std::ranges::any_of(moments, [](const SurfaceMoment& moment) {
-    return largestOf(moment.reference) > 1.0 ||
-           largestOf(glm::dvec3(glm::vec3(twin::at(moment.record, RowId::color)))) > 1.0;
+    return largestOf(moment.reference) > 1.0 || largestOf(moment.record, RowId::color) > 1.0 ||
+           largestOf(moment.record, RowId::currentFiltered) > 1.0;
   });
 }
 
@@ -82,6 +100,7 @@ class Judge {
  private:
   void measure();
   void findPart();
+  void findPartOfOlder();
   void findOnset();
   void conclude();
   void concludeGhost();
@@ -130,6 +149,23 @@ void Judge::findPart() {
     const double share = glm::dot(evidence_.error.sum[part], error) / square;
     if (share <= found_.share) continue;
     found_.share = share;
+    found_.part = static_cast<ErrorPart>(part);
+  }
+  if (found_.part == ErrorPart::Older) findPartOfOlder();
+}
+
+// An error older than the frames that are followed is the part's that they go on making it by: which, made at
+// that rate from the start, comes to half of it or more.
+void Judge::findPartOfOlder() {
+  const std::vector<ErrorOfFrame>& frames = evidence_.error.frames;
+  const double followed = frames.empty() ? 0.0 : 1.0 - frames.back().weight;
+  if (followed <= 0.0) return;
+  const glm::dvec3 error = evidence_.error.error();
+  double most = 0.5 * followed * glm::dot(error, error);
+  for (std::size_t part = 0; part < kErrorParts; ++part) {
+    const double made = glm::dot(evidence_.error.sum[part], error);
+    if (static_cast<ErrorPart>(part) == ErrorPart::Older || made < most) continue;
+    most = made;
     found_.part = static_cast<ErrorPart>(part);
   }
 }
@@ -209,8 +245,14 @@ Stage Judge::stageOfGhost() {
   return Stage::RectifyHistory;
 }
 
+// Rectification that left history as it was in all but a few frames made none of it.
 Stage Judge::stageOfFlicker() const {
-  return restart() ? Stage::ValidateHistory : Stage::RectifyHistory;
+  if (restart()) return Stage::ValidateHistory;
+  const auto clipped = std::ranges::count_if(evidence_.moments, [](const SurfaceMoment& moment) {
+    return recordValue(moment.record, RowId::clipAmount) > kClippedShare;
+  });
+  const bool isClipped = 8 * static_cast<std::size_t>(clipped) >= evidence_.moments.size();
+  return isClipped ? Stage::RectifyHistory : Stage::BlendWeight;
 }
 
 /// The latest moment in which history was given up; null: none.

@@ -118,6 +118,60 @@ TEST(PixelVerdict, TellsWhatComesAndGoesFromWhatFades) {
   EXPECT_EQ(verdict.since, 34);
 }
 
+/// What is shown comes and goes.
+VerdictEvidence trembling() {
+  VerdictEvidence evidence = healthy();
+  for (std::size_t age = 0; age < evidence.moments.size(); ++age)
+    evidence.moments[age].resolved += age % 2 == 0 ? 0.1 : -0.1;
+  addError(evidence, ErrorPart::Blur, 0, glm::dvec3(0.1));
+  return evidence;
+}
+
+TEST(PixelVerdict, CallsNothingFlickerThatTruthDoesAsWell) {
+  EXPECT_EQ(judge(trembling(), Settings{}).kind, VerdictKind::Flicker);
+  VerdictEvidence moving = trembling(); // a sharp edge that moves, and the same one blurred
+  for (std::size_t age = 0; age < moving.moments.size(); ++age)
+    moving.moments[age].reference += age % 2 == 0 ? 0.3 : -0.3;
+  const taa::PixelVerdict verdict = judge(moving, Settings{});
+  EXPECT_EQ(verdict.flicker, 0.0);
+  EXPECT_EQ(verdict.kind, VerdictKind::Blur);
+}
+
+TEST(PixelVerdict, BlamesRectificationForFlickerWhereItClips) {
+  EXPECT_EQ(judge(trembling(), Settings{}).stage, Stage::BlendWeight);
+  VerdictEvidence clipped = trembling();
+  for (const std::size_t age : {2u, 5u})
+    taa::twin::at(clipped.moments[age].record, IntermediateId::clipAmount).x = 0.9f;
+  EXPECT_EQ(judge(clipped, Settings{}).stage, Stage::RectifyHistory);
+  VerdictEvidence thrown = trembling();
+  taa::twin::at(thrown.moments[3].record, IntermediateId::alpha).x = 1.0f;
+  EXPECT_EQ(judge(thrown, Settings{}).stage, Stage::ValidateHistory);
+}
+
+/// Nine tenths of today's color are older than the frames that are followed, and off.
+VerdictEvidence offForLong() {
+  VerdictEvidence evidence = healthy();
+  of(evidence.error.sum, ErrorPart::Older) = glm::dvec3(0.18);
+  evidence.error.resolved += 0.18;
+  evidence.moments.front().resolved += 0.18;
+  evidence.error.frames.back().weight = 0.9;
+  return evidence;
+}
+
+TEST(PixelVerdict, FollowsAnOldErrorOnInWhatIsStillMade) {
+  VerdictEvidence going = offForLong();
+  for (int age = 0; age < 10; ++age) addError(going, ErrorPart::Aliasing, age, glm::dvec3(0.002));
+  const taa::PixelVerdict made = judge(going, Settings{});
+  EXPECT_EQ(made.part, ErrorPart::Aliasing);
+  EXPECT_EQ(made.kind, VerdictKind::Blur);
+  EXPECT_EQ(made.stage, Stage::FilterCurrent);
+  EXPECT_TRUE(made.isOlder);
+
+  VerdictEvidence fading = offForLong(); // at this rate the frames would have made a tenth of it
+  addError(fading, ErrorPart::Aliasing, 0, glm::dvec3(0.002));
+  EXPECT_EQ(judge(fading, Settings{}).part, ErrorPart::Older);
+}
+
 TEST(PixelVerdict, CallsFlickerOfWhatIsBrighterThanWhiteAHighlights) {
   VerdictEvidence evidence = healthy();
   for (std::size_t age = 0; age < evidence.moments.size(); ++age) {
