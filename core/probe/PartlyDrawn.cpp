@@ -24,7 +24,7 @@ gl::Rect grown(const gl::Rect& part, int border, const glm::ivec2& sizePx) {
           std::min(part.y + part.height + border, sizePx.y) - top};
 }
 
-gl::Rect around(const gl::Rect& a, const gl::Rect& b) {
+gl::Rect regionAround(const gl::Rect& a, const gl::Rect& b) {
   const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
   return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
           std::max(a.y + a.height, b.y + b.height) - top};
@@ -50,7 +50,7 @@ twin::Inputs PartlyDrawn::open(FrameSource& frames, const FrameRequest& request,
 
 void PartlyDrawn::require(const gl::Rect& part) {
   if (contains(drawn_, part)) return;
-  draw(around(drawn_, grown(part, kReadAround, {inputs_.width(), inputs_.height()})));
+  draw(regionAround(drawn_, grown(part, kReadAround, {inputs_.width(), inputs_.height()})));
 }
 
 // Of a capture all is there, whatever is asked for.

@@ -73,9 +73,9 @@ TEST(VerdictMap, LooksAtWhatIsShown) {
         {history, history, gray([reference](int, int) { return reference; }), Image(kWide, kHigh, 1)});
     return static_cast<HistoryVerdict>(map.pixels[0]);
   };
-  EXPECT_EQ(verdictOf(1.9f * kStep, 0.0f), HistoryVerdict::RightlyKept);
-  EXPECT_EQ(verdictOf(2.1f * kStep, 0.0f), HistoryVerdict::LetThrough);
-  EXPECT_EQ(verdictOf(0.0f, 2.1f * kStep), HistoryVerdict::LetThrough);
+  EXPECT_EQ(verdictOf(7.9f * kStep, 0.0f), HistoryVerdict::RightlyKept);
+  EXPECT_EQ(verdictOf(8.1f * kStep, 0.0f), HistoryVerdict::LetThrough);
+  EXPECT_EQ(verdictOf(0.0f, 8.1f * kStep), HistoryVerdict::LetThrough);
   EXPECT_EQ(verdictOf(9.0f, 1.0f), HistoryVerdict::RightlyKept);
 }
 
