@@ -29,6 +29,8 @@ void ImportFrames::open(const QString& folder) {
   auto* page = new ImportPage(window_);
   connect(page, &ImportPage::openRequested, &keeper_, &SessionKeeper::openSource);
   if (!folder.isEmpty()) page->openFolder(folder);
+  // Qt would take two thirds of the screen, in which hypotheses have no room.
+  page->resize(page->sizeHint().boundedTo(window_->size()));
   page->show();
 }
 

@@ -588,6 +588,7 @@ TEST_F(ImportInWindow, ADroppedFolderOfFramesOpensThePage) {
   auto* page = window.findChild<ImportPage*>();
   ASSERT_TRUE(page && page->isVisible());
   EXPECT_FALSE(page->isModal()) << "the window can be used on";
+  EXPECT_EQ(page->size(), page->sizeHint().boundedTo(window.size()));
   const auto* problem = page->findChild<QLabel*>(QStringLiteral("problem"));
   EXPECT_TRUE(test::waitFor([&] { return !problem->text().isEmpty(); })) << "there is nothing to import";
   page->close();
