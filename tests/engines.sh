@@ -29,7 +29,7 @@ testEngine() {
   say "Taking frames of $engine"
   takeFrames "$root" "$engine" "$folder" &&
     "$batch" import "$folder" --check &&
-    "$batch" render "$folder" --frames 0..7 --emit resolved,motion,rejected --out "$folder/out" >"$folder.render.log"
+    "$batch" render "$folder" --frames 0..7 --emit resolved,motion,rejectReason --out "$folder/out" >"$folder.render.log"
 }
 
 # Adds to the counts of tests/run, a check an engine.
