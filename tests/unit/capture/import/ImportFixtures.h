@@ -3,6 +3,7 @@
 
 #include "core/base/Files.h"
 #include "core/capture/format/Conventions.h"
+#include "core/capture/import/Guess.h"
 #include "tests/support/Paths.h"
 
 #include <OpenImageIO/imageio.h>
@@ -16,9 +17,18 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace taa::capture {
+
+/// The first finding about a convention; fails where there is none.
+inline Finding findingOf(const std::vector<Finding>& findings, std::string_view path) {
+  const auto found = std::ranges::find(findings, path, &Finding::path);
+  if (found != findings.end()) return *found;
+  ADD_FAILURE() << "nothing was found about " << path;
+  return {};
+}
 
 /// A textured wall that the camera passes, and a square that moves before it, sampled at points.
 struct MovingSquare {
