@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 
@@ -22,7 +23,10 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
 } // namespace
 
 ProcessResult runProcess(const std::vector<std::string>& command) {
-  const std::filesystem::path out = temporaryFolder() / "stdout", err = temporaryFolder() / "stderr";
+  static std::atomic<int> runs{0}; // several at once, by threads
+  const std::string run = std::to_string(++runs);
+  const std::filesystem::path out = temporaryFolder() / ("stdout." + run),
+                              err = temporaryFolder() / ("stderr." + run);
   std::vector<char*> arguments;
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);

@@ -1,6 +1,7 @@
 // taa-batch sweep: many settings on many shots, by as many processes as there are.
 #include "core/cli/Commands.h"
 
+#include "core/base/Error.h"
 #include "core/sweep/PointMeasurer.h"
 #include "core/sweep/SweepFolder.h"
 #include "core/sweep/SweepRun.h"
@@ -55,8 +56,14 @@ bool runSweep(const SweepArguments& arguments, std::ostream& out, const Progress
   const MeasurePoint measure = [&](const SweepPoint& point, const Progress& inside) {
     return measurer.measure(point, inside);
   };
-  const SweepReport report = taa::runSweep(
-      {spec, folder, shard, std::chrono::seconds(arguments.claimTimeoutSeconds)}, measure, progress);
+  const SweepRequest request{spec, folder, shard, std::chrono::seconds(arguments.claimTimeoutSeconds)};
+  SweepReport report;
+  try {
+    report = taa::runSweep(request, measure, progress);
+  } catch (const Cancelled&) {
+    writeSweepTables(spec, folder); // of what there is
+    throw;
+  }
   const std::vector<std::filesystem::path> files = writeSweepTables(spec, folder);
   for (const SweepFailure& failure : report.failures)
     std::cerr << "point " << failure.point << ": " << failure.reason << '\n';

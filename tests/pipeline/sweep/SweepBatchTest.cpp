@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -164,6 +165,21 @@ TEST_F(SweepBatchTest, GoesOnPastPointsThatFail) {
   const ordered_json json = ordered_json::parse(result.out);
   EXPECT_EQ(json["computed"], 4);
   EXPECT_EQ(json["failures"].size(), 4u);
+}
+
+// However far it comes until then.
+TEST_F(SweepBatchTest, LeavesAGoodFolderWhenItIsInterrupted) {
+  std::string more = kSpec;
+  more.replace(more.find("[0.05, 0.25]"), 12, R"({"from": 0, "to": 1, "steps": 60})");
+  taa::writeFile(spec(), more);
+  const ProcessResult stopped = taa::test::runProcess(
+      {"/usr/bin/env", "timeout", "--preserve-status", "--signal=INT", "2",
+       taa::test::binary("taa-batch").string(), "sweep", spec().string(), "--out", out().string()});
+  EXPECT_EQ(stopped.exitCode, 130) << stopped.err;
+  EXPECT_TRUE(fs::is_empty(out() / "claims"));
+  const auto points = std::distance(fs::directory_iterator(out() / "points"), fs::directory_iterator());
+  EXPECT_EQ(ordered_json::parse(taa::readFile(out() / "sweep.json"))["measured"], points);
+  EXPECT_EQ(counts(sweep()), std::to_string(120 - points) + "/" + std::to_string(points));
 }
 
 // The example of the manual, as it stands there.
