@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/importing/FramePictures.h"
-#include "app/importing/LatestWork.h"
+#include "app/background/LatestWork.h"
 #include "core/base/Progress.h"
 #include "core/capture/import/Guess.h"
 

@@ -1,5 +1,5 @@
 // Of what is asked for while a thread is at work only the last is done.
-#include "app/importing/LatestWork.h"
+#include "app/background/LatestWork.h"
 
 #include <gtest/gtest.h>
 

@@ -94,7 +94,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/widgets"},
       {"app/widgets/parameters"},
       {"app/widgets/bars"},
-      {"app/undo"},
+      {"app/undo", "app/background"},
       {"app/session"},
       {"app/models"},
       {"app/views/legend", "app/views/plots", "app/views/timeline"},

@@ -1,4 +1,4 @@
-#include "app/importing/LatestWork.h"
+#include "app/background/LatestWork.h"
 
 #include <utility>
 
