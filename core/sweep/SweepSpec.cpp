@@ -73,11 +73,23 @@ std::string assignedText(const Json& value, const std::string& place) {
   return shortestText(capture::numberOf(value, place));
 }
 
-/// From `from` to `to`, both included, evenly or by a constant factor.
+bool isNumberRow(const Parameter& row) {
+  return row.kind == ParameterKind::Number || row.kind == ParameterKind::Integer;
+}
+
+/// As the row holds them, each once. Throws Error.
+std::vector<double> heldValues(const Parameter& row, const std::vector<double>& given) {
+  std::vector<double> values;
+  for (const double value : given) {
+    const double held = isNumberRow(row) ? parseValue(row, shortestText(value)) : value;
+    if (std::ranges::find(values, held) == values.end()) values.push_back(held);
+  }
+  return values;
+}
+
 std::vector<double> rangeSteps(const Json& range, const std::string& place, const Parameter& row) {
   capture::requireKeys(range, place, kRangeKeys);
-  if (row.kind != ParameterKind::Number && row.kind != ParameterKind::Integer)
-    throw Error(say<"\"%1\" is no number: list its values">(place));
+  if (!isNumberRow(row)) throw Error(say<"\"%1\" is no number: list its values">(place));
   const double from =
       capture::numberOf(capture::requireField(range, place, "from"), capture::pathOf(place, "from"));
   const double to =
@@ -91,19 +103,12 @@ std::vector<double> rangeSteps(const Json& range, const std::string& place, cons
     throw Error(say<"\"%1\" is linear or log">(capture::pathOf(place, "scale")));
   if (how == "log" && (from <= 0.0 || to <= 0.0))
     throw Error(say<"\"%1\" goes by a factor, which wants numbers above 0">(place));
-  std::vector<double> values;
-  for (long long step = 0; step < steps; ++step) {
-    const double share = static_cast<double>(step) / static_cast<double>(steps - 1);
-    double value = how == "log" ? from * std::pow(to / from, share) : from + share * (to - from);
-    if (step == steps - 1) value = to;
-    values.push_back(row.kind == ParameterKind::Integer ? std::round(value) : value);
-  }
-  return values;
+  return valuesBetween(row, from, to, static_cast<int>(steps), how == "log");
 }
 
 /// All that a choice or a switch has.
 std::vector<double> everyValue(const Parameter& row, const std::string& place) {
-  if (row.kind != ParameterKind::Choice && row.kind != ParameterKind::Toggle)
+  if (isNumberRow(row))
     throw Error(say<"\"%1\" is a number: list its values, or give from, to and steps">(place));
   std::vector<double> values;
   for (double value = row.minimum; value <= row.maximum; ++value) values.push_back(value);
@@ -122,12 +127,7 @@ SweepRange rangeEntry(const std::string& path, const Json& value) {
     eachEntry(value, place, [&](const Json& entry, const std::string& at) {
       values.push_back(parseValue(*range.row, assignedText(entry, at)));
     });
-  for (const double given : values) {
-    const double held = range.row->kind == ParameterKind::Number || range.row->kind == ParameterKind::Integer
-                            ? parseValue(*range.row, shortestText(given)) // what the row holds of it
-                            : given;
-    if (std::ranges::find(range.values, held) == range.values.end()) range.values.push_back(held);
-  }
+  range.values = heldValues(*range.row, values);
   return range;
 }
 
@@ -241,6 +241,17 @@ std::size_t SweepSpec::pointCount() const {
     count *= range.values.size();
   }
   return count;
+}
+
+std::vector<double> valuesBetween(const Parameter& row, double from, double to, int steps, bool isByFactor) {
+  std::vector<double> values;
+  for (int step = 0; step < steps; ++step) {
+    const double share = static_cast<double>(step) / (steps - 1);
+    double value = isByFactor ? from * std::pow(to / from, share) : from + share * (to - from);
+    if (step == steps - 1) value = to;
+    values.push_back(row.kind == ParameterKind::Integer ? std::round(value) : value);
+  }
+  return heldValues(row, values);
 }
 
 std::array<Metric, 2> defaultTradeOff(const std::vector<Metric>& there) {

@@ -66,6 +66,11 @@ SweepSpec sweepSpecFromText(const std::string& text, const std::string& place,
 /// The same of a file.
 SweepSpec readSweepSpec(const std::filesystem::path& file);
 
+/// From `from` to `to`, both included, in even steps or by a constant factor, each as the row holds it and
+/// once. Throws Error where the row has no such values; expects a number, two steps at least, and of a factor
+/// two ends above 0.
+std::vector<double> valuesBetween(const Parameter& row, double from, double to, int steps, bool isByFactor);
+
 /// How much a picture ghosts and how much it flickers, by the best metrics of `there` that say so. Expects
 /// two at least.
 std::array<Metric, 2> defaultTradeOff(const std::vector<Metric>& there);

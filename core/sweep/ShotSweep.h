@@ -1,0 +1,28 @@
+// Settings measured one after the other on a shot that somebody looks at, beside it.
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/io/SessionFile.h"
+#include "core/sweep/MetricsOfFrames.h"
+#include "core/sweep/SweepSpec.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace taa {
+
+struct ShotSweepRequest {
+  SessionFile shot;                    ///< all but its settings and lanes
+  std::vector<SweepSettings> settings; ///< that are measured
+  MetricsRequest metrics{};
+};
+
+/// The metrics of every frame of `settings[index]`, as soon as they are known.
+using SettingsMeasured = std::function<void(std::size_t index, const LaneMetrics& frames)>;
+
+/// With an Inspector of its own: expects a thread that has none. The same numbers as `taa-batch metrics` has.
+/// Reports frame by frame over all settings. Throws Error, Cancelled; what was measured stays told.
+void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress);
+
+} // namespace taa

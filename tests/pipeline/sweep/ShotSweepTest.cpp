@@ -1,0 +1,87 @@
+// Settings measured on the shot of a session are measured as anybody else measures them.
+#include "core/sweep/ShotSweep.h"
+
+#include "core/settings/Presets.h"
+#include "tests/support/ErrorOf.h"
+#include "tests/support/SmallInspector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <future>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using taa::LaneMetrics;
+using taa::Metric;
+using taa::ShotSweepRequest;
+
+class ShotSweepTest : public taa::test::small::InspectorTest {
+ protected:
+  static ShotSweepRequest request() {
+    ShotSweepRequest request;
+    request.shot.source = "builtin:fan";
+    request.shot.camera = "orbit";
+    request.shot.size = {taa::test::small::kWidth, taa::test::small::kHeight};
+    request.shot.restarts = {2};
+    request.settings = {{"one", taa::preset("balanced").settings},
+                        {"other", taa::test::small::otherSettings()}};
+    request.metrics = {2, 3, {Metric::Rmse, Metric::MeanAlpha, Metric::Flicker}, 4};
+    return request;
+  }
+  static std::vector<LaneMetrics> swept(const ShotSweepRequest& request) {
+    return std::async(std::launch::async,
+                      [&] {
+                        std::vector<LaneMetrics> all(request.settings.size());
+                        sweepShot(request,
+                                  [&](std::size_t index, const LaneMetrics& frames) { all[index] = frames; },
+                                  {});
+                        return all;
+                      })
+        .get();
+  }
+};
+
+} // namespace
+
+TEST_F(ShotSweepTest, GivesTheNumbersOfTheShot) {
+  const std::vector<LaneMetrics> all = swept(request());
+  const auto inspector = opened({request().settings[0].settings, request().settings[1].settings});
+  inspector->shot().setCamera("orbit");
+  inspector->shot().setRestarts({2});
+  const std::vector<LaneMetrics> expected = measureFrames(*inspector, request().metrics, {});
+  for (std::size_t lane = 0; lane < expected.size(); ++lane) {
+    ASSERT_EQ(all[lane].size(), expected[lane].size());
+    for (std::size_t frame = 0; frame < expected[lane].size(); ++frame)
+      EXPECT_EQ(all[lane][frame].values, expected[lane][frame].values) << lane << ", " << frame;
+  }
+  EXPECT_EQ(all[0][0].at(Metric::MeanAlpha), 1.0) << "history starts anew there";
+}
+
+TEST_F(ShotSweepTest, SaysWhereItIsAndStopsWhenItIsTold) {
+  std::vector<int> places;
+  const auto stopsInTheSecond = [&](std::string_view, int done, int total) {
+    EXPECT_EQ(total, 4) << "frames of all settings";
+    places.push_back(done);
+    return done < 2;
+  };
+  std::size_t measured = 0;
+  const auto stopped = [&] {
+    EXPECT_THROW(sweepShot(
+                     request(), [&](std::size_t, const LaneMetrics&) { ++measured; }, stopsInTheSecond),
+                 taa::Cancelled);
+  };
+  std::async(std::launch::async, stopped).get();
+  EXPECT_EQ(measured, 1u);
+  EXPECT_TRUE(std::ranges::is_sorted(places));
+}
+
+TEST_F(ShotSweepTest, SaysWhatTheShotDoesNotHave) {
+  ShotSweepRequest wrong = request();
+  wrong.shot.camera = "absent";
+  const std::string why = taa::test::errorOf([&] { swept(wrong); });
+  EXPECT_NE(why.find("absent"), std::string::npos) << why;
+}
