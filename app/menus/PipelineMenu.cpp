@@ -3,6 +3,7 @@
 #include "app/commands/Exports.h"
 #include "app/commands/OwnPresets.h"
 #include "app/dialogs/GlslWindow.h"
+#include "app/dialogs/SweepDialog.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/session/Session.h"
@@ -68,6 +69,10 @@ void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets) {
   });
   add(tr("&Save as preset…"), keys({"Ctrl+Alt+S"}), [&presets] { presets.askForName(); });
   add(tr("&Compare, rename, delete presets…"), keys({"Ctrl+D"}), [&presets] { presets.compare(); });
+  add(tr("S&weep: compare settings by numbers…"), keys({"Ctrl+Alt+W"}),
+      [&session, &presets, window = parentWidget()->window()] {
+        SweepDialog::openAt(session, presets.folder(), window);
+      });
   add(tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [&presets] { presets.askForFile(); });
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/OwnPresets.h"
 #include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/ReferenceDialog.h"
+#include "app/dialogs/SweepDialog.h"
 #include "app/importing/ImportPage.h"
 #include "app/menus/CommandLists.h"
 #include "app/session/Session.h"
@@ -53,6 +54,8 @@ const std::vector<std::pair<std::string, Open>>& dialogs() {
       {"export", [](const DialogOpeners& by) { by.exports.askForRange(); }},
       {"glsl", openGlsl},
       {"presets", [](const DialogOpeners& by) { by.presets.compare(); }},
+      {"sweep",
+       [](const DialogOpeners& by) { SweepDialog::openAt(by.session, by.presets.folder(), by.window); }},
       {"keys", [](const DialogOpeners& by) { by.lists.showKeys(); }},
       {"reference", openReference},
       {"commands", [](const DialogOpeners& by) { by.lists.choose(); }},

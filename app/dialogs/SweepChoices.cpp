@@ -1,0 +1,191 @@
+#include "app/dialogs/SweepChoices.h"
+
+#include "app/session/Session.h"
+#include "app/session/UserPresets.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "core/render/CaptureFacts.h"
+#include "core/settings/Presets.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+enum AxisPage { PresetPage, NumberPage, ValuesPage };
+constexpr int kMaxSweepSteps = 100, kFirstSteps = 5;
+constexpr double kFirstReach = 4.0; ///< times the present value, down and up
+
+bool isSweptNumber(const Parameter& row) {
+  return row.kind == ParameterKind::Number || row.kind == ParameterKind::Integer;
+}
+
+QString sweptValueText(const Parameter& row, double value) {
+  if (row.kind == ParameterKind::Choice) return tableText(row.choices[static_cast<std::size_t>(value)].label);
+  const QString text = QString::fromStdString(valueText(row, value));
+  return row.unit.empty() ? text : text + u' ' + tableText(row.unit);
+}
+
+/// All that a choice or a switch has.
+std::vector<double> allValues(const Parameter& row) {
+  std::vector<double> values;
+  for (double value = row.minimum; value <= row.maximum; ++value) values.push_back(value);
+  return values;
+}
+
+} // namespace
+
+SweepChoices::SweepChoices(Session& session, const QString& folder, QWidget* parent)
+    : QWidget(parent), session_(session), axis_(new QComboBox), pages_(new QStackedWidget),
+      presets_(new QListWidget), from_(new QDoubleSpinBox), to_(new QDoubleSpinBox), steps_(new QSpinBox),
+      byFactor_(new QCheckBox(tr("By a constant factor"))), all_(new QLabel) {
+  axis_->setAccessibleName(tr("What changes"));
+  axis_->view()->setAccessibleName(axis_->accessibleName());
+  axis_->addItem(tr("Presets"));
+  const auto captured = session.status().capture;
+  for (const Parameter& row : parameters())
+    if (isRelevant(row, session.presets().settings()) && !(captured && isFixedBy(*captured, row)))
+      axis_->addItem(tr("%1: %2").arg(tableText(stageInfo(row.stage).label), tableText(row.label)),
+                     qtext(row.path));
+  presets_->setAccessibleName(tr("Presets to measure"));
+  addPresets(folder);
+  all_->setWordWrap(true);
+  all_->setAlignment(Qt::AlignTop);
+  pages_->addWidget(presets_);
+  pages_->addWidget(makeRange());
+  pages_->addWidget(all_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2 * kUnit);
+  layout->addWidget(axis_);
+  layout->addWidget(pages_, 1);
+  connect(axis_, &QComboBox::currentIndexChanged, this, &SweepChoices::showAxis);
+  connect(presets_, &QListWidget::itemChanged, this, &SweepChoices::changed);
+  showAxis();
+}
+
+// Those that are there to compare with are ticked.
+void SweepChoices::addPresets(const QString& folder) {
+  const auto add = [this](const QString& label, const QString& idOrPath, bool isTicked) {
+    auto* item = new QListWidgetItem(label, presets_);
+    item->setData(Qt::UserRole, idOrPath);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(isTicked ? Qt::Checked : Qt::Unchecked);
+  };
+  add(tr("The present settings"), {}, true);
+  for (const Preset& preset : builtinPresets())
+    add(tableText(preset.label), QString::fromStdString(preset.id),
+        preset.group == kPresetGroups.front().id && preset.step == 0);
+  for (const UserPreset& own : userPresets(folder)) add(tr("%1 (mine)").arg(own.label), own.path, false);
+}
+
+QWidget* SweepChoices::makeRange() {
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  form->setContentsMargins(0, 0, 0, 0);
+  from_->setAccessibleName(tr("First value"));
+  to_->setAccessibleName(tr("Last value"));
+  steps_->setAccessibleName(tr("Number of values"));
+  steps_->setRange(2, kMaxSweepSteps);
+  steps_->setValue(kFirstSteps);
+  form->addRow(tr("From"), from_);
+  form->addRow(tr("To"), to_);
+  form->addRow(tr("Values"), steps_);
+  form->addRow(byFactor_);
+  for (QDoubleSpinBox* field : {from_, to_})
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
+      byFactor_->setEnabled(from_->value() > 0.0 && to_->value() > 0.0);
+      Q_EMIT changed();
+    });
+  connect(steps_, &QSpinBox::valueChanged, this, &SweepChoices::changed);
+  connect(byFactor_, &QCheckBox::toggled, this, &SweepChoices::changed);
+  return page;
+}
+
+const Parameter* SweepChoices::row() const {
+  const QString path = axis_->currentData().toString();
+  return path.isEmpty() ? nullptr : &parameter(path.toStdString());
+}
+
+// Numbers begin around what is set now.
+void SweepChoices::showAxis() {
+  const Parameter* row = this->row();
+  pages_->setCurrentIndex(!row ? PresetPage : isSweptNumber(*row) ? NumberPage : ValuesPage);
+  if (row && isSweptNumber(*row)) {
+    const double now = row->get(session_.presets().settings());
+    const bool isAround = row->minimum >= 0.0 && now > 0.0;
+    for (QDoubleSpinBox* field : {from_, to_}) {
+      const QSignalBlocker quiet(field);
+      field->setDecimals(row->kind == ParameterKind::Integer ? 0 : 4);
+      field->setRange(row->minimum, row->maximum);
+      field->setSuffix(row->unit.empty() ? QString() : u' ' + tableText(row->unit));
+    }
+    from_->setValue(isAround ? now / kFirstReach : row->minimum);
+    to_->setValue(isAround ? now * kFirstReach : row->maximum);
+    byFactor_->setEnabled(from_->value() > 0.0);
+    byFactor_->setChecked(from_->value() > 0.0);
+  } else if (row) {
+    QStringList texts;
+    for (const double value : allValues(*row)) texts << sweptValueText(*row, value);
+    all_->setText(tr("All that it has: %1.").arg(texts.join(QStringLiteral(", "))));
+  }
+  Q_EMIT changed();
+}
+
+std::vector<SweptSettings> SweepChoices::chosen() const {
+  return row() ? chosenValues() : chosenPresets();
+}
+
+std::vector<SweptSettings> SweepChoices::chosenPresets() const {
+  std::vector<SweptSettings> chosen;
+  for (int line = 0; line < presets_->count(); ++line) {
+    const QListWidgetItem* item = presets_->item(line);
+    if (item->checkState() != Qt::Checked) continue;
+    const QString idOrPath = item->data(Qt::UserRole).toString();
+    try {
+      const Settings settings =
+          idOrPath.isEmpty() ? session_.presets().settings() : preset(idOrPath.toStdString()).settings;
+      chosen.push_back({{item->text().toStdString(), settings}, idOrPath, {}, 0.0});
+    } catch (const std::exception&) {
+      continue; // a file of the user's went away meanwhile
+    }
+  }
+  return chosen;
+}
+
+std::vector<SweptSettings> SweepChoices::chosenValues() const {
+  const Parameter& row = *this->row();
+  std::vector<double> values;
+  try {
+    values = isSweptNumber(row) ? valuesBetween(row, from_->value(), to_->value(), steps_->value(),
+                                                byFactor_->isEnabled() && byFactor_->isChecked())
+                                : allValues(row);
+  } catch (const std::exception&) {
+    return {}; // rounded past an end of the range
+  }
+  std::vector<SweptSettings> chosen;
+  for (const double value : values) {
+    Settings settings = session_.presets().settings();
+    row.set(settings, value);
+    chosen.push_back({{sweptValueText(row, value).toStdString(), settings}, {}, qtext(row.path), value});
+  }
+  return chosen;
+}
+
+} // namespace taa::app

@@ -1,0 +1,324 @@
+#include "app/dialogs/SweepDialog.h"
+
+#include "app/session/Session.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/views/plots/CurveChart.h"
+#include "app/views/plots/ScatterChart.h"
+#include "core/render/CaptureFacts.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QSplitter>
+#include <QStringList>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+enum SweepColumn { SettingsColumn, FrontColumn, FirstMetric };
+constexpr int kIndexRole = Qt::UserRole, kNumberRole = Qt::UserRole + 1;
+constexpr int kFirstFrames = 8; ///< up to the one on show
+
+/// Sorted by its numbers, not by their texts; what is not known comes last.
+class SweepLine : public QTreeWidgetItem {
+ public:
+  using QTreeWidgetItem::QTreeWidgetItem;
+  bool operator<(const QTreeWidgetItem& other) const override {
+    const int column = treeWidget() ? treeWidget()->sortColumn() : 0;
+    const QVariant mine = data(column, kNumberRole), its = other.data(column, kNumberRole);
+    if (!mine.isValid() && !its.isValid()) return text(column) < other.text(column);
+    return mine.toDouble() < its.toDouble();
+  }
+};
+
+QString metricTitle(Metric metric) {
+  const MetricInfo& info = metricInfo(metric);
+  const QString label = tableText(info.label);
+  return info.unit.empty() ? label : label + u' ' + tableText(info.unit);
+}
+
+} // namespace
+
+SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep)
+    : QDialog(parent), session_(session), work_(std::move(sweep)),
+      choices_(new SweepChoices(session, folder)), first_(new QSpinBox), last_(new QSpinBox),
+      table_(new QTreeWidget), ofX_(new QComboBox), ofY_(new QComboBox), ofCurves_(new QComboBox),
+      scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))), note_(new QLabel),
+      progress_(new QProgressBar), start_(new QPushButton), apply_(new QPushButton(tr("Apply"))),
+      copy_(new QPushButton(tr("Copy as CSV"))) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Sweep"));
+  auto* left = new QVBoxLayout;
+  left->setSpacing(2 * kUnit);
+  left->addWidget(choices_, 1);
+  left->addWidget(makeRange());
+  auto* sides = new QHBoxLayout;
+  sides->setSpacing(3 * kUnit);
+  sides->addLayout(left);
+  auto* right = new QSplitter(Qt::Vertical);
+  right->addWidget(table_);
+  right->addWidget(makeCharts());
+  sides->addWidget(right, 1);
+  choices_->setFixedWidth(60 * kUnit);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
+  layout->setSpacing(2 * kUnit);
+  layout->addLayout(sides, 1);
+  layout->addWidget(makeButtons());
+  table_->setAccessibleName(tr("Measured settings"));
+  table_->setRootIsDecorated(false);
+  table_->setSortingEnabled(true);
+  connect(table_, &QTreeWidget::currentItemChanged, this, [this] { choose(chosen()); });
+  connect(table_, &QTreeWidget::itemActivated, this, &SweepDialog::apply);
+  connect(scatter_, &ScatterChart::pointClicked, this, &SweepDialog::choose);
+  connect(choices_, &SweepChoices::changed, this, &SweepDialog::refresh);
+  connect(&work_, &SweepWork::progressed, this, [this](const QString& what, int done, int total) {
+    note_->setText(what);
+    progress_->setRange(0, total);
+    progress_->setValue(done);
+  });
+  connect(&work_, &SweepWork::measured, this, [this](std::size_t index, const LaneMetrics& frames) {
+    series_.add(index, frames);
+    showTable();
+    showCharts();
+  });
+  connect(&work_, &SweepWork::ended, this, &SweepDialog::finish);
+  listMetrics();
+  refresh();
+}
+
+void SweepDialog::openAt(Session& session, const QString& folder, QWidget* window) {
+  auto* dialog = window->findChild<SweepDialog*>();
+  if (!dialog) dialog = new SweepDialog(session, folder, window);
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+QWidget* SweepDialog::makeRange() {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(kUnit);
+  const int last = std::max(0, session_.status().frameCount - 1), now = session_.status().info.frame;
+  for (QSpinBox* field : {first_, last_}) field->setRange(0, last);
+  first_->setAccessibleName(tr("First frame"));
+  last_->setAccessibleName(tr("Last frame"));
+  last_->setValue(std::max(now, std::min(last, kFirstFrames - 1)));
+  first_->setValue(std::max(0, last_->value() - kFirstFrames + 1));
+  line->addWidget(new QLabel(tr("Frames")));
+  line->addWidget(first_, 1);
+  line->addWidget(new QLabel(tr("to")));
+  line->addWidget(last_, 1);
+  for (QSpinBox* field : {first_, last_})
+    connect(field, &QSpinBox::valueChanged, this, &SweepDialog::refresh);
+  return row;
+}
+
+QWidget* SweepDialog::makeCharts() {
+  auto* charts = new QSplitter;
+  const auto page = [&](QWidget* chart, const std::vector<QComboBox*>& boxes) {
+    auto* side = new QWidget;
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(kUnit);
+    auto* line = new QHBoxLayout;
+    for (QComboBox* box : boxes) line->addWidget(box, 1);
+    layout->addLayout(line);
+    layout->addWidget(chart, 1);
+    charts->addWidget(side);
+  };
+  page(scatter_, {ofX_, ofY_});
+  page(curves_, {ofCurves_});
+  ofX_->setAccessibleName(tr("Metric to the right"));
+  ofY_->setAccessibleName(tr("Metric upwards"));
+  ofCurves_->setAccessibleName(tr("Metric of the curves"));
+  for (QComboBox* box : {ofX_, ofY_, ofCurves_}) {
+    box->view()->setAccessibleName(box->accessibleName());
+    connect(box, &QComboBox::currentIndexChanged, this, [this] {
+      showTable(); // the front is another one
+      showCharts();
+    });
+  }
+  return charts;
+}
+
+QWidget* SweepDialog::makeButtons() {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(2 * kUnit);
+  progress_->setTextVisible(false);
+  progress_->setFixedWidth(40 * kUnit);
+  note_->setWordWrap(true);
+  start_->setAccessibleName(tr("Measure, or stop"));
+  apply_->setAccessibleName(tr("Apply the chosen settings"));
+  apply_->setToolTip(tr("Take the chosen settings up; it can be undone"));
+  copy_->setAccessibleName(tr("Copy the table as CSV"));
+  line->addWidget(start_);
+  line->addWidget(progress_);
+  line->addWidget(note_, 1);
+  line->addWidget(copy_);
+  line->addWidget(apply_);
+  for (QPushButton* button : {start_, apply_, copy_}) button->setAutoDefault(false);
+  connect(start_, &QPushButton::clicked, this, [this] { work_.isRunning() ? work_.cancel() : begin(); });
+  connect(apply_, &QPushButton::clicked, this, &SweepDialog::apply);
+  connect(copy_, &QPushButton::clicked, this, &SweepDialog::copy);
+  return row;
+}
+
+int SweepDialog::referenceSamples() const {
+  const auto captured = session_.status().capture;
+  return captured && !captured->hasReference ? 0 : session_.status().referenceGoal;
+}
+
+// Those that a sweep will have, the usual trade-off first.
+void SweepDialog::listMetrics() {
+  const std::vector<Metric> metrics = metricsThere(referenceSamples(), {OverTime::Flicker});
+  const std::array<Metric, 2> usual = defaultTradeOff(metrics);
+  const auto list = [&](QComboBox* box, Metric first) {
+    const QSignalBlocker quiet(box);
+    for (const Metric metric : metrics) box->addItem(metricTitle(metric), static_cast<int>(metric));
+    box->setCurrentIndex(box->findData(static_cast<int>(first)));
+  };
+  list(ofX_, usual[0]);
+  list(ofY_, usual[1]);
+  list(ofCurves_, usual[0]);
+  QStringList header{tr("Settings"), tr("Front")};
+  for (const Metric metric : metrics) header << metricTitle(metric);
+  table_->setHeaderLabels(header);
+  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->header()->setSortIndicator(-1, Qt::AscendingOrder); // as they are measured, until one is clicked
+  for (std::size_t column = 0; column < metrics.size(); ++column)
+    table_->headerItem()->setToolTip(FirstMetric + static_cast<int>(column),
+                                     tableText(metricInfo(metrics[column]).description));
+}
+
+Metric SweepDialog::metricOf(const QComboBox* box) const {
+  return static_cast<Metric>(box->currentData().toInt());
+}
+
+void SweepDialog::begin() {
+  swept_ = choices_->chosen();
+  ShotSweepRequest request{session_.file(), {}, {}};
+  std::vector<QString> names;
+  for (const SweptSettings& each : swept_) {
+    request.settings.push_back(each.settings);
+    names.push_back(QString::fromStdString(each.settings.name));
+  }
+  const int samples = referenceSamples();
+  request.metrics = {first_->value(), last_->value(), metricsThere(samples, {OverTime::Flicker}), samples};
+  series_.begin(std::move(names), request.metrics.wanted);
+  curves_->setBounds({static_cast<double>(first_->value()), static_cast<double>(last_->value())});
+  showTable();
+  showCharts();
+  work_.begin(request);
+  refresh();
+}
+
+// The chosen line stays.
+void SweepDialog::showTable() {
+  const std::optional<std::size_t> before = chosen();
+  const std::vector<ScatterPoint> points = series_.tradeOff(metricOf(ofX_), metricOf(ofY_));
+  const QSignalBlocker quiet(table_);
+  table_->setSortingEnabled(false);
+  table_->clear();
+  for (std::size_t index = 0; index < series_.count(); ++index) {
+    if (!series_.isMeasured(index)) continue;
+    auto* line = new SweepLine({series_.name(index)});
+    line->setData(SettingsColumn, kIndexRole, static_cast<qulonglong>(index));
+    const auto point = std::ranges::find(points, index, &ScatterPoint::index);
+    const bool isOnFront = point != points.end() && point->isOnFront;
+    line->setText(FrontColumn, isOnFront ? tr("yes") : QString());
+    line->setData(FrontColumn, kNumberRole, isOnFront ? 0.0 : 1.0);
+    for (std::size_t column = 0; column < series_.metrics().size(); ++column) {
+      const int place = FirstMetric + static_cast<int>(column);
+      const std::optional<double> mean = series_.mean(index, series_.metrics()[column]);
+      line->setText(place, mean ? shortText(*mean, 4) : QStringLiteral("–"));
+      line->setData(place, kNumberRole, mean.value_or(std::numeric_limits<double>::max()));
+      line->setFont(place, numberFont());
+      line->setTextAlignment(place, Qt::AlignVCenter | Qt::AlignRight);
+    }
+    table_->addTopLevelItem(line);
+    if (index == before) table_->setCurrentItem(line);
+  }
+  table_->setSortingEnabled(true);
+}
+
+void SweepDialog::showCharts() {
+  const Metric x = metricOf(ofX_), y = metricOf(ofY_), curve = metricOf(ofCurves_);
+  scatter_->setTitles(metricTitle(x), metricTitle(y));
+  scatter_->setPoints(series_.tradeOff(x, y));
+  scatter_->setChosen(chosen());
+  curves_->setCurves(series_.curves(curve));
+}
+
+std::optional<std::size_t> SweepDialog::chosen() const {
+  const QTreeWidgetItem* line = table_->currentItem();
+  if (!line) return {};
+  return static_cast<std::size_t>(line->data(SettingsColumn, kIndexRole).toULongLong());
+}
+
+void SweepDialog::choose(std::optional<std::size_t> index) {
+  for (int line = 0; index && line < table_->topLevelItemCount(); ++line)
+    if (table_->topLevelItem(line)->data(SettingsColumn, kIndexRole).toULongLong() == *index) {
+      const QSignalBlocker quiet(table_);
+      table_->setCurrentItem(table_->topLevelItem(line));
+    }
+  scatter_->setChosen(index);
+  refresh();
+}
+
+void SweepDialog::apply() {
+  const std::optional<std::size_t> index = chosen();
+  if (!index) return;
+  const SweptSettings& wanted = swept_[*index];
+  if (!wanted.preset.isEmpty()) session_.presets().setPreset(wanted.preset);
+  if (!wanted.parameter.isEmpty()) session_.presets().setParameter(wanted.parameter, wanted.value);
+}
+
+void SweepDialog::copy() {
+  QApplication::clipboard()->setText(series_.csv());
+}
+
+void SweepDialog::refresh() {
+  const bool isRunning = work_.isRunning();
+  const int count = static_cast<int>(choices_->chosen().size());
+  const bool isOrdered = first_->value() <= last_->value();
+  start_->setText(isRunning ? tr("Stop") : tr("Measure"));
+  start_->setEnabled(isRunning || (count > 0 && isOrdered && session_.isOpen()));
+  progress_->setVisible(isRunning);
+  apply_->setEnabled(chosen().has_value());
+  copy_->setEnabled(series_.measuredCount() > 0);
+  if (isRunning) return;
+  const int frames = last_->value() - first_->value() + 1;
+  note_->setText(!isOrdered   ? tr("The last frame is before the first.")
+                 : count == 0 ? tr("Nothing is chosen.")
+                              : tr("Settings to measure: %1, each in frames: %2.").arg(count).arg(frames));
+}
+
+void SweepDialog::finish(const QString& error) {
+  refresh();
+  note_->setText(!error.isEmpty()
+                     ? error
+                     : tr("Settings measured: %1 of %2.").arg(series_.measuredCount()).arg(series_.count()));
+}
+
+} // namespace taa::app

@@ -1,0 +1,79 @@
+// Settings compared by numbers on the shot on show: presets, or the values of one parameter, as a table, as
+// curves over the frames and as a trade-off with its Pareto front.
+#pragma once
+
+#include "app/background/SweepWork.h"
+#include "app/dialogs/SweepChoices.h"
+#include "app/models/SweepSeries.h"
+
+#include <QDialog>
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTreeWidget;
+
+namespace taa::app {
+
+class CurveChart;
+class ScatterChart;
+class Session;
+
+/// Deletes itself when closed, and ends its work.
+class SweepDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `folder` holds the user's own presets. Expects that something is open.
+  SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep = sweepShot);
+
+  /// Opens the one of `window`, or brings it to the front.
+  static void openAt(Session& session, const QString& folder, QWidget* window);
+
+  SweepChoices* choices() const { return choices_; }
+  QTreeWidget* table() const { return table_; }
+  ScatterChart* scatter() const { return scatter_; }
+  CurveChart* curves() const { return curves_; }
+  const SweepSeries& series() const { return series_; }
+  QSize sizeHint() const override { return {1100, 760}; }
+
+  void begin();
+
+ private:
+  QWidget* makeRange();
+  QWidget* makeCharts();
+  QWidget* makeButtons();
+  void listMetrics();
+  void showTable();
+  void showCharts();
+  void choose(std::optional<std::size_t> index);
+  std::optional<std::size_t> chosen() const;
+  void apply();
+  void copy();
+  void refresh();
+  void finish(const QString& error);
+  Metric metricOf(const QComboBox* box) const;
+  int referenceSamples() const;
+
+  Session& session_;
+  SweepWork work_;
+  SweepSeries series_;
+  std::vector<SweptSettings> swept_; ///< whose series it is
+  SweepChoices* choices_;
+  QSpinBox *first_, *last_;
+  QTreeWidget* table_;
+  QComboBox *ofX_, *ofY_, *ofCurves_;
+  ScatterChart* scatter_;
+  CurveChart* curves_;
+  QLabel* note_;
+  QProgressBar* progress_;
+  QPushButton *start_, *apply_, *copy_;
+};
+
+} // namespace taa::app
