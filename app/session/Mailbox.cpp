@@ -54,6 +54,7 @@ struct Keep {
   void operator()(ExportResult exported) const { delivery.exported = std::move(exported); }
   void operator()(ObjectArea area) const { delivery.area = std::move(area); }
   void operator()(WorstDelivery worst) const { delivery.worst = worst; }
+  void operator()(LineageDelivery lineage) const { delivery.lineage = std::move(lineage); }
   void operator()(StageShares shares) const { delivery.shares = std::move(shares); }
   void operator()(TraceDelivery trace) const { delivery.traces.push_back(std::move(trace)); }
 };

@@ -29,6 +29,7 @@ struct Delivery {
   std::optional<ExportResult> exported;
   std::optional<ObjectArea> area;
   std::optional<WorstDelivery> worst;
+  std::optional<LineageDelivery> lineage;
   std::optional<StageShares> shares;
   std::vector<TraceDelivery> traces; ///< all of them: each is a frame
 };

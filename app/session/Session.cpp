@@ -61,6 +61,7 @@ void Session::deliver() {
   if (delivery.shaders) Q_EMIT shadersReloaded(QString::fromStdString(delivery.shaders->error));
   if (delivery.exported) Q_EMIT exported(*delivery.exported);
   if (delivery.shares) Q_EMIT stageSharesArrived(*delivery.shares);
+  if (delivery.lineage) Q_EMIT lineageArrived(*delivery.lineage);
   if (delivery.worst) Q_EMIT worstPixelArrived(*delivery.worst);
   if (delivery.area) Q_EMIT objectAreaArrived(*delivery.area);
 }
@@ -166,6 +167,10 @@ void Session::setTracing(bool tracing) {
 
 void Session::fillTraces(int first, int last) {
   outbox_.post(request::FillTraces{first, last});
+}
+
+void Session::setLineage(int frames) {
+  outbox_.post(request::SetLineage{frames});
 }
 
 void Session::setPlayback(const Playback& playback) {

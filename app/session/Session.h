@@ -65,6 +65,7 @@ class Session : public QObject {
   void setPlayback(const Playback& playback);
   void setTracing(bool tracing);
   void fillTraces(int first, int last);
+  void setLineage(int frames); ///< see request::SetLineage
   void seek(int frame);
   void step(int frames); ///< pauses
   void setViews(const std::vector<ViewRequest>& views);
@@ -97,6 +98,7 @@ class Session : public QObject {
   void exported(const ExportResult& result);
   void objectAreaArrived(const ObjectArea& area);
   void worstPixelArrived(const WorstDelivery& worst);
+  void lineageArrived(const LineageDelivery& lineage);
   void stageSharesArrived(const StageShares& shares);
   void errorOccurred(const QString& sentence);
   void openingFailed(); ///< of what was opened last; what was open still is

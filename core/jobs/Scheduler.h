@@ -8,6 +8,7 @@
 #include "core/jobs/Wanted.h"
 #include "core/jobs/idle/Comparing.h"
 #include "core/jobs/idle/CompilingAhead.h"
+#include "core/jobs/idle/FollowingSamples.h"
 #include "core/jobs/idle/MeasuringOverTime.h"
 #include "core/jobs/idle/MetricMeasuring.h"
 #include "core/jobs/idle/ReferenceDrawing.h"
@@ -61,13 +62,13 @@ class Scheduler {
   // Everything a request may concern; a request is heard by each that has a member take() for its type.
   auto parts() {
     return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, worst_,
-                    exporting_, comparing_, costing_, traces_, compiling_, thumbnails_, reference_, overTime_,
-                    metrics_);
+                    exporting_, comparing_, costing_, traces_, lineage_, compiling_, thumbnails_, reference_,
+                    overTime_, metrics_);
   }
   // The first one that is due comes first.
   auto jobs() {
-    return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &compiling_,
-                                &thumbnails_, &reference_, &overTime_, &metrics_});
+    return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &lineage_,
+                                &compiling_, &thumbnails_, &reference_, &overTime_, &metrics_});
   }
 
   Desk desk_;
@@ -84,6 +85,7 @@ class Scheduler {
   CompilingAhead compiling_{desk_, transport_};
   ThumbnailDrawing thumbnails_{desk_, transport_};
   Traces traces_{desk_, transport_, wanted_};
+  FollowingSamples lineage_{desk_, transport_, wanted_};
   ReferenceDrawing reference_{desk_, transport_, wanted_};
   MeasuringOverTime overTime_{desk_, transport_, wanted_};
   MetricMeasuring metrics_{desk_, transport_, wanted_, thumbnails_};

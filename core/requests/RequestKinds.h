@@ -34,6 +34,7 @@ enum class RequestKind {
   Profile,
   Reference,
   Worst,
+  Lineage,
   Metrics
 };
 inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Metrics) + 1;

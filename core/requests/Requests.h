@@ -268,6 +268,13 @@ struct FillTraces {
   static constexpr RequestRule kRule{.kind = RequestKind::Traces};
 };
 
+/// From now on the samples that the active probe's pixel is made of are delivered, of each exact frame on
+/// show that is not played, in the first lane.
+struct SetLineage {
+  int frames = 0; ///< how far back, with the frame itself, at most kMaxLineageFrames; 0: no longer
+  static constexpr RequestRule kRule{.kind = RequestKind::Lineage};
+};
+
 struct ReloadShaders {
   static constexpr RequestRule kRule{.kind = RequestKind::Shaders, .turn = Turn::Views, .endsReplay = true};
 };
@@ -294,8 +301,8 @@ using Request =
                  request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
                  request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetProfiling,
                  request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
-                 request::FindWorst, request::SetMetrics, request::SetTracing, request::FillTraces,
-                 request::ReloadShaders, request::Cancel, request::ExportSequence>;
+                 request::FindWorst, request::SetLineage, request::SetMetrics, request::SetTracing,
+                 request::FillTraces, request::ReloadShaders, request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {
   return std::visit([](const auto& each) -> const RequestRule& { return each.kRule; }, request);

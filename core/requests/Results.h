@@ -98,6 +98,7 @@ enum class WorkKind {
   Reference,
   OverTime,
   Metrics,
+  Lineage,
   Export
 };
 
@@ -134,9 +135,17 @@ struct WorstDelivery {
   FoundWorst found;
 };
 
+/// What the active probe's pixel is made of.
+struct LineageDelivery {
+  Probe probe{};                            ///< whose
+  int frame = 0;                            ///< on show
+  std::shared_ptr<const Lineage> lineage{}; ///< null: the probe is not in its picture
+  std::uint64_t shotVersion = 0;            ///< see Status
+};
+
 using Result = std::variant<ViewResult, ProbeResult, Status, Work, Failure, FrameProfile, StageCosts,
                             Thumbnail, FrameMetrics, ShadersRead, ExportResult, ObjectArea, WorstDelivery,
-                            StageShares, TraceDelivery>;
+                            LineageDelivery, StageShares, TraceDelivery>;
 
 /// A result, and the request that it answers: the latest of its kind that was taken up.
 struct Answer {

@@ -203,6 +203,12 @@ void FakeRenderer::take(const request::SetPlaying& asked) {
   deliver();
 }
 
+void FakeRenderer::take(const request::SetLineage& asked) {
+  const auto& [frames] = asked;
+  lineageFrames = frames;
+  deliver();
+}
+
 void FakeRenderer::take(const request::SetTracing& asked) {
   const auto& [wanted] = asked;
   tracing = wanted;
@@ -387,6 +393,32 @@ void FakeRenderer::deliver() {
   if (tracing)
     for (const Probe& probe : probes.all) deliverTrace(probe, status.info.frame);
   deliverMetrics();
+  deliverLineage();
+}
+
+/// Half of each frame's history is older, and lies a pixel further to the left. Samples lie a quarter of a
+/// pixel to the right of the center, or to the left in odd frames.
+void FakeRenderer::deliverLineage() {
+  if (lineageFrames == 0 || probes.active < 0 || status.playing) return;
+  const Probe& probe = probes.all[static_cast<std::size_t>(probes.active)];
+  auto lineage = std::make_shared<Lineage>();
+  lineage->frame = status.info.frame;
+  lineage->pixel = probe.pixel;
+  double older = 1.0;
+  for (int frame = lineage->frame; frame >= 0 && lineage->frame - frame < lineageFrames; --frame) {
+    LineageFrame entry;
+    entry.frame = frame;
+    entry.weight = frame == 0 ? older : 0.5 * older;
+    entry.place = {probe.pixel.x + 0.5 - (lineage->frame - frame), probe.pixel.y + 0.5};
+    entry.pixels = 1;
+    older -= entry.weight;
+    lineage->weight += entry.weight;
+    lineage->frames.push_back(entry);
+    lineage->samples.push_back({frame, probe.pixel, {frame % 2 == 0 ? 0.25 : -0.25, 0.0}, entry.weight});
+  }
+  lineage->older = older;
+  lineage->effectiveFrames = 3.0;
+  tell(LineageDelivery{probe, status.info.frame, std::move(lineage), status.shotVersion});
 }
 
 /// A surface goes one pixel to the right a frame, and out of the picture.

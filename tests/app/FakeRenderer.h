@@ -40,6 +40,7 @@ class FakeRenderer final : public Renderer {
   std::optional<SequenceRequest> exported;
   std::vector<int> located; ///< objects
   std::vector<request::FindWorst> worstAsked;
+  int lineageFrames = 0;  ///< wanted
   RequestId requests = 0; ///< so far
   /// The next request of this kind is answered with an error and nothing else.
   std::optional<RequestKind> refused;
@@ -71,6 +72,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::SetFlownCameras& asked);
   void take(const request::Locate& asked);
   void take(const request::FindWorst& asked);
+  void take(const request::SetLineage& asked);
   void take(const request::SetTracing& asked);
   void take(const request::FillTraces& asked);
   void take(const request::Prepare& asked) { prepared = asked.settings; }
@@ -87,6 +89,7 @@ class FakeRenderer final : public Renderer {
   void deliverProfile();
   void deliverMetrics();
   void deliverProbe(const Probe& probe);
+  void deliverLineage();
   ViewResult draw(int view) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);

@@ -37,6 +37,7 @@ struct Recorder {
   std::vector<TraceDelivery> traces;
   std::vector<ObjectArea> areas;
   std::vector<WorstDelivery> worst;
+  std::vector<LineageDelivery> lineages;
   std::vector<ExportResult> exports;
   // Also called, without the lock
   std::function<void(const Work&)> onWork;
@@ -71,6 +72,7 @@ struct Recorder {
   void take(TraceDelivery trace) { add(traces, std::move(trace)); }
   void take(ObjectArea area) { add(areas, std::move(area)); }
   void take(WorstDelivery found) { add(worst, found); }
+  void take(LineageDelivery lineage) { add(lineages, std::move(lineage)); }
   void take(ShadersRead read) {
     if (onShaders) onShaders(read);
   }
