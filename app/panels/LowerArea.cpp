@@ -14,7 +14,7 @@
 namespace taa::app {
 
 namespace {
-constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "plots", "jitter", "weights"};
+constexpr std::array<const char*, kLowerPageCount> kIds{"profiler", "plots", "jitter", "weights", "lineage"};
 } // namespace
 
 QString lowerPageId(LowerPage page) {

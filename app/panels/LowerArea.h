@@ -1,4 +1,4 @@
-// The pages above the timeline, one of them at a time: profiler, plots, jitter, weights.
+// The pages above the timeline, one of them at a time: profiler, plots, jitter, weights, lineage.
 #pragma once
 
 #include <QWidget>
@@ -12,8 +12,8 @@ class QTabBar;
 namespace taa::app {
 
 /// In the order of the tabs.
-enum class LowerPage { Profiler, Plots, Jitter, Weights };
-inline constexpr int kLowerPageCount = 4;
+enum class LowerPage { Profiler, Plots, Jitter, Weights, Lineage };
+inline constexpr int kLowerPageCount = 5;
 
 /// "profiler", "plots" …: for command lines and files; anything else: nothing.
 QString lowerPageId(LowerPage page);

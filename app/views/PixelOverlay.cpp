@@ -8,6 +8,8 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace taa::app {
@@ -95,6 +97,32 @@ void PixelOverlay::paintProbe(QPainter& painter, const ProbeMark& mark) const {
   QFont font = secondaryFont();
   font.setBold(mark.isActive);
   drawOutlined(painter, {x + half + kGap, y - half - kGap}, font, QString::number(mark.number));
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void PixelOverlay::paintPath(QPainter& painter, const std::vector<PathPlace>& path) const {
+  constexpr double kThinnest = 1.5, kThickest = 5.0; // radii of dots
+  if (path.size() < 2) return;
+  double heaviest = 0.0;
+  QPolygonF line;
+  for (const PathPlace& place : path) {
+    const glm::dvec2 at = screenFromPicture(transform_, place.at) / pixelRatio_;
+    line << QPointF(at.x, at.y);
+    heaviest = std::max(heaviest, std::fabs(place.weight));
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [ink, extra] : {std::pair(QColor(0, 0, 0), 1.0), std::pair(darkColors().accent, 0.0)}) {
+    painter.setPen(QPen(ink, 1.0 + 2.0 * extra, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    for (qsizetype index = 1; index < line.size(); ++index) { // the first is the probe's
+      const double share = std::fabs(path[static_cast<std::size_t>(index)].weight) / heaviest;
+      const double radius = extra + std::max(kThinnest, kThickest * std::sqrt(share));
+      painter.drawEllipse(line[index], radius, radius);
+    }
+  }
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 

@@ -1,12 +1,14 @@
 // What is drawn over a picture at high zoom and at the probes: pixel grid, values in texels, crosshair.
 #pragma once
 
+#include "app/models/verdict/LineageMath.h"
 #include "app/session/ProbeList.h"
 #include "app/views/ViewportMath.h"
 
 #include "core/requests/Results.h"
 
 #include <optional>
+#include <vector>
 
 class QPainter;
 
@@ -29,6 +31,8 @@ class PixelOverlay {
                    const gl::Rect& region) const;
   /// A cross with its number; dotted where the surface it follows is hidden.
   void paintProbe(QPainter& painter, const ProbeMark& mark) const;
+  /// A line through where a pixel was, latest first, with dots the larger the more its frame counts.
+  void paintPath(QPainter& painter, const std::vector<PathPlace>& path) const;
   /// The corners of a box of pixels.
   void paintFrame(QPainter& painter, const gl::Rect& box) const;
   /// Logical rectangle of a pixel.

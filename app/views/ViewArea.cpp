@@ -134,6 +134,10 @@ void ViewArea::setPictureSize(glm::ivec2 size) {
   arrange();
 }
 
+void ViewArea::setPath(const std::vector<PathPlace>& path) {
+  for (ViewPanel* view : views_) view->viewport()->setPath(path);
+}
+
 void ViewArea::setMarks(const std::vector<ProbeMark>& marks) {
   for (ViewPanel* view : views_) view->viewport()->setMarks(marks);
 }

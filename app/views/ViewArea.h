@@ -16,6 +16,7 @@ class QSplitter;
 
 namespace taa::app {
 
+struct PathPlace;
 enum class Arrangement { Automatic, Beside, Stacked };
 
 /// Other presets that views can be compared with at a time: a lane each, besides that of the settings. There
@@ -52,6 +53,8 @@ class ViewArea : public QWidget {
 
   void setPictureSize(glm::ivec2 size);
   void setMarks(const std::vector<ProbeMark>& marks);
+  /// The way that a pixel came, in all views; empty: none.
+  void setPath(const std::vector<PathPlace>& path);
   void setSettingsName(const QString& name);
   /// What the box is made in by the settings, and by those of comparedPresets().
   void setSpaces(const SpaceSettings& own, const std::vector<Settings>& others);

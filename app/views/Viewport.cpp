@@ -302,6 +302,7 @@ void Viewport::paintOver(QPainter& painter, Showing showing) const {
   for (const SidePart& side : parts(showing)) paintGridAndValues(painter, side);
   paintLabels(painter, showing);
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
+  overlay.paintPath(painter, path_);
   for (const ProbeMark& mark : marks_) overlay.paintProbe(painter, mark);
 }
 

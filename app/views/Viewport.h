@@ -2,6 +2,7 @@
 // once.
 #pragma once
 
+#include "app/models/verdict/LineageMath.h"
 #include "app/session/ProbeList.h"
 #include "app/views/ViewSides.h"
 #include "app/views/ViewportMath.h"
@@ -44,6 +45,13 @@ class Viewport : public QWidget, public Draggable {
   void setDivider(double share);
   void setResult(std::shared_ptr<const ViewResult> result);
   void setMarks(const std::vector<ProbeMark>& marks);
+  /// Draws the way that a pixel came; empty: none.
+  void setPath(const std::vector<PathPlace>& path) {
+    if (path == path_) return;
+    path_ = path;
+    update();
+  }
+  const std::vector<PathPlace>& path() const { return path_; }
   /// Draws a frame around these pixels.
   void setFramed(const std::optional<gl::Rect>& box);
   void setCamera(const ViewCamera& camera);
@@ -129,6 +137,7 @@ class Viewport : public QWidget, public Draggable {
   bool isLegendWhole_ = false, isLegendOpen_ = false;
   double divider_ = 0.5;
   std::vector<ProbeMark> marks_; ///< the active one last
+  std::vector<PathPlace> path_;
   std::optional<glm::ivec2> hovered_;
   std::optional<gl::Rect> framed_;
   QPointF cursor_;

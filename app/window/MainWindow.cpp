@@ -21,6 +21,7 @@
 #include "app/menus/ViewMenu.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
+#include "app/panels/LineagePanel.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
@@ -53,6 +54,7 @@
 #include "app/window/WindowState.h"
 #include "app/window/WindowTitle.h"
 #include "app/window/WindowUndo.h"
+#include "app/window/verdict/LineageFeed.h"
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -119,6 +121,7 @@ void MainWindow::makePanels() {
   plots_ = new PlotsPanel;
   jitter_ = new JitterPanel;
   weights_ = new WeightsPanel;
+  lineage_ = new LineagePanel;
   timeline_ = new TimelinePanel;
   messages_ = new MessagesBar;
   statusLine_ = new StatusLine;
@@ -133,6 +136,7 @@ void MainWindow::makePanels() {
   lower_->add(plots_, tr("Plots"));
   lower_->add(jitter_, tr("Jitter"));
   lower_->add(weights_, tr("Weights"));
+  lower_->add(lineage_, tr("Lineage"));
   for (QWidget* panel : {static_cast<QWidget*>(pipeline_), static_cast<QWidget*>(probe_)}) {
     panel->setAutoFillBackground(true);
     panel->setBackgroundRole(QPalette::AlternateBase);
@@ -219,6 +223,7 @@ void MainWindow::makeFeeds() {
   probeFeed_ = std::make_unique<ProbeFeed>(session_.probes(), *views_, *probe_);
   plotFeed_ =
       std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
+  lineageFeed_ = std::make_unique<LineageFeed>(session_, *lineage_, *views_);
   sceneFeed_ = std::make_unique<SceneFeed>(session_, *views_, *scene_);
   flightFeed_ = std::make_unique<FlightFeed>(session_, *flight_, *flightBar_, *messages_);
   viewFeed_ = std::make_unique<ViewFeed>(session_, *views_, *pipeline_, *statusLine_);
@@ -371,8 +376,9 @@ void MainWindow::takeScreenshot(const QString& file, int frame, const std::strin
                                 std::function<void(int code, const QString& text)> done) {
   std::function<void()> opens;
   if (!dialog.empty()) opens = [this, dialog] { openDialog(dialog); };
-  new Screenshot({*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, opens},
-                 file, frame, std::move(done));
+  new Screenshot(
+      {*this, session_, *views_, *pipeline_, *profiler_, *plots_, *jitter_, *weights_, *lineage_, opens},
+      file, frame, std::move(done));
 }
 
 void MainWindow::restore() {

@@ -28,6 +28,8 @@ class GoToPrompts;
 class ImportFrames;
 class JitterPanel;
 class LeftArea;
+class LineageFeed;
+class LineagePanel;
 class LowerArea;
 class MessagesBar;
 class OwnPresets;
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   PlotsPanel* plots_ = nullptr;
   JitterPanel* jitter_ = nullptr;
   WeightsPanel* weights_ = nullptr;
+  LineagePanel* lineage_ = nullptr;
   TimelinePanel* timeline_ = nullptr;
   MessagesBar* messages_ = nullptr;
   StatusLine* statusLine_ = nullptr;
@@ -138,6 +141,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Commands> commands_;
   std::unique_ptr<ProbeFeed> probeFeed_;
   std::unique_ptr<PlotFeed> plotFeed_;
+  std::unique_ptr<LineageFeed> lineageFeed_;
   std::unique_ptr<SceneFeed> sceneFeed_;
   std::unique_ptr<FlightFeed> flightFeed_;
   std::unique_ptr<ViewFeed> viewFeed_;

@@ -1,6 +1,7 @@
 #include "app/window/Screenshot.h"
 
 #include "app/panels/JitterPanel.h"
+#include "app/panels/LineagePanel.h"
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/ProfilerPanel.h"
@@ -89,6 +90,10 @@ bool Screenshot::areTracesComplete() {
   });
 }
 
+bool Screenshot::isLineageComplete() const {
+  return !of_.lineage.isVisible() || !of_.session.probes().pixel() || of_.lineage.isCurrent();
+}
+
 void Screenshot::look() {
   Session& session = of_.session;
   if (!session.isOpen()) return;
@@ -97,7 +102,8 @@ void Screenshot::look() {
     frame_ = std::clamp(frame_, 0, session.status().frameCount - 1);
     session.seek(frame_);
   }
-  if (!areTracesComplete() || !isComplete() || !areProfilesComplete() || !areDialogsComplete()) {
+  if (!areTracesComplete() || !isLineageComplete() || !isComplete() || !areProfilesComplete() ||
+      !areDialogsComplete()) {
     quiet_ = 0;
     return;
   }

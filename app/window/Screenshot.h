@@ -10,6 +10,7 @@
 namespace taa::app {
 
 class JitterPanel;
+class LineagePanel;
 class PipelinePanel;
 class PlotsPanel;
 class ProfilerPanel;
@@ -27,6 +28,7 @@ struct ScreenshotPanels {
   PlotsPanel& plots;
   JitterPanel& jitter;
   WeightsPanel& weights;
+  LineagePanel& lineage;
   std::function<void()> openDialog; ///< before the picture; null: none
 };
 
@@ -44,6 +46,7 @@ class Screenshot : public QObject {
   bool isComplete() const;
   bool areProfilesComplete();
   bool areTracesComplete();
+  bool isLineageComplete() const;
   void take();
   void finish(int code, const QString& text);
 

@@ -52,6 +52,7 @@ const std::vector<Page>& pages() {
       {"plots", Qt::Key_F6, Qt::NoModifier, true},
       {"jitter", Qt::Key_F7, Qt::NoModifier, true},
       {"weights", Qt::Key_F7, Qt::ShiftModifier, true},
+      {"lineage", Qt::Key_F7, Qt::ControlModifier, true},
       {"profiler", Qt::Key_F11, Qt::NoModifier, true},
       {"import"},
   };

@@ -9,6 +9,7 @@
 #include "app/menus/CommandLists.h"
 #include "app/panels/JitterPanel.h"
 #include "app/panels/LeftArea.h"
+#include "app/panels/LineagePanel.h"
 #include "app/panels/LowerArea.h"
 #include "app/panels/MessagesBar.h"
 #include "app/panels/PipelinePanel.h"
@@ -65,6 +66,10 @@ JitterPanel* TestWindow::jitter() const {
 
 WeightsPanel* TestWindow::weights() const {
   return findChild<WeightsPanel*>();
+}
+
+LineagePanel* TestWindow::lineage() const {
+  return findChild<LineagePanel*>();
 }
 
 TimelinePanel* TestWindow::timeline() const {

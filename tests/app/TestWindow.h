@@ -22,6 +22,7 @@ class TestWindow : public MainWindow {
   PlotsPanel* plots() const;
   JitterPanel* jitter() const;
   WeightsPanel* weights() const;
+  LineagePanel* lineage() const;
   TimelinePanel* timeline() const;
   MessagesBar* messages() const;
   StatusLine* statusLine() const;

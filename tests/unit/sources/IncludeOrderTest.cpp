@@ -97,11 +97,13 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/undo", "app/background"},
       {"app/session"},
       {"app/models"},
+      {"app/models/verdict"},
       {"app/views/legend", "app/views/plots", "app/views/timeline"},
       {"app/views"},
       {"app/panels", "app/dialogs", "app/importing"},
       {"app/commands"},
       {"app/menus"},
+      {"app/window/verdict"},
       {"app/window"},
       {"app"},
   };
