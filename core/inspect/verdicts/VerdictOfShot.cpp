@@ -11,6 +11,8 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace taa {
@@ -45,6 +47,12 @@ std::string nameOf(const Scene& scene, int object) {
   return node < 0 ? std::string() : scene.nodes[static_cast<std::size_t>(node)].name;
 }
 
+/// Asks whether work goes on, and tells nothing of it: who waits is told of larger steps.
+Progress withoutSteps(const Progress& progress) {
+  if (!progress) return {};
+  return [&progress](std::string_view what, int, int) { return progress(what, 0, 0); };
+}
+
 /// Where the trouble began, but frames enough for it to settle, and few enough to try many.
 int firstTried(const ShotState& state, int frame, const PixelVerdict& verdict) {
   constexpr int kLeast = 8, kMost = 16;
@@ -72,7 +80,8 @@ void VerdictOfShot::require(const VerdictQuestion& question) const {
 
 VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress& progress) {
   require(question);
-  EvidenceFrames frames(player_, references_, question.lane, question.samples, progress);
+  const Progress goesOn = withoutSteps(progress);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
   VerdictEvidence evidence;
   LineageOptions options;
   options.frames = kVerdictFrames;
@@ -91,20 +100,34 @@ VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress&
 
 RemedyAnswer VerdictOfShot::remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                                      const Progress& progress) {
+  RemedySearch search;
+  return remedies(question, verdict, search, progress);
+}
+
+RemedyAnswer VerdictOfShot::remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+                                     RemedySearch& search, const Progress& progress) {
   require(question);
-  EvidenceFrames frames(player_, references_, question.lane, question.samples, progress);
+  const Progress goesOn = withoutSteps(progress);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
   const std::vector<SurfaceMoment> moments = frames.moments(question.frame, question.pixel, kMeasuredFrames);
   RemedyAnswer answer;
   answer.first = firstTried(frames.state(), question.frame, verdict);
   RemedyTrial trial(player_, frames, moments, answer.first);
-  const TriedRemedy before = trial.measure({{}, frames.settings()}, progress);
-  answer.pixel = before.pixel;
-  answer.picture = before.picture;
-  std::vector<TriedRemedy> tried;
-  for (const Remedy& remedy : remediesFor(verdict, frames.settings()))
-    tried.push_back(trial.measure(remedy, progress));
-  answer.tried = static_cast<int>(tried.size());
-  answer.best = bestRemedies(tried, before.pixel, 3);
+  const std::vector<Remedy> remedies = remediesFor(verdict, frames.settings());
+  const auto tell = [&] {
+    report(progress, say<"Trying remedies">(), static_cast<int>(search.tried.size()),
+           static_cast<int>(remedies.size()));
+  };
+  tell();
+  if (!search.before) search.before = trial.measure({{}, frames.settings()}, goesOn);
+  for (std::size_t next = search.tried.size(); next < remedies.size(); ++next) {
+    tell();
+    search.tried.push_back(trial.measure(remedies[next], goesOn));
+  }
+  answer.pixel = search.before->pixel;
+  answer.picture = search.before->picture;
+  answer.tried = static_cast<int>(search.tried.size());
+  answer.best = bestRemedies(search.tried, answer.pixel, 3);
   return answer;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,12 @@ struct RemedyAnswer {
   int first = 0; ///< frame that they were tried from
 };
 
+/// What was measured of them so far, for who may be cancelled.
+struct RemedySearch {
+  std::optional<TriedRemedy> before; ///< the settings as they are
+  std::vector<TriedRemedy> tried;
+};
+
 class VerdictOfShot {
  public:
   /// `references`: those of all frames, which it uses and adds to.
@@ -56,6 +63,9 @@ class VerdictOfShot {
   /// before, on the history there was. As of().
   RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                         const Progress& progress = {});
+  /// The same, and goes on from what `search` holds of this question; Cancelled: it holds what was measured.
+  RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict, RemedySearch& search,
+                        const Progress& progress);
 
  private:
   void require(const VerdictQuestion& question) const;
