@@ -57,6 +57,7 @@ struct Keep {
   void operator()(LineageDelivery lineage) const { delivery.lineage = std::move(lineage); }
   void operator()(StageShares shares) const { delivery.shares = std::move(shares); }
   void operator()(TraceDelivery trace) const { delivery.traces.push_back(std::move(trace)); }
+  void operator()(VerdictDelivery verdict) const { delivery.verdict = std::move(verdict); }
 };
 
 } // namespace

@@ -32,6 +32,7 @@ struct Delivery {
   std::optional<LineageDelivery> lineage;
   std::optional<StageShares> shares;
   std::vector<TraceDelivery> traces; ///< all of them: each is a frame
+  std::optional<VerdictDelivery> verdict;
 };
 
 /// Any number of results between two looks cost one post, so that a busy window is never flooded.

@@ -11,6 +11,7 @@
 #include "core/jobs/idle/FollowingSamples.h"
 #include "core/jobs/idle/MeasuringOverTime.h"
 #include "core/jobs/idle/MetricMeasuring.h"
+#include "core/jobs/idle/PixelJudging.h"
 #include "core/jobs/idle/ReferenceDrawing.h"
 #include "core/jobs/idle/StageCosting.h"
 #include "core/jobs/idle/ThumbnailDrawing.h"
@@ -63,12 +64,12 @@ class Scheduler {
   auto parts() {
     return std::tie(changes_, play_, flight_, replay_, shaders_, views_, probes_, objects_, worst_,
                     exporting_, comparing_, costing_, traces_, lineage_, compiling_, thumbnails_, reference_,
-                    overTime_, metrics_);
+                    overTime_, judging_, metrics_);
   }
   // The first one that is due comes first.
   auto jobs() {
     return std::to_array<Job*>({&exporting_, &replay_, &comparing_, &costing_, &play_, &traces_, &lineage_,
-                                &compiling_, &thumbnails_, &reference_, &overTime_, &metrics_});
+                                &compiling_, &thumbnails_, &reference_, &overTime_, &judging_, &metrics_});
   }
 
   Desk desk_;
@@ -88,10 +89,11 @@ class Scheduler {
   FollowingSamples lineage_{desk_, transport_, wanted_};
   ReferenceDrawing reference_{desk_, transport_, wanted_};
   MeasuringOverTime overTime_{desk_, transport_, wanted_};
+  PixelJudging judging_{desk_, transport_};
   MetricMeasuring metrics_{desk_, transport_, wanted_, thumbnails_};
   ShownViews views_{desk_, wanted_};
   Comparing comparing_{desk_, transport_, wanted_};
-  ShownProbes probes_{desk_, wanted_, traces_};
+  ShownProbes probes_{desk_, wanted_, traces_, judging_};
   ShownObjects objects_{desk_, transport_, goal_};
   ShownWorst worst_{desk_};
   ShownStatus status_{desk_, transport_, goal_, flight_, changes_, wanted_};

@@ -35,9 +35,10 @@ enum class RequestKind {
   Reference,
   Worst,
   Lineage,
-  Metrics
+  Metrics,
+  Verdicts
 };
-inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Metrics) + 1;
+inline constexpr std::size_t kRequestKinds = static_cast<std::size_t>(RequestKind::Verdicts) + 1;
 
 /// Rises with each request; 0: none.
 using RequestId = std::uint64_t;

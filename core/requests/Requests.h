@@ -275,6 +275,13 @@ struct SetLineage {
   static constexpr RequestRule kRule{.kind = RequestKind::Lineage};
 };
 
+/// The verdict on the active probe's pixel in each exact frame on show, of the first lane, and after that
+/// what mends it: both are made while nothing plays and nothing else is to be done.
+struct SetVerdicts {
+  bool on = false;
+  static constexpr RequestRule kRule{.kind = RequestKind::Verdicts};
+};
+
 struct ReloadShaders {
   static constexpr RequestRule kRule{.kind = RequestKind::Shaders, .turn = Turn::Views, .endsReplay = true};
 };
@@ -293,16 +300,15 @@ struct Cancel {
 
 } // namespace request
 
-using Request =
-    std::variant<request::Open, request::SetSize, request::SetMotionModes, request::Prepare,
-                 request::SetSettings, request::SetOtherLanes, request::SetObjectFilter,
-                 request::SetObjectClasses, request::SetRestarts, request::Fly, request::SetRecording,
-                 request::SetCamera, request::AddCameraTrack, request::SetFlownCameras, request::Locate,
-                 request::SetPlaying, request::SetLooping, request::SetPlayback, request::Step, request::Seek,
-                 request::SetViews, request::SetProbes, request::SetCheckpointBudget, request::SetProfiling,
-                 request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
-                 request::FindWorst, request::SetLineage, request::SetMetrics, request::SetTracing,
-                 request::FillTraces, request::ReloadShaders, request::Cancel, request::ExportSequence>;
+using Request = std::variant<
+    request::Open, request::SetSize, request::SetMotionModes, request::Prepare, request::SetSettings,
+    request::SetOtherLanes, request::SetObjectFilter, request::SetObjectClasses, request::SetRestarts,
+    request::Fly, request::SetRecording, request::SetCamera, request::AddCameraTrack,
+    request::SetFlownCameras, request::Locate, request::SetPlaying, request::SetLooping, request::SetPlayback,
+    request::Step, request::Seek, request::SetViews, request::SetProbes, request::SetCheckpointBudget,
+    request::SetProfiling, request::MeasureStages, request::SetThumbnails, request::SetReferenceSamples,
+    request::FindWorst, request::SetLineage, request::SetMetrics, request::SetTracing, request::FillTraces,
+    request::SetVerdicts, request::ReloadShaders, request::Cancel, request::ExportSequence>;
 
 inline const RequestRule& ruleOf(const Request& request) {
   return std::visit([](const auto& each) -> const RequestRule& { return each.kRule; }, request);

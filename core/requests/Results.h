@@ -99,6 +99,7 @@ enum class WorkKind {
   OverTime,
   Metrics,
   Lineage,
+  Verdict,
   Export
 };
 
@@ -143,9 +144,20 @@ struct LineageDelivery {
   std::uint64_t shotVersion = 0;            ///< see Status
 };
 
+/// What is wrong with a probe's pixel. It comes once with the verdict, then once more with what mends it
+/// where something is wrong.
+struct VerdictDelivery {
+  int frame = 0;
+  glm::ivec2 pixel{0};
+  std::uint64_t shotVersion = 0;        ///< see Status
+  std::optional<VerdictAnswer> answer;  ///< nothing: `whyNot` says why
+  std::optional<RemedyAnswer> remedies; ///< nothing: they are to come, or `whyNot` says why they do not
+  std::string whyNot;
+};
+
 using Result = std::variant<ViewResult, ProbeResult, Status, Work, Failure, FrameProfile, StageCosts,
                             Thumbnail, FrameMetrics, ShadersRead, ExportResult, ObjectArea, WorstDelivery,
-                            LineageDelivery, StageShares, TraceDelivery>;
+                            LineageDelivery, StageShares, TraceDelivery, VerdictDelivery>;
 
 /// A result, and the request that it answers: the latest of its kind that was taken up.
 struct Answer {

@@ -3,6 +3,7 @@
 #include "core/render/CaptureFacts.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -394,6 +395,7 @@ void FakeRenderer::deliver() {
     for (const Probe& probe : probes.all) deliverTrace(probe, status.info.frame);
   deliverMetrics();
   deliverLineage();
+  deliverVerdict();
 }
 
 /// Half of each frame's history is older, and lies a pixel further to the left. Samples lie a quarter of a
@@ -421,14 +423,35 @@ void FakeRenderer::deliverLineage() {
   tell(LineageDelivery{probe, status.info.frame, std::move(lineage), status.shotVersion});
 }
 
+void FakeRenderer::take(const request::SetVerdicts& asked) {
+  verdicts = asked.on;
+  if (!holdsBack) deliverVerdict();
+}
+
+void FakeRenderer::deliverVerdict() {
+  const bool isAny = verdict.answer || !verdict.whyNot.empty();
+  if (!verdicts || !isAny || status.playing || probes.active < 0) return;
+  const ProbeSpot spot = spotOf(probes.all[static_cast<std::size_t>(probes.active)]);
+  if (spot.state != ProbeState::Seen) return;
+  VerdictDelivery delivery = verdict;
+  delivery.frame = status.info.frame;
+  delivery.pixel = spot.pixel;
+  delivery.shotVersion = status.shotVersion;
+  tell(std::move(delivery));
+}
+
 /// A surface goes one pixel to the right a frame, and out of the picture.
+ProbeSpot FakeRenderer::spotOf(const Probe& probe) const {
+  ProbeSpot spot{.pixel = probe.pixel};
+  if (probe.follow != Follow::Surface) return spot;
+  spot.pixel.x += status.info.frame - probe.frame;
+  if (spot.pixel.x >= status.width) spot.state = ProbeState::OffScreen;
+  return spot;
+}
+
 void FakeRenderer::deliverProbe(const Probe& probe) {
-  ProbeResult result{.probe = probe, .spot = {.pixel = probe.pixel}, .around = {}};
-  if (probe.follow == Follow::Surface) {
-    result.probe.anchor = SurfaceAnchor{.object = 1};
-    result.spot.pixel.x += status.info.frame - probe.frame;
-    if (result.spot.pixel.x >= status.width) result.spot.state = ProbeState::OffScreen;
-  }
+  ProbeResult result{.probe = probe, .spot = spotOf(probe), .around = {}};
+  if (probe.follow == Follow::Surface) result.probe.anchor = SurfaceAnchor{.object = 1};
   result.x = result.spot.pixel.x;
   result.y = result.spot.pixel.y;
   result.frame = status.info.frame;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/Renderer.h"
+#include "tests/app/verdict/FakeVerdict.h"
 
 #include <cstddef>
 #include <optional>
@@ -34,8 +35,10 @@ class FakeRenderer final : public Renderer {
   std::optional<Settings> prepared; ///< the last ones
   bool holdsBack = false;           ///< does what is asked and answers nothing
   bool isLooping = true, profiling = false, tracing = false;
-  glm::ivec2 thumbnails{0};    ///< size wanted
-  std::vector<Metric> metrics; ///< wanted; the value of each is 0.01 times the frame
+  glm::ivec2 thumbnails{0};                ///< size wanted
+  std::vector<Metric> metrics;             ///< wanted; the value of each is 0.01 times the frame
+  bool verdicts = false;                   ///< wanted
+  VerdictDelivery verdict = fakeVerdict(); ///< its answer, remedies and reason, for whatever is probed
   std::vector<Settings> otherLanes;
   std::optional<SequenceRequest> exported;
   std::vector<int> located; ///< objects
@@ -76,6 +79,7 @@ class FakeRenderer final : public Renderer {
   void take(const request::SetTracing& asked);
   void take(const request::FillTraces& asked);
   void take(const request::Prepare& asked) { prepared = asked.settings; }
+  void take(const request::SetVerdicts& asked);
   void take(const request::SetLooping& asked) { isLooping = asked.looping; }
   void take(const request::Step& asked) { take(request::Seek{status.info.frame + asked.frames}); }
   void take(const request::SetProfiling& asked) { profiling = asked.on; }
@@ -90,6 +94,8 @@ class FakeRenderer final : public Renderer {
   void deliverMetrics();
   void deliverProbe(const Probe& probe);
   void deliverLineage();
+  void deliverVerdict();
+  ProbeSpot spotOf(const Probe& probe) const;
   ViewResult draw(int view) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);

@@ -39,6 +39,7 @@ struct Recorder {
   std::vector<WorstDelivery> worst;
   std::vector<LineageDelivery> lineages;
   std::vector<ExportResult> exports;
+  std::vector<VerdictDelivery> verdicts;
   // Also called, without the lock
   std::function<void(const Work&)> onWork;
   std::function<void(const ShadersRead&)> onShaders;
@@ -77,6 +78,7 @@ struct Recorder {
     if (onShaders) onShaders(read);
   }
   void take(ExportResult result) { add(exports, std::move(result)); }
+  void take(VerdictDelivery verdict) { add(verdicts, std::move(verdict)); }
   void take(StageShares) {}
   Listener listener() {
     return [this](Answer answer) {
@@ -107,6 +109,7 @@ struct Recorder {
     errors.clear();
     failures.clear();
     metrics.clear();
+    verdicts.clear();
   }
 };
 

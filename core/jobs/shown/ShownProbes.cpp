@@ -35,8 +35,10 @@ void ShownProbes::deliverProbe(int index) {
                         probe.pixel.y < shot.height();
   if (!isInside && !probe.anchor) return;
   desk_.attempt(RequestKind::Probes, [&] {
-    ProbeResult result = resultOf(probe, index == wanted_.probes.active);
+    const bool isActive = index == wanted_.probes.active;
+    ProbeResult result = resultOf(probe, isActive);
     traces_.noteShown(result);
+    if (isActive) judging_.noteShown(result);
     desk_.tell(RequestKind::Probes, std::move(result));
   });
 }

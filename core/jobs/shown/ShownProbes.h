@@ -3,6 +3,7 @@
 
 #include "core/jobs/Desk.h"
 #include "core/jobs/Wanted.h"
+#include "core/jobs/idle/PixelJudging.h"
 #include "core/jobs/idle/Traces.h"
 #include "core/requests/Requests.h"
 
@@ -13,7 +14,8 @@ namespace taa {
 
 class ShownProbes {
  public:
-  ShownProbes(Desk& desk, Wanted& wanted, Traces& traces) : desk_(desk), wanted_(wanted), traces_(traces) {}
+  ShownProbes(Desk& desk, Wanted& wanted, Traces& traces, PixelJudging& judging)
+      : desk_(desk), wanted_(wanted), traces_(traces), judging_(judging) {}
 
   void take(const request::SetProbes& probes);
   void take(const request::SetTracing&) { delivered_ = {}; } // the frame on show is a part of it
@@ -26,6 +28,7 @@ class ShownProbes {
   Desk& desk_;
   Wanted& wanted_;
   Traces& traces_;
+  PixelJudging& judging_;
   std::pair<std::uint64_t, std::uint64_t> delivered_; // versions of frame and reference
 };
 

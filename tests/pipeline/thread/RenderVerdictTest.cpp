@@ -1,0 +1,169 @@
+// Verdicts on the active probe's pixel, made in idle time on the render thread.
+#include "tests/support/RenderRecorder.h"
+
+#include "core/inspect/Inspector.h"
+
+#include <algorithm>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace taa;
+using taa::test::onThread::viewOf;
+
+namespace {
+
+constexpr int kFrame = 14;
+constexpr glm::ivec2 kPixel{20, 7};
+constexpr glm::ivec2 kWrong{9, 8}; ///< behind a blade
+
+/// Both answers, from an inspector of its own thread's context.
+struct Verdict {
+  VerdictAnswer answer;
+  RemedyAnswer remedies;
+};
+Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
+  const auto make = [&] {
+    Inspector inspector;
+    inspector.shot().setSize(status.width, status.height);
+    inspector.shot().setSettings(status.settings);
+    inspector.shot().open(status.source);
+    inspector.shot().seek(status.info.frame);
+    const VerdictQuestion question{.frame = status.info.frame, .pixel = pixel};
+    Verdict verdict{inspector.verdicts().of(question), {}};
+    verdict.remedies = inspector.verdicts().remedies(question, verdict.answer.verdict);
+    return verdict;
+  };
+  return std::async(std::launch::async, make).get();
+}
+
+bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
+  return a.error == b.error && a.flicker == b.flicker && a.sharpness == b.sharpness;
+}
+
+bool isSame(const TriedRemedy& a, const TriedRemedy& b) {
+  return a.remedy.changes == b.remedy.changes && isSame(a.pixel, b.pixel) && isSame(a.picture, b.picture);
+}
+
+/// TAA that accumulates whatever history holds: what moves leaves a trail.
+class RenderVerdictTest : public taa::test::onThread::RenderThreadTest {
+ protected:
+  void SetUp() override {
+    RenderThreadTest::SetUp();
+    if (!thread) return;
+    Settings settings;
+    settings.rectify.method = RectifyMethod::None;
+    settings.validate.depth = Switch::Off;
+    thread->post(request::SetSettings{settings});
+    thread->post(request::Seek{kFrame});
+    thread->waitUntilIdle();
+  }
+  void judge(const glm::ivec2& pixel) {
+    thread->post(request::SetProbes{.all = {{.pixel = pixel}}, .active = 0});
+    thread->post(request::SetVerdicts{true});
+  }
+};
+
+} // namespace
+
+TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
+  judge(kWrong);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.verdicts.size(), 2u);
+  const Verdict there = askedOf(recorder.statuses.back(), kWrong);
+  for (const VerdictDelivery& delivery : recorder.verdicts) {
+    EXPECT_EQ(delivery.frame, kFrame);
+    EXPECT_EQ(delivery.pixel, kWrong);
+    EXPECT_EQ(delivery.shotVersion, recorder.statuses.back().shotVersion);
+    EXPECT_EQ(delivery.whyNot, "");
+    ASSERT_TRUE(delivery.answer);
+    EXPECT_EQ(delivery.answer->sentence, there.answer.sentence);
+    EXPECT_EQ(delivery.answer->verdict.kind, there.answer.verdict.kind);
+    EXPECT_EQ(delivery.answer->verdict.stage, there.answer.verdict.stage);
+    EXPECT_EQ(delivery.answer->error.error(), there.answer.error.error());
+    EXPECT_EQ(delivery.answer->error.sum, there.answer.error.sum);
+  }
+  EXPECT_FALSE(recorder.verdicts[0].remedies) << "the sentence does not wait for them";
+  ASSERT_TRUE(recorder.verdicts[1].remedies);
+  const RemedyAnswer& remedies = *recorder.verdicts[1].remedies;
+  EXPECT_GT(remedies.tried, 0);
+  EXPECT_EQ(remedies.tried, there.remedies.tried);
+  EXPECT_TRUE(isSame(remedies.pixel, there.remedies.pixel));
+  EXPECT_TRUE(isSame(remedies.picture, there.remedies.picture));
+  ASSERT_EQ(remedies.best.size(), there.remedies.best.size());
+  for (std::size_t index = 0; index < remedies.best.size(); ++index)
+    EXPECT_TRUE(isSame(remedies.best[index], there.remedies.best[index])) << index;
+  EXPECT_EQ(recorder.works.back().what, "");
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
+// Each request interrupts what is under way.
+TEST_F(RenderVerdictTest, RequestsAreAnsweredMeanwhileAndChangeNothingOfIt) {
+  int asked = 0; // three times while the reason is looked for, and three while remedies are
+  recorder.onWork = [&](const Work& work) {
+    if (work.kind != WorkKind::Verdict || work.done == 0 || asked == (recorder.verdicts.empty() ? 3 : 6))
+      return;
+    thread->post(
+        request::SetViews{{viewOf(++asked % 2 == 0 ? IntermediateId::alpha : IntermediateId::resolved)}});
+  };
+  judge(kWrong);
+  thread->waitUntilIdle();
+  EXPECT_EQ(asked, 6);
+  ASSERT_EQ(recorder.verdicts.size(), 2u);
+  ASSERT_TRUE(recorder.verdicts[1].answer && recorder.verdicts[1].remedies);
+  const Verdict there = askedOf(recorder.statuses.back(), kWrong);
+  EXPECT_EQ(recorder.verdicts[1].answer->sentence, there.answer.sentence);
+  EXPECT_EQ(recorder.verdicts[1].remedies->tried, there.remedies.tried);
+  ASSERT_EQ(recorder.verdicts[1].remedies->best.size(), there.remedies.best.size());
+  for (std::size_t index = 0; index < there.remedies.best.size(); ++index)
+    EXPECT_TRUE(isSame(recorder.verdicts[1].remedies->best[index], there.remedies.best[index])) << index;
+  EXPECT_GE(recorder.pictures.size(), 2u);
+  for (const ViewResult& picture : recorder.pictures)
+    EXPECT_EQ(picture.frame, kFrame) << "what is shown stays";
+}
+
+TEST_F(RenderVerdictTest, CancelEndsItUntilSomethingElseIsProbed) {
+  bool asked = false;
+  recorder.onWork = [&](const Work& work) {
+    if (work.kind != WorkKind::Verdict || asked) return;
+    asked = true;
+    thread->post(request::Cancel{});
+  };
+  judge(kPixel);
+  thread->waitUntilIdle();
+  ASSERT_EQ(recorder.verdicts.size(), 1u);
+  EXPECT_FALSE(recorder.verdicts[0].answer);
+  EXPECT_NE(recorder.verdicts[0].whyNot, "");
+  EXPECT_EQ(recorder.works.back().what, "");
+  thread->post(request::SetProbes{.all = {{.pixel = kPixel + 1}}, .active = 0});
+  thread->waitUntilIdle();
+  ASSERT_GE(recorder.verdicts.size(), 2u);
+  EXPECT_TRUE(recorder.verdicts[1].answer);
+  EXPECT_EQ(recorder.verdicts[1].pixel, kPixel + 1);
+}
+
+TEST_F(RenderVerdictTest, FollowsFrameAndSettingsAndRestsWhileItPlays) {
+  judge(kPixel);
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.verdicts.back().frame, kFrame);
+  thread->post(request::Step{1});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.verdicts.back().frame, kFrame + 1);
+  const std::uint64_t version = recorder.verdicts.back().shotVersion;
+  thread->post(request::SetSettings{Settings{}});
+  thread->waitUntilIdle();
+  EXPECT_GT(recorder.verdicts.back().shotVersion, version);
+  recorder.clear();
+  thread->post(request::SetPlaying{true});
+  ASSERT_TRUE(recorder.waitFor([&] { return recorder.probes.size() > 4; }));
+  recorder.read([&] { EXPECT_TRUE(recorder.verdicts.empty()); });
+  thread->post(request::SetPlaying{false});
+  thread->waitUntilIdle();
+  EXPECT_EQ(recorder.verdicts.back().frame, recorder.frame());
+  recorder.clear();
+  thread->post(request::SetVerdicts{false});
+  thread->post(request::Step{-1});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.verdicts.empty()) << "nobody wants it any more";
+}
