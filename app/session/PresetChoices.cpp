@@ -74,6 +74,18 @@ void PresetChoices::setParameter(const QString& path, double value) {
   });
 }
 
+void PresetChoices::assign(const std::vector<std::string>& assignments) {
+  outbox_.guarded([&] {
+    PresetChoice changed = chosen_;
+    QStringList labels;
+    for (const std::string& assignment : assignments) {
+      applyAssignment(changed.settings, assignment);
+      labels << tableText(parameter(assignment.substr(0, assignment.find('='))).label);
+    }
+    change(changed, tr("change of %1").arg(labels.join(QStringLiteral(", "))));
+  });
+}
+
 void PresetChoices::setPreset(const QString& idOrPath) {
   outbox_.guarded([&] {
     const Preset preset = taa::preset(idOrPath.toStdString());

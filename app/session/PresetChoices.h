@@ -36,6 +36,8 @@ class PresetChoices : public QObject {
   const Settings& presetSettings() const { return chosen_.presetSettings; }
   bool isPresetChanged() const;
   void setParameter(const QString& path, double value);
+  /// Several at once, "path=value" each.
+  void assign(const std::vector<std::string>& assignments);
   void setPreset(const QString& idOrPath);
   /// Somebody looks at this choice and may take it: when they stay, what it needs is compiled ahead.
   void prepareParameter(const QString& path, double value);

@@ -53,6 +53,7 @@ void Session::deliver() {
       Q_EMIT pictureArrived(view);
     }
   probes_.arrived(std::move(delivery.probes));
+  if (delivery.verdict) verdicts_.arrived(std::move(*delivery.verdict));
   for (const FrameProfile& profile : delivery.profiles) Q_EMIT profileArrived(profile);
   if (delivery.costs) Q_EMIT stageCostsArrived(*delivery.costs);
   for (const TraceDelivery& trace : delivery.traces) Q_EMIT traceArrived(trace);

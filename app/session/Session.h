@@ -7,6 +7,7 @@
 #include "app/session/ProbeChoices.h"
 #include "app/session/Renderer.h"
 #include "app/session/SceneChoices.h"
+#include "app/session/verdict/VerdictChoices.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/SessionFile.h"
 
@@ -36,6 +37,8 @@ class Session : public QObject {
   const PresetChoices& presets() const { return presets_; }
   ProbeChoices& probes() { return probes_; }
   const ProbeChoices& probes() const { return probes_; }
+  VerdictChoices& verdicts() { return verdicts_; }
+  const VerdictChoices& verdicts() const { return verdicts_; }
   SceneChoices& scene() { return scene_; }
   const SceneChoices& scene() const { return scene_; }
   /// Of all that is open, the window's views and marks included.
@@ -115,6 +118,7 @@ class Session : public QObject {
   Status status_;
   PresetChoices presets_{outbox_, undo_};
   ProbeChoices probes_{outbox_, undo_, status_};
+  VerdictChoices verdicts_{outbox_, status_, probes_, presets_};
   SceneChoices scene_{outbox_, undo_, status_};
   Work work_;
   std::array<std::shared_ptr<const ViewResult>, kViewCount> pictures_;
