@@ -5,6 +5,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/session/ProbeChoices.h"
 #include "app/session/SceneChoices.h"
+#include "app/session/verdict/VerdictChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
@@ -23,6 +24,8 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
   addPlaces(on);
   addSeparator();
   addProbes(on);
+  addSeparator();
+  addVerdicts(on.verdicts);
   addSeparator();
   addPages(on.panel);
   addPlot(on.panel);
@@ -65,6 +68,21 @@ void ProbeMenu::addProbes(const Targets& on) {
     if (probe < 0) follows->setEnabled(false);
     follows->setChecked(probe >= 0 &&
                         probes.all()[static_cast<std::size_t>(probe)].follow == Follow::Surface);
+  });
+}
+
+void ProbeMenu::addVerdicts(VerdictChoices& verdicts) {
+  QAction* shows = addCheck(tr("Verdict on the pi&xel"), QKeySequence(QStringLiteral("Ctrl+Shift+V")),
+                            [&verdicts](bool on) { verdicts.setOn(on); });
+  shows->setToolTip(
+      tr("Says what is wrong with the probed pixel of each frame that playing stops at, and why"));
+  QAction* tries = add(tr("&Try the first remedy"), keys({"Ctrl+T"}), [&verdicts] {
+    if (!verdicts.remedies().empty()) verdicts.apply(0);
+  });
+  onRefresh([&verdicts, shows, tries] {
+    shows->setChecked(verdicts.areOn());
+    allow(tries, verdicts.remedies().empty() ? tr("No remedy is known for the probed pixel, or not yet")
+                                             : QString());
   });
 }
 

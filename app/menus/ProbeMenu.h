@@ -10,6 +10,7 @@ class ProbeChoices;
 class ProbeCommands;
 class ProbePanel;
 class SceneChoices;
+class VerdictChoices;
 class ViewArea;
 
 class ProbeMenu : public CommandMenu {
@@ -17,6 +18,7 @@ class ProbeMenu : public CommandMenu {
  public:
   struct Targets {
     ProbeChoices& probes;
+    VerdictChoices& verdicts;
     ViewArea& views;
     ProbePanel& panel;
     ProbeCommands& probe;
@@ -28,6 +30,7 @@ class ProbeMenu : public CommandMenu {
  private:
   void addPlaces(const Targets& on);
   void addProbes(const Targets& on);
+  void addVerdicts(VerdictChoices& verdicts);
   void addPages(ProbePanel& panel);
   void addPlot(ProbePanel& panel);
 };

@@ -12,6 +12,8 @@
 #include "app/widgets/Swatches.h"
 #include "app/widgets/ValueTable.h"
 #include "app/widgets/bars/ProbeBar.h"
+#include "app/widgets/verdict/VerdictDetails.h"
+#include "app/widgets/verdict/VerdictLine.h"
 
 #include "core/story/ProbeHeadline.h"
 #include "core/taa/twin/Known.h"
@@ -112,11 +114,15 @@ QWidget* ProbePanel::makeValues() {
   auto* column = new QVBoxLayout(values);
   column->setContentsMargins(0, 2 * kUnit, 0, 0);
   column->setSpacing(0);
+  verdict_ = new VerdictLine;
+  column->addWidget(verdict_);
   summary_ = new QLabel;
   summary_->setWordWrap(true);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
   column->addWidget(summary_);
+  verdictDetails_ = new VerdictDetails;
+  column->addWidget(verdictDetails_);
   column->addWidget(makeNeighbors());
   makeTable();
   column->addWidget(table_, 1);
@@ -337,6 +343,7 @@ QJsonObject ProbePanel::state() const {
   const Turn& turn = colorSpace_->view()->turn();
   return {{QStringLiteral("tab"), QLatin1String(kTabs[static_cast<std::size_t>(tab())])},
           {QStringLiteral("folded"), folded},
+          {QStringLiteral("evidence"), verdictDetails_->isUnfolded()},
           {QStringLiteral("row"), selected ? qtext(intermediate(*selected).name) : QString()},
           {QStringLiteral("scroll"), table_->verticalScrollBar()->value()},
           {QStringLiteral("space"), QLatin1String(kSpaces[static_cast<std::size_t>(colorSpace_->space())])},
@@ -351,6 +358,7 @@ void ProbePanel::setState(const QJsonObject& state) {
     const QModelIndex branch = model_->index(row, 0);
     table_->setExpanded(branch, !folded.contains(qtext(stageInfo(model_->stageOf(branch)).id)));
   }
+  verdictDetails_->setUnfolded(state.value(QLatin1String("evidence")).toBool());
   const auto row = findIntermediate(state.value(QLatin1String("row")).toString().toStdString());
   table_->setAutoScroll(false); // it would go to the row when the page is shown next
   table_->setCurrentIndex(row ? model_->indexOf(*row) : QModelIndex());

@@ -22,6 +22,8 @@ class IconButton;
 class ProbeBar;
 class ProbeModel;
 class Swatches;
+class VerdictDetails;
+class VerdictLine;
 class WhatIfPage;
 
 enum class ProbeTab { Values, ColorSpace, WhatIf };
@@ -50,6 +52,8 @@ class ProbePanel : public QWidget {
   ProbeModel* model() const { return model_; }
   QTreeView* table() const { return table_; }
   ProbeBar* bar() const { return bar_; }
+  VerdictLine* verdict() const { return verdict_; }
+  VerdictDetails* verdictDetails() const { return verdictDetails_; }
   /// Which page, what is folded and selected, and how the plot is turned.
   QJsonObject state() const;
   void setState(const QJsonObject& state);
@@ -81,6 +85,8 @@ class ProbePanel : public QWidget {
   std::optional<ProbeResult> result_;
   ProbeModel* model_;
   ProbeBar* bar_ = nullptr;
+  VerdictLine* verdict_ = nullptr;
+  VerdictDetails* verdictDetails_ = nullptr;
   QLabel *place_ = nullptr, *summary_ = nullptr, *invitation_ = nullptr, *description_ = nullptr;
   QWidget* content_ = nullptr;
   QTabBar* tabs_ = nullptr;

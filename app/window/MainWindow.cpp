@@ -55,6 +55,7 @@
 #include "app/window/WindowTitle.h"
 #include "app/window/WindowUndo.h"
 #include "app/window/verdict/LineageFeed.h"
+#include "app/window/verdict/VerdictFeed.h"
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -105,8 +106,8 @@ MainWindow::MainWindow(Session& session, QSettings* settings, QWidget* parent)
 
 MainWindow::~MainWindow() {
   // The panels are destroyed after this; what they say on the way is of no interest.
-  const QObject* const parts[] = {&session_, &session_.presets(), &session_.probes(), &session_.scene(),
-                                  &session_.undoStack()};
+  const QObject* const parts[] = {&session_,         &session_.presets(),  &session_.probes(),
+                                  &session_.scene(), &session_.verdicts(), &session_.undoStack()};
   for (const QObject* part : parts) disconnect(part, nullptr, this, nullptr);
   disconnect(views_, nullptr, this, nullptr);
 }
@@ -214,13 +215,16 @@ void MainWindow::makeMenus() {
   bar->addMenu(new FrameMenu(all, session_, *timeline_, *prompts_, bar));
   bar->addMenu(new SceneMenu(all, {session_.scene(), *flight_, *cameras_, *left_, *scene_}, bar));
   bar->addMenu(new PipelineMenu(all, {session_, *pipeline_, *presets_, *views_, *lower_, *exports_}, bar));
-  bar->addMenu(new ProbeMenu(
-      all, {session_.probes(), *views_, *probe_, *probeCommands_, *prompts_, session_.scene()}, bar));
+  bar->addMenu(new ProbeMenu(all,
+                             {session_.probes(), session_.verdicts(), *views_, *probe_, *probeCommands_,
+                              *prompts_, session_.scene()},
+                             bar));
   bar->addMenu(new HelpMenu(all, session_, *lists_, bar));
 }
 
 void MainWindow::makeFeeds() {
   probeFeed_ = std::make_unique<ProbeFeed>(session_.probes(), *views_, *probe_);
+  verdictFeed_ = std::make_unique<VerdictFeed>(session_, *views_, *probe_);
   plotFeed_ =
       std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});
   lineageFeed_ = std::make_unique<LineageFeed>(session_, *lineage_, *views_);
@@ -244,6 +248,7 @@ void MainWindow::connectMenus() {
   connect(&session_, &Session::statusChanged, all, &Commands::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, all, &Commands::refresh);
   connect(&session_.probes(), &ProbeChoices::changed, all, &Commands::refresh);
+  connect(&session_.verdicts(), &VerdictChoices::changed, all, &Commands::refresh);
   connect(&session_.undoStack(), &UndoStack::changed, all, &Commands::refresh);
 }
 

@@ -46,6 +46,7 @@ class SessionKeeper;
 class StatusLine;
 class ThemeSetting;
 class TimelinePanel;
+class VerdictFeed;
 class ViewArea;
 class ViewChoices;
 class ViewFeed;
@@ -140,6 +141,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<WindowState> state_;
   std::unique_ptr<Commands> commands_;
   std::unique_ptr<ProbeFeed> probeFeed_;
+  std::unique_ptr<VerdictFeed> verdictFeed_;
   std::unique_ptr<PlotFeed> plotFeed_;
   std::unique_ptr<LineageFeed> lineageFeed_;
   std::unique_ptr<SceneFeed> sceneFeed_;

@@ -61,6 +61,7 @@ bool Screenshot::isComplete() const {
   }
   const PipelinePanel& pipeline = of_.pipeline;
   if (pipeline.isVisible() && pipeline.showsThumbnails() && !pipeline.hasThumbnailsOf(frame_)) return false;
+  if (!session.verdicts().isComplete()) return false;
   if (!session.probes().pixel()) return true;
   const ProbeResult* probe = session.probes().result();
   return probe && probe->frame == frame_ && glm::ivec2(probe->x, probe->y) == *session.probes().pixel();

@@ -65,6 +65,7 @@ QJsonObject WindowState::capture() const {
   state[QStringLiteral("sceneTree")] = of_.scene.state();
   state[QStringLiteral("probes")] = probesJson(of_.session.probes().all());
   state[QStringLiteral("activeProbe")] = of_.session.probes().active();
+  state[QStringLiteral("verdicts")] = of_.session.verdicts().areOn();
   state[QStringLiteral("looping")] = of_.session.isLooping();
   state[QStringLiteral("referenceSamples")] = of_.session.status().referenceGoal;
   state[QStringLiteral("panels")] = panels();
@@ -113,6 +114,7 @@ void WindowState::applySession(const QJsonObject& state) const {
     of_.session.setLooping(looping.toBool());
     of_.timeline.setLooping(of_.session.isLooping());
   }
+  of_.session.verdicts().setOn(state[QStringLiteral("verdicts")].toBool(true));
   if (const int samples = state[QStringLiteral("referenceSamples")].toInt(); samples > 0)
     of_.session.setReferenceSamples(samples);
   if (const QJsonValue scene = state[QStringLiteral("scene")]; scene.isObject())

@@ -1,0 +1,76 @@
+#include "app/models/VerdictWords.h"
+
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "core/settings/Parameters.h"
+#include "core/taa/rows/Intermediates.h"
+#include "core/taa/twin/Color.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <cstddef>
+
+namespace taa::app {
+
+namespace {
+
+/// A value of 0 to 1, as shown, in steps of 255.
+QString stepsText(double shown) {
+  return shortText(255.0 * shown, 3);
+}
+
+QString arrowText(const QString& before, const QString& after) {
+  return before + QStringLiteral(" → ") + after;
+}
+
+QString parameterValueText(const Parameter& row, double value) {
+  if (row.kind == ParameterKind::Choice) return tableText(row.choices[static_cast<std::size_t>(value)].label);
+  if (row.kind == ParameterKind::Toggle) return value != 0.0 ? QObject::tr("on") : QObject::tr("off");
+  const QString number = shortText(value, 4);
+  return row.unit.empty() ? number : number + QChar(0x2009) + tableText(row.unit);
+}
+
+} // namespace
+
+QString changeText(const std::string& assignment) {
+  const std::size_t split = assignment.find('=');
+  const Parameter& row = parameter(assignment.substr(0, split));
+  return QObject::tr("%1 ▸ %2: %3")
+      .arg(tableText(stageInfo(row.stage).label), tableText(row.label),
+           parameterValueText(row, parseValue(row, assignment.substr(split + 1))));
+}
+
+QString changesText(const Remedy& remedy) {
+  QStringList lines;
+  for (const std::string& change : remedy.changes) lines << changeText(change);
+  return lines.join(QLatin1Char('\n'));
+}
+
+QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
+  return QObject::tr("This pixel: off by %1 of 255")
+      .arg(arrowText(stepsText(of.pixel.error), stepsText(tried.pixel.error)));
+}
+
+QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
+  const RemedyMeasure &before = of.picture, &after = tried.picture;
+  return QObject::tr("Picture: error %1, flicker %2, sharpness %3")
+      .arg(arrowText(stepsText(before.error), stepsText(after.error)),
+           arrowText(stepsText(before.flicker), stepsText(after.flicker)),
+           arrowText(percentText(100.0 * before.sharpness), percentText(100.0 * after.sharpness)));
+}
+
+QString rowValueText(const VerdictRow& row) {
+  if (row.id == IntermediateId::rejectReason)
+    return row.value == 0.0 ? QObject::tr("accepted")
+                            : tableText(rejectReasonText(static_cast<int>(row.value)));
+  const QString value = shortText(row.value, 4);
+  if (!row.limit) return value;
+  return QObject::tr("%1, limit %2").arg(value, shortText(*row.limit, 4));
+}
+
+double partLuma(const glm::dvec3& part) {
+  return static_cast<double>(twin::luma(glm::vec3(part)));
+}
+
+} // namespace taa::app

@@ -1,0 +1,26 @@
+// A verdict's values and remedies in words.
+#pragma once
+
+#include "core/inspect/verdicts/VerdictOfShot.h"
+
+#include <QString>
+
+#include <string>
+
+namespace taa::app {
+
+/// "path=value" by the table of settings: "Rectify history ▸ Method: Clip to filtered".
+QString changeText(const std::string& assignment);
+/// All changes of a remedy, one a line.
+QString changesText(const Remedy& remedy);
+/// "This pixel: off by 31.2 → 4.1 of 255"
+QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
+/// "Picture: error 3.1 → 3 of 255, flicker 1.2 → 1.3, sharpness 92 % → 95 %"
+QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
+
+/// What decided: "0.31", "0.31, limit 0.1", or a reason in words.
+QString rowValueText(const VerdictRow& row);
+/// Luma of a part of the error or of all of it, scene-linear: above 0 the pixel is too bright by it.
+double partLuma(const glm::dvec3& part);
+
+} // namespace taa::app

@@ -1,0 +1,163 @@
+#include "app/widgets/verdict/VerdictDetails.h"
+
+#include "app/models/VerdictWords.h"
+#include "app/style/Theme.h"
+#include "app/widgets/SectionHeader.h"
+#include "app/widgets/verdict/ErrorBars.h"
+#include "app/widgets/verdict/EvidenceRow.h"
+#include "app/widgets/verdict/RemedyButton.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace taa::app {
+
+VerdictDetails::VerdictDetails(QWidget* parent) : QScrollArea(parent) {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 2 * kUnit);
+  column->setSpacing(0);
+  column->addWidget(makeRemedies());
+  column->addWidget(makeEvidence());
+  setWidget(content);
+  setWidgetResizable(true);
+  setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+  content->setAutoFillBackground(false);
+  viewport()->setAutoFillBackground(false);
+  setVerdict(nullptr);
+}
+
+QWidget* VerdictDetails::makeRemedies() {
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
+  column->setSpacing(kUnit);
+  note_ = new QLabel;
+  note_->setFont(secondaryFont());
+  note_->setForegroundRole(QPalette::PlaceholderText);
+  note_->setWordWrap(true);
+  column->addWidget(note_);
+  for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
+    auto* button = new RemedyButton;
+    connect(button, &RemedyButton::clicked, this,
+            [this, remedy] { Q_EMIT remedyChosen(static_cast<int>(remedy)); });
+    column->addWidget(button);
+    remedies_[remedy] = button;
+  }
+  remedies_[0]->setToolTip(tr("Changes these settings (Ctrl+T); Ctrl+Z takes it back"));
+  return part;
+}
+
+QWidget* VerdictDetails::makeEvidence() {
+  auto* part = new QWidget;
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  header_ = new SectionHeader(tr("Evidence"));
+  column->addWidget(header_);
+  evidence_ = new QWidget;
+  auto* inside = new QVBoxLayout(evidence_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(0);
+  for (EvidenceRow*& row : rows_) {
+    row = new EvidenceRow;
+    connect(row, &EvidenceRow::clicked, this,
+            [this, button = row] { Q_EMIT rowChosen(button->row().id, button->row().frame); });
+    inside->addWidget(row);
+  }
+  bars_ = new ErrorBars;
+  inside->addSpacing(kUnit);
+  inside->addWidget(bars_);
+  column->addWidget(evidence_);
+  connect(header_, &SectionHeader::toggled, evidence_, &QWidget::setVisible);
+  evidence_->hide();
+  return part;
+}
+
+bool VerdictDetails::isUnfolded() const {
+  return header_->isChecked();
+}
+
+void VerdictDetails::setUnfolded(bool unfolded) {
+  header_->setChecked(unfolded);
+}
+
+QString VerdictDetails::note() const {
+  return note_->text();
+}
+
+void VerdictDetails::setVerdict(const VerdictDelivery* verdict) {
+  setVisible(verdict && verdict->answer);
+  if (!verdict || !verdict->answer) return;
+  widget()->show();
+  showRemedies(*verdict);
+  showEvidence(*verdict->answer);
+  updateGeometry();
+}
+
+void VerdictDetails::wait() {
+  if (isHidden() || widget()->isHidden()) return;
+  kept_ = sizeHint().height();
+  widget()->hide();
+}
+
+void VerdictDetails::showRemedies(const VerdictDelivery& verdict) {
+  const std::size_t count = verdict.remedies ? std::min(verdict.remedies->best.size(), kMaxRemedies) : 0;
+  for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
+    remedies_[remedy]->setVisible(remedy < count);
+    if (remedy >= count) continue;
+    const TriedRemedy& tried = verdict.remedies->best[remedy];
+    remedies_[remedy]->setTexts(changesText(tried.remedy), pixelEffectText(*verdict.remedies, tried) +
+                                                               QLatin1Char('\n') +
+                                                               pictureEffectText(*verdict.remedies, tried));
+  }
+  QString note;
+  if (!verdict.whyNot.empty())
+    note = tr("What mends it is not known: %1").arg(QString::fromStdString(verdict.whyNot));
+  else if (verdict.remedies && count == 0)
+    note = tr("None of %n changes that were tried mends it.", nullptr, verdict.remedies->tried);
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+}
+
+void VerdictDetails::showEvidence(const VerdictAnswer& answer) {
+  const std::vector<VerdictRow>& decided = answer.verdict.rows;
+  for (std::size_t row = 0; row < kMaxEvidence; ++row) {
+    rows_[row]->setVisible(row < decided.size());
+    if (row < decided.size()) rows_[row]->setRow(decided[row]);
+  }
+  bars_->setError(answer.error);
+}
+
+QSize VerdictDetails::sizeHint() const {
+  const int wide = viewport()->width();
+  if (widget()->isHidden()) return {wide, kept_};
+  const int high =
+      widget()->hasHeightForWidth() ? widget()->heightForWidth(wide) : widget()->sizeHint().height();
+  return {wide, high};
+}
+
+QSize VerdictDetails::minimumSizeHint() const {
+  return {120, std::min(sizeHint().height(), 2 * kRowHeight)};
+}
+
+void VerdictDetails::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) updateGeometry();
+}
+
+// What it shows has become higher or lower.
+bool VerdictDetails::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) updateGeometry();
+  return QScrollArea::viewportEvent(event);
+}
+
+} // namespace taa::app

@@ -1,0 +1,270 @@
+// The verdict in the probe's panel: its sentence, what decided, what mends the pixel.
+#include "app/models/VerdictWords.h"
+#include "app/panels/ProbePanel.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/views/ViewArea.h"
+#include "app/widgets/SectionHeader.h"
+#include "app/widgets/verdict/ErrorBars.h"
+#include "app/widgets/verdict/EvidenceRow.h"
+#include "app/widgets/verdict/RemedyButton.h"
+#include "app/widgets/verdict/VerdictDetails.h"
+#include "app/widgets/verdict/VerdictLine.h"
+#include "tests/app/WindowFixture.h"
+
+#include <QJsonObject>
+#include <QTreeView>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace taa;
+using namespace taa::app;
+
+namespace {
+
+class VerdictPanel : public taa::app::test::FakeWindow {
+ protected:
+  VerdictLine* line() const { return window.probe()->verdict(); }
+  VerdictDetails* details() const { return window.probe()->verdictDetails(); }
+  const Settings& settings() const { return session.presets().settings(); }
+  void probe() {
+    session.probes().setPixel(glm::ivec2(12, 7));
+    settle();
+  }
+  std::ptrdiff_t shownRemedies() const {
+    return std::ranges::count_if(details()->remedies(),
+                                 [](const QWidget* each) { return each->isVisible(); });
+  }
+  void click(QWidget* widget) {
+    QTest::mouseClick(widget, Qt::LeftButton);
+    settle();
+  }
+};
+
+/// What the tables call a change.
+QString inWords(const char* path, const QString& value) {
+  const Parameter& row = parameter(path);
+  return tableText(stageInfo(row.stage).label) + QStringLiteral(" ▸ ") + tableText(row.label) +
+         QStringLiteral(": ") + value;
+}
+
+} // namespace
+
+TEST_F(VerdictPanel, StandsAboveTheNumbers) {
+  probe();
+  ASSERT_TRUE(line()->isVisible());
+  EXPECT_EQ(line()->sentence().toStdString(), renderer->verdict.answer->sentence);
+  EXPECT_EQ(line()->tone(), VerdictTone::Wrong);
+  EXPECT_EQ(line()->work(), "");
+  const auto top = [](const QWidget* widget) { return widget->mapToGlobal(QPoint()).y(); };
+  EXPECT_LT(top(line()), top(details()));
+  EXPECT_LT(top(details()), top(window.probe()->table()));
+}
+
+TEST_F(VerdictPanel, SaysThatAReasonIsLookedForUntilThereIsOne) {
+  const VerdictDelivery found = std::exchange(renderer->verdict, {});
+  probe();
+  EXPECT_TRUE(line()->isVisible());
+  EXPECT_EQ(line()->sentence(), "");
+  EXPECT_EQ(line()->work(), "Looking for the reason…");
+  EXPECT_FALSE(details()->isVisible());
+  renderer->verdict = found;
+  renderer->verdict.remedies.reset();
+  renderer->deliver();
+  settle();
+  EXPECT_EQ(line()->sentence().toStdString(), found.answer->sentence);
+  EXPECT_EQ(line()->work(), "Looking for what mends it…") << "the sentence does not wait for it";
+  EXPECT_EQ(shownRemedies(), 0);
+  renderer->verdict = found;
+  renderer->deliver();
+  settle();
+  EXPECT_EQ(line()->work(), "");
+  EXPECT_EQ(shownRemedies(), 2);
+}
+
+TEST_F(VerdictPanel, SaysThatNothingIsWrong) {
+  renderer->verdict.answer->verdict.kind = VerdictKind::None;
+  renderer->verdict.answer->sentence = "Nothing is wrong: it is near the reference.";
+  renderer->verdict.remedies.reset();
+  probe();
+  EXPECT_EQ(line()->tone(), VerdictTone::Right);
+  EXPECT_EQ(line()->sentence(), "Nothing is wrong: it is near the reference.");
+  EXPECT_EQ(line()->work(), "");
+  EXPECT_EQ(shownRemedies(), 0);
+}
+
+TEST_F(VerdictPanel, SaysWhyThereIsNone) {
+  renderer->verdict = {};
+  renderer->verdict.whyNot = "this capture has no reference";
+  probe();
+  EXPECT_EQ(line()->sentence(), "No verdict: this capture has no reference");
+  EXPECT_EQ(line()->tone(), VerdictTone::Neutral);
+  EXPECT_EQ(line()->work(), "");
+  EXPECT_FALSE(details()->isVisible());
+}
+
+TEST_F(VerdictPanel, IsOfThePixelAndTheFrameOnShowOnly) {
+  probe();
+  const auto told = [&](int frame, glm::ivec2 pixel, std::uint64_t shotVersion) {
+    VerdictDelivery delivery = renderer->verdict;
+    delivery.frame = frame;
+    delivery.pixel = pixel;
+    delivery.shotVersion = shotVersion;
+    renderer->tell(delivery);
+    settle();
+    return !line()->sentence().isEmpty();
+  };
+  const std::uint64_t version = renderer->status.shotVersion;
+  const int frame = renderer->status.info.frame;
+  EXPECT_TRUE(told(frame, {12, 7}, version));
+  EXPECT_FALSE(told(frame + 1, {12, 7}, version));
+  EXPECT_FALSE(told(frame, {13, 7}, version));
+  EXPECT_FALSE(told(frame, {12, 7}, version - 1)) << "by other settings";
+  EXPECT_TRUE(told(frame, {12, 7}, version));
+}
+
+TEST_F(VerdictPanel, IsNotShownOnceTheSettingsAreOthers) {
+  probe();
+  ASSERT_NE(line()->sentence(), "");
+  renderer->holdsBack = true;
+  session.presets().assign({"rectify.method=clamp"});
+  settle();
+  EXPECT_EQ(line()->sentence(), "");
+  EXPECT_TRUE(session.verdicts().remedies().empty());
+  renderer->holdsBack = false;
+  renderer->deliver();
+  settle();
+  EXPECT_NE(line()->sentence(), "");
+}
+
+TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
+  probe();
+  ASSERT_EQ(shownRemedies(), 2);
+  const auto clamp = static_cast<std::size_t>(RectifyMethod::Clamp);
+  const QString method =
+      inWords("rectify.method", tableText(parameter("rectify.method").choices[clamp].label));
+  const RemedyButton* first = details()->remedies()[0];
+  EXPECT_EQ(first->text(), inWords("validate.object", QStringLiteral("on")) + QLatin1Char('\n') + method);
+  EXPECT_EQ(details()->remedies()[1]->text(), method);
+  EXPECT_EQ(first->effects(), "This pixel: off by 40 → 5 of 255\n"
+                              "Picture: error 4 → 3, flicker 1 → 1.5, sharpness 90 % → 95 %");
+}
+
+TEST_F(VerdictPanel, ARemedyIsOneStepOfUndo) {
+  probe();
+  const Settings before = settings();
+  Settings expected = before;
+  for (const char* change : {"validate.object=on", "rectify.method=clamp"}) applyAssignment(expected, change);
+  ASSERT_FALSE(before == expected);
+  const int sent = renderer->settingsSent;
+  click(details()->remedies()[0]);
+  EXPECT_TRUE(settings() == expected);
+  EXPECT_TRUE(renderer->status.settings == expected);
+  EXPECT_EQ(renderer->settingsSent, sent + 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(settings() == before);
+}
+
+TEST_F(VerdictPanel, AKeyTriesTheFirstRemedyAndButtonsTakeTheFocus) {
+  probe();
+  const Settings before = settings();
+  key(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(isOn(settings().validate.object));
+  EXPECT_EQ(settings().rectify.method, RectifyMethod::Clamp);
+  session.undo();
+  settle();
+  ASSERT_TRUE(settings() == before);
+  RemedyButton* second = details()->remedies()[1];
+  second->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(second->hasFocus());
+  QTest::keyClick(second, Qt::Key_Return);
+  settle();
+  Settings expected = before;
+  applyAssignment(expected, "rectify.method=clamp");
+  EXPECT_TRUE(settings() == expected);
+}
+
+TEST_F(VerdictPanel, SaysThatNothingMendsIt) {
+  renderer->verdict.remedies->best.clear();
+  probe();
+  EXPECT_EQ(shownRemedies(), 0);
+  EXPECT_EQ(details()->note(), "None of 9 changes that were tried mends it.");
+  const Settings before = settings();
+  key(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(settings() == before);
+}
+
+TEST_F(VerdictPanel, UnfoldsWhatDecidedAndGoesThere) {
+  probe();
+  const auto& rows = details()->rows();
+  EXPECT_FALSE(rows[0]->isVisible());
+  click(details()->header());
+  EXPECT_TRUE(details()->isUnfolded());
+  ASSERT_TRUE(rows[3]->isVisible());
+  EXPECT_FALSE(rows[4]->isVisible()) << "there are four";
+  EXPECT_EQ(rows[1]->text(), tableText(intermediate(IntermediateId::depthMismatch).label));
+  EXPECT_EQ(rows[1]->value(), "0.5, limit 0.125");
+  EXPECT_EQ(rows[0]->value(), "0.0625");
+  click(rows[1]);
+  EXPECT_EQ(window.views()->active()->id(), IntermediateId::depthMismatch);
+  EXPECT_EQ(session.status().info.frame, 9);
+}
+
+TEST_F(VerdictPanel, DrawsThePartsOfTheErrorAndTheirSum) {
+  probe();
+  const std::vector<ErrorBars::Bar>& bars = details()->bars()->bars();
+  ASSERT_EQ(bars.size(), kErrorParts + 1);
+  double sum = 0.0;
+  for (std::size_t part = 0; part < kErrorParts; ++part) sum += bars[part].value;
+  EXPECT_FLOAT_EQ(static_cast<float>(bars[static_cast<std::size_t>(ErrorPart::Ghost)].value), 0.25f);
+  EXPECT_FLOAT_EQ(static_cast<float>(bars[static_cast<std::size_t>(ErrorPart::Lag)].value), -0.125f);
+  EXPECT_FLOAT_EQ(static_cast<float>(sum), 0.125f);
+  EXPECT_FLOAT_EQ(static_cast<float>(bars.back().value), 0.125f) << "0.625 less 0.5";
+}
+
+TEST_F(VerdictPanel, IsWantedWhereItIsSeenAndNotWhileItPlays) {
+  probe();
+  EXPECT_TRUE(renderer->verdicts);
+  key(Qt::Key_F3);
+  EXPECT_FALSE(renderer->verdicts) << "another page of the probe is open";
+  key(Qt::Key_F2);
+  EXPECT_TRUE(renderer->verdicts);
+  key(Qt::Key_F10);
+  EXPECT_FALSE(renderer->verdicts) << "the panel is closed";
+  key(Qt::Key_F10);
+  session.setPlaying(true);
+  settle();
+  EXPECT_FALSE(line()->isVisible());
+  EXPECT_FALSE(details()->isVisible());
+  session.setPlaying(false);
+  settle();
+  EXPECT_TRUE(line()->isVisible());
+}
+
+TEST_F(VerdictPanel, IsSwitchedOffAndStaysSo) {
+  probe();
+  key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(renderer->verdicts);
+  EXPECT_FALSE(line()->isVisible());
+  EXPECT_FALSE(details()->isVisible());
+  const QJsonObject state = window.state();
+  EXPECT_EQ(state[QStringLiteral("verdicts")], QJsonValue(false));
+  key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(line()->isVisible());
+  EXPECT_EQ(window.state()[QStringLiteral("verdicts")], QJsonValue(true));
+}
+
+TEST_F(VerdictPanel, KeepsItsRoomWhileTheNextFrameIsJudged) {
+  probe();
+  const int top = window.probe()->table()->mapToGlobal(QPoint()).y();
+  renderer->verdict = {};
+  session.seek(5);
+  settle();
+  EXPECT_EQ(line()->sentence(), "");
+  EXPECT_EQ(window.probe()->table()->mapToGlobal(QPoint()).y(), top);
+}
