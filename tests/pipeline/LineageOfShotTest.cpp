@@ -14,10 +14,12 @@
 #include "tests/support/frames/LineageShot.h"
 #include "tests/support/frames/ResolveTest.h"
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,14 +36,18 @@ constexpr int kFrame = 9;
 class LineageOfShotTest : public test::small::InspectorTest {};
 class LineageResponse : public test::ResolveTest {
  protected:
-  /// Frames of the fan, resolved by the GPU.
-  static LineageShot shot(const Settings& settings) {
-    test::Player player("builtin:fan", "still", test::small::kWidth, test::small::kHeight, settings);
+  static std::vector<twin::Inputs> drawn(const std::string& source, const std::string& camera,
+                                         const Settings& settings) {
+    test::Player player(source, camera, test::small::kWidth, test::small::kHeight, settings);
     std::vector<twin::Inputs> frames;
     for (int frame = 0; frame <= kFrame; ++frame) {
       player.draw();
       frames.push_back(test::twinInputs(player.inputs(), nullptr));
     }
+    return frames;
+  }
+  /// Resolved by the GPU.
+  static LineageShot shot(std::vector<twin::Inputs> frames, const Settings& settings) {
     return {std::move(frames), settings, [](const twin::Inputs& frame, const Settings& used) {
               const test::FrameShape shape =
                   test::shapeFor(used, {test::small::kWidth, test::small::kHeight, used.inputs.precision});
@@ -49,7 +55,32 @@ class LineageResponse : public test::ResolveTest {
               return test::LeftHistory{left.color.download(), left.surface.download()};
             }};
   }
+  static LineageShot shotOfFan(const Settings& settings) {
+    return shot(drawn("builtin:fan", "still", settings), settings);
+  }
 };
+
+/// Nothing but sums, of 32-bit floats.
+Settings sumsOnly() {
+  Settings settings = test::bareSettings();
+  settings.inputs.precision = Precision::Full;
+  settings.weight.alpha = 0.1f;
+  return settings;
+}
+
+/// By how much two pictures of sumsOnly() may differ beyond what `impulse` makes of them, as a part of it:
+/// in each, a frame rounds a dozen times what is at most as large as the brightest color, and each frame
+/// keeps nine tenths of what the one before was off by.
+double roundedOff(const std::vector<twin::Inputs>& frames, double impulse) {
+  float brightest = 0.0f;
+  for (const twin::Inputs& frame : frames)
+    brightest = std::max(brightest, std::ranges::max(frame.color.pixels));
+  return 2.0 * 12.0 * 10.0 * std::exp2(-24.0) * (brightest + impulse) / impulse;
+}
+
+LineageShot::Change everywhere(float impulse) {
+  return [impulse](const glm::ivec2&) { return glm::vec3(impulse); };
+}
 
 /// All numbers of a lineage.
 std::vector<double> numbersOf(const Lineage& lineage) {
@@ -70,9 +101,7 @@ std::vector<double> numbersOf(const Lineage& lineage) {
 
 // The sparks of the scene are as bright as 40; 32-bit floats of a dozen frames are off by some 10⁻⁶ of that.
 TEST_F(LineageResponse, IsWhatTheGpuMakesOfAnImpulse) {
-  Settings settings = test::bareSettings();
-  settings.inputs.precision = Precision::Full;
-  LineageShot frames = shot(settings);
+  LineageShot frames = shotOfFan(sumsOnly());
   const Lineage lineage = lineageOf(frames, kFrame, kPixel, {kFrame + 1, 0.0, 0.0});
   const glm::vec3 resolved = frames.resolved(kPixel);
   int seen = 0;
@@ -95,10 +124,78 @@ TEST_F(LineageResponse, IsWhatTheGpuMakesOfAnImpulse) {
   EXPECT_GE(seen, 4) << "the impulses are seen";
 }
 
+// Boards slide before a wall, and the camera goes around them.
+TEST_F(LineageResponse, IsTheWeightOfEachFrameAndTexelWhileTheCameraMoves) {
+  const Settings settings = sumsOnly();
+  const std::vector<twin::Inputs> inputs = drawn("builtin:disocclusion", "orbit", settings);
+  const double tolerance = roundedOff(inputs, 1.0);
+  ASSERT_LT(tolerance, 1e-4);
+  LineageShot frames = shot(inputs, settings);
+  const std::vector<glm::ivec2> pixels{{8, 6}, {17, 14}, {24, 20}, {31, 8}, {41, 17}};
+  for (const int frame : {9, 8, 5, 1, 0}) {
+    const LineageShot raised = frames.with(frame, everywhere(1.0f));
+    for (const glm::ivec2& pixel : pixels) {
+      const Lineage lineage = lineageOf(frames, kFrame, pixel, {kFrame + 1, 0.0, 0.0});
+      const LineageFrame& entry = lineage.frames.at(static_cast<std::size_t>(kFrame - frame));
+      if (frame == 0) {
+        EXPECT_GT(glm::distance(entry.place, glm::dvec2(pixel) + 0.5), 0.5) << "it moves";
+        EXPECT_GT(entry.pixels, 30) << "over texels";
+      }
+      const auto heaviest =
+          std::ranges::max_element(lineage.samples, {}, [frame](const FootprintSample& sample) {
+            return sample.frame == frame ? sample.weight : -1.0;
+          });
+      EXPECT_GT(heaviest->weight, 50.0 * tolerance) << "the impulse is seen";
+      const LineageShot::Change one = [at = heaviest->texel](const glm::ivec2& texel) {
+        return glm::vec3(texel == at ? 1.0f : 0.0f);
+      };
+      const glm::dvec3 was(frames.resolved(pixel));
+      const glm::dvec3 ofFrame = glm::dvec3(raised.resolved(pixel)) - was;
+      const glm::dvec3 ofTexel = glm::dvec3(frames.resolvedWith(frame, one, pixel)) - was;
+      for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(ofFrame[channel], entry.weight, tolerance) << frame << ", " << pixel.x;
+        EXPECT_NEAR(ofTexel[channel], heaviest->weight, tolerance) << frame << ", " << pixel.x;
+      }
+    }
+  }
+}
+
+// A gray clamp keeps a change of history or ends it, where the lineage says that a share of it is left. The
+// first frame has no box that would change with it. The impulse is so small that it lifts no history from
+// below a box past its middle.
+TEST_F(LineageResponse, IsNoGreaterThanTheWeightWhereHistoryIsClamped) {
+  Settings settings = sumsOnly();
+  settings.rectify.method = RectifyMethod::Clamp;
+  std::vector<twin::Inputs> inputs = drawn("builtin:disocclusion", "orbit", settings);
+  for (twin::Inputs& frame : inputs)
+    for (int texel = 0; texel < frame.width() * frame.height(); ++texel) {
+      float* color = frame.color.at(texel % frame.width(), texel / frame.width());
+      color[0] = color[2] = color[1];
+    }
+  constexpr float kImpulse = 1.0f / 64.0f;
+  const double tolerance = roundedOff(inputs, kImpulse);
+  LineageShot frames = shot(std::move(inputs), settings);
+  const LineageShot raised = frames.with(0, everywhere(kImpulse));
+  int less = 0, seen = 0;
+  for (int y = 2; y < test::small::kHeight; y += 3)
+    for (int x = 3; x < test::small::kWidth; x += 3) {
+      const Lineage lineage = lineageOf(frames, kFrame, {x, y}, {kFrame + 1, 0.0, 0.0});
+      const double weight = lineage.frames.back().frame == 0 ? lineage.frames.back().weight : 0.0;
+      const double response =
+          (static_cast<double>(raised.resolved({x, y}).y) - frames.resolved({x, y}).y) / kImpulse;
+      EXPECT_LE(response, weight + tolerance) << x << ", " << y;
+      EXPECT_GE(response, -tolerance) << x << ", " << y;
+      less += lineage.rectified > 0.0 && response < weight - 0.01 ? 1 : 0;
+      seen += lineage.rectified > 0.0 && response > 0.01 ? 1 : 0;
+    }
+  EXPECT_GT(less, 20) << "clamps end it";
+  EXPECT_GT(seen, 5) << "and keep it";
+}
+
 TEST_F(LineageResponse, OfTheShotIsThatOfItsFrames) {
   if (!isExact()) GTEST_SKIP() << "this driver rounds its own way";
   const Settings settings; // balanced
-  LineageShot frames = shot(settings);
+  LineageShot frames = shotOfFan(settings);
   const Lineage expected = lineageOf(frames, kFrame, kPixel);
   Inspector inspector;
   inspector.shot().setSize(test::small::kWidth, test::small::kHeight);

@@ -27,13 +27,13 @@ glm::vec3 LineageShot::resolved(const glm::ivec2& pixel) const {
   return glm::vec3(last_.texel(pixel.x, pixel.y));
 }
 
-glm::vec3 LineageShot::resolvedWith(int frame, const Change& change, const glm::ivec2& pixel) const {
+LineageShot LineageShot::with(int frame, const Change& change) const {
   std::vector<twin::Inputs> changed = frames_;
   Image& color = changed.at(static_cast<std::size_t>(frame)).color;
   for (int y = 0; y < color.height; ++y)
     for (int x = 0; x < color.width; ++x)
       for (int channel = 0; channel < 3; ++channel) color.at(x, y)[channel] += change({x, y})[channel];
-  return LineageShot(std::move(changed), settings_, resolve_).resolved(pixel);
+  return {std::move(changed), settings_, resolve_};
 }
 
 LeftHistory LineageShot::resolveByTwin(const twin::Inputs& frame, const Settings& settings) {

@@ -28,9 +28,12 @@ class LineageShot : public LineageSource {
 
   /// What a pixel of the last frame became.
   glm::vec3 resolved(const glm::ivec2& pixel) const;
-  /// The same where `change` is added to the current color of every texel of a frame.
+  /// The same frames where `change` is added to the current color of every texel of one.
   using Change = std::function<glm::vec3(const glm::ivec2& texel)>;
-  glm::vec3 resolvedWith(int frame, const Change& change, const glm::ivec2& pixel) const;
+  LineageShot with(int frame, const Change& change) const;
+  glm::vec3 resolvedWith(int frame, const Change& change, const glm::ivec2& pixel) const {
+    return with(frame, change).resolved(pixel);
+  }
 
   static LeftHistory resolveByTwin(const twin::Inputs& frame, const Settings& settings);
 
