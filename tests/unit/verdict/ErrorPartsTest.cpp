@@ -96,8 +96,8 @@ class Sequence {
   float readOf(const taa::PartsInputs& now, int x, int y) const {
     const float* place = now.historyPosition.at(x, y);
     float sum = 0.0f;
-    for (const auto& texel : taa::twin::historyTexels(kBilinear, {place[0], place[1]}, {kWide, kHigh}).all())
-      sum += texel.weight * *resolved_.at(texel.at.x, texel.at.y);
+    const auto texels = taa::twin::historyTexels(kBilinear, {place[0], place[1]}, {kWide, kHigh});
+    for (const auto& texel : texels.all()) sum += texel.weight * *resolved_.at(texel.at.x, texel.at.y);
     return sum;
   }
   void add(taa::PartsInputs now, const Image* before) {
