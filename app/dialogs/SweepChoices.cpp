@@ -6,6 +6,7 @@
 #include "app/style/Theme.h"
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
+#include "core/sweep/SweepSpec.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -14,6 +15,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QStringList>
@@ -22,14 +24,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <utility>
+#include <map>
+#include <vector>
 
 namespace taa::app {
 
 namespace {
 
 enum AxisPage { PresetPage, NumberPage, ValuesPage };
-constexpr int kMaxSweepSteps = 100, kFirstSteps = 5;
+constexpr int kMaxSweepSteps = 100, kFirstSteps = 5, kRangeDecimals = 4;
 constexpr double kFirstReach = 4.0; ///< times the present value, down and up
 
 bool isSweptNumber(const Parameter& row) {
@@ -52,19 +55,12 @@ std::vector<double> allValues(const Parameter& row) {
 } // namespace
 
 SweepChoices::SweepChoices(Session& session, const QString& folder, QWidget* parent)
-    : QWidget(parent), session_(session), axis_(new QComboBox), pages_(new QStackedWidget),
+    : QWidget(parent), session_(session), folder_(folder), axis_(new QComboBox), pages_(new QStackedWidget),
       presets_(new QListWidget), from_(new QDoubleSpinBox), to_(new QDoubleSpinBox), steps_(new QSpinBox),
       byFactor_(new QCheckBox(tr("By a constant factor"))), all_(new QLabel) {
   axis_->setAccessibleName(tr("What changes"));
   axis_->view()->setAccessibleName(axis_->accessibleName());
-  axis_->addItem(tr("Presets"));
-  const auto captured = session.status().capture;
-  for (const Parameter& row : parameters())
-    if (isRelevant(row, session.presets().settings()) && !(captured && isFixedBy(*captured, row)))
-      axis_->addItem(tr("%1: %2").arg(tableText(stageInfo(row.stage).label), tableText(row.label)),
-                     qtext(row.path));
   presets_->setAccessibleName(tr("Presets to measure"));
-  addPresets(folder);
   all_->setWordWrap(true);
   all_->setAlignment(Qt::AlignTop);
   pages_->addWidget(presets_);
@@ -75,24 +71,53 @@ SweepChoices::SweepChoices(Session& session, const QString& folder, QWidget* par
   layout->setSpacing(2 * kUnit);
   layout->addWidget(axis_);
   layout->addWidget(pages_, 1);
+  listParameters();
+  listPresets();
   connect(axis_, &QComboBox::currentIndexChanged, this, &SweepChoices::showAxis);
   connect(presets_, &QListWidget::itemChanged, this, &SweepChoices::changed);
   showAxis();
 }
 
-// Those that are there to compare with are ticked.
-void SweepChoices::addPresets(const QString& folder) {
-  const auto add = [this](const QString& label, const QString& idOrPath, bool isTicked) {
+void SweepChoices::refresh() {
+  listParameters();
+  listPresets();
+  Q_EMIT changed();
+}
+
+// The chosen one stays, also where it does not count any more: somebody may have typed its range.
+void SweepChoices::listParameters() {
+  const QString chosen = axis_->currentData().toString();
+  const auto captured = session_.status().capture;
+  const QSignalBlocker quiet(axis_);
+  axis_->clear();
+  axis_->addItem(tr("Presets"));
+  for (const Parameter& row : parameters())
+    if (qtext(row.path) == chosen ||
+        (isRelevant(row, session_.presets().settings()) && !(captured && isFixedBy(*captured, row))))
+      axis_->addItem(tr("%1: %2").arg(tableText(stageInfo(row.stage).label), tableText(row.label)),
+                     qtext(row.path));
+  if (!chosen.isEmpty()) axis_->setCurrentIndex(axis_->findData(chosen));
+}
+
+// At first those are ticked that are there to compare with.
+void SweepChoices::listPresets() {
+  std::map<QString, Qt::CheckState> ticked;
+  for (int line = 0; line < presets_->count(); ++line)
+    ticked[presets_->item(line)->data(Qt::UserRole).toString()] = presets_->item(line)->checkState();
+  const QSignalBlocker quiet(presets_);
+  presets_->clear();
+  const auto add = [&](const QString& label, const QString& idOrPath, bool isTicked) {
     auto* item = new QListWidgetItem(label, presets_);
     item->setData(Qt::UserRole, idOrPath);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(isTicked ? Qt::Checked : Qt::Unchecked);
+    const auto before = ticked.find(idOrPath);
+    item->setCheckState(before != ticked.end() ? before->second : isTicked ? Qt::Checked : Qt::Unchecked);
   };
   add(tr("The present settings"), {}, true);
   for (const Preset& preset : builtinPresets())
     add(tableText(preset.label), QString::fromStdString(preset.id),
         preset.group == kPresetGroups.front().id && preset.step == 0);
-  for (const UserPreset& own : userPresets(folder)) add(tr("%1 (mine)").arg(own.label), own.path, false);
+  for (const UserPreset& own : userPresets(folder_)) add(tr("%1 (mine)").arg(own.label), own.path, false);
 }
 
 QWidget* SweepChoices::makeRange() {
@@ -103,7 +128,6 @@ QWidget* SweepChoices::makeRange() {
   to_->setAccessibleName(tr("Last value"));
   steps_->setAccessibleName(tr("Number of values"));
   steps_->setRange(2, kMaxSweepSteps);
-  steps_->setValue(kFirstSteps);
   form->addRow(tr("From"), from_);
   form->addRow(tr("To"), to_);
   form->addRow(tr("Values"), steps_);
@@ -111,10 +135,10 @@ QWidget* SweepChoices::makeRange() {
   for (QDoubleSpinBox* field : {from_, to_})
     connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
       byFactor_->setEnabled(from_->value() > 0.0 && to_->value() > 0.0);
-      Q_EMIT changed();
+      remember();
     });
-  connect(steps_, &QSpinBox::valueChanged, this, &SweepChoices::changed);
-  connect(byFactor_, &QCheckBox::toggled, this, &SweepChoices::changed);
+  connect(steps_, &QSpinBox::valueChanged, this, &SweepChoices::remember);
+  connect(byFactor_, &QCheckBox::toggled, this, &SweepChoices::remember);
   return page;
 }
 
@@ -123,23 +147,45 @@ const Parameter* SweepChoices::row() const {
   return path.isEmpty() ? nullptr : &parameter(path.toStdString());
 }
 
-// Numbers begin around what is set now.
+QString SweepChoices::title() const {
+  return row() ? tableText(row()->label) : tr("Preset");
+}
+
+// Around what is set now.
+SweepChoices::Range SweepChoices::firstRange(const Parameter& row) const {
+  const double now = row.get(session_.presets().settings());
+  if (row.minimum < 0.0 || now <= 0.0) return {row.minimum, row.maximum, kFirstSteps, false};
+  return {std::max(row.minimum, now / kFirstReach), std::min(row.maximum, now * kFirstReach), kFirstSteps,
+          true};
+}
+
+void SweepChoices::showRange(const Parameter& row) {
+  const auto typed = ranges_.find(qtext(row.path));
+  const Range range = typed != ranges_.end() ? typed->second : firstRange(row);
+  const QSignalBlocker quietFrom(from_), quietTo(to_), quietSteps(steps_), quietFactor(byFactor_);
+  for (QDoubleSpinBox* field : {from_, to_}) {
+    field->setDecimals(row.kind == ParameterKind::Integer ? 0 : kRangeDecimals);
+    field->setRange(row.minimum, row.maximum);
+    field->setSuffix(row.unit.empty() ? QString() : u' ' + tableText(row.unit));
+  }
+  from_->setValue(range.from);
+  to_->setValue(range.to);
+  steps_->setValue(range.steps);
+  byFactor_->setEnabled(from_->value() > 0.0 && to_->value() > 0.0);
+  byFactor_->setChecked(range.isByFactor);
+}
+
+void SweepChoices::remember() {
+  if (const Parameter* row = this->row(); row && isSweptNumber(*row))
+    ranges_[qtext(row->path)] = {from_->value(), to_->value(), steps_->value(), byFactor_->isChecked()};
+  Q_EMIT changed();
+}
+
 void SweepChoices::showAxis() {
   const Parameter* row = this->row();
   pages_->setCurrentIndex(!row ? PresetPage : isSweptNumber(*row) ? NumberPage : ValuesPage);
   if (row && isSweptNumber(*row)) {
-    const double now = row->get(session_.presets().settings());
-    const bool isAround = row->minimum >= 0.0 && now > 0.0;
-    for (QDoubleSpinBox* field : {from_, to_}) {
-      const QSignalBlocker quiet(field);
-      field->setDecimals(row->kind == ParameterKind::Integer ? 0 : 4);
-      field->setRange(row->minimum, row->maximum);
-      field->setSuffix(row->unit.empty() ? QString() : u' ' + tableText(row->unit));
-    }
-    from_->setValue(isAround ? now / kFirstReach : row->minimum);
-    to_->setValue(isAround ? now * kFirstReach : row->maximum);
-    byFactor_->setEnabled(from_->value() > 0.0);
-    byFactor_->setChecked(from_->value() > 0.0);
+    showRange(*row);
   } else if (row) {
     QStringList texts;
     for (const double value : allValues(*row)) texts << sweptValueText(*row, value);
@@ -159,9 +205,12 @@ std::vector<SweptSettings> SweepChoices::chosenPresets() const {
     if (item->checkState() != Qt::Checked) continue;
     const QString idOrPath = item->data(Qt::UserRole).toString();
     try {
-      const Settings settings =
-          idOrPath.isEmpty() ? session_.presets().settings() : preset(idOrPath.toStdString()).settings;
-      chosen.push_back({{item->text().toStdString(), settings}, idOrPath, {}, 0.0});
+      if (idOrPath.isEmpty()) {
+        chosen.push_back({item->text(), session_.presets().choice()});
+        continue;
+      }
+      const Preset preset = taa::preset(idOrPath.toStdString());
+      chosen.push_back({item->text(), {preset.settings, preset.settings, preset.id}});
     } catch (const std::exception&) {
       continue; // a file of the user's went away meanwhile
     }
@@ -181,9 +230,8 @@ std::vector<SweptSettings> SweepChoices::chosenValues() const {
   }
   std::vector<SweptSettings> chosen;
   for (const double value : values) {
-    Settings settings = session_.presets().settings();
-    row.set(settings, value);
-    chosen.push_back({{sweptValueText(row, value).toStdString(), settings}, {}, qtext(row.path), value});
+    SweptSettings& made = chosen.emplace_back(sweptValueText(row, value), session_.presets().choice());
+    row.set(made.choice.settings, value);
   }
   return chosen;
 }

@@ -1,12 +1,13 @@
 // What a sweep goes over: presets that are ticked, or values of one parameter between two ends.
 #pragma once
 
+#include "app/session/PresetChoices.h"
 #include "core/settings/Parameters.h"
-#include "core/sweep/SweepSpec.h"
 
 #include <QString>
 #include <QWidget>
 
+#include <map>
 #include <vector>
 
 class QCheckBox;
@@ -21,12 +22,10 @@ namespace taa::app {
 
 class Session;
 
-/// Settings that are measured, and what taking them up sets.
+/// Settings that are measured, and can be taken up.
 struct SweptSettings {
-  SweepSettings settings;
-  QString preset;     ///< id or path; empty: none
-  QString parameter;  ///< path; empty: none
-  double value = 0.0; ///< of the parameter
+  QString name;
+  PresetChoice choice;
 };
 
 class SweepChoices : public QWidget {
@@ -37,6 +36,11 @@ class SweepChoices : public QWidget {
 
   /// What is chosen now; empty where nothing is, or the parameter has no such values.
   std::vector<SweptSettings> chosen() const;
+  /// What tells them apart: "Preset", or the name of the parameter.
+  QString title() const;
+  /// Lists the parameters that count now, and the presets that are there now. What is chosen, ticked and
+  /// typed stays.
+  void refresh();
   /// "Presets", or the parameter's row in the list of what changes.
   QComboBox* axis() const { return axis_; }
   QListWidget* presets() const { return presets_; }
@@ -49,14 +53,26 @@ class SweepChoices : public QWidget {
   void changed();
 
  private:
-  void addPresets(const QString& folder);
+  /// What was typed of a parameter.
+  struct Range {
+    double from = 0.0, to = 0.0;
+    int steps = 0;
+    bool isByFactor = false;
+  };
+  void listParameters();
+  void listPresets();
   QWidget* makeRange();
+  Range firstRange(const Parameter& row) const;
+  void showRange(const Parameter& row);
+  void remember();
   const Parameter* row() const; ///< null: presets
   void showAxis();
   std::vector<SweptSettings> chosenPresets() const;
   std::vector<SweptSettings> chosenValues() const;
 
   Session& session_;
+  QString folder_;
+  std::map<QString, Range> ranges_; ///< by the path of the parameter
   QComboBox* axis_;
   QStackedWidget* pages_;
   QListWidget* presets_;

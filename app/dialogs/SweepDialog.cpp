@@ -63,7 +63,6 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
       scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))), note_(new QLabel),
       progress_(new QProgressBar), start_(new QPushButton), apply_(new QPushButton(tr("Apply"))),
       copy_(new QPushButton(tr("Copy as CSV"))) {
-  setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Sweep"));
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kUnit);
@@ -89,6 +88,10 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   connect(table_, &QTreeWidget::itemActivated, this, &SweepDialog::apply);
   connect(scatter_, &ScatterChart::pointClicked, this, &SweepDialog::choose);
   connect(choices_, &SweepChoices::changed, this, &SweepDialog::refresh);
+  connect(&session_, &Session::statusChanged, this, &SweepDialog::listFrames);
+  connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
+    if (isVisible()) choices_->refresh();
+  });
   connect(&work_, &SweepWork::progressed, this, [this](const QString& what, int done, int total) {
     note_->setText(what);
     progress_->setRange(0, total);
@@ -106,7 +109,10 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
 
 void SweepDialog::openAt(Session& session, const QString& folder, QWidget* window) {
   auto* dialog = window->findChild<SweepDialog*>();
-  if (!dialog) dialog = new SweepDialog(session, folder, window);
+  if (!dialog)
+    dialog = new SweepDialog(session, folder, window);
+  else if (!dialog->isVisible())
+    dialog->choices_->refresh();
   dialog->show();
   dialog->raise();
   dialog->activateWindow();
@@ -118,7 +124,7 @@ QWidget* SweepDialog::makeRange() {
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(kUnit);
   const int last = std::max(0, session_.status().frameCount - 1), now = session_.status().info.frame;
-  for (QSpinBox* field : {first_, last_}) field->setRange(0, last);
+  listFrames();
   first_->setAccessibleName(tr("First frame"));
   last_->setAccessibleName(tr("Last frame"));
   last_->setValue(std::max(now, std::min(last, kFirstFrames - 1)));
@@ -130,6 +136,13 @@ QWidget* SweepDialog::makeRange() {
   for (QSpinBox* field : {first_, last_})
     connect(field, &QSpinBox::valueChanged, this, &SweepDialog::refresh);
   return row;
+}
+
+// Another shot may be shorter.
+void SweepDialog::listFrames() {
+  const int last = std::max(0, session_.status().frameCount - 1);
+  for (QSpinBox* field : {first_, last_})
+    if (field->maximum() != last) field->setRange(0, last);
 }
 
 QWidget* SweepDialog::makeCharts() {
@@ -189,26 +202,32 @@ int SweepDialog::referenceSamples() const {
   return captured && !captured->hasReference ? 0 : session_.status().referenceGoal;
 }
 
-// Those that a sweep will have, the usual trade-off first.
+// The usual trade-off is chosen first.
 void SweepDialog::listMetrics() {
-  const std::vector<Metric> metrics = metricsThere(referenceSamples(), {OverTime::Flicker});
-  const std::array<Metric, 2> usual = defaultTradeOff(metrics);
+  std::vector<Metric> metrics = metricsThere(referenceSamples(), {OverTime::Flicker});
+  if (metrics == metrics_) return;
+  metrics_ = std::move(metrics);
+  const std::array<Metric, 2> usual = defaultTradeOff(metrics_);
   const auto list = [&](QComboBox* box, Metric first) {
     const QSignalBlocker quiet(box);
-    for (const Metric metric : metrics) box->addItem(metricTitle(metric), static_cast<int>(metric));
-    box->setCurrentIndex(box->findData(static_cast<int>(first)));
+    const QVariant before = box->currentData();
+    box->clear();
+    for (const Metric metric : metrics_) box->addItem(metricTitle(metric), static_cast<int>(metric));
+    const int place = before.isValid() ? box->findData(before) : -1;
+    box->setCurrentIndex(place >= 0 ? place : box->findData(static_cast<int>(first)));
   };
   list(ofX_, usual[0]);
   list(ofY_, usual[1]);
   list(ofCurves_, usual[0]);
   QStringList header{tr("Settings"), tr("Front")};
-  for (const Metric metric : metrics) header << metricTitle(metric);
+  for (const Metric metric : metrics_) header << metricTitle(metric);
+  table_->setColumnCount(static_cast<int>(header.size()));
   table_->setHeaderLabels(header);
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->header()->setSortIndicator(-1, Qt::AscendingOrder); // as they are measured, until one is clicked
-  for (std::size_t column = 0; column < metrics.size(); ++column)
+  for (std::size_t column = 0; column < metrics_.size(); ++column)
     table_->headerItem()->setToolTip(FirstMetric + static_cast<int>(column),
-                                     tableText(metricInfo(metrics[column]).description));
+                                     tableText(metricInfo(metrics_[column]).description));
 }
 
 Metric SweepDialog::metricOf(const QComboBox* box) const {
@@ -220,12 +239,18 @@ void SweepDialog::begin() {
   ShotSweepRequest request{session_.file(), {}, {}};
   std::vector<QString> names;
   for (const SweptSettings& each : swept_) {
-    request.settings.push_back(each.settings);
-    names.push_back(QString::fromStdString(each.settings.name));
+    request.settings.push_back({each.name.toStdString(), each.choice.settings});
+    names.push_back(each.name);
   }
-  const int samples = referenceSamples();
-  request.metrics = {first_->value(), last_->value(), metricsThere(samples, {OverTime::Flicker}), samples};
-  series_.begin(std::move(names), request.metrics.wanted);
+  table_->clear();
+  listMetrics();
+  request.metrics = {first_->value(), last_->value(), metrics_, referenceSamples()};
+  series_.begin(std::move(names), metrics_);
+  table_->headerItem()->setText(SettingsColumn, choices_->title());
+  setWindowTitle(tr("Sweep: %1, frames %2 to %3")
+                     .arg(QString::fromStdString(request.shot.source))
+                     .arg(first_->value())
+                     .arg(last_->value()));
   curves_->setBounds({static_cast<double>(first_->value()), static_cast<double>(last_->value())});
   showTable();
   showCharts();
@@ -244,6 +269,7 @@ void SweepDialog::showTable() {
     if (!series_.isMeasured(index)) continue;
     auto* line = new SweepLine({series_.name(index)});
     line->setData(SettingsColumn, kIndexRole, static_cast<qulonglong>(index));
+    line->setData(SettingsColumn, kNumberRole, static_cast<double>(index)); // "10" comes after "2"
     const auto point = std::ranges::find(points, index, &ScatterPoint::index);
     const bool isOnFront = point != points.end() && point->isOnFront;
     line->setText(FrontColumn, isOnFront ? tr("yes") : QString());
@@ -290,8 +316,18 @@ void SweepDialog::apply() {
   const std::optional<std::size_t> index = chosen();
   if (!index) return;
   const SweptSettings& wanted = swept_[*index];
-  if (!wanted.preset.isEmpty()) session_.presets().setPreset(wanted.preset);
-  if (!wanted.parameter.isEmpty()) session_.presets().setParameter(wanted.parameter, wanted.value);
+  session_.presets().change(wanted.choice, tr("settings of a sweep: %1").arg(wanted.name));
+}
+
+void SweepDialog::reject() {
+  if (work_.isRunning()) return work_.cancel();
+  QDialog::reject();
+}
+
+// What is known stays.
+void SweepDialog::closeEvent(QCloseEvent* event) {
+  work_.cancel();
+  QDialog::closeEvent(event);
 }
 
 void SweepDialog::copy() {

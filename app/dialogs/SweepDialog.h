@@ -26,14 +26,14 @@ class CurveChart;
 class ScatterChart;
 class Session;
 
-/// Deletes itself when closed, and ends its work.
+/// There is one of a window: what was chosen, typed and measured is there again when it is opened again.
 class SweepDialog : public QDialog {
   Q_OBJECT
  public:
   /// `folder` holds the user's own presets. Expects that something is open.
   SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep = sweepShot);
 
-  /// Opens the one of `window`, or brings it to the front.
+  /// Opens that of `window`, or brings it to the front.
   static void openAt(Session& session, const QString& folder, QWidget* window);
 
   SweepChoices* choices() const { return choices_; }
@@ -44,12 +44,19 @@ class SweepDialog : public QDialog {
   QSize sizeHint() const override { return {1100, 760}; }
 
   void begin();
+  /// Esc: ends what is under way, else closes.
+  void reject() override;
+
+ protected:
+  void closeEvent(QCloseEvent*) override;
 
  private:
   QWidget* makeRange();
   QWidget* makeCharts();
   QWidget* makeButtons();
+  /// Those that there are of this shot. Expects that no others are in the table.
   void listMetrics();
+  void listFrames();
   void showTable();
   void showCharts();
   void choose(std::optional<std::size_t> index);
@@ -64,6 +71,7 @@ class SweepDialog : public QDialog {
   Session& session_;
   SweepWork work_;
   SweepSeries series_;
+  std::vector<Metric> metrics_;      ///< that are listed
   std::vector<SweptSettings> swept_; ///< whose series it is
   SweepChoices* choices_;
   QSpinBox *first_, *last_;

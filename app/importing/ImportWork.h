@@ -1,8 +1,8 @@
 // What the import page has done in the background: guesses, measurements, pictures and files.
 #pragma once
 
-#include "app/importing/FramePictures.h"
 #include "app/background/LatestWork.h"
+#include "app/importing/FramePictures.h"
 #include "core/base/Progress.h"
 #include "core/capture/import/Guess.h"
 

@@ -43,6 +43,11 @@ class PresetChoices : public QObject {
   void prepareParameter(const QString& path, double value);
   void preparePreset(const QString& idOrPath);
   void backToPreset();
+  /// What is in force, with the preset it is held to have come from.
+  const PresetChoice& choice() const { return chosen_; }
+  /// Takes all of it up as one step of undo, which `what` names; steps with the same `key`, unless it is
+  /// empty, are one.
+  void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
   /// Saves the present settings in `folder` and goes on from them.
   void savePreset(const QString& folder, const QString& label);
   /// Presets that views are compared with: lanes 1, 2 … next to that of the settings.
@@ -61,7 +66,6 @@ class PresetChoices : public QObject {
   void said(const QString& sentence); ///< of a preset that was read
 
  private:
-  void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
   void consider(const Settings& settings);
   void sayNotes(const std::vector<std::string>& notes);
 

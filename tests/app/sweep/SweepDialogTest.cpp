@@ -14,6 +14,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTreeWidget>
@@ -40,6 +41,7 @@ class SweepDialogTest : public FakeWindow {
                                      const Progress& progress) { measure(request, measured, progress); });
     dialog_->show();
   }
+  void TearDown() override { delete dialog_; } // its thread uses what is below
 
   /// Flicker falls and everything else rises with the place of the settings, in hundredths.
   void measure(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress) {
@@ -87,7 +89,7 @@ class SweepDialogTest : public FakeWindow {
     return request_;
   }
 
-  SweepDialog* dialog_ = nullptr;
+  QPointer<SweepDialog> dialog_;
   std::atomic<bool> isHeld_ = false; ///< in its third settings
   std::atomic<int> fails_ = -1;
 
@@ -171,6 +173,59 @@ TEST_F(SweepDialogTest, TakesUpWhatIsChosen) {
   EXPECT_TRUE(session.presets().settings() == request().settings[point.index].settings);
   session.undo();
   EXPECT_TRUE(session.presets().settings() == request().settings[0].settings);
+}
+
+// Settings that changed meanwhile, or a file that went away, make no difference.
+TEST_F(SweepDialogTest, TakesUpWhatWasMeasured) {
+  chooseAxis("weight.minimum");
+  measureAll();
+  session.presets().setPreset(QStringLiteral("fsr2"));
+  dialog_->table()->setCurrentItem(dialog_->table()->topLevelItem(1));
+  QTest::mouseClick(button("Apply"), Qt::LeftButton);
+  EXPECT_TRUE(session.presets().settings() == request().settings[1].settings);
+  session.undo();
+  EXPECT_TRUE(session.presets().settings() == preset("fsr2").settings);
+}
+
+TEST_F(SweepDialogTest, KeepsWhatWasTypedOfEachParameter) {
+  SweepChoices* choices = dialog_->choices();
+  chooseAxis("weight.minimum");
+  choices->from()->setValue(0.125);
+  choices->steps()->setValue(7);
+  choices->byFactor()->setChecked(false);
+  chooseAxis("rectify.method");
+  chooseAxis("weight.minimum");
+  EXPECT_EQ(choices->from()->value(), 0.125);
+  EXPECT_EQ(choices->steps()->value(), 7);
+  EXPECT_FALSE(choices->byFactor()->isChecked());
+}
+
+TEST_F(SweepDialogTest, KeepsEverythingWhenItIsClosed) {
+  tickOnly({"fsr2", "minimal"});
+  measureAll();
+  chooseAxis("weight.minimum");
+  dialog_->choices()->from()->setValue(0.125);
+  QTest::keyClick(dialog_, Qt::Key_Escape);
+  EXPECT_FALSE(dialog_->isVisible());
+  SweepDialog::openAt(session, {}, &window);
+  ASSERT_EQ(window.findChildren<SweepDialog*>().size(), 1);
+  EXPECT_TRUE(dialog_->isVisible());
+  EXPECT_EQ(dialog_->table()->topLevelItemCount(), 2);
+  EXPECT_EQ(dialog_->choices()->axis()->currentData().toString(), "weight.minimum");
+  EXPECT_EQ(dialog_->choices()->from()->value(), 0.125);
+  dialog_->choices()->axis()->setCurrentIndex(0);
+  EXPECT_EQ(dialog_->choices()->chosen().size(), 2u);
+}
+
+TEST_F(SweepDialogTest, EscapeEndsTheWorkFirst) {
+  isHeld_ = true;
+  tickOnly({"", "fsr2", "minimal"});
+  QTest::mouseClick(button("Measure"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return dialog_->series().measuredCount() == 2; }));
+  QTest::keyClick(dialog_, Qt::Key_Escape);
+  EXPECT_NE(button("Measure"), nullptr);
+  EXPECT_TRUE(dialog_->isVisible());
+  EXPECT_EQ(dialog_->series().measuredCount(), 2u);
 }
 
 TEST_F(SweepDialogTest, SortsByNumbers) {
