@@ -1,6 +1,6 @@
 // Starts taa-inspector: a window, or a picture of one.
 #include "app/Arguments.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Translation.h"
 #include "app/views/ViewArea.h"

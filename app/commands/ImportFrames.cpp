@@ -1,7 +1,7 @@
 #include "app/commands/ImportFrames.h"
 
 #include "app/importing/ImportPage.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "core/capture/format/Manifest.h"
 
 #include <QDir>

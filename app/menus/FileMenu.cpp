@@ -2,7 +2,7 @@
 
 #include "app/commands/Exports.h"
 #include "app/commands/ImportFrames.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
 #include "app/style/Text.h"
 #include "core/scene/SceneSource.h"

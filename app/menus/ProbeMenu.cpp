@@ -5,7 +5,7 @@
 #include "app/panels/ProbePanel.h"
 #include "app/session/ProbeChoices.h"
 #include "app/session/SceneChoices.h"
-#include "app/session/verdict/VerdictChoices.h"
+#include "app/session/VerdictChoices.h"
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"

@@ -7,7 +7,7 @@
 #include "app/session/ProbeChoices.h"
 #include "app/session/Renderer.h"
 #include "app/session/SceneChoices.h"
-#include "app/session/verdict/VerdictChoices.h"
+#include "app/session/VerdictChoices.h"
 #include "app/undo/UndoStack.h"
 #include "core/io/SessionFile.h"
 

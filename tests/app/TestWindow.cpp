@@ -20,7 +20,7 @@
 #include "app/panels/StatusLine.h"
 #include "app/panels/TimelinePanel.h"
 #include "app/panels/WeightsPanel.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/views/ViewArea.h"
 #include "app/widgets/bars/FlightBar.h"
 

@@ -1,6 +1,6 @@
 #include "app/widgets/verdict/ErrorBars.h"
 
-#include "app/models/VerdictWords.h"
+#include "app/models/verdict/VerdictWords.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
 #include "app/style/Theme.h"

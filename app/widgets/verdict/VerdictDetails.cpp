@@ -1,6 +1,6 @@
 #include "app/widgets/verdict/VerdictDetails.h"
 
-#include "app/models/VerdictWords.h"
+#include "app/models/verdict/VerdictWords.h"
 #include "app/style/Theme.h"
 #include "app/widgets/SectionHeader.h"
 #include "app/widgets/verdict/ErrorBars.h"

@@ -1,8 +1,8 @@
 // Sessions, command lines and shaders on the real renderer: the same pictures, byte for byte.
 #include "app/commands/Exports.h"
 #include "app/panels/MessagesBar.h"
-#include "app/session/SessionKeeper.h"
 #include "app/session/ShaderWatch.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "core/base/Files.h"

@@ -7,7 +7,7 @@
 #include "app/panels/PlotsPanel.h"
 #include "app/panels/ProbePanel.h"
 #include "app/panels/TimelinePanel.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/views/ViewArea.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/CurveChart.h"

@@ -1,5 +1,5 @@
 // The verdict in the probe's panel: its sentence, what decided, what mends the pixel.
-#include "app/models/VerdictWords.h"
+#include "app/models/verdict/VerdictWords.h"
 #include "app/panels/ProbePanel.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"

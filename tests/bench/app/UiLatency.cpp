@@ -4,7 +4,7 @@
 
 #include "app/panels/PipelinePanel.h"
 #include "app/panels/TimelinePanel.h"
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/window/MainWindow.h"

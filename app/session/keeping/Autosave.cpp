@@ -1,4 +1,4 @@
-#include "app/session/Autosave.h"
+#include "app/session/keeping/Autosave.h"
 
 #include "core/base/Files.h"
 #include "core/io/SessionFile.h"

@@ -1,4 +1,4 @@
-#include "app/session/verdict/VerdictChoices.h"
+#include "app/session/VerdictChoices.h"
 
 #include "app/session/Outbox.h"
 #include "app/session/PresetChoices.h"

@@ -1,7 +1,7 @@
-#include "app/session/SessionKeeper.h"
+#include "app/session/keeping/SessionKeeper.h"
 
-#include "app/session/Autosave.h"
 #include "app/session/Session.h"
+#include "app/session/keeping/Autosave.h"
 #include "app/style/Text.h"
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/bars/OfferBar.h"

@@ -1,4 +1,4 @@
-#include "app/models/VerdictWords.h"
+#include "app/models/verdict/VerdictWords.h"
 
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
