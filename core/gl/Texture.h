@@ -4,6 +4,7 @@
 #include "core/base/Image.h"
 #include "core/gl/Handle.h"
 #include "core/gl/Memory.h"
+#include "core/gl/Rect.h"
 
 #include <cstdint>
 #include <span>
@@ -39,11 +40,6 @@ struct TextureSize {
 
 /// What a texture takes, bytes; `size.levels` as there.
 std::size_t textureBytes(const TextureSize& size, Format format);
-
-struct Rect {
-  int x = 0, y = 0, width = 0, height = 0; ///< texels, (x, y) the top-left one
-  bool operator==(const Rect&) const = default;
-};
 
 class Texture {
  public:
