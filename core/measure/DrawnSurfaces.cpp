@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace taa {
 
@@ -34,16 +37,32 @@ void enlarge(SeenSurfaces& seen, const glm::ivec2& sizePx) {
         value *= ratio[axis];
 }
 
-SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int frame, FrameInputs& drawn) {
+FrameRequest centersOf(const FrameRequest& ofLane) {
   FrameRequest request = referenceRequest(ofLane);
   request.jitterPx = glm::vec2(0.0f);
-  frames.draw(request, frame, drawn);
-  SeenSurfaces seen{drawn.objectId.download(), drawn.depth.download(), drawn.motion.download(),
-                    drawn.previousDepth.download()};
+  return request;
+}
+
+SeenSurfaces seenIn(const FrameInputs& drawn, const gl::Rect& part) {
+  SeenSurfaces seen{drawn.objectId.download(part),
+                    drawn.depth.download(part),
+                    drawn.motion.download(part),
+                    drawn.previousDepth.download(part),
+                    {part.x, part.y}};
   for (float& depth : seen.depthView.pixels) depth = twin::viewDepth(depth, drawn.block.depthTerms);
+  return seen;
+}
+
+SeenSurfaces drawSurfaces(FrameSource& frames, const FrameRequest& ofLane, int frame, FrameInputs& drawn) {
+  frames.draw(centersOf(ofLane), frame, drawn);
+  SeenSurfaces seen = seenIn(drawn, {0, 0, drawn.width(), drawn.height()});
   const glm::ivec2 sizePx(drawn.outputWidth(), drawn.outputHeight());
   if (sizePx != glm::ivec2(drawn.width(), drawn.height())) enlarge(seen, sizePx);
   return seen;
+}
+
+gl::Rect heldPlace(const SeenSurfaces& seen) {
+  return {seen.corner.x, seen.corner.y, seen.objectId.width, seen.objectId.height};
 }
 
 } // namespace
@@ -61,6 +80,39 @@ Image drawSteps(FrameSource& frames, const FrameRequest& ofLane, int frame, Draw
   Image steps = surfaceSteps(now, last->second);
   last.emplace(frame, std::move(now));
   return steps;
+}
+
+Image firstSteps(const SeenSurfaces& seen, const gl::Rect& part) {
+  Image steps(part.width, part.height, kStepChannels);
+  for (int y = 0; y < steps.height; ++y)
+    for (int x = 0; x < steps.width; ++x) {
+      float* step = steps.at(x, y);
+      step[0] = step[1] = std::numeric_limits<float>::quiet_NaN();
+      step[2] = *seen.objectId.at(part.x + x - seen.corner.x, part.y + y - seen.corner.y);
+    }
+  return steps;
+}
+
+SurfaceParts::SurfaceParts(FrameSource& frames, const FrameRequest& ofLane)
+    : frames_(frames), request_(centersOf(ofLane)) {}
+
+const SeenSurfaces& SurfaceParts::seen(int frame, const gl::Rect& part, FrameInputs& drawn) {
+  constexpr int kAround = 12; // px: what is looked at next is near
+  const auto known = seen_.find(frame);
+  if (known != seen_.end() && gl::contains(heldPlace(known->second), part)) return known->second;
+  const gl::Rect wanted = known == seen_.end() ? part : gl::rectAround(heldPlace(known->second), part);
+  const gl::Rect place = gl::grown(wanted, kAround, {request_.width, request_.height});
+  request_.part = place;
+  frames_.draw(request_, frame, drawn);
+  return seen_[frame] = seenIn(drawn, place);
+}
+
+Image SurfaceParts::steps(int frame, const gl::Rect& part, bool isStart, FrameInputs& drawn) {
+  const glm::ivec2 sizePx(request_.width, request_.height);
+  const SeenSurfaces& now = seen(frame, part, drawn);
+  if (isStart) return firstSteps(now, part);
+  const gl::Rect places = formerPlaces(now, part, sizePx);
+  return surfaceSteps(now, places.width > 0 ? seen(frame - 1, places, drawn) : now, part, sizePx);
 }
 
 } // namespace taa

@@ -1,10 +1,13 @@
 // What the centers of pixels show, drawn from the source of a shot's frames.
 #pragma once
 
+#include "core/gl/Texture.h"
 #include "core/probe/SurfaceSteps.h"
+#include "core/render/FrameInputs.h"
 #include "core/render/FrameRequest.h"
 #include "core/render/FrameSource.h"
 
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -20,5 +23,26 @@ using DrawnSurfaces = std::optional<std::pair<int, SeenSurfaces>>;
 /// the centers of the pixels. A capture shows the samples it was taken with instead. `last`: what was drawn
 /// last for steps, which is used again. Throws Error.
 Image drawSteps(FrameSource& frames, const FrameRequest& ofLane, int frame, DrawnSurfaces& last);
+
+/// The same where somebody looks: of parts of frames, each drawn as far as it was looked at. Needs the
+/// current context for its whole life. Not for captures, which show all or nothing.
+class SurfaceParts {
+ public:
+  SurfaceParts(FrameSource& frames, const FrameRequest& ofLane);
+
+  /// surfaceSteps() of a part of a frame that does not start history, or does: then nothing was seen before.
+  /// `drawn`: what it may draw into. Throws Error.
+  Image steps(int frame, const gl::Rect& part, bool isStart, FrameInputs& drawn);
+
+ private:
+  const SeenSurfaces& seen(int frame, const gl::Rect& part, FrameInputs& drawn);
+
+  FrameSource& frames_;
+  FrameRequest request_;
+  std::map<int, SeenSurfaces> seen_; // by frame; all that was looked at, and around it
+};
+
+/// The steps of a part of a frame that starts history: none of what is seen was seen before.
+Image firstSteps(const SeenSurfaces& seen, const gl::Rect& part);
 
 } // namespace taa

@@ -7,12 +7,16 @@
 #include "core/render/jitter/ReferencePoints.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
 namespace {
+
+constexpr std::size_t kPartsShare = 8; // of the budget
 
 void addColors(const Image& color, std::vector<double>& sums) {
   const std::size_t pixels = sums.size() / 3;
@@ -50,9 +54,19 @@ FrameRequest referenceRequest(const FrameRequest& request) {
 }
 
 Image ReferencePicture::mean() const {
-  Image image(key.request.width, key.request.height, 3);
-  std::ranges::transform(sums, image.pixels.begin(),
-                         [this](double sum) { return static_cast<float>(sum / samples); });
+  return mean({0, 0, key.request.width, key.request.height});
+}
+
+Image ReferencePicture::mean(const gl::Rect& place) const {
+  Image image(place.width, place.height, 3);
+  const auto values = static_cast<std::size_t>(3 * place.width);
+  for (int row = 0; row < place.height; ++row) {
+    const std::size_t first =
+        3 * (static_cast<std::size_t>(place.y + row) * static_cast<std::size_t>(key.request.width) +
+             static_cast<std::size_t>(place.x));
+    for (std::size_t value = 0; value < values; ++value)
+      image.at(0, row)[value] = static_cast<float>(sums[first + value] / samples);
+  }
   return image;
 }
 
@@ -103,8 +117,55 @@ const ReferencePicture& References::foundOrDrawn(FrameSource& frames, const Refe
   return *find(key);
 }
 
-std::size_t References::bytes() const {
+const ReferencePart* References::findPart(const ReferenceKey& key, int samples, const gl::Rect& place) const {
+  const auto found = std::ranges::find_if(parts_, [&](const ReferencePart& part) {
+    return part.key.frame == key.frame && part.samples == samples && gl::contains(part.place, place) &&
+           part.key.request == key.request;
+  });
+  return found == parts_.end() ? nullptr : &*found;
+}
+
+void References::drawPart(FrameSource& frames, ReferencePart& part, FrameInputs& drawn) const {
+  std::vector<double> sums(std::size_t(3) * part.place.width * part.place.height);
+  FrameRequest request = part.key.request;
+  request.part = part.place;
+  for (int sample = 0; sample < part.samples; ++sample) {
+    request.jitterPx = referencePointPx(sample);
+    frames.draw(request, part.key.frame, drawn);
+    addColors(drawn.color.download(part.place), sums);
+  }
+  gl::checkErrors(say<"drawing the reference of frame %1">(part.key.frame));
+  part.mean = Image(part.place.width, part.place.height, 3);
+  std::ranges::transform(sums, part.mean.pixels.begin(),
+                         [&part](double sum) { return static_cast<float>(sum / part.samples); });
+}
+
+Image References::part(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
+                       FrameInputs& drawn) {
+  const ReferencePicture* whole = find(key);
+  if (whole && whole->samples == samples) return whole->mean(place);
+  if (const ReferencePart* known = findPart(key, samples, place)) {
+    Image part(place.width, place.height, 3);
+    for (int row = 0; row < place.height; ++row)
+      std::copy_n(known->mean.at(place.x - known->place.x, place.y - known->place.y + row), 3 * place.width,
+                  part.at(0, row));
+    return part;
+  }
+  ReferencePart made{key, samples, place, {}};
+  drawPart(frames, made, drawn);
+  parts_.push_front(std::move(made));
+  trim();
+  return parts_.front().mean;
+}
+
+std::size_t References::partBytes() const {
   std::size_t sum = 0;
+  for (const ReferencePart& part : parts_) sum += part.mean.pixels.size() * sizeof(float);
+  return sum;
+}
+
+std::size_t References::bytes() const {
+  std::size_t sum = partBytes();
   for (const ReferencePicture& picture : pictures_) sum += picture.bytes();
   return sum;
 }
@@ -115,11 +176,14 @@ void References::setBudget(std::size_t bytes) {
 }
 
 void References::trim() {
+  // Parts are small; those of many verdicts shall not take the place of pictures.
+  while (parts_.size() > 1 && partBytes() > budget_ / kPartsShare) parts_.pop_back();
   while (pictures_.size() > 1 && bytes() > budget_) pictures_.pop_back();
 }
 
 void References::clear() {
   pictures_.clear();
+  parts_.clear();
   drawn_ = {};
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
+#include "core/gl/Texture.h"
 #include "core/measure/Metrics.h"
 #include "core/render/FrameInputs.h"
 #include "core/render/FrameRequest.h"
@@ -41,6 +42,15 @@ struct ReferencePicture {
   std::size_t bytes() const { return sums.size() * sizeof(double); }
   /// Three channels, rounded once.
   Image mean() const;
+  Image mean(const gl::Rect& place) const;
+};
+
+/// A part of the mean of all samples.
+struct ReferencePart {
+  ReferenceKey key;
+  int samples = 0;
+  gl::Rect place;
+  Image mean; ///< three channels, of `place`
 };
 
 class References {
@@ -57,6 +67,11 @@ class References {
   const ReferencePicture& foundOrDrawn(FrameSource& frames, const ReferenceKey& key, int samples,
                                        const References& known, const Progress& progress);
 
+  /// Of a part of a picture drawn by nothing but a scene, the same bits as of the whole: of the whole where
+  /// that is known, else of parts that are, else drawn. `drawn`: what it may draw into. Throws Error.
+  Image part(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
+             FrameInputs& drawn);
+
   /// Forgets those used longest ago; the latest always stays.
   void setBudget(std::size_t bytes);
   std::size_t bytes() const;
@@ -65,8 +80,12 @@ class References {
 
  private:
   ReferencePicture& use(const ReferenceKey& key);
+  const ReferencePart* findPart(const ReferenceKey& key, int samples, const gl::Rect& place) const;
+  void drawPart(FrameSource& frames, ReferencePart& part, FrameInputs& drawn) const;
+  std::size_t partBytes() const;
   void trim();
   std::list<ReferencePicture> pictures_; // the one used last in front
+  std::list<ReferencePart> parts_;       // the one drawn last in front
   std::size_t budget_ = kReferenceBudget;
   FrameInputs drawn_; // textures of one sample, while there are more to draw
 };

@@ -2,6 +2,9 @@
 
 #include "core/render/FrameInputs.h"
 
+#include <glm/common.hpp>
+#include <glm/vec4.hpp>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -14,65 +17,120 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 constexpr float kDepthTolerance = 0.01f;
 
-bool isInside(const Image& image, const glm::dvec2& positionPx) {
-  return positionPx.x >= 0.0 && positionPx.y >= 0.0 && positionPx.x < image.width &&
-         positionPx.y < image.height;
+bool isInside(const glm::ivec2& sizePx, const glm::dvec2& positionPx) {
+  return positionPx.x >= 0.0 && positionPx.y >= 0.0 && positionPx.x < sizePx.x && positionPx.y < sizePx.y;
 }
 
 template <typename Visit>
-void visitAround(const Image& image, int x, int y, Visit visit) {
-  for (int row = std::max(0, y - 1); row <= std::min(image.height - 1, y + 1); ++row)
-    for (int column = std::max(0, x - 1); column <= std::min(image.width - 1, x + 1); ++column)
+void visitAround(const glm::ivec2& sizePx, int x, int y, Visit visit) {
+  for (int row = std::max(0, y - 1); row <= std::min(sizePx.y - 1, y + 1); ++row)
+    for (int column = std::max(0, x - 1); column <= std::min(sizePx.x - 1, x + 1); ++column)
       visit(column, row);
 }
 
-bool wasSeen(const SeenSurfaces& before, const glm::dvec2& placePx, float object, float depthView) {
+glm::ivec2 seenSize(const SeenSurfaces& seen) {
+  return {seen.objectId.width, seen.objectId.height};
+}
+
+/// A value at a pixel of the frame.
+float valueOf(const Image SeenSurfaces::*image, const SeenSurfaces& seen, int x, int y) {
+  return *(seen.*image).at(x - seen.corner.x, y - seen.corner.y);
+}
+
+/// Where the surface of a pixel was a frame ago, px; nothing: off the picture, or nowhere.
+std::optional<glm::dvec2> formerPlace(const SeenSurfaces& now, int x, int y, const glm::ivec2& sizePx) {
+  const float* motion = now.motionPx.at(x - now.corner.x, y - now.corner.y);
+  const glm::dvec2 place(x + 0.5 - motion[0], y + 0.5 - motion[1]);
+  if (motion[0] == kNoPreviousPosition || !isInside(sizePx, place)) return {};
+  return place;
+}
+
+bool wasSeen(const SeenSurfaces& before, const glm::dvec2& placePx, float object, float depthView,
+             const glm::ivec2& sizePx) {
   float least = std::numeric_limits<float>::infinity(), most = -least;
-  visitAround(before.objectId, static_cast<int>(placePx.x), static_cast<int>(placePx.y), [&](int x, int y) {
-    if (*before.objectId.at(x, y) != object) return;
-    least = std::min(least, *before.depthView.at(x, y));
-    most = std::max(most, *before.depthView.at(x, y));
+  visitAround(sizePx, static_cast<int>(placePx.x), static_cast<int>(placePx.y), [&](int x, int y) {
+    if (valueOf(&SeenSurfaces::objectId, before, x, y) != object) return;
+    const float depth = valueOf(&SeenSurfaces::depthView, before, x, y);
+    least = std::min(least, depth);
+    most = std::max(most, depth);
   });
   return depthView >= least * (1.0f - kDepthTolerance) && depthView <= most * (1.0f + kDepthTolerance);
+}
+
+glm::vec4 valuesAt(const Image& image, int x, int y) {
+  return image.texel(x, y);
+}
+glm::vec4 valuesAt(const twin::Texels& texels, int x, int y) {
+  return texels.texel(x, y);
+}
+
+template <typename Steps>
+std::optional<glm::dvec2> foundStep(const Steps& steps, const glm::dvec2& positionPx, float object) {
+  const auto column = static_cast<int>(positionPx.x), row = static_cast<int>(positionPx.y);
+  glm::vec4 found = valuesAt(steps, column, row);
+  double nearest = std::numeric_limits<double>::infinity();
+  if (found.z != object)
+    visitAround({steps.width, steps.height}, column, row, [&](int x, int y) {
+      const double dx = x + 0.5 - positionPx.x, dy = y + 0.5 - positionPx.y;
+      const double distance = dx * dx + dy * dy;
+      if (distance >= nearest || valuesAt(steps, x, y).z != object) return;
+      nearest = distance;
+      found = valuesAt(steps, x, y);
+    });
+  if (found.z != object || std::isnan(found.x)) return {};
+  return glm::dvec2(found.x, found.y);
 }
 
 } // namespace
 
 Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before) {
-  assert(now.objectId.width == before.objectId.width && now.objectId.height == before.objectId.height);
-  Image steps(now.objectId.width, now.objectId.height, kStepChannels);
-  for (int y = 0; y < steps.height; ++y)
-    for (int x = 0; x < steps.width; ++x) {
-      const float* motion = now.motionPx.at(x, y);
-      const float object = *now.objectId.at(x, y);
-      const glm::dvec2 place(x + 0.5 - motion[0], y + 0.5 - motion[1]);
-      const bool isKnown = motion[0] != kNoPreviousPosition && isInside(steps, place) &&
-                           wasSeen(before, place, object, *now.previousDepthView.at(x, y));
-      float* step = steps.at(x, y);
+  assert(seenSize(now) == seenSize(before));
+  const glm::ivec2 sizePx = seenSize(now);
+  return surfaceSteps(now, before, {0, 0, sizePx.x, sizePx.y}, sizePx);
+}
+
+Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before, const gl::Rect& part,
+                   const glm::ivec2& sizePx) {
+  Image steps(part.width, part.height, kStepChannels);
+  for (int row = 0; row < part.height; ++row)
+    for (int column = 0; column < part.width; ++column) {
+      const int x = part.x + column, y = part.y + row;
+      const float object = valueOf(&SeenSurfaces::objectId, now, x, y);
+      const std::optional<glm::dvec2> place = formerPlace(now, x, y, sizePx);
+      const bool isKnown = place && wasSeen(before, *place, object,
+                                            valueOf(&SeenSurfaces::previousDepthView, now, x, y), sizePx);
+      const float* motion = now.motionPx.at(x - now.corner.x, y - now.corner.y);
+      float* step = steps.at(column, row);
       step[0] = isKnown ? motion[0] : kNothing;
       step[1] = isKnown ? motion[1] : kNothing;
       step[2] = object;
-      step[3] = isKnown && *before.objectId.at(static_cast<int>(place.x), static_cast<int>(place.y)) != object
+      step[3] = isKnown && valueOf(&SeenSurfaces::objectId, before, static_cast<int>(place->x),
+                                   static_cast<int>(place->y)) != object
                     ? 1.0f
                     : 0.0f;
     }
   return steps;
 }
 
+gl::Rect formerPlaces(const SeenSurfaces& now, const gl::Rect& part, const glm::ivec2& sizePx) {
+  glm::ivec2 low = sizePx, high(-1);
+  for (int y = part.y; y < part.y + part.height; ++y)
+    for (int x = part.x; x < part.x + part.width; ++x)
+      if (const auto place = formerPlace(now, x, y, sizePx)) {
+        low = glm::min(low, glm::ivec2(*place) - 1);
+        high = glm::max(high, glm::ivec2(*place) + 1);
+      }
+  low = glm::max(low, glm::ivec2(0));
+  high = glm::min(high, sizePx - 1);
+  return high.x < low.x ? gl::Rect{} : gl::Rect{low.x, low.y, high.x - low.x + 1, high.y - low.y + 1};
+}
+
 std::optional<glm::dvec2> stepAt(const Image& steps, const glm::dvec2& positionPx, float object) {
-  const auto column = static_cast<int>(positionPx.x), row = static_cast<int>(positionPx.y);
-  const float* found = steps.at(column, row);
-  double nearest = std::numeric_limits<double>::infinity();
-  if (found[2] != object)
-    visitAround(steps, column, row, [&](int x, int y) {
-      const double dx = x + 0.5 - positionPx.x, dy = y + 0.5 - positionPx.y;
-      const double distance = dx * dx + dy * dy;
-      if (steps.at(x, y)[2] != object || distance >= nearest) return;
-      nearest = distance;
-      found = steps.at(x, y);
-    });
-  if (found[2] != object || std::isnan(found[0])) return {};
-  return glm::dvec2(found[0], found[1]);
+  return foundStep(steps, positionPx, object);
+}
+
+std::optional<glm::dvec2> stepAt(const twin::Texels& steps, const glm::dvec2& positionPx, float object) {
+  return foundStep(steps, positionPx, object);
 }
 
 } // namespace taa

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/gl/Texture.h"
+#include "core/taa/twin/Texels.h"
 
 #include <glm/vec2.hpp>
 
@@ -10,12 +12,14 @@
 
 namespace taa {
 
-/// What the centers of pixels show, drawn without jitter and with the true motion of all objects.
+/// What the centers of pixels show, drawn without jitter and with the true motion of all objects. Pictures of
+/// one size: all of the frame, or a part of it.
 struct SeenSurfaces {
   Image objectId;          ///< 0: the sky
   Image depthView;         ///< m; 0: the sky
   Image motionPx;          ///< current − previous; see kNoPreviousPosition
   Image previousDepthView; ///< m, of the same surface a frame ago; 0: the sky or none
+  glm::ivec2 corner{0};    ///< pixel of the frame that they begin with
 };
 
 /// Channels of what surfaceSteps() gives: the motion, px, the object that moves, and 1 where it was only seen
@@ -28,9 +32,15 @@ inline constexpr int kStepChannels = 4;
 /// of those that do, give or take a hundredth. (3×3, because the center of a pixel may miss a thin line that
 /// crosses it.)
 Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before);
+/// The same of a part of a frame of `sizePx`, which `now` holds; `before` holds formerPlaces() of it.
+Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before, const gl::Rect& part,
+                   const glm::ivec2& sizePx);
+/// Pixels of the frame before that the steps of a part are looked for in; empty: none.
+gl::Rect formerPlaces(const SeenSurfaces& now, const gl::Rect& part, const glm::ivec2& sizePx);
 
 /// The step at a place of the picture, px: of the pixel that holds it, or the nearest of the eight around it,
 /// where that shows `object`. Nothing where none does or the surface was not seen before.
 std::optional<glm::dvec2> stepAt(const Image& steps, const glm::dvec2& positionPx, float object);
+std::optional<glm::dvec2> stepAt(const twin::Texels& steps, const glm::dvec2& positionPx, float object);
 
 } // namespace taa

@@ -4,10 +4,6 @@
 
 namespace taa::twin {
 
-namespace {
-constexpr int kTile = 16; // holds what most pixels read of a picture
-} // namespace
-
 Texels::Texels(int width_, int height_, int channels_, Fetch fetch)
     : lazy_(std::make_shared<Lazy>(Lazy{std::move(fetch), {}})) {
   width = width_;

@@ -14,6 +14,8 @@ namespace taa::twin {
 /// same however much of it is there.
 class Texels : public Image {
  public:
+  /// Side of the tiles, which begin at multiples of it: holds what most pixels read of a picture.
+  static constexpr int kTile = 16;
   /// The part whose upper left corner is (x, y).
   using Fetch = std::function<Image(int x, int y, int width, int height)>;
 

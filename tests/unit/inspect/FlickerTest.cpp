@@ -41,6 +41,21 @@ SeenSurfaces wall(float dx = 0.0f) {
   return seen;
 }
 
+SeenSurfaces partOf(const SeenSurfaces& seen, const taa::gl::Rect& part) {
+  const auto cut = [&](const Image& image) {
+    Image cropped(part.width, part.height, image.channels);
+    for (int y = 0; y < part.height; ++y)
+      for (int x = 0; x < part.width; ++x)
+        std::copy_n(image.at(part.x + x, part.y + y), image.channels, cropped.at(x, y));
+    return cropped;
+  };
+  return {cut(seen.objectId),
+          cut(seen.depthView),
+          cut(seen.motionPx),
+          cut(seen.previousDepthView),
+          {part.x, part.y}};
+}
+
 /// `shown(k, x, y)` of the frame k before the last.
 std::vector<FlickerFrame> framesOf(int count, float dx, const std::function<float(int, int, int)>& shown,
                                    const std::function<float(int, int, int)>& reference = {}) {
@@ -187,6 +202,32 @@ TEST(SurfaceSteps, AreLookedUpAtTheSameObject) {
   EXPECT_EQ(taa::stepAt(steps, {4.75, 2.5}, 2.0f), glm::dvec2(1.0, 0.0)) << "the pixel itself";
   EXPECT_FALSE(taa::stepAt(steps, {4.75, 2.5}, 7.0f)) << "not there";
   EXPECT_FALSE(taa::stepAt(steps, {0.5, 2.5}, 1.0f)) << "it came from outside";
+}
+
+// A wall that moves by 2 px, and a thing of another color and way in it, looked at through a window.
+TEST(SurfaceSteps, OfAPartAreThoseOfTheWhole) {
+  SeenSurfaces now = wall(2.0f);
+  *now.objectId.at(5, 2) = 2.0f;
+  now.motionPx.at(5, 2)[0] = -1.0f;
+  const SeenSurfaces before = wall();
+  const Image whole = taa::surfaceSteps(now, before);
+  const taa::gl::Rect part{4, 1, 3, 2};
+  SeenSurfaces partNow = partOf(now, {3, 1, 5, 3});
+  const taa::gl::Rect places = taa::formerPlaces(partNow, part, {kWide, kHigh});
+  EXPECT_EQ(places, (taa::gl::Rect{1, 0, 7, 4}))
+      << "from 2 px to the left of 4 to 1 px right of 5, and around";
+  const Image steps = taa::surfaceSteps(partNow, partOf(before, places), part, {kWide, kHigh});
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      for (int channel = 0; channel < taa::kStepChannels; ++channel) {
+        const float expected = whole.at(part.x + x, part.y + y)[channel];
+        const float value = steps.at(x, y)[channel];
+        EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << x << " " << y;
+      }
+}
+
+TEST(SurfaceSteps, OfWhatCameFromOutsideAreLookedForNowhere) {
+  EXPECT_EQ(taa::formerPlaces(wall(20.0f), {0, 0, 3, 3}, {kWide, kHigh}).width, 0);
 }
 
 TEST(ShownColors, AreClampedAndEncoded) {
