@@ -5,25 +5,24 @@
 #include "core/measure/Profiler.h"
 #include "core/measure/References.h"
 #include "core/probe/SurfaceSteps.h"
+#include "core/render/CaptureFacts.h"
 #include "core/verdict/lineage/TwinStep.h"
 
-#include <limits>
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace taa {
 
 namespace {
 
-/// Of a frame that starts history: nothing was seen before.
-Image firstSteps(const SeenSurfaces& seen) {
-  Image steps(seen.objectId.width, seen.objectId.height, kStepChannels);
-  for (int y = 0; y < steps.height; ++y)
-    for (int x = 0; x < steps.width; ++x) {
-      float* step = steps.at(x, y);
-      step[0] = step[1] = std::numeric_limits<float>::quiet_NaN();
-      step[2] = *seen.objectId.at(x, y);
-    }
-  return steps;
+/// The tiles that a part lies in, as far as the picture goes.
+gl::Rect tilesOf(const gl::Rect& part, const glm::ivec2& sizePx) {
+  constexpr int kTile = twin::Texels::kTile;
+  const int left = std::max(part.x, 0) / kTile * kTile, top = std::max(part.y, 0) / kTile * kTile;
+  const auto endOf = [](int end, int size) { return std::min((end + kTile - 1) / kTile * kTile, size); };
+  return {left, top, endOf(part.x + part.width, sizePx.x) - left,
+          endOf(part.y + part.height, sizePx.y) - top};
 }
 
 } // namespace
@@ -31,45 +30,105 @@ Image firstSteps(const SeenSurfaces& seen) {
 EvidenceFrames::EvidenceFrames(ShotPlayer& player, References& references, int lane, int samples,
                                const Progress& progress)
     : references_(references), frames_(player, lane, progress), lane_(lane), samples_(samples),
-      progress_(progress) {}
+      progress_(progress), isWhole_(state().frames->capture() != nullptr),
+      surfaces_(*state().frames, state().request(0)) {}
+
+// The twin reads a frame once: what is awaited of it is made at the same time.
+const twin::Inputs& EvidenceFrames::inputs(int frame, const glm::ivec2& pixel) {
+  const twin::Inputs& inputs = frames_.at(frame, pixel);
+  const auto awaited = awaited_.find(frame);
+  if (awaited != awaited_.end() && !awaited->second.record) {
+    const glm::ivec2& at = awaited->second.pixel;
+    awaited->second.record = twin::resolvePixel(inputs, settings(), at.x, at.y);
+  }
+  return inputs;
+}
 
 PixelStep EvidenceFrames::step(int frame, const glm::ivec2& pixel) {
   const gl::PassGroup group(pass_group::kProbe);
-  return pixelStep(frames_.at(frame, pixel), settings(), pixel);
+  return pixelStep(inputs(frame, pixel), settings(), pixel);
 }
 
 twin::PixelRecord EvidenceFrames::record(int frame, const glm::ivec2& pixel) {
   const gl::PassGroup group(pass_group::kProbe);
-  return twin::resolvePixel(frames_.at(frame, pixel), settings(), pixel.x, pixel.y);
+  const auto awaited = awaited_.find(frame);
+  if (awaited != awaited_.end() && awaited->second.record && awaited->second.pixel == pixel)
+    return *awaited->second.record;
+  return twin::resolvePixel(inputs(frame, pixel), settings(), pixel.x, pixel.y);
 }
 
-const Image& EvidenceFrames::reference(int frame) {
+ReferenceKey EvidenceFrames::keyOf(int frame) const {
+  return {referenceRequest(state().request(0)), frame};
+}
+
+Image EvidenceFrames::referencePart(int frame, const gl::Rect& part) {
+  const gl::PassGroup group(pass_group::kReference);
+  return references_.part(*state().frames, keyOf(frame), samples_, part, drawn_);
+}
+
+Image EvidenceFrames::stepsPart(int frame, const gl::Rect& part) {
+  const gl::PassGroup group(pass_group::kReference);
+  return surfaces_.steps(frame, part, startsHistory(state(), frame), drawn_);
+}
+
+Image EvidenceFrames::wholeReference(int frame) {
+  const gl::PassGroup group(pass_group::kReference);
+  return references_.foundOrDrawn(*state().frames, keyOf(frame), samples_, references_, progress_).mean();
+}
+
+const twin::Texels& EvidenceFrames::reference(int frame) {
   const auto known = means_.find(frame);
   if (known != means_.end()) return known->second;
-  const gl::PassGroup group(pass_group::kReference);
-  const ReferenceKey wanted{referenceRequest(state().request(0)), frame};
-  return means_[frame] =
-             references_.foundOrDrawn(*state().frames, wanted, samples_, references_, progress_).mean();
+  if (isWhole_) return means_[frame] = wholeReference(frame);
+  const auto fetch = [this, frame](int x, int y, int width, int height) {
+    return referencePart(frame, {x, y, width, height});
+  };
+  return means_[frame] = twin::Texels(state().width, state().height, 3, fetch);
 }
 
-const Image& EvidenceFrames::steps(int frame) {
+const twin::Texels& EvidenceFrames::steps(int frame) {
   const auto known = steps_.find(frame);
   if (known != steps_.end()) return known->second;
-  const gl::PassGroup group(pass_group::kReference);
-  const bool isFirst = startsHistory(state(), frame);
-  return steps_[frame] = isFirst ? firstSteps(drawSurfaces(*state().frames, state().request(0), frame))
-                                 : drawSteps(*state().frames, state().request(0), frame, seen_);
+  const bool isStart = startsHistory(state(), frame);
+  if (isWhole_) {
+    const gl::PassGroup group(pass_group::kReference);
+    const FrameRequest request = state().request(0);
+    if (!isStart) return steps_[frame] = drawSteps(*state().frames, request, frame, seen_);
+    return steps_[frame] = firstSteps(drawSurfaces(*state().frames, request, frame),
+                                      {0, 0, state().width, state().height});
+  }
+  const auto fetch = [this, frame](int x, int y, int width, int height) {
+    return stepsPart(frame, {x, y, width, height});
+  };
+  return steps_[frame] = twin::Texels(state().width, state().height, kStepChannels, fetch);
+}
+
+// Where a moment lies near what is expected, it is drawn together with that.
+void EvidenceFrames::expect(int frame, const gl::Rect& part) {
+  if (isWhole_) return;
+  constexpr int kNearPx = 64;
+  gl::Rect wanted = part;
+  if (const auto awaited = awaited_.find(frame); awaited != awaited_.end()) {
+    const glm::ivec2& at = awaited->second.pixel;
+    const gl::Rect both = gl::rectAround(part, {at.x, at.y, 1, 1});
+    if (std::max(both.width, both.height) <= kNearPx) wanted = both;
+  }
+  wanted = tilesOf(wanted, {state().width, state().height});
+  if (wanted.width <= 0 || wanted.height <= 0) return;
+  referencePart(frame, wanted);
+  stepsPart(frame, wanted);
 }
 
 std::vector<SurfaceMoment> EvidenceFrames::moments(int frame, const glm::ivec2& pixel, int frames) {
   std::vector<SurfaceMoment> moments;
   glm::dvec2 position(pixel.x + 0.5, pixel.y + 0.5);
-  const float object = steps(frame).at(pixel.x, pixel.y)[2];
+  const float object = steps(frame).texel(pixel.x, pixel.y).z;
   for (int age = 0; age < frames; ++age) {
     SurfaceMoment moment;
     moment.frame = frame - age;
     moment.pixel = glm::ivec2(position);
     moments.push_back(moment);
+    awaited_[moment.frame].pixel = moment.pixel;
     const std::optional<glm::dvec2> step = stepAt(steps(moment.frame), position, object);
     if (!step) break;
     position -= *step;

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/gl/Rect.h"
 #include "core/inspect/verdicts/TwinFrames.h"
 #include "core/measure/DrawnSurfaces.h"
+#include "core/render/FrameInputs.h"
 #include "core/replay/ShotPlayer.h"
+#include "core/taa/twin/Texels.h"
 #include "core/verdict/pixel/Evidence.h"
 
 #include <map>
@@ -15,18 +18,23 @@
 namespace taa {
 
 class References;
+struct ReferenceKey;
 
-/// One frame's inputs at a time, read where the twin looks; references and steps of all that were asked for.
-/// Needs the current context for its whole life.
+/// One frame's inputs at a time, read where the twin looks; references and steps of all that were asked for,
+/// drawn where they are read. Captures have all of each at once. Needs the current context for its whole
+/// life.
 class EvidenceFrames : public EvidenceSource {
  public:
-  /// `samples`: of each reference; those that are drawn are kept in `references` as far as its budget goes.
+  /// `samples`: of each reference; what is drawn of them is kept in `references` as far as its budget goes.
   EvidenceFrames(ShotPlayer& player, References& references, int lane, int samples, const Progress& progress);
 
   PixelStep step(int frame, const glm::ivec2& pixel) override;
   twin::PixelRecord record(int frame, const glm::ivec2& pixel) override;
-  const Image& reference(int frame) override;
-  const Image& steps(int frame) override;
+  const twin::Texels& reference(int frame) override;
+  const twin::Texels& steps(int frame) override;
+  void expect(int frame, const gl::Rect& part) override;
+  /// All of a reference.
+  Image wholeReference(int frame);
 
   /// The way back of the surface that a pixel shows, latest first: `frames` at most, as long as it was seen.
   /// Their records are made when the frame is read for whatever else.
@@ -38,12 +46,27 @@ class EvidenceFrames : public EvidenceSource {
   int lane() const { return lane_; }
 
  private:
+  /// A moment's pixel, and its record once its frame was read.
+  struct Awaited {
+    glm::ivec2 pixel{0};
+    std::optional<twin::PixelRecord> record{};
+  };
+
+  const twin::Inputs& inputs(int frame, const glm::ivec2& pixel);
+  ReferenceKey keyOf(int frame) const;
+  Image referencePart(int frame, const gl::Rect& part);
+  Image stepsPart(int frame, const gl::Rect& part);
+
   References& references_;
   TwinFrames frames_;
   int lane_, samples_;
   const Progress& progress_;
-  std::map<int, Image> means_, steps_;
-  DrawnSurfaces seen_;
+  bool isWhole_; // of each frame all or nothing
+  std::map<int, twin::Texels> means_, steps_;
+  std::map<int, Awaited> awaited_; // by frame
+  DrawnSurfaces seen_;             // of captures
+  SurfaceParts surfaces_;
+  FrameInputs drawn_; // the latest of references and surfaces
 };
 
 } // namespace taa

@@ -104,7 +104,7 @@ TriedRemedy RemedyTrial::measure(const Remedy& remedy, const Progress& progress)
     maker.recycle(std::move(made));
     if (frame <= last - kMeasuredFrames) continue;
     const Image resolved = history->color.download();
-    const Image& reference = evidence_.reference(frame);
+    const Image reference = evidence_.wholeReference(frame);
     Image errors = shownErrors(resolved, reference);
     addPicture(picture, errors, errorsBefore);
     const auto moment = std::ranges::find(moments_, frame, &SurfaceMoment::frame);

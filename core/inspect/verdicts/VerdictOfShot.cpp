@@ -37,8 +37,8 @@ void addGhost(VerdictEvidence& evidence, EvidenceFrames& frames) {
   if (!most) return;
   evidence.ghostFrame = most->frame;
   evidence.ghostRecord = frames.record(most->frame, most->ghostPixel);
-  const float* step = frames.steps(most->frame).at(most->ghostPixel.x, most->ghostPixel.y);
-  if (step[0] == step[0]) evidence.ghostMotion = glm::dvec2(step[0], step[1]);
+  const glm::vec4 step = frames.steps(most->frame).texel(most->ghostPixel.x, most->ghostPixel.y);
+  if (step.x == step.x) evidence.ghostMotion = glm::dvec2(step.x, step.y);
 }
 
 std::string nameOf(const Scene& scene, int object) {
@@ -85,8 +85,8 @@ VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress&
   VerdictEvidence evidence;
   LineageOptions options;
   options.frames = kVerdictFrames;
-  evidence.error = pixelError(frames, question.frame, question.pixel, options, progress);
   evidence.moments = frames.moments(question.frame, question.pixel, kVerdictFrames);
+  evidence.error = pixelError(frames, question.frame, question.pixel, options, progress);
   const SurfaceMoment& oldest = evidence.moments.back();
   evidence.endsHidden = static_cast<int>(evidence.moments.size()) < kVerdictFrames &&
                         !startsHistory(frames.state(), oldest.frame);

@@ -21,11 +21,16 @@ glm::vec3 pixelColor(const Image& image, int x, int y) {
   return {value[0], value[1], value[2]};
 }
 
+glm::vec3 pixelColor(const twin::Texels& texels, int x, int y) {
+  return texels.texel(std::clamp(x, 0, texels.width - 1), std::clamp(y, 0, texels.height - 1));
+}
+
 void setPixelColor(Image& image, int x, int y, const glm::vec3& color) {
   for (int channel = 0; channel < 3; ++channel) image.at(x, y)[channel] = color[channel];
 }
 
-glm::vec3 bilinearColor(const Image& image, const twin::AxisPlace& x, const twin::AxisPlace& y) {
+template <typename Picture>
+glm::vec3 bilinearColor(const Picture& image, const twin::AxisPlace& x, const twin::AxisPlace& y) {
   const auto row = [&](int at) {
     const glm::vec3 left = pixelColor(image, x.texel, at);
     return x.fraction == 0.0f ? left : left + x.fraction * (pixelColor(image, x.texel + 1, at) - left);
@@ -41,6 +46,23 @@ struct SeenOfDot {
       : nearest(std::max(fraction, 1.0f - fraction)),
         bilinear(nearest * nearest + (1.0f - nearest) * (1.0f - nearest)) {}
 };
+
+template <typename Picture>
+glm::vec3 nearestFormerColor(const Picture& before, const glm::vec2& placePx, const glm::vec3& now) {
+  const twin::AxisPlace x = twin::axisPlace(placePx.x), y = twin::axisPlace(placePx.y);
+  const glm::vec3 middle = bilinearColor(before, x, y);
+  const SeenOfDot seenX(x.fraction), seenY(y.fraction);
+  const float ranges = (1.0f - seenX.bilinear * seenY.bilinear) / (seenX.nearest * seenY.nearest);
+  if (ranges == 0.0f) return middle;
+  glm::vec3 low = middle, high = middle;
+  for (int k = 0; k < 16; ++k) {
+    const glm::vec3 texel = pixelColor(before, x.texel - 1 + k % 4, y.texel - 1 + k / 4);
+    low = glm::min(low, texel);
+    high = glm::max(high, texel);
+  }
+  const glm::vec3 reach = ranges * (high - low);
+  return glm::clamp(now, middle - reach, middle + reach);
+}
 
 glm::vec3 summedColor(const Image& image, const twin::HistoryTexels& texels) {
   glm::vec3 sum(0.0f);
@@ -87,19 +109,11 @@ bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm:
 }
 
 glm::vec3 formerColor(const Image& before, const glm::vec2& placePx, const glm::vec3& now) {
-  const twin::AxisPlace x = twin::axisPlace(placePx.x), y = twin::axisPlace(placePx.y);
-  const glm::vec3 middle = bilinearColor(before, x, y);
-  const SeenOfDot seenX(x.fraction), seenY(y.fraction);
-  const float ranges = (1.0f - seenX.bilinear * seenY.bilinear) / (seenX.nearest * seenY.nearest);
-  if (ranges == 0.0f) return middle;
-  glm::vec3 low = middle, high = middle;
-  for (int k = 0; k < 16; ++k) {
-    const glm::vec3 texel = pixelColor(before, x.texel - 1 + k % 4, y.texel - 1 + k / 4);
-    low = glm::min(low, texel);
-    high = glm::max(high, texel);
-  }
-  const glm::vec3 reach = ranges * (high - low);
-  return glm::clamp(now, middle - reach, middle + reach);
+  return nearestFormerColor(before, placePx, now);
+}
+
+glm::vec3 formerColor(const twin::Texels& before, const glm::vec2& placePx, const glm::vec3& now) {
+  return nearestFormerColor(before, placePx, now);
 }
 
 FrameErrors frameErrors(const PartsInputs& now, const Image* before, const HistorySettings& settings) {

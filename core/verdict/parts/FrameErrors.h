@@ -21,11 +21,10 @@
 
 #include "core/base/Image.h"
 #include "core/settings/Settings.h"
+#include "core/taa/twin/Texels.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-
-#include <glm/vec2.hpp>
 
 namespace taa {
 
@@ -65,5 +64,6 @@ bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm:
 
 /// R'(p): of what reference `before` may have held at `placePx`, the color that is nearest to `now`.
 glm::vec3 formerColor(const Image& before, const glm::vec2& placePx, const glm::vec3& now);
+glm::vec3 formerColor(const twin::Texels& before, const glm::vec2& placePx, const glm::vec3& now);
 
 } // namespace taa

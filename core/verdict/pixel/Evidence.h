@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/gl/Rect.h"
+#include "core/taa/twin/Texels.h"
 #include "core/taa/twin/Twin.h"
 #include "core/verdict/lineage/Lineage.h"
 
@@ -26,10 +28,13 @@ class EvidenceSource : public LineageSource {
   /// Every intermediate of the pixel but those of the reference.
   virtual twin::PixelRecord record(int frame, const glm::ivec2& pixel) = 0;
   /// Three channels, scene-linear, of the picture's size. Valid as long as the source.
-  virtual const Image& reference(int frame) = 0;
+  virtual const twin::Texels& reference(int frame) = 0;
   /// What surfaces really did, and the objects that pixels show: surfaceSteps(); NaN motion everywhere in a
   /// frame that starts history. Valid as long as the source.
-  virtual const Image& steps(int frame) = 0;
+  virtual const twin::Texels& steps(int frame) = 0;
+  /// Says what of both will be read of a frame, so that it can be drawn together. Not all of it need lie in
+  /// the picture.
+  virtual void expect(int /*frame*/, const gl::Rect& /*part*/) {}
 };
 
 /// A value of a three-channel picture; pixels beyond the border are those at it.
@@ -37,6 +42,10 @@ inline glm::dvec3 pixelColorAt(const Image& image, const glm::ivec2& pixel) {
   const float* value =
       image.at(std::clamp(pixel.x, 0, image.width - 1), std::clamp(pixel.y, 0, image.height - 1));
   return {value[0], value[1], value[2]};
+}
+inline glm::dvec3 pixelColorAt(const twin::Texels& texels, const glm::ivec2& pixel) {
+  return glm::vec3(
+      texels.texel(std::clamp(pixel.x, 0, texels.width - 1), std::clamp(pixel.y, 0, texels.height - 1)));
 }
 
 } // namespace taa

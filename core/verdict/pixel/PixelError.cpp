@@ -6,12 +6,15 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace taa {
 
@@ -52,14 +55,19 @@ class ErrorWalk {
   ErrorWalk(EvidenceSource& source, const LineageOptions& options, PixelError& found)
       : source_(source), options_(options), found_(found) {}
 
-  void begin() { nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0)}; }
+  void begin() {
+    nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0)};
+    source_.expect(found_.frame, {found_.pixel.x, found_.pixel.y, 1, 1});
+  }
   bool isDone() const { return nodes_.empty(); }
   void visit(int frame);
   void end(int frame);
 
  private:
   void leave(int frame, const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry);
-  void follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry);
+  bool isFollowed(const ErrorNode& node) const;
+  std::vector<PixelStep> takeSteps(int frame);
+  void follow(const glm::ivec2& pixel, const ErrorNode& node, const PixelStep& step, ErrorOfFrame& entry);
   TrueChange trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step, const glm::dvec3& truth);
 
   EvidenceSource& source_;
@@ -79,9 +87,11 @@ void ErrorWalk::visit(int frame) {
   entry.frame = frame;
   heaviest_ = heaviestGhost_ = 0.0;
   before_.clear();
+  const std::vector<PixelStep> steps = takeSteps(frame);
+  auto step = steps.begin();
   for (const auto& [pixel, node] : nodes_)
-    if (found_.frames.empty() || largest(node.weight) >= options_.minWeight)
-      follow(pixel, node, entry);
+    if (isFollowed(node))
+      follow(pixel, node, *step++, entry);
     else
       leave(frame, pixel, node, entry);
   if (entry.ghostObject < 0) entry.ghostPixel = entry.pixel;
@@ -89,8 +99,29 @@ void ErrorWalk::visit(int frame) {
   nodes_ = std::move(before_);
 }
 
-void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
-  const PixelStep step = source_.step(entry.frame, pixel);
+bool ErrorWalk::isFollowed(const ErrorNode& node) const {
+  return found_.frames.empty() || largest(node.weight) >= options_.minWeight;
+}
+
+/// Of the pixels that are followed; what they read of the frame before is expected there.
+std::vector<PixelStep> ErrorWalk::takeSteps(int frame) {
+  constexpr int kAround = 2; // px: formerColor() reads beside what was
+  std::vector<PixelStep> steps;
+  glm::ivec2 low(std::numeric_limits<int>::max()), high(std::numeric_limits<int>::min());
+  for (const auto& [pixel, node] : nodes_) {
+    if (!isFollowed(node)) continue;
+    steps.push_back(source_.step(frame, pixel));
+    for (const HistoryRead& tap : steps.back().history) {
+      low = glm::min(low, tap.texel - kAround);
+      high = glm::max(high, tap.texel + kAround);
+    }
+  }
+  if (low.x <= high.x) source_.expect(frame - 1, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
+  return steps;
+}
+
+void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const PixelStep& step,
+                       ErrorOfFrame& entry) {
   const glm::dvec3 truth = pixelColorAt(source_.reference(entry.frame), pixel);
   const bool isToday = found_.frames.empty();
   const glm::dvec3 became = isToday ? step.resolved : node.color;
@@ -133,20 +164,19 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFr
 
 TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step,
                                  const glm::dvec3& truth) {
-  const Image& earlier = source_.reference(frame - 1);
+  const twin::Texels& earlier = source_.reference(frame - 1);
   glm::dvec3 before(0.0);
   for (const HistoryRead& tap : step.history) before += tap.weight * pixelColorAt(earlier, tap.texel);
   const glm::dvec3 all = before - truth;
   const glm::vec2 read(step.historyPosition);
-  const float* way = source_.steps(frame).at(pixel.x, pixel.y);
+  const glm::vec4 way = source_.steps(frame).texel(pixel.x, pixel.y);
   TrueChange change;
-  if (isOfOtherSurface(way, read, pixel)) {
+  if (isOfOtherSurface(&way.x, read, pixel)) {
     change.ghost = all;
     change.object = static_cast<int>(pixelColorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
     return change;
   }
-  const glm::dvec3 former(
-      formerColor(earlier, glm::vec2(pixel) + 0.5f - glm::vec2(way[0], way[1]), glm::vec3(truth)));
+  const glm::dvec3 former(formerColor(earlier, glm::vec2(pixel) + 0.5f - glm::vec2(way), glm::vec3(truth)));
   change.lag = former - truth;
   change.blur = all - change.lag;
   return change;

@@ -29,7 +29,7 @@ class MadeEvidence : public taa::EvidenceSource {
   struct Frame {
     std::array<Pixel, kWidth * kHeight> pixels{};
     std::array<glm::dvec3, kWidth * kHeight> resolved{};
-    taa::Image reference{kWidth, kHeight, 3}, steps{kWidth, kHeight, 3};
+    taa::twin::Texels reference{taa::Image(kWidth, kHeight, 3)}, steps{taa::Image(kWidth, kHeight, 3)};
     bool starts = false;
   };
 
@@ -67,8 +67,8 @@ class MadeEvidence : public taa::EvidenceSource {
     return step;
   }
   taa::twin::PixelRecord record(int, const glm::ivec2&) override { return {}; }
-  const taa::Image& reference(int frame) override { return frames_.at(frame).reference; }
-  const taa::Image& steps(int frame) override { return frames_.at(frame).steps; }
+  const taa::twin::Texels& reference(int frame) override { return frames_.at(frame).reference; }
+  const taa::twin::Texels& steps(int frame) override { return frames_.at(frame).steps; }
 
  private:
   std::map<int, Frame> frames_;
