@@ -22,6 +22,7 @@
 #include <QHeaderView>
 #include <QJsonArray>
 #include <QLabel>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -59,6 +60,24 @@ constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::
                                          IntermediateId::resolved};
 constexpr int kValueColumn = 18;  ///< characters
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
+
+/// Seven lines high whatever it says, so that the values stay where they are; in a low window three, and
+/// scrolls.
+class DescriptionArea : public QScrollArea {
+ public:
+  DescriptionArea() {
+    setWidgetResizable(true);
+    setFocusPolicy(Qt::NoFocus);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    viewport()->setAutoFillBackground(false);
+  }
+  QSize sizeHint() const override { return {120, heightOf(7)}; }
+  QSize minimumSizeHint() const override { return {120, heightOf(3)}; }
+
+ private:
+  static int heightOf(int lines) { return lines * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit; }
+};
 
 } // namespace
 
@@ -132,9 +151,10 @@ QWidget* ProbePanel::makeValues() {
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  description_->setFixedHeight(7 * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit);
+  auto* description = new DescriptionArea;
+  description->setWidget(description_);
   column->addWidget(new Line);
-  column->addWidget(description_);
+  column->addWidget(description);
   return values;
 }
 

@@ -15,6 +15,7 @@ namespace taa::app {
 EvidenceRow::EvidenceRow(QWidget* parent) : QAbstractButton(parent) {
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
+  setAccessibleName(tr("Evidence"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

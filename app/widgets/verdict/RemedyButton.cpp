@@ -13,6 +13,7 @@ RemedyButton::RemedyButton(QWidget* parent)
     : QAbstractButton(parent), changes_(new QLabel), effects_(new QLabel) {
   setFocusPolicy(Qt::TabFocus);
   setAttribute(Qt::WA_Hover);
+  setAccessibleName(tr("Remedy"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   column->setSpacing(0);

@@ -147,6 +147,7 @@ TEST_F(SessionFiles, OneOfTheVersionBeforeOpensAndSaysWhatHasAnotherName) {
   QObject::connect(own->keeper(), &SessionKeeper::said, own.get(),
                    [&](const QString& said) { sentence = said; });
   drop(path("old.taa.json"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !sentence.isEmpty(); }));
   ASSERT_EQ(session.probes().all().size(), 2u);
   EXPECT_EQ(session.probes().all()[0].pixel, glm::ivec2(30, 20));
   EXPECT_EQ(session.probes().all()[1].follow, Follow::Surface);

@@ -3,6 +3,7 @@
 
 #include "core/requests/Results.h"
 #include "core/settings/Parameters.h"
+#include "core/verdict/pixel/VerdictText.h"
 
 #include <initializer_list>
 #include <string>
@@ -31,7 +32,9 @@ inline VerdictDelivery fakeVerdict() {
                          {IntermediateId::depthMismatch, 9, {11, 7}, 0.5, 0.125},
                          {IntermediateId::rejectReason, 9, {11, 7}, 0.0, {}},
                          {IntermediateId::clipAmount, 12, {12, 7}, 0.25, {}}};
-  answer.sentence = "Ghost of rotor & hub, 3 frames ago: no test of geometry runs.";
+  answer.verdict.causeFrame = 9;
+  answer.verdict.causeObject = 1;
+  answer.sentence = verdictSentence(answer.verdict, 12, "rotor & hub", {});
   of(answer.error.sum, ErrorPart::Ghost) = glm::dvec3(0.25);
   of(answer.error.sum, ErrorPart::Lag) = glm::dvec3(-0.125);
   answer.error.resolved = glm::dvec3(0.625);

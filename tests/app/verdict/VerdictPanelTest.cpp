@@ -72,7 +72,7 @@ TEST_F(VerdictPanel, SaysThatAReasonIsLookedForUntilThereIsOne) {
   EXPECT_TRUE(line()->isVisible());
   EXPECT_EQ(line()->sentence(), "");
   EXPECT_EQ(line()->work(), "Looking for the reason…");
-  EXPECT_FALSE(details()->isVisible());
+  EXPECT_FALSE(details()->widget()->isVisible());
   renderer->verdict = found;
   renderer->verdict.remedies.reset();
   renderer->deliver();
