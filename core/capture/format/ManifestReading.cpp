@@ -73,19 +73,42 @@ void requireOwnPlace(const std::string& path) {
       pathOf("conventions", path), row.path.substr(0, dot), row.path.substr(dot + 1)));
 }
 
-Conventions readConventions(const json& groups, const Conventions& base) {
+/// {"motion": {"unit": "uv"}, "rows": "topFirst"}; the rows that it states.
+std::vector<const Convention*> readGroups(const json& groups, Conventions& conventions) {
   requireObject(groups, "conventions");
-  Conventions result = base;
   std::vector<const Convention*> stated;
   for (const auto& [name, value] : groups.items()) {
     if (!isGroup(name)) {
       requireOwnPlace(name);
-      readConvention(name, value, result, stated);
+      readConvention(name, value, conventions, stated);
       continue;
     }
     requireObject(value, pathOf("conventions", name));
-    for (const auto& [key, member] : value.items()) readConvention(pathOf(name, key), member, result, stated);
+    for (const auto& [key, member] : value.items())
+      readConvention(pathOf(name, key), member, conventions, stated);
   }
+  return stated;
+}
+
+/// The same as ["motion.unit=uv", "rows=topFirst"], which a program writes that knows no convention.
+std::vector<const Convention*> readAssignments(const json& list, Conventions& conventions) {
+  requireList(list, "conventions", capture::conventions().size());
+  std::vector<const Convention*> stated;
+  for (const json& entry : list) {
+    const std::string assignment = textOf(entry, "conventions");
+    applyAssignment(conventions, assignment);
+    const Convention& row = convention(assignment.substr(0, assignment.find('=')));
+    if (std::ranges::find(stated, &row) != stated.end())
+      throw Error(say<"\"%1\" is stated twice">(pathOf("conventions", row.path)));
+    stated.push_back(&row);
+  }
+  return stated;
+}
+
+Conventions readConventions(const json& value, const Conventions& base) {
+  Conventions result = base;
+  const std::vector<const Convention*> stated =
+      value.is_array() ? readAssignments(value, result) : readGroups(value, result);
   // What repeats the value that a row without a meaning has anyway contradicts nothing.
   for (const Convention* row : stated)
     if (!isRelevant(*row, result) && row->text(result) != row->text(Conventions{}))

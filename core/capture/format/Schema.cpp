@@ -65,10 +65,23 @@ ordered_json objectSchema() {
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", ordered_json::object()}};
 }
 
+/// "motion.unit=uv" and its like.
+ordered_json assignmentSchema() {
+  std::string paths;
+  for (const Convention& row : conventions())
+    for (const char letter : (paths.empty() ? "" : "|") + std::string(row.path))
+      paths += letter == '.' ? "\\." : std::string(1, letter);
+  return {{"type", "string"}, {"pattern", "^(" + paths + ")=.+$"}};
+}
+
 ordered_json conventionsSchema() {
   ordered_json schema = objectSchema();
+  schema["type"] = {"object", "array"};
+  schema["items"] = assignmentSchema();
+  schema["maxItems"] = conventions().size();
   schema["description"] =
-      "What differs from the starting point \"like\", or from this program's conventions.";
+      "What differs from the starting point \"like\", or from this program's conventions; "
+      "as a list it is of texts like \"motion.unit=uv\".";
   for (const Convention& row : conventions()) {
     const std::size_t dot = row.path.find('.');
     if (dot == std::string_view::npos) {

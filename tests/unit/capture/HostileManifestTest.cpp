@@ -137,7 +137,7 @@ TEST(HostileManifest, ValuesOfOtherTypesAndSizes) {
 }
 
 TEST(HostileManifest, ConventionsThatAreUnknownOrContradictEachOther) {
-  EXPECT_EQ(ofConventions("[]"), "\"conventions\" is not an object");
+  EXPECT_EQ(ofConventions("7"), "\"conventions\" is not an object");
   EXPECT_EQ(ofConventions(R"({"motion": 1})"), "\"conventions.motion\" is not an object");
   EXPECT_EQ(ofConventions(R"({"motion": {"unti": "uv"}})").substr(0, 56),
             "there is no convention \"motion.unti\"; near it are motion");
@@ -175,6 +175,23 @@ TEST(HostileManifest, ConventionsThatAreUnknownOrContradictEachOther) {
       "\"conventions.matrices.jittered\" says that there is jitter, but \"frames[0].jitter\" is missing");
   EXPECT_EQ(ofConventions(R"({"motion": {"jitter": "both"}})"),
             "\"conventions.motion.jitter\" says that there is jitter, but \"frames[0].jitter\" is missing");
+}
+
+TEST(HostileManifest, ConventionsInAListAreHeldLikeOthers) {
+  EXPECT_EQ(ofConventions(R"(["motion.unti=uv"])").substr(0, 56),
+            "there is no convention \"motion.unti\"; near it are motion");
+  EXPECT_EQ(ofConventions(R"(["motion.unit"])"),
+            "cannot read \"motion.unit\": write path=value, for example motion.yAxis=up");
+  EXPECT_EQ(ofConventions(R"(["motion.unit=px"])"),
+            "cannot set motion.unit to \"px\": give one of pixels, uv, ndc");
+  EXPECT_EQ(ofConventions(R"(["motion.unit=uv", "rows=topFirst", "motion.unit=uv"])"),
+            "\"conventions.motion.unit\" is stated twice");
+  EXPECT_EQ(ofConventions("[1]"), "\"conventions\" is not text");
+  EXPECT_EQ(ofConventions(R"(["depth.kind=planar", "depth.nearPlane=0.1"])"),
+            "\"conventions.depth.nearPlane\" contradicts the rest: it has a meaning with depth.kind=window "
+            "only");
+  const std::string many = repeated("\"rows=topFirst\", ", 999);
+  EXPECT_EQ(ofConventions("[" + many + "0]").substr(0, 30), "\"conventions\" has 1000 entries");
 }
 
 // What states again the value that it has anyway is no contradiction: programs write all they know.

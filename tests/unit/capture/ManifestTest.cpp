@@ -185,6 +185,20 @@ TEST(Manifest, ConventionsStandOnTopOfLike) {
   EXPECT_EQ(manifest.conventions.rows, RowOrder::BottomFirst);
 }
 
+TEST(Manifest, ConventionsCanBeAListOfTexts) {
+  const auto with = [](const std::string& conventions) {
+    return parseManifest(
+        std::regex_replace(std::string(kSmallest), std::regex("\"size\""),
+                           R"("like": "babylon", "conventions": )" + conventions + R"(, "size")"),
+        "it");
+  };
+  EXPECT_EQ(with(R"(["motion.yAxis=down", "motion.scaleX=-2.5", "motion.notWritten=none",
+                     "depth.kind=window", "depth.reversed=false", "depth.nothing=1", "rows=bottomFirst"])"),
+            with(R"({"motion": {"yAxis": "down", "scaleX": -2.5, "notWritten": "none"},
+                     "depth": {"kind": "window", "reversed": false, "nothing": 1}, "rows": "bottomFirst"})"));
+  EXPECT_EQ(with("[]"), with("{}"));
+}
+
 TEST(Manifest, PlanesHaveTheirNamesAndChannels) {
   for (std::size_t kind = 0; kind < kPlaneKinds; ++kind) {
     const auto plane = static_cast<PlaneKind>(kind);

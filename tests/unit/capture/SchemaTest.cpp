@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <regex>
@@ -24,7 +25,10 @@ const json& schema() {
   return kSchema;
 }
 
-bool isOfType(const json& value, const std::string& type) {
+bool isOfType(const json& value, const json& types) {
+  if (types.is_array())
+    return std::ranges::any_of(types, [&](const json& type) { return isOfType(value, type); });
+  const std::string type = types.get<std::string>();
   if (type == "object") return value.is_object();
   if (type == "array") return value.is_array();
   if (type == "string") return value.is_string();
@@ -157,6 +161,7 @@ TEST(Schema, TakesWhatIsRead) {
       with("/$schema", "capture.schema.json"),
       with("/like", "babylon"),
       with("/conventions", {{"motion", {{"notWritten", 0}, {"fallback", "zero"}}}, {"rows", "bottomFirst"}}),
+      with("/conventions", {"motion.notWritten=0", "motion.fallback=zero", "rows=bottomFirst"}),
       with("/planes/depth", {{"file", "d.raw"}, {"raw", "D32F"}, {"size", {480, 270}}, {"rowPitch", 1920}}),
       with("/objects", {{"7", "door"}}),
       with("/planes/color/file", "...a/..b/{frame}.{frame:4}.exr"),
@@ -207,7 +212,12 @@ TEST(Schema, RefusesWhatIsNotRead) {
            with("/objects", {{"0", "door"}}),
            with("/objects", {{"07", "door"}}),
            with("/frames/0/jitter", {0, 1e7}),
-           with("/conventions", {{"motion.unit", "uv"}}),
+           with("/conventions", json::object({{"motion.unit", "uv"}})),
+           with("/conventions", {"motion.unit"}),
+           with("/conventions", {"motionXunit=uv"}),
+           with("/conventions", {"motion.unit="}),
+           with("/conventions", {7}),
+           with("/conventions", "motion.unit=uv"),
        }) {
     EXPECT_FALSE(accepts(schema(), manifest)) << manifest.dump();
     EXPECT_FALSE(isRead(manifest)) << manifest.dump();
