@@ -106,17 +106,34 @@ TEST_F(CaptureHeader, TextsAreOnesThatCanBeShown) {
   EXPECT_EQ(manifest.engine, engine);
 }
 
+// Too long, half of a pair, above U+10FFFF, more than four bytes, cut off: each byte by itself is no letter.
+TEST_F(CaptureHeader, LettersAreUtf8) {
+  const std::string no = "\xc0\x80|\xc1\xbf|\xe0\x9f\xbf|\xed\xa0\x80|\xf0\x8f\xbf\xbf|\xf4\x90\x80\x80|"
+                         "\xf8\xbf\xbf\xbf|\xe2\x82";
+  const std::string yes = "\xc2\xa0|\xdf\xbf|\xe0\xa0\x80|\xed\x9f\xbf|\xee\x80\x80|\xef\xbf\xbf|"
+                          "\xf0\x90\x80\x80|\xf4\x8f\xbf\xbf";
+  desc_.name = no.c_str();
+  desc_.engine = yes.c_str();
+  ASSERT_EQ(open(), TAA_OK);
+  ASSERT_EQ(frame(0), TAA_OK);
+  const Manifest manifest = closed();
+  EXPECT_EQ(manifest.name, "??|??|???|???|????|????|????|??");
+  EXPECT_EQ(manifest.engine, yes);
+}
+
 TEST_F(CaptureHeader, ObjectsAreNamedOnce) {
   ASSERT_EQ(open(), TAA_OK);
   EXPECT_EQ(taa_capture_object(capture_, 0, "nothing"), TAA_ERROR_ARGUMENT);
   EXPECT_EQ(taa_capture_object(capture_, 7, "\"7\": door"), TAA_OK);
   EXPECT_EQ(taa_capture_object(capture_, 7, "window"), TAA_ERROR_ORDER);
   EXPECT_EQ(taa_capture_object(capture_, 77, "floor"), TAA_OK);
+  EXPECT_EQ(taa_capture_object(capture_, 5, "named late"), TAA_OK);
+  EXPECT_EQ(taa_capture_object(capture_, 5, "named again"), TAA_ERROR_ORDER);
   ASSERT_EQ(frame(0), TAA_OK);
   ASSERT_EQ(begin(1), TAA_OK) << "and then nothing of it";
   EXPECT_EQ(taa_capture_object(capture_, 4294967295u, "named after the last frame"), TAA_OK);
   const Manifest manifest = closed();
-  EXPECT_EQ(manifest.objects.size(), 3u);
+  EXPECT_EQ(manifest.objects.size(), 4u);
   EXPECT_EQ(manifest.objects.at(7), "\"7\": door");
   EXPECT_EQ(manifest.objects.count(4294967295u), 1u);
 }
