@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace taa::capture {
@@ -53,6 +54,16 @@ void forColors(Image& color, const Value& value) {
 }
 
 } // namespace
+
+bool isLinearInSteps(const Manifest& manifest, bool hasEightBits) {
+  return hasEightBits && manifest.conventions.color.encoding == ColorEncoding::Linear;
+}
+
+std::string linearInSteps() {
+  return say<
+      "color is stored in 8 bits and stated as linear, which leaves few steps to what is dark: if it is "
+      "too bright, it is encoded for a screen (color.encoding=srgb)">();
+}
 
 ColorDecoder::ColorDecoder(const Manifest& manifest, const CapturedFrame& frame, PlaneKind kind) {
   const PlaneSource* source = manifest.plane(frame, kind);

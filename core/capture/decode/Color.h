@@ -4,7 +4,15 @@
 #include "core/base/Image.h"
 #include "core/capture/format/Manifest.h"
 
+#include <string>
+
 namespace taa::capture {
+
+/// Whether planes of color are taken as light that they are stored in 256 steps of: what is dark would have
+/// few of them, and who stores so encodes for a screen. `hasEightBits` of the values.
+bool isLinearInSteps(const Manifest& manifest, bool hasEightBits);
+/// A sentence about that.
+std::string linearInSteps();
 
 class ColorDecoder {
  public:

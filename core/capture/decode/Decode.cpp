@@ -94,13 +94,16 @@ DecodedFrame decode(const Manifest& manifest, std::size_t index, FramePlanes&& p
     out.camera = cameras.now->camera;
     out.previousCamera = cameras.previous->camera;
   }
+  const auto color = planes.find(PlaneKind::Color);
+  const bool isInSteps = color != planes.end() && isLinearInSteps(manifest, color->second.hasEightBits);
   PlaneShapes shapes(planes, manifest.sizePx, frame.number);
   takeColors(manifest, frame, shapes, out);
   takeGeometry(manifest, cameras.now ? &*cameras.now : nullptr, shapes, out);
-  out.normal = shapes.take(PlaneKind::Normal);
+  out.normal = shapes.takeNormals();
   out.mask = shapes.take(PlaneKind::Mask);
   out.objectId = shapes.takeIds();
   out.notes = shapes.notes();
+  if (isInSteps) out.notes.push_back(linearInSteps());
   return out;
 }
 

@@ -1,5 +1,6 @@
 // What a capture lacks, and what is done instead, in sentences.
 #include "core/base/Say.h"
+#include "core/capture/decode/Color.h"
 #include "core/capture/decode/DecodedFrame.h"
 
 #include <algorithm>
@@ -118,6 +119,15 @@ void sayExposure(const Manifest& manifest, Sentences& out) {
             "color is taken as it is">());
 }
 
+/// Of raw planes the format is stated; that of pictures is known when they are read, see DecodedFrame::notes.
+void saySteps(const Manifest& manifest, Sentences& out) {
+  const bool hasEightBits = std::ranges::any_of(manifest.frames, [&](const CapturedFrame& frame) {
+    const PlaneSource* color = manifest.plane(frame, PlaneKind::Color);
+    return color && color->raw == RawFormat::RGBA8_UNORM;
+  });
+  if (isLinearInSteps(manifest, hasEightBits)) out.push_back(linearInSteps());
+}
+
 /// The size that a frame's raw plane states and that is not the frame's; null: none.
 const PlaneSource* otherSize(const Manifest& manifest, PlaneKind kind) {
   for (const CapturedFrame& frame : manifest.frames) {
@@ -154,6 +164,7 @@ std::vector<std::string> missingInputs(const Manifest& manifest) {
     out.push_back(say<"there are no normals: no history is rejected for another normal">());
   sayJitter(manifest, out);
   sayExposure(manifest, out);
+  saySteps(manifest, out);
   saySizes(manifest, out);
   return out;
 }

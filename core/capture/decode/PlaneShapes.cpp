@@ -3,8 +3,10 @@
 #include "core/base/Error.h"
 #include "core/base/Say.h"
 #include "core/capture/decode/Nearest.h"
+#include "core/scene/ObjectClass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -79,6 +81,24 @@ Image PlaneShapes::take(PlaneKind kind) {
   image.width = sizePx_.x;
   image.height = sizePx_.y;
   return image;
+}
+
+Image PlaneShapes::takeNormals() {
+  const PlaneData* plane = find(PlaneKind::Normal);
+  const bool hasClasses = plane && plane->image.channels == 4;
+  Image normals = take(PlaneKind::Normal);
+  if (!hasClasses) return normals;
+  const auto isClass = [](float value) {
+    return value >= 0.0f && value < static_cast<float>(kObjectClasses.size()) && std::trunc(value) == value;
+  };
+  std::vector<float>& values = normals.pixels;
+  std::size_t at = 3;
+  while (at < values.size() && isClass(values[at])) at += 4;
+  if (at >= values.size()) return normals;
+  notes_.push_back(say<"the fourth channel of %1 is %2 somewhere, which is no class of an object: no classes "
+                       "are taken from it">(planeName(PlaneKind::Normal), std::to_string(values[at])));
+  for (at = 3; at < values.size(); at += 4) values[at] = 0.0f;
+  return normals;
 }
 
 std::vector<std::uint32_t> PlaneShapes::takeIds() {

@@ -23,6 +23,8 @@ class PlaneShapes {
   /// As it is, whatever its size.
   Image takeUnscaled(PlaneKind kind);
   std::vector<std::uint32_t> takeIds();
+  /// With classes of 0 where the fourth channel holds something else.
+  Image takeNormals();
   /// Sentences about what did not fit.
   const std::vector<std::string>& notes() const { return notes_; }
 

@@ -27,7 +27,9 @@ constexpr PlaneInfo kPlanes[] = {
     {"motion", 2, 2, "x and y of motion."},
     {"depth", 1, 1, "Depth."},
     {"objectId", 1, 1, "The whole number of the object that is seen; 0: nothing."},
-    {"normal", 3, 4, "x, y, z in world space; fourth, where known, the number of the object's class."},
+    {"normal", 3, 4,
+     "x, y, z in world space; fourth, of a raw plane or a channel that is named, the number of the object's "
+     "class, 0 to 4; where any is none of these, all are taken as not known."},
     {"previousDepth", 1, 1,
      "The distance along the camera's axis that the surface had in the previous frame, in meters; 0: none."},
     {"mask", 1, 2,

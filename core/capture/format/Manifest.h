@@ -24,7 +24,7 @@ enum class PlaneKind : std::uint8_t {
   Motion,        ///< x, y
   Depth,         ///< one value
   ObjectId,      ///< one unsigned integer, 0: nothing
-  Normal,        ///< x, y, z, world space; fourth: the number of the ObjectClass, where known
+  Normal,        ///< x, y, z, world space; fourth, raw or named: the number of the ObjectClass
   PreviousDepth, ///< distance along the camera's axis that the surface had in the previous frame, m; 0: none
   Mask,          ///< reactive, responsive, 0 to 1; the second may be missing
   Overlay,       ///< red, green, blue, alpha, premultiplied, without jitter: laid over the output

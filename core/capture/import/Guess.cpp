@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/decode/Color.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/decode/PlaneShapes.h"
 #include "core/capture/format/ConventionText.h"
@@ -269,6 +270,9 @@ void Guesser::finish() {
   out_.sure.insert(out_.sure.begin(), plan_.found.begin(), plan_.found.end());
   out_.unsure.insert(out_.unsure.end(), plan_.unsure.begin(), plan_.unsure.end());
   out_.missing = missingInputs(manifest);
+  const auto color = plan_.types.find(PlaneKind::Color);
+  if (isLinearInSteps(manifest, color != plan_.types.end() && color->second == StoredType::Normalized8))
+    out_.unsure.push_back(linearInSteps());
   manifest.notes = {say<"conventions were guessed from names, values and pixels">()};
   manifest.notes.insert(manifest.notes.end(), out_.unsure.begin(), out_.unsure.end());
   checkManifest(manifest, folder_.string());

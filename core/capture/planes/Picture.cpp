@@ -113,8 +113,10 @@ std::string listed(const std::vector<std::string>& names) {
 std::vector<int> channelsFor(const OIIO::ImageSpec& spec, const PlaneRequest& request) {
   std::vector<int> channels;
   for (const std::string& channel : request.source->channels) channels.push_back(channelIndex(spec, channel));
+  // A fourth of normals is their class only where it is named: engines keep other things there.
+  const int most = request.kind == PlaneKind::Normal ? 3 : channelsOf(request.kind);
   if (channels.empty())
-    for (int i = 0; i < std::min(spec.nchannels, channelsOf(request.kind)); ++i) channels.push_back(i);
+    for (int i = 0; i < std::min(spec.nchannels, most); ++i) channels.push_back(i);
   if (static_cast<int>(channels.size()) > channelsOf(request.kind))
     channels.resize(static_cast<std::size_t>(channelsOf(request.kind)));
   if (static_cast<int>(channels.size()) < leastChannelsOf(request.kind))
@@ -325,6 +327,7 @@ std::vector<PlaneData> readSelection(OIIO::ImageInput& input, const Selection& s
     for (const int channel : selection.channels[i]) stored[i].push_back(reader.stored(channel));
     planes.push_back(makePlane(requests[i].kind, {spec.full_width, spec.full_height},
                                static_cast<int>(selection.channels[i].size())));
+    planes.back().hasEightBits = stored[i].front().type == OIIO::TypeDesc::UINT8;
   }
   const std::size_t pixelBytes = reader.pixelBytes();
   const std::size_t rowBytes = pixelBytes * static_cast<std::size_t>(spec.width);

@@ -23,6 +23,7 @@ struct PlaneData {
   /// PlaneKind::ObjectId only, width · height of them; `image` has no pixels then.
   std::vector<std::uint32_t> integers;
   int width = 0, height = 0;
+  bool hasEightBits = false; ///< of a picture: a channel is stored in 256 steps
 };
 using FramePlanes = std::map<PlaneKind, PlaneData>;
 

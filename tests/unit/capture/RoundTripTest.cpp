@@ -62,6 +62,8 @@ DecodedFrame frameOf(std::mt19937& random, bool isOrthographic) {
   for (float& value : frame.depth.pixels)
     value = isOrthographic ? 0.5f + 0.5f * unit(random) : 0.1f / (0.2f + 49.8f * unit(random));
   for (float& value : frame.normal.pixels) value = unit(random);
+  for (std::size_t i = 3; i < frame.normal.pixels.size(); i += 4)
+    frame.normal.pixels[i] = std::floor(5.0f * unit(random)); // classes
   for (std::size_t i = 0; i < frame.depth.pixels.size(); ++i) {
     if (i % 5 == 0) frame.depth.pixels[i] = 0.0f;
     if (i % 7 == 0) frame.motion.pixels[2 * i] = frame.motion.pixels[2 * i + 1] = 0.0f;
