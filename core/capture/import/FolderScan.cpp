@@ -53,23 +53,80 @@ struct Numbered {
   bool isPadded = false; ///< begins with a 0 that is not all of it
 };
 
-/// The last digits of the file's name, else those of its folder's.
-Numbered numberIn(const std::string& path) {
+/// Digits within a path; of more than 9 in a row the last ones.
+struct DigitRun {
+  std::size_t first = 0, count = 0;
+};
+
+/// Those of the file's name, else of the last folder's that has any; from the left.
+std::vector<DigitRun> runsIn(const std::string& path) {
   constexpr std::size_t kMostDigits = 9;
-  for (std::size_t end = path.rfind('.'); end != std::string::npos && end > 0;) {
+  std::vector<DigitRun> runs;
+  for (std::size_t end = path.rfind('.'); end != std::string::npos && end > 0 && runs.empty();) {
     const std::size_t slash = path.rfind('/', end - 1);
     const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
     for (std::size_t last = end; last > begin; --last) {
       if (!isDigit(path[last - 1])) continue;
       std::size_t first = last;
-      while (first > begin && isDigit(path[first - 1]) && last - first < kMostDigits) --first;
-      const std::string digits = path.substr(first, last - first);
-      return {path.substr(0, first), path.substr(last), digits.size(), std::stoi(digits),
-              digits.size() > 1 && digits[0] == '0'};
+      while (first > begin && isDigit(path[first - 1])) --first;
+      const std::size_t count = std::min(last - first, kMostDigits);
+      runs.insert(runs.begin(), {last - count, count});
+      last = first + 1;
     }
     end = slash == std::string::npos ? 0 : slash;
   }
-  return {path, "", 0, 0, false};
+  return runs;
+}
+
+/// Names that are the same but for their digits, and the digits of each.
+struct AlikeNames {
+  std::vector<std::string> paths;
+  std::vector<std::vector<DigitRun>> runs;
+
+  std::string digits(std::size_t path, std::size_t run) const {
+    return paths[path].substr(runs[path][run].first, runs[path][run].count);
+  }
+  /// The run that counts frames: the one of the most different numbers, the last of those; "0001_v2" and
+  /// "0002_v2" differ in the first. Expects that there is one.
+  std::size_t counting() const {
+    std::size_t best = 0, most = 0;
+    for (std::size_t run = 0; run < runs.front().size(); ++run) {
+      std::set<std::string> numbers;
+      for (std::size_t path = 0; path < paths.size(); ++path) numbers.insert(digits(path, run));
+      if (numbers.size() < most) continue;
+      most = numbers.size();
+      best = run;
+    }
+    return best;
+  }
+};
+
+Numbered numbered(const std::string& path, const DigitRun& run) {
+  const std::string digits = path.substr(run.first, run.count);
+  return {path.substr(0, run.first), path.substr(run.first + run.count), run.count, std::stoi(digits),
+          run.count > 1 && digits[0] == '0'};
+}
+
+std::vector<Numbered> numberedFiles(const std::vector<std::string>& paths) {
+  std::vector<Numbered> files;
+  std::map<std::string, AlikeNames> alike;
+  for (const std::string& path : paths) {
+    std::vector<DigitRun> runs = runsIn(path);
+    if (runs.empty()) {
+      files.push_back({path, "", 0, 0, false});
+      continue;
+    }
+    std::string name = path;
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run) name.replace(run->first, run->count, "{}");
+    alike[name].paths.push_back(path);
+    alike[name].runs.push_back(std::move(runs));
+  }
+  for (const auto& [name, names] : alike) {
+    const std::size_t run = names.counting();
+    for (std::size_t i = 0; i < names.paths.size(); ++i)
+      files.push_back(numbered(names.paths[i], names.runs[i][run]));
+  }
+  return files;
 }
 
 /// Files that differ only in their number.
@@ -122,8 +179,7 @@ std::vector<std::string> filesBelow(const fs::path& folder, FolderScan& scan, co
 
 std::vector<PictureSequence> sequencesOf(const std::vector<std::string>& pictures) {
   std::map<std::pair<std::string, std::string>, NumberedFiles> groups;
-  for (const std::string& path : pictures) {
-    Numbered file = numberIn(path);
+  for (Numbered& file : numberedFiles(pictures)) {
     const auto key = std::pair(file.before, file.after);
     groups[key].files.push_back(std::move(file));
   }
