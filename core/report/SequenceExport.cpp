@@ -2,6 +2,7 @@
 
 #include "core/base/Error.h"
 #include "core/base/Say.h"
+#include "core/capture/source/Capture.h"
 #include "core/inspect/Inspector.h"
 #include "core/io/GifFile.h"
 #include "core/io/PictureFile.h"
@@ -139,6 +140,17 @@ std::vector<std::string> makeFiles(Inspector& inspector, const SequenceRequest& 
   return names;
 }
 
+/// Throws Error where its frames would be replaced, from which the rest of the session is made.
+void refuseOpenCapture(const InspectedShot& shot, const fs::path& manifest) {
+  if (!shot.capture()) return;
+  const fs::path folder = manifest.has_parent_path() ? manifest.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (fs::equivalent(capture::folderOf(shot.source()), folder, ignored))
+    throw Error(
+        say<"cannot write a capture into %1: it is the folder of the one that is open; choose another">(
+            folder.string()));
+}
+
 void moveIntoPlace(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
@@ -168,6 +180,7 @@ std::vector<fs::path> sequenceFiles(const SequenceRequest& request) {
 
 std::vector<fs::path> exportSequence(Inspector& inspector, const SequenceRequest& request,
                                      const Progress& progress) {
+  if (request.kind == SequenceKind::Capture) refuseOpenCapture(inspector.shot(), request.target);
   const Return back(inspector);
   const Workshop workshop(request.target);
   std::vector<std::string> names;

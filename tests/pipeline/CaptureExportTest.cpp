@@ -1,10 +1,13 @@
 // Shots that the program itself writes as captures, and opens again.
 #include "core/report/CaptureExport.h"
 
+#include "core/base/Files.h"
 #include "core/capture/decode/DecodedFrame.h"
 #include "core/capture/format/Manifest.h"
 #include "core/capture/planes/Planes.h"
+#include "core/report/SequenceExport.h"
 #include "core/settings/Presets.h"
+#include "tests/support/ErrorOf.h"
 #include "tests/support/Paths.h"
 #include "tests/support/SmallInspector.h"
 
@@ -126,6 +129,33 @@ TEST_F(CaptureExportTest, BothMasksComeBack) {
   }
   EXPECT_GT(reactive, 0.0f);
   EXPECT_EQ(responsive, 1.0f);
+}
+
+// What the rest of the session is made of stays as it is, whichever name it was opened and is written by.
+TEST_F(CaptureExportTest, TheOpenCaptureIsNotWrittenOver) {
+  const Exported written = exported("open", "builtin:fan", Settings{}, {});
+  const std::filesystem::path manifest = written.folder / capture::kManifestName;
+  const std::string before = readFile(manifest);
+  SequenceRequest request;
+  request.kind = SequenceKind::Capture;
+  request.last = 1;
+  for (const std::filesystem::path& source : {written.folder, manifest}) {
+    Inspector inspector;
+    inspector.shot().open(source.string());
+    request.target = written.folder / ".." / written.folder.filename() / capture::kManifestName;
+    EXPECT_NE(test::errorOf([&] { exportSequence(inspector, request, {}); }).find("the one that is open"),
+              std::string::npos);
+    EXPECT_EQ(readFile(manifest), before);
+    request.target = written.folder / "other" / capture::kManifestName;
+    EXPECT_EQ(test::errorOf([&] { exportSequence(inspector, request, {}); }), "");
+    EXPECT_EQ(capture::readManifest(written.folder / "other").frames.size(), 2u);
+  }
+  Inspector inspector;
+  inspector.shot().setSize(taa::test::small::kWidth, taa::test::small::kHeight);
+  inspector.shot().open("builtin:fan");
+  request.target = manifest;
+  EXPECT_EQ(test::errorOf([&] { exportSequence(inspector, request, {}); }), "") << "a scene is open";
+  EXPECT_EQ(capture::readManifest(written.folder).frames.size(), 2u);
 }
 
 class CaptureOfPreset : public CaptureExportTest, public testing::WithParamInterface<std::size_t> {};

@@ -226,13 +226,17 @@ bool isCapture(const std::string& source) {
   return fs::is_directory(path, ignored) || path.filename() == kManifestName;
 }
 
-std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress) {
+fs::path folderOf(const std::string& source) {
   const fs::path path(source);
-  const bool isManifest = path.filename() == kManifestName;
-  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const fs::path& folder = isManifest ? parent : path;
+  if (path.filename() != kManifestName) return path;
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress) {
+  const fs::path folder = folderOf(source);
   std::error_code ignored;
-  const bool isStated = isManifest || fs::exists(folder / kManifestName, ignored);
+  const bool isStated =
+      fs::path(source).filename() == kManifestName || fs::exists(folder / kManifestName, ignored);
   Manifest manifest = isStated ? readManifest(folder) : guessCapture(folder, "", {}, progress).manifest;
   const auto capture = std::make_shared<const Capture>(folder, std::move(manifest));
   static_cast<void>(capture->frame(0));

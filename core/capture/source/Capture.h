@@ -40,6 +40,8 @@ class Capture {
 std::string nameOf(const std::filesystem::path& folder);
 /// Whether `source` names a capture: a folder, or a file called capture.json.
 bool isCapture(const std::string& source);
+/// The folder of a capture, whichever of both names it.
+std::filesystem::path folderOf(const std::string& source);
 /// Opens a folder with capture.json, or one without that import/ understands: its notes say what was guessed.
 /// Checks that the first frame can be read. Throws Error, Cancelled.
 std::shared_ptr<const Capture> openCapture(const std::string& source, const Progress& progress = {});
