@@ -11,44 +11,22 @@
 #include <QHideEvent>
 #include <QLabel>
 #include <QShowEvent>
-#include <QVBoxLayout>
 
 #include <string>
 
 namespace taa::app {
 
-namespace {
-
-QLabel* makeText(QPalette::ColorRole role) {
-  auto* label = new QLabel;
-  label->setFont(secondaryFont());
-  label->setForegroundRole(role);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-} // namespace
-
 LineagePanel::LineagePanel(QWidget* parent)
-    : QWidget(parent), bars_(new LineageBars), footprint_(new FootprintView),
-      summary_(makeText(QPalette::WindowText)), legend_(makeText(QPalette::PlaceholderText)) {
+    : QWidget(parent), bars_(new LineageBars), footprint_(new FootprintView), summary_(new QLabel) {
+  summary_->setFont(secondaryFont());
+  summary_->setWordWrap(true);
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   columns->setSpacing(4 * kUnit);
-  auto* texts = new QVBoxLayout;
-  texts->setSpacing(2 * kUnit);
-  texts->addWidget(summary_);
-  texts->addWidget(legend_);
-  texts->addStretch(1);
   columns->addWidget(bars_, 6);
   columns->addWidget(footprint_, 4);
-  columns->addLayout(texts, 5);
-  legend_->setText(
-      tr("Bars: a frame's samples; hatched: what rectification put in their place. "
-         "Disks: samples where they lie around the pixel now, with areas as their weights, the "
-         "brighter the younger; rings count against the others. "
-         "The way on the screen is drawn in the views. Click a bar or a disk to go to its frame."));
+  columns->addWidget(summary_, 5, Qt::AlignTop);
   connect(bars_, &LineageBars::hovered, this, &LineagePanel::highlight);
   connect(footprint_, &FootprintView::hovered, this, &LineagePanel::highlight);
   connect(bars_, &LineageBars::chosen, this, &LineagePanel::seekRequested);
@@ -58,8 +36,9 @@ LineagePanel::LineagePanel(QWidget* parent)
 
 void LineagePanel::show(bool isProbed, const std::optional<LineageDelivery>& delivery, bool isCurrent) {
   const bool isOther = lineage() != (delivery ? delivery->lineage : nullptr);
-  const bool isSaid = !isOther && isProbed == isProbed_ && isCurrent == isCurrent_ &&
-                      delivery.has_value() == delivery_.has_value();
+  const auto frameOf = [](const auto& known) { return known ? std::optional(known->frame) : std::nullopt; };
+  const bool isSaid =
+      !isOther && isProbed == isProbed_ && isCurrent == isCurrent_ && frameOf(delivery) == frameOf(delivery_);
   if (isSaid) return;
   delivery_ = delivery;
   isProbed_ = isProbed;

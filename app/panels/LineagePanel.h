@@ -47,7 +47,7 @@ class LineagePanel : public QWidget {
   bool isProbed_ = false, isCurrent_ = false;
   LineageBars* bars_ = nullptr;
   FootprintView* footprint_ = nullptr;
-  QLabel *summary_ = nullptr, *legend_ = nullptr;
+  QLabel* summary_ = nullptr;
 };
 
 } // namespace taa::app

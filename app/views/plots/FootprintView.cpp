@@ -25,6 +25,9 @@ FootprintView::FootprintView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setMinimumSize(140, 140);
   setAccessibleName(tr("Places of the samples around the pixel's center"));
+  setToolTip(tr("Where the samples lie around the pixel's center now, in its pixels, with areas as their "
+                "weights. Gray ones are old, rings count against the others. A click goes to the sample's "
+                "frame."));
 }
 
 void FootprintView::setLineage(std::shared_ptr<const Lineage> lineage) {

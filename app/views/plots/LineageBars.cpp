@@ -35,6 +35,9 @@ LineageBars::LineageBars(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setMinimumSize(200, 90);
   setAccessibleName(tr("How much each of the last frames counts in the pixel"));
+  setToolTip(
+      tr("How much the samples of each frame count, and, hatched upon them, what its rectification put "
+         "in the place of history. A click goes to the frame."));
   fitAxes();
 }
 
@@ -89,8 +92,9 @@ std::optional<int> LineageBars::frameAt(double viewX) const {
 }
 
 QString LineageBars::readout() const {
-  const QString title = tr("Weight in the pixel");
-  if (!lineage_ || !highlighted_) return title;
+  const QString title = tr("Weight in the pixel"), key = tr("hatched: what rectification put there");
+  if (!lineage_) return title;
+  if (!highlighted_) return title + QStringLiteral("  ") + key;
   for (const LineageFrame& entry : lineage_->frames)
     if (entry.frame == *highlighted_)
       return tr("%1  frame %2: samples %3, rectification %4, %n pixel(s) read", nullptr, entry.pixels)

@@ -132,4 +132,7 @@ TEST_F(LineagePage, SaysThatTheProbeIsNotInThePicture) {
   settle();
   EXPECT_EQ(window.lineage()->summary(), "The probe is not in the picture of frame 9.");
   EXPECT_TRUE(path().empty());
+  renderer->tell(LineageDelivery{probe, 8, nullptr, renderer->status.shotVersion});
+  settle();
+  EXPECT_EQ(window.lineage()->summary(), "The probe is not in the picture of frame 8.");
 }
