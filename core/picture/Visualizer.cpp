@@ -39,11 +39,12 @@ struct VisualVariant {
   ColorMap map = ColorMap::Gray;
   bool marksInvalid = true, isMinified = false;
   bool isDifference = false, marksClipped = false, tintsRejected = false, outlines = false, hasArrows = false;
+  bool isPartial = false, isMinusPartial = false, hasVectors = false;
   Readings readings{};
 
   auto key() const {
     return std::tuple(visual, channels, alone, map, marksInvalid, isMinified, isDifference, marksClipped,
-                      tintsRejected, outlines, hasArrows, readings);
+                      tintsRejected, outlines, hasArrows, isPartial, isMinusPartial, hasVectors, readings);
   }
   bool operator<(const VisualVariant& other) const { return key() < other.key(); }
 };
@@ -102,6 +103,9 @@ std::string prelude(const VisualVariant& variant) {
   add("bool", "kTintsRejected", variant.tintsRejected);
   add("bool", "kOutlines", variant.outlines);
   add("bool", "kHasArrows", variant.hasArrows);
+  add("bool", "kIsPartial", variant.isPartial);
+  add("bool", "kIsMinusPartial", variant.isMinusPartial);
+  add("bool", "kHasVectors", variant.hasVectors);
   return text;
 }
 
@@ -142,6 +146,9 @@ VisualVariant variantOf(const DrawnLayers& layers, const Intermediate& row, cons
           .tintsRejected = style.markRejected && layers.rejectReason.texture,
           .outlines = style.outlineObjects && layers.objectId.texture,
           .hasArrows = style.arrows && row.visual == Visual::Vector && !isDifference,
+          .isPartial = layers.row.isPartial,
+          .isMinusPartial = layers.minus.isPartial,
+          .hasVectors = row.visual == Visual::Vector,
           .readings = readingsOf(layers)};
 }
 
@@ -163,6 +170,7 @@ shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const
                     layers.objectId.firstChannel};
   block.above = {kAboveColor[0], kAboveColor[1], kAboveColor[2], unitOf(transform)};
   block.below = {kBelowColor[0], kBelowColor[1], kBelowColor[2], kTintShare};
+  block.nothing = {kNothingLight[0], kNothingLight[1], kNothingSide, 0.0f};
   block.arrows = {kArrowSpacing, kLongestArrow, kArrowReach, kMinReach};
   return block;
 }

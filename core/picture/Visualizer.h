@@ -59,6 +59,9 @@ struct Picture {
 /// Colors of the hatches over what is clipped, linear: rising lines above the range, falling ones below it.
 inline constexpr std::array<float, 3> kAboveColor{0.66539f, 0.11193f, 0.0f};     // sRGB 213, 94, 0
 inline constexpr std::array<float, 3> kBelowColor{0.09306f, 0.45641f, 0.81485f}; // sRGB 86, 180, 233
+/// Light of the two grays of the checkers over what has no value, linear; units of a side of one.
+inline constexpr std::array<float, 2> kNothingLight{0.01f, 0.06f};
+inline constexpr float kNothingSide = 4.0f;
 /// Units (ViewTransform::scale) from one arrow to the next, at least; and of a cell's arrow, at most.
 inline constexpr float kArrowSpacing = 24.0f, kLongestArrow = 48.0f;
 
@@ -76,6 +79,7 @@ inline constexpr float kTintShare = 0.6f;
 struct Layer {
   const gl::Texture* texture = nullptr; ///< null: none
   int layer = 0, firstChannel = 0;
+  bool isPartial = false; ///< its fourth channel is not 0 where there is no value
 };
 
 /// Rows of one picture that are drawn together.
@@ -98,7 +102,7 @@ class Visualizer {
   Picture draw(const gl::Texture& texture, int layer, int firstChannel, const Intermediate& row,
                const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// The same with what is laid over or subtracted. Of a difference the shown channel that differs most is
-  /// drawn, with its sign, in the style's map.
+  /// drawn, with its sign, in the style's map; vectors of which one has no previous position have none.
   Picture draw(const DrawnLayers& layers, const Intermediate& row, const ViewStyle& style,
                const ViewTransform& transform, int width, int height);
   /// One with the same programs, compiled again; throws Error when one does not compile.

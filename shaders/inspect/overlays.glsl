@@ -34,6 +34,12 @@ int clippedEnds(vec4 value) {
   return found;
 }
 
+// Where there is no value.
+vec3 checkers(vec2 corner) {
+  vec2 cell = floor(corner / (view.nothing.z * view.above.w));
+  return vec3(mod(cell.x + cell.y, 2.0) < 1.0 ? view.nothing.x : view.nothing.y);
+}
+
 // Rising lines over what is above the range, falling ones over what is below it.
 vec3 hatched(vec3 color, int clipped, vec2 corner) {
   vec2 at = floor(corner / view.above.w);

@@ -1,8 +1,9 @@
 // A part of one intermediate as a picture for the screen. In: the color maps, ViewBlock; from the prelude
 // fetch_<name>(texel, layer) of the textures that are read (layer, minus, rejectReason, objectId), kVisual and
 // kVisual_<name>, kChannels (of the row), kAlone (the channel shown alone, or -1), kMap (row of the table of color
-// maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines, kHasArrows. Constants,
-// because a software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen pixel the picture covers.
+// maps), kMarksInvalid, kIsMinified, kIsDifference, kMarksClipped, kTintsRejected, kOutlines, kHasArrows, kIsPartial
+// and kIsMinusPartial (the fourth channel says where there is no value), kHasVectors (the row's). Constants, because a
+// software rasterizer runs every branch. Out: sRGB, alpha: how much of the screen pixel the picture covers.
 // Colors are linear Rec. 709 until the last line; averages are taken of what would be displayed.
 #include "shared/ViewBlock.h"
 #include "inspect/color_maps.glsl"
@@ -43,6 +44,16 @@ vec4 rowAt(ivec2 texel) {
   return value;
 }
 
+// Whether there is no value, or no difference of what has no previous position.
+bool isNothingAt(ivec2 texel) {
+  if (kIsPartial && fetch_layer(texel, view.layer.x).w != 0.0) return true;
+  if (kIsMinusPartial && fetch_minus(texel, view.layer.z).w != 0.0) return true;
+  if (!kIsDifference || !kHasVectors) return false;
+  vec2 now = fromChannel(fetch_layer(texel, view.layer.x), view.layer.y).xy;
+  vec2 other = fromChannel(fetch_minus(texel, view.layer.z), view.layer.w).xy;
+  return any(equal(now, vec2(kNoPrevious))) || any(equal(other, vec2(kNoPrevious)));
+}
+
 int rejectReasonAt(ivec2 texel) {
   vec4 value = fetch_rejectReason(texel, view.overlays.x);
   return int(fromChannel(value, view.overlays.y).x);
@@ -53,6 +64,7 @@ float objectAt(ivec2 texel) {
 }
 
 vec3 colorAt(ivec2 texel, inout int clipped) {
+  if (isNothingAt(texel)) return checkers(gl_FragCoord.xy);
   vec4 value = rowAt(texel);
   vec3 color = displayedColor(value);
   if (kMarksClipped) clipped |= clippedEnds(value);
@@ -105,7 +117,7 @@ vec3 pointed(vec3 color, vec2 corner) {
   float texels = ceil(view.arrows.x * view.above.w / zoom);
   vec2 position = view.originPx + (corner + 0.5) / zoom;
   vec2 middle = (floor(position / texels) + 0.5) * texels;
-  if (any(greaterThanEqual(middle, view.sizePx))) return color;
+  if (any(greaterThanEqual(middle, view.sizePx)) || isNothingAt(ivec2(middle))) return color;
   vec2 value = shownChannels(vec3(rowAt(ivec2(middle)).xy, 0.0)).xy;
   return withArrow(color, value, (position - middle) * zoom / view.above.w, texels * zoom / view.above.w);
 }

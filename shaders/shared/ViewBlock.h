@@ -22,6 +22,8 @@ layout(std140, binding = 3) uniform ViewBlock {
   vec4 below;     // xyz: color of what lies below the range, linear; w: share of a tint
   vec4 arrows;    // units: x: from one to the next at least, y: a cell at most; z: half the longest, share of its cell;
                   // w: half the shortest that is no dot
+  vec4 nothing;   // x, y: light of the grays of the checkers over what has no value, linear; z: side of one, units;
+                  // w unused
 #ifdef __cplusplus
 };
 } // namespace taa::shared

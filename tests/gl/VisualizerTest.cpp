@@ -44,7 +44,8 @@ constexpr std::string_view kPrelude =
     "const int kVisual = 0, kChannels = 3, kAlone = -1, kMap = 0;\n"
     "const bool kMarksInvalid = true, kIsMinified = true, kIsDifference = true,\n"
     "  kMarksClipped = true, kTintsRejected = true, kOutlines = true, "
-    "kHasArrows = true;\n"
+    "kHasArrows = true,\n"
+    "  kIsPartial = true, kIsMinusPartial = true, kHasVectors = true;\n"
     "const int kVisual_Scalar = 3;\n";
 
 int byteOf(float linear) {
@@ -157,6 +158,33 @@ TEST_F(VisualizerTest, SubtractsAndOutlinesByTexturesThatAreNoArrays) {
   EXPECT_NE(draw(plain, plainIds), draw(zero, ids));
 }
 
+TEST_F(VisualizerTest, DrawsCheckersWhereThereIsNoValue) {
+  const auto textureOf = [](const std::vector<glm::vec4>& texels) {
+    Image image(static_cast<int>(texels.size()), 1, 4);
+    for (int x = 0; x < image.width; ++x)
+      for (int channel = 0; channel < 4; ++channel)
+        image.at(x, 0)[channel] = texels[static_cast<std::size_t>(x)][channel];
+    taa::gl::Texture texture({.width = image.width, .height = 1, .layers = 1}, taa::gl::Format::RGBA32F,
+                             "texels");
+    texture.upload(image, 0);
+    return texture;
+  };
+  const float no = 65504.0f; // the mark of what has no previous position
+  const taa::gl::Texture row = textureOf({{1, 1, 0, 0}, {1, 1, 0, 0}, {no, no, 0, 0}, {1, 1, 0, 0}}),
+                         minus = textureOf({{1, 1, 0, 0}, {1, 1, 0, 4}, {no, no, 0, 0}, {no, no, 0, 0}});
+  const taa::Intermediate& motion = taa::intermediate(IntermediateId::motion);
+  const ViewStyle style = taa::differenceStyle(motion);
+  const taa::DrawnLayers drawn{.row = {&row}, .minus = {&minus, 0, 0, true}};
+  const Picture picture = visualizer().draw(drawn, motion, style, {}, 4, 1);
+  EXPECT_EQ(pixel(picture, 0), bytesOf(taa::mapColor(style.map, 0.5f))) << "there is no difference";
+  const float dark = taa::kNothingLight[0];
+  for (int x = 1; x < 4; ++x) EXPECT_EQ(pixel(picture, x), bytesOf({dark, dark, dark})) << x;
+  const taa::DrawnLayers alone{.row = {&minus, 0, 0, true}};
+  const Picture side = visualizer().draw(alone, motion, taa::defaultStyle(motion), {}, 4, 1);
+  EXPECT_EQ(pixel(side, 1), bytesOf({dark, dark, dark}));
+  EXPECT_NE(pixel(side, 0), pixel(side, 1));
+}
+
 TEST_F(VisualizerTest, SharesItsBlockWithTheShader) {
   const taa::gl::Program program(taa::gl::ShaderSource("include/fullscreen.vert"),
                                  taa::gl::ShaderSource("inspect/visualize.frag", kPrelude), "test");
@@ -166,7 +194,7 @@ TEST_F(VisualizerTest, SharesItsBlockWithTheShader) {
       {"range", offsetof(ViewBlock, range)},   {"channels", offsetof(ViewBlock, channels)},
       {"layer", offsetof(ViewBlock, layer)},   {"overlays", offsetof(ViewBlock, overlays)},
       {"above", offsetof(ViewBlock, above)},   {"below", offsetof(ViewBlock, below)},
-      {"arrows", offsetof(ViewBlock, arrows)},
+      {"arrows", offsetof(ViewBlock, arrows)}, {"nothing", offsetof(ViewBlock, nothing)},
   };
   const auto offsets = program.blockOffsets("ViewBlock");
   EXPECT_EQ(offsets.size(), expected.size());
