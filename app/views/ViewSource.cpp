@@ -4,6 +4,7 @@
 #include "app/views/legend/RangeMath.h"
 
 #include "core/base/Error.h"
+#include "core/inspect/ShownPicture.h"
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -147,12 +148,8 @@ QString ViewSource::sideText(bool other) const {
 std::optional<OtherSide> ViewSource::otherSide(const QStringList& presets) const {
   const auto preset = presets.indexOf(QString::fromStdString(comparison_.preset));
   if (!comparison_ || (comparison_.kind == OtherKind::Preset && preset < 0)) return {};
-  OtherSide other;
-  other.id = otherId();
+  OtherSide other = otherSideOf(comparison_, id_, static_cast<int>(preset) + 1);
   other.style = otherStyle();
-  if (comparison_.kind == OtherKind::Preset) other.lane = static_cast<int>(preset) + 1;
-  if (comparison_.kind == OtherKind::Frame) other.frame = comparison_.frame;
-  if (comparison_.kind == OtherKind::FramesBefore) other.framesBefore = comparison_.frame;
   return other;
 }
 

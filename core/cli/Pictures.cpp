@@ -89,13 +89,9 @@ Picture Pictures::draw(Inspector& inspector, IntermediateId id, int lane, const 
                          .referenceSamples = arguments_.referenceSamples};
   if (!compares()) return shownPicture(inspector, request, progress);
   if (showing_ == Showing::Difference) request.style = styled(differenceStyle(row), arguments_.style);
-  OtherSide& other = request.other.emplace();
-  other.id = otherId(id);
+  OtherSide& other = request.other.emplace(otherSideOf(comparison_, id, 1));
   // The same row looks the same on both sides, as in a view.
   other.style = styled(other.id == id ? first : defaultStyle(intermediate(other.id)), arguments_.otherStyle);
-  if (comparison_.kind == OtherKind::Preset) other.lane = 1;
-  if (comparison_.kind == OtherKind::Frame) other.frame = comparison_.frame;
-  if (comparison_.kind == OtherKind::FramesBefore) other.framesBefore = comparison_.frame;
   return shownPicture(inspector, request, progress);
 }
 

@@ -12,7 +12,7 @@ namespace taa {
 namespace {
 
 constexpr std::array<std::string_view, 4> kShowings = {"first", "other", "difference", "wipe"};
-constexpr std::string_view kPreset = "preset:", kFrame = "frame:", kRow = "row:";
+constexpr std::string_view kPreset = "preset:", kFrame = "frame:", kRow = "row:", kAlongMotion = "motion:-1";
 
 } // namespace
 
@@ -28,12 +28,15 @@ std::string comparisonText(const Comparison& comparison) {
     return std::string(kFrame) + std::to_string(comparison.frame);
   case OtherKind::FramesBefore:
     return std::string(kFrame) + std::to_string(-comparison.frame);
+  case OtherKind::AlongMotion:
+    return std::string(kAlongMotion);
   }
   return {};
 }
 
 Comparison parseComparison(const std::string& text) {
   if (text == "nothing") return {};
+  if (text == kAlongMotion) return {.kind = OtherKind::AlongMotion};
   if (text.starts_with(kPreset) && text.size() > kPreset.size())
     return {.kind = OtherKind::Preset, .preset = text.substr(kPreset.size())};
   if (text.starts_with(kFrame)) {

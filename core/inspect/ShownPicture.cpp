@@ -34,8 +34,23 @@ void checkSides(const Inspector& inspector, const PictureRequest& request) {
 
 } // namespace
 
+OtherSide otherSideOf(const Comparison& comparison, IntermediateId id, int presetLane) {
+  OtherSide other;
+  other.id = comparison.kind == OtherKind::Row ? comparison.id : id;
+  if (comparison.kind == OtherKind::Preset) other.lane = presetLane;
+  if (comparison.kind == OtherKind::Frame) other.frame = comparison.frame;
+  if (comparison.kind == OtherKind::FramesBefore) other.framesBefore = comparison.frame;
+  other.alongMotion = comparison.kind == OtherKind::AlongMotion;
+  return other;
+}
+
 PictureSource otherSource(const OtherSide& other, int frame, int frameCount) {
   PictureSource source{other.id, other.lane, {}};
+  if (other.alongMotion) {
+    source.alongMotion = true;
+    if (frame > 0) source.frame = frame - 1;
+    return source;
+  }
   if (!other.isOfAnotherFrame()) return source;
   const int wished = std::clamp(other.frame.value_or(frame - other.framesBefore), 0, frameCount - 1);
   if (wished != frame) source.frame = wished;

@@ -30,6 +30,10 @@ inline bool showsOther(const PictureRequest& request) {
   return request.other && request.showing != Showing::First;
 }
 
+/// Lane and frame of a comparison, and its row, which is `id` where it says none. `presetLane`: the lane of
+/// its preset.
+OtherSide otherSideOf(const Comparison& comparison, IntermediateId id, int presetLane);
+
 /// Where the other side is looked for while the inspector is at `frame` of `frameCount`.
 PictureSource otherSource(const OtherSide& other, int frame, int frameCount);
 

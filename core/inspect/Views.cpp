@@ -23,7 +23,7 @@ Layer layerOf(const Exposure& exposure, IntermediateId id) {
 } // namespace
 
 Views::Views(ShotPlayer& player, Visualizer& visualizer, ReferenceOfShot& reference)
-    : player_(player), visualizer_(visualizer), reference_(reference) {}
+    : player_(player), visualizer_(visualizer), reference_(reference), rowsBefore_(player) {}
 
 void Views::watch(const std::vector<IntermediateId>& ids) {
   player_.watch(ids);
@@ -103,24 +103,27 @@ bool Views::isExact(const PictureSource& source) const {
   return player_.find(source.frame)->lanes[static_cast<std::size_t>(source.lane)].exact;
 }
 
-// Rows of one lane's frame come out of one exposure.
+// Of what lies in a texture of its own: exposed first, where that exposes something.
+Layer Views::separateLayer(const PictureSource& source) {
+  if (source.alongMotion) return {&rowsBefore_.texture(source), 0, 0, true};
+  return isOfReference(source.id) ? Layer{reference_.texture(source.id, source.lane)} : Layer{};
+}
+
+// Rows of one lane's frame come out of one exposure. What lies over a picture along the motion is of the
+// frame on show, whose pixels it has.
 DrawnLayers Views::layersOf(const PictureSource& source, const std::optional<PictureSource>& minus,
                             const ViewStyle& style) {
   const gl::PassGroup group(pass_group::kExposure);
   const ShotState& state = player_.state();
   FrameMaker& maker = player_.maker();
-  ShownFrame& frame = *player_.find(source.frame);
+  DrawnLayers layers{.row = separateLayer(source), .minus = minus ? separateLayer(*minus) : Layer{}};
+  ShownFrame& frame = source.alongMotion ? player_.shown() : *player_.find(source.frame);
   const bool isSameFrame = minus && minus->lane == source.lane && player_.find(minus->frame) == &frame;
-  std::vector<IntermediateId> ids{source.id};
-  if (isSameFrame) ids.push_back(minus->id);
+  std::vector<IntermediateId> ids;
+  if (!layers.row.texture) ids.push_back(source.id);
+  if (isSameFrame && !layers.minus.texture) ids.push_back(minus->id);
   if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
   if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
-  // First: comparing with the reference exposes the output.
-  const auto referenceOf = [this](const PictureSource& of) {
-    return isOfReference(of.id) ? Layer{reference_.texture(of.id, of.lane)} : Layer{};
-  };
-  DrawnLayers layers{.row = referenceOf(source), .minus = minus ? referenceOf(*minus) : Layer{}};
-  std::erase_if(ids, isOfReference);
   if (!ids.empty()) {
     const Exposure& exposure = maker.exposedAll(state, frame, inTableOrder(ids), source.lane);
     if (!layers.row.texture) layers.row = layerOf(exposure, source.id);
@@ -144,23 +147,25 @@ Picture Views::picture(const PictureSource& source, const std::optional<PictureS
   return visualizer_.draw(layers, intermediate(source.id), style, transform, width, height);
 }
 
-Image Views::image(const PictureSource& source, const std::optional<PictureSource>& minus,
-                   const gl::Rect& region) {
+Absence Views::absenceOf(const PictureSource& source) const {
+  return source.alongMotion ? absenceBefore(player_.state(), player_.shown().frame, source.id)
+                            : Absence::None;
+}
+
+PartialImage Views::values(const PictureSource& source, const std::optional<PictureSource>& minus,
+                           const gl::Rect& region) {
   assert(isCached(source) && (!minus || isCached(*minus)));
   const gl::PassGroup group(pass_group::kExposure);
-  const auto values = [&](const PictureSource& of) {
-    if (isOfReference(of.id)) return reference_.image(of.id, region, of.lane);
-    return player_.maker()
-        .exposed(player_.state(), *player_.find(of.frame), of.id, of.lane)
-        .image(of.id, region);
+  const auto valuesOf = [&](const PictureSource& of) -> PartialImage {
+    if (of.alongMotion)
+      return partOf(rowsBefore_.values(of), {region.x, region.y}, {region.width, region.height});
+    if (isOfReference(of.id)) return {reference_.image(of.id, region, of.lane), {}};
+    const Exposure& exposure =
+        player_.maker().exposed(player_.state(), *player_.find(of.frame), of.id, of.lane);
+    return {exposure.image(of.id, region), {}};
   };
-  Image image = values(source);
-  if (!minus) return image;
-  const Image other = values(*minus);
-  assert(other.channels == image.channels);
-  for (std::size_t index = 0; index < image.pixels.size(); ++index)
-    image.pixels[index] -= other.pixels[index];
-  return image;
+  PartialImage own = valuesOf(source);
+  return minus ? differenceOf(intermediate(source.id), own, valuesOf(*minus)) : own;
 }
 
 } // namespace taa

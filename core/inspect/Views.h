@@ -4,6 +4,8 @@
 #include "core/base/Image.h"
 #include "core/base/Progress.h"
 #include "core/gl/Texture.h"
+#include "core/inspect/RowsBefore.h"
+#include "core/measure/compare/FrameBefore.h"
 #include "core/picture/PictureSource.h"
 #include "core/picture/Thumbnails.h"
 #include "core/picture/Visualizer.h"
@@ -51,11 +53,15 @@ class Views {
   Picture picture(const PictureSource& source, const std::optional<PictureSource>& minus,
                   const ViewStyle& style, const ViewTransform& transform, int width, int height);
   /// Values of a part of the picture, or of the difference.
-  Image image(const PictureSource& source, const std::optional<PictureSource>& minus, const gl::Rect& region);
+  PartialImage values(const PictureSource& source, const std::optional<PictureSource>& minus,
+                      const gl::Rect& region);
+  /// Why a picture has no values at all; None where it has some.
+  Absence absenceOf(const PictureSource& source) const;
 
  private:
   DrawnLayers layersOf(const PictureSource& source, const std::optional<PictureSource>& minus,
                        const ViewStyle& style);
+  Layer separateLayer(const PictureSource& source);
   Picture pictureOfReference(IntermediateId id, const ViewStyle& style, const ViewTransform& transform,
                              const glm::ivec2& size, int lane);
 
@@ -63,6 +69,7 @@ class Views {
   Visualizer& visualizer_;
   ReferenceOfShot& reference_;
   Thumbnails thumbnails_;
+  RowsBefore rowsBefore_;
 };
 
 } // namespace taa

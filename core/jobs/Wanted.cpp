@@ -1,6 +1,9 @@
 #include "core/jobs/Wanted.h"
 
+#include "core/inspect/RowsBefore.h"
+
 #include <algorithm>
+#include <iterator>
 
 namespace taa {
 
@@ -19,7 +22,9 @@ std::vector<IntermediateId> Wanted::rows() const {
   for (const ViewRequest& view : views) {
     if (!isShown(view)) continue;
     addViewRows(ids, view.id, view.style);
-    if (view.other) addViewRows(ids, view.other->id, view.other->style);
+    if (!view.other) continue;
+    addViewRows(ids, view.other->id, view.other->style);
+    if (view.other->alongMotion) ids.insert(ids.end(), std::begin(kPlacesBefore), std::end(kPlacesBefore));
   }
   return ids;
 }

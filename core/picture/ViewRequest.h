@@ -4,6 +4,7 @@
 #include "core/base/Image.h"
 #include "core/gl/Texture.h"
 #include "core/measure/Metrics.h"
+#include "core/measure/compare/FrameBefore.h"
 #include "core/picture/Visualizer.h"
 #include "core/taa/rows/Intermediates.h"
 
@@ -21,8 +22,9 @@ struct OtherSide {
   int lane = 0;
   std::optional<int> frame{}; ///< clamped to the shot; nothing: the frame on show
   int framesBefore = 0;       ///< without `frame`: that long before the one on show
+  bool alongMotion = false;   ///< the frame before the one on show, read where its pixels came from
   bool operator==(const OtherSide&) const = default;
-  bool isOfAnotherFrame() const { return frame || framesBefore != 0; }
+  bool isOfAnotherFrame() const { return frame || framesBefore != 0 || alongMotion; }
 };
 
 /// One view on the screen. A picture is delivered again whenever what it shows or how has changed.
@@ -50,10 +52,11 @@ ReasonCounts countReasons(const Image& reasons);
 /// The other side of a view, of the same pixels.
 struct ViewSide {
   Picture picture;
-  Image values;
+  Image values, absence{}; ///< as of ViewResult
   int frame = 0;
   bool exact = true;
-  ReasonCounts reasons{}; ///< where they are shown
+  ReasonCounts reasons{};            ///< where they are shown
+  Absence allAbsent = Absence::None; ///< why it has no values at all
 };
 
 /// A finished picture of a view, with what it was made from.
@@ -62,6 +65,7 @@ struct ViewResult {
   ViewRequest request;
   Picture picture;
   Image values;    ///< of `region` when asked for; else empty
+  Image absence{}; ///< why values of `region` are none (Absence as a number); empty: there are all
   gl::Rect region; ///< pixels of the picture that `values` holds
   /// Of a row of the reference: how many samples that has, 0: none yet, the picture is empty; and how far the
   /// output is from it.

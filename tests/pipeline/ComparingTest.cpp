@@ -105,7 +105,7 @@ TEST_F(ComparingTest, AComparisonFrameIsThatFrameAndTheOneOnShowStays) {
   EXPECT_TRUE(inspector->views().isCached({.frame = 9}));
   const std::vector<Image> expected = fresh(Settings{}, 2);
   for (std::size_t index = 0; index < taa::allRows().size(); ++index)
-    EXPECT_TRUE(isSame(inspector->views().image({taa::allRows()[index], 0, 2}, {}, kWhole), expected[index]))
+    EXPECT_TRUE(isSame(inspector->views().values({taa::allRows()[index], 0, 2}, {}, kWhole).values, expected[index]))
         << taa::kIntermediates[index].name;
   EXPECT_EQ(inspector->shot().frame(), 6);
   EXPECT_TRUE(inspector->shot().areAllExact());
@@ -135,9 +135,9 @@ TEST_F(ComparingTest, DifferencesAreThoseOfTheValues) {
   const PictureSource others[] = {
       {IntermediateId::color, 0, {}}, {IntermediateId::resolved, 1, {}}, {IntermediateId::resolved, 0, 1}};
   for (const PictureSource& other : others) {
-    const Image a = inspector->views().image(resolved, {}, kWhole),
-                b = inspector->views().image(other, {}, kWhole);
-    const Image difference = inspector->views().image(resolved, other, kWhole);
+    const Image a = inspector->views().values(resolved, {}, kWhole).values,
+                b = inspector->views().values(other, {}, kWhole).values;
+    const Image difference = inspector->views().values(resolved, other, kWhole).values;
     ViewStyle style;
     style.map = taa::ColorMap::Gray;
     style.low = -1.0f;

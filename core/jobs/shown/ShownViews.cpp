@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace taa {
 
@@ -70,13 +71,16 @@ ReasonCounts ShownViews::reasonsOf(const PictureSource& source, IntermediateId i
   if (!style.markRejected && id != IntermediateId::rejectReason) return {};
   const std::pair now(desk_.version(), desk_.comparisonVersion);
   if (reasons_.version != now) reasons_ = {now, {}};
-  const PictureSource reasons{IntermediateId::rejectReason, source.lane, source.frame};
+  // Over a picture along the motion lies what is of the frame on show, whose pixels it has.
+  if (source.alongMotion && !style.markRejected) return {};
+  const PictureSource reasons{IntermediateId::rejectReason, source.lane,
+                              source.alongMotion ? std::nullopt : source.frame};
   const auto known =
       std::ranges::find(reasons_.counts, reasons, &std::pair<PictureSource, ReasonCounts>::first);
   if (known != reasons_.counts.end()) return known->second;
   const InspectedShot& shot = desk_.inspector.shot();
   const gl::Rect whole{0, 0, shot.width(), shot.height()};
-  const ReasonCounts counts = countReasons(desk_.inspector.views().image(reasons, {}, whole));
+  const ReasonCounts counts = countReasons(desk_.inspector.views().values(reasons, {}, whole).values);
   reasons_.counts.emplace_back(reasons, counts);
   return counts;
 }
@@ -96,7 +100,11 @@ ViewResult ShownViews::draw(int index, const PictureSource& source,
   result.shotVersion = desk_.shotVersion();
   result.exact = views.isExact(source) && (!minus || views.isExact(*minus));
   result.picture = views.picture(source, minus, view.style, view.transform, view.width, view.height);
-  if (result.region.width > 0) result.values = views.image(source, minus, result.region);
+  if (result.region.width > 0) {
+    PartialImage values = views.values(source, minus, result.region);
+    result.values = std::move(values.values);
+    result.absence = std::move(values.absence);
+  }
   result.reasons = reasonsOf(source, view.id, view.style);
   if (other) drawOther(result, *other);
   return result;
@@ -108,8 +116,13 @@ void ShownViews::drawOther(ViewResult& result, const PictureSource& other) {
   ViewSide& side = result.other.emplace();
   side.frame = other.frame.value_or(result.frame);
   side.exact = views.isExact(other);
+  side.allAbsent = views.absenceOf(other);
   side.picture = views.picture(other, {}, view.other->style, view.transform, view.width, view.height);
-  if (result.region.width > 0) side.values = views.image(other, {}, result.region);
+  if (result.region.width > 0) {
+    PartialImage values = views.values(other, {}, result.region);
+    side.values = std::move(values.values);
+    side.absence = std::move(values.absence);
+  }
   side.reasons = reasonsOf(other, view.other->id, view.other->style);
 }
 

@@ -39,6 +39,7 @@ TEST(ComparisonTest, TextsAndMeaningsBelongTogether) {
       {kSharp, "preset:sharp"},
       {{OtherKind::Frame, {}, {}, 12}, "frame:12"},
       {{OtherKind::FramesBefore, {}, {}, 3}, "frame:-3"},
+      {{OtherKind::AlongMotion}, "motion:-1"},
   };
   for (const auto& [comparison, text] : pairs) {
     EXPECT_EQ(comparisonText(comparison), text);

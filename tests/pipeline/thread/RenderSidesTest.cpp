@@ -8,6 +8,7 @@
 using taa::IntermediateId;
 using taa::OtherSide;
 using taa::Picture;
+using taa::PictureSource;
 using taa::Settings;
 using taa::ViewRequest;
 using taa::ViewResult;
@@ -163,6 +164,38 @@ TEST_F(RenderSidesTest, ADifferenceBringsItsValues) {
     differs = differs || expected != 0.0f;
   }
   EXPECT_TRUE(differs);
+}
+
+TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
+  OtherSide before;
+  before.alongMotion = true;
+  ViewRequest view = comparing(before);
+  view.asDifference = view.withValues = true;
+  thread->post(taa::request::SetViews{{view}});
+  const ViewResult first = last();
+  ASSERT_EQ(first.absence.pixels.size(), std::size_t(kWidth) * kHeight);
+  for (const float absence : first.absence.pixels)
+    EXPECT_EQ(absence, static_cast<float>(taa::Absence::FirstFrame));
+  ASSERT_TRUE(first.other);
+  EXPECT_EQ(first.other->allAbsent, taa::Absence::FirstFrame);
+  thread->post(taa::request::Step{3});
+  const ViewResult third = last();
+  ASSERT_TRUE(third.other);
+  EXPECT_EQ(third.frame, 3);
+  EXPECT_EQ(third.other->frame, 2);
+  EXPECT_EQ(third.other->allAbsent, taa::Absence::None);
+  const auto make = [&] {
+    taa::Inspector inspector;
+    inspector.shot().setSize(kWidth, kHeight);
+    inspector.shot().open("builtin:fan");
+    inspector.shot().seek(3);
+    inspector.views().keepComparisonFrames({2});
+    return inspector.views().picture({IntermediateId::resolved},
+                                     PictureSource{IntermediateId::resolved, 0, 2, true}, view.style, {},
+                                     kWidth, kHeight);
+  };
+  EXPECT_EQ(third.picture.rgba, std::async(std::launch::async, make).get().rgba);
+  EXPECT_TRUE(recorder.errors.empty());
 }
 
 TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
