@@ -76,6 +76,7 @@ struct ProbeArguments {
   int frame = -1; ///< −1: that of the session
   bool json = false;
   bool whatIf = false; ///< also the pixel under other choices
+  std::string compare; ///< the other side; empty: none
 };
 
 struct LineageArguments {

@@ -127,6 +127,11 @@ void addProbe(CLI::App& app, ProbeArguments& probe, const taa::Progress& progres
   command->add_flag("--json", probe.json, "Print JSON");
   command->add_flag("--what-if", probe.whatIf,
                     "Also print the pixel under every rectification, box, history filter and preset");
+  command->add_option(
+      "--compare", probe.compare,
+      "Also print each row of what the pixel is compared with, and their difference: "
+      "preset:NAME, frame:N, frame:-N for N frames before, or motion:-1 for the frame before, "
+      "where the pixel came from");
   command->callback([&probe, &progress] { runProbe(probe, std::cout, progress); });
 }
 

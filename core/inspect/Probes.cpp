@@ -4,15 +4,19 @@
 #include "core/base/Say.h"
 #include "core/gl/PassTimer.h"
 #include "core/inspect/ReferenceOfShot.h"
+#include "core/inspect/RowsBefore.h"
 #include "core/measure/Profiler.h"
 #include "core/probe/ProbeRegion.h"
 #include "core/probe/TwinInputs.h"
 #include "core/replay/ShotPlayer.h"
 #include "core/taa/twin/stages/SampleStages.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -65,6 +69,57 @@ std::vector<PixelRecord> Probes::probeAround(int x, int y, int radius, int lane)
       around.push_back(inside[static_cast<std::size_t>(row) * region.width + column]);
     }
   return around;
+}
+
+std::vector<PixelRecord> Probes::recordsOf(const PictureSource& source, const gl::Rect& region) {
+  ShownFrame& frame = *player_.find(source.frame);
+  const auto index = static_cast<std::size_t>(source.lane);
+  const ShownLane& lane = frame.lanes[index];
+  const FrameInputs& inputs = player_.maker().inputs(player_.state(), frame, index);
+  std::vector<PixelRecord> records = probeRegion(player_.maker().pass, inputs, lane.previous.get(),
+                                                 *lane.current, player_.settings(source.lane), region);
+  if (&frame == &player_.shown()) reference_.addTo(records, region, source.lane);
+  return records;
+}
+
+ComparedPixel Probes::compared(const glm::ivec2& pixel, const PictureSource& other, int lane) {
+  const gl::PassGroup group(pass_group::kProbe);
+  ComparedPixel compared{.frame = other.frame.value_or(player_.shown().frame), .lane = other.lane};
+  if (other.alongMotion) {
+    fillBefore(compared, pixel, other, lane);
+    return compared;
+  }
+  const PixelRecord record = recordsOf(other, {pixel.x, pixel.y, 1, 1}).front();
+  for (const Intermediate& row : kIntermediates)
+    compared.other[static_cast<std::size_t>(row.id)] = valueIn(record, row.id);
+  return compared;
+}
+
+// The four texels that are read: those at the border stand for what lies beyond.
+void Probes::fillBefore(ComparedPixel& compared, const glm::ivec2& pixel, const PictureSource& other,
+                        int lane) {
+  const PixelRecord now = probe(pixel.x, pixel.y, lane);
+  const glm::ivec2 size = player_.picturePx(), last = size - 1;
+  const glm::vec2 position(twin::at(now, IntermediateId::historyPosition));
+  const Absence ofPlace = absenceAt(position, glm::vec2(twin::at(now, IntermediateId::dilatedMotion)), size);
+  const auto absenceOf = [&](IntermediateId id) {
+    const Absence ofFrame = absenceBefore(player_.state(), player_.shown().frame, id);
+    return ofFrame == Absence::None ? ofPlace : ofFrame;
+  };
+  std::vector<PixelRecord> taps;
+  if (absenceOf(IntermediateId::color) == Absence::None) {
+    compared.position = position;
+    for (const glm::ivec2 step : {glm::ivec2(0), glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(1)}) {
+      const glm::ivec2 texel = glm::clamp(firstTap(position) + step, glm::ivec2(0), last);
+      taps.push_back(recordsOf(other, {texel.x, texel.y, 1, 1}).front());
+    }
+  }
+  for (const Intermediate& row : kIntermediates) {
+    PartialValue& value = compared.other[static_cast<std::size_t>(row.id)];
+    const Absence absence = absenceOf(row.id);
+    value = absence == Absence::None ? valueBetween(std::span<const PixelRecord, 4>(taps), position, row.id)
+                                     : absentValue(absence);
+  }
 }
 
 twin::Details Probes::details(int x, int y, int lane) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/base/Progress.h"
+#include "core/measure/compare/ComparedPixel.h"
+#include "core/picture/PictureSource.h"
 #include "core/probe/PixelTrace.h"
 #include "core/probe/Probe.h"
 #include "core/probe/WhatIf.h"
@@ -28,6 +30,9 @@ class Probes {
   PixelRecord probe(int x, int y, int lane = 0);
   /// Everything at a square of pixels around (x, y), `radius` 1: 3×3, row-major; clamped at the border.
   std::vector<PixelRecord> probeAround(int x, int y, int radius, int lane = 0);
+  /// The other side of a pixel, whatever the row of `other`. Expects that its frame is on show or a
+  /// comparison frame, and its lane is there. Along the motion from where the pixel is in `lane`.
+  ComparedPixel compared(const glm::ivec2& pixel, const PictureSource& other, int lane = 0);
   // By the CPU twin, which reads what the GPU read
   /// What formulas of a pixel are made of.
   twin::Details details(int x, int y, int lane = 0);
@@ -44,6 +49,9 @@ class Probes {
                                                      TraceCursor& cursor, const Progress& progress = {});
 
  private:
+  std::vector<PixelRecord> recordsOf(const PictureSource& source, const gl::Rect& region);
+  void fillBefore(ComparedPixel& compared, const glm::ivec2& pixel, const PictureSource& other, int lane);
+
   ShotPlayer& player_;
   ReferenceOfShot& reference_;
 };

@@ -3,6 +3,7 @@
 #include "core/base/Say.h"
 #include "core/io/FrameJson.h"
 #include "core/story/ProbeHeadline.h"
+#include "core/taa/rows/ChannelNames.h"
 #include "core/taa/twin/Known.h"
 
 #include <array>
@@ -23,6 +24,39 @@ std::string valuesText(const Intermediate& row, const twin::PixelRecord& record,
   if (const std::string_view category = categoryText(row.id, static_cast<int>(value.x)); !category.empty())
     text += " (" + std::string(category) + ")";
   return text;
+}
+
+std::string numbersText(const Intermediate& row, const glm::vec4& value) {
+  std::string text;
+  for (int channel = 0; channel < row.channels; ++channel)
+    text += (channel > 0 ? " " : "") + floatText(value[channel]);
+  return text;
+}
+
+ordered_json numbersJson(const Intermediate& row, const PartialValue& value, const SpaceSettings& space) {
+  ordered_json json;
+  int channel = 0;
+  for (const std::string& name : channelNames(row, space))
+    if (value.absence == Absence::None) json[name] = floatJson(value.value[channel++]);
+  return json;
+}
+
+/// {"with": "motion:-1", "frame": 6, "position": [12.5, 3.5], "rows": {"color": {"other": …, "difference":
+/// …}, …}}; both are null where there is no difference, and "absence" says why.
+ordered_json comparedJson(const Comparison& comparison, const ProbedLane& lane) {
+  const ComparedPixel& compared = *lane.compared;
+  ordered_json json = {{"with", comparisonText(comparison)}, {"frame", compared.frame}};
+  if (compared.position)
+    json["position"] = {floatJson(compared.position->x), floatJson(compared.position->y)};
+  for (const Intermediate& row : kIntermediates) {
+    const SpaceSettings& space = lane.lane.settings.space;
+    const PartialValue difference = differenceOf(lane.record, compared, row.id);
+    ordered_json& told = json["rows"][std::string(row.name)];
+    told = {{"other", numbersJson(row, compared.of(row.id), space)},
+            {"difference", numbersJson(row, difference, space)}};
+    if (difference.absence != Absence::None) told["absence"] = absenceText(difference.absence);
+  }
+  return json;
 }
 
 ordered_json colorJson(const glm::vec3& color) {
@@ -72,6 +106,11 @@ std::string storyLines(const RowStory& story, const std::string& indent) {
   for (const std::string& line : {story.words, formulaText(story)})
     if (!line.empty()) text += indent + line + "\n";
   return text;
+}
+
+/// The other side as a line below a row; empty without one.
+std::string comparedLine(const ProbedLane& lane, IntermediateId id, const std::string& indent) {
+  return lane.compared ? indent + comparedText(lane.record, *lane.compared, id) + "\n" : "";
 }
 
 std::vector<std::string> headlineOf(const ProbedLane& lane) {
@@ -127,6 +166,24 @@ std::string placeText(const ShotFacts& shot, const glm::ivec2& pixel, const Lane
       pixel.x, pixel.y, lane.info.frame, shot.source, shot.camera, shot.width, shot.height, lane.preset);
 }
 
+std::string comparedText(const Comparison& comparison, const ComparedPixel& compared) {
+  const std::string with = comparisonText(comparison);
+  const PartialValue& color = compared.of(IntermediateId::color);
+  if (color.absence != Absence::None)
+    return say<"compared with %1: nothing, %2">(with, absenceText(color.absence));
+  if (!compared.position) return say<"compared with %1: frame %2">(with, compared.frame);
+  return say<"compared with %1: frame %2 at %3 %4">(with, compared.frame, floatText(compared.position->x),
+                                                    floatText(compared.position->y));
+}
+
+std::string comparedText(const twin::PixelRecord& now, const ComparedPixel& compared, IntermediateId id) {
+  const Intermediate& row = intermediate(id);
+  const PartialValue difference = differenceOf(now, compared, id);
+  if (difference.absence != Absence::None) return say<"no difference: %1">(absenceText(difference.absence));
+  return say<"other %1, difference %2">(numbersText(row, compared.of(id).value),
+                                        numbersText(row, difference.value));
+}
+
 ordered_json probeJson(const ProbeReport& report) {
   ordered_json json = shotJson(report.shot);
   json["frame"] = report.lanes.front().lane.info.frame;
@@ -137,6 +194,7 @@ ordered_json probeJson(const ProbeReport& report) {
     row["headline"] = headlineOf(lane);
     row["values"] = recordJson(lane.record, lane.lane.settings.space);
     if (lane.details) row["stories"] = storiesJson(lane, report.pixel);
+    if (lane.compared) row["compared"] = comparedJson(report.comparison, lane);
     for (const WhatIfRow& variant : lane.whatIf) row["whatIf"].push_back(whatIfJson(variant));
     json["lanes"].push_back(row);
   }
@@ -148,10 +206,12 @@ std::string probeText(const ProbeReport& report) {
   for (const ProbedLane& lane : report.lanes) {
     text += (text.empty() ? "" : "\n") + placeText(report.shot, report.pixel, lane.lane) + "\n";
     for (const std::string& line : headlineOf(lane)) text += line + "\n";
+    if (lane.compared) text += comparedText(report.comparison, *lane.compared) + "\n";
     forEachRow([&](const StageInfo&, const Intermediate& row, bool) {
       text += std::string(row.name) + " " + valuesText(row, lane.record, " ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
-      text += "\n" + storyLines(laneStory(lane, report.pixel, row.id), "  ");
+      text += "\n" + comparedLine(lane, row.id, "  ");
+      text += storyLines(laneStory(lane, report.pixel, row.id), "  ");
     });
   }
   return text;
@@ -169,7 +229,8 @@ std::string probeTable(const ProbedLane& lane, const glm::ivec2& pixel) {
       isAny = true;
       text += "  " + std::string(row.label) + "  " + valuesText(row, lane.record, "  ");
       if (!row.unit.empty()) text += " " + std::string(row.unit);
-      text += "\n" + storyLines(laneStory(lane, pixel, row.id), "      ");
+      text += "\n" + comparedLine(lane, row.id, "      ");
+      text += storyLines(laneStory(lane, pixel, row.id), "      ");
     }
   }
   return text;

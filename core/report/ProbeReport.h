@@ -2,6 +2,8 @@
 // taa-batch and from the window.
 #pragma once
 
+#include "core/inspect/Comparison.h"
+#include "core/measure/compare/ComparedPixel.h"
 #include "core/probe/WhatIf.h"
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
@@ -13,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +42,22 @@ struct ProbedLane {
   twin::PixelRecord record{};
   std::vector<WhatIfRow> whatIf{};                ///< empty: not asked for
   std::shared_ptr<const twin::Details> details{}; ///< what stories are made from; null: none are told
+  std::optional<ComparedPixel> compared{};        ///< the other side; nothing: there is none
 };
 struct ProbeReport {
   ShotFacts shot;
   glm::ivec2 pixel{0};
   std::vector<ProbedLane> lanes;
+  Comparison comparison{}; ///< that `compared` of all lanes is of
 };
 
 /// "pixel 3 4 frame 7 of builtin:fan, camera still, 960x540, preset balanced"
 std::string placeText(const ShotFacts& shot, const glm::ivec2& pixel, const LaneFacts& lane);
+
+/// "compared with motion:-1: frame 6 at 12.5 3.5", or why there is nothing.
+std::string comparedText(const Comparison& comparison, const ComparedPixel& compared);
+/// A row of both sides: "other 0.5, difference -0.25", or why there is no difference.
+std::string comparedText(const twin::PixelRecord& now, const ComparedPixel& compared, IntermediateId id);
 
 nlohmann::ordered_json probeJson(const ProbeReport& report);
 /// The headline, then every row by stages, exact: "alpha 0.125", below it what happened there and its

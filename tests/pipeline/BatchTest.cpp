@@ -292,6 +292,8 @@ TEST_F(BatchTest, DrawsWhatIsComparedAsItIsAskedFor) {
   EXPECT_NE(drawn(joined(preset, {"difference"})), wipe);
   EXPECT_NE(drawn({"--compare", "frame:-1", "--compare-as", "other"}), first);
   EXPECT_EQ(drawn({"--compare", "frame:4", "--compare-as", "other"}), first);
+  EXPECT_NE(drawn({"--compare", "motion:-1", "--compare-as", "difference"}),
+            drawn({"--compare", "frame:-1", "--compare-as", "difference"}));
   EXPECT_NE(drawn({"--compare", "reference", "--compare-as", "other", "--reference-samples", "4"}), first);
 }
 
@@ -307,6 +309,32 @@ TEST(BatchMistakes, ComparingIsOfOnePictureAndWhatThereIs) {
   expectWrong({"--format", "png", "--compare", "alpha", "--compare-as", "difference"},
               {"resolved has 3 channels", "alpha 1"});
   expectWrong({"--format", "png", "--compare", "color", "--lane", "sharp", "--lane", "stable"}, {"one lane"});
+  expectWrong({"--format", "png", "--compare", "motion:-2"}, {"motion:-2", "motion:-1"});
+  expectUsageError({"probe", "builtin:fan", "--frame", "0", "--pixel", "1,1", "--compare", "color"},
+                   {"--compare", "preset"});
+}
+
+TEST_F(BatchTest, ProbesBothSidesOfWhatIsCompared) {
+  const auto probed = [](const std::string& frame, const std::vector<std::string>& more) {
+    const ProcessResult result = batch(joined({"probe", "builtin:fence", "--camera", "still", "--size",
+                                               "64x36", "--pixel", "31,17", "--json", "--frame", frame},
+                                              more));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return result.exitCode == 0 ? json::parse(result.out)["lanes"][0] : json();
+  };
+  const json before = probed("4", {}), sharp = probed("5", {"--preset", "sharp"});
+  const json moved = probed("5", {"--compare", "motion:-1"})["compared"];
+  EXPECT_EQ(moved["frame"], 4);
+  EXPECT_EQ(moved["position"], (json{31.5, 17.5}));
+  const json lane = probed("5", {"--compare", "preset:sharp"})["compared"];
+  for (const char* row : {"color", "depthView", "motion", "resolved", "alpha"}) {
+    EXPECT_EQ(moved["rows"][row]["other"], before["values"][row]) << row << ": nothing moves";
+    EXPECT_EQ(lane["rows"][row]["other"], sharp["values"][row]) << row;
+  }
+  EXPECT_EQ(moved["rows"]["motion"]["difference"], (json{{"X", 0.0}, {"Y", 0.0}}));
+  const json first = probed("0", {"--compare", "motion:-1"})["compared"]["rows"]["alpha"];
+  EXPECT_TRUE(first["other"].is_null() && first["difference"].is_null());
+  EXPECT_EQ(first["absence"], "no frame before");
 }
 
 TEST_F(BatchTest, ProbesWhatItExports) {
