@@ -17,7 +17,7 @@ namespace taa::app {
 namespace {
 
 constexpr double kPointRadius = 4.0, kChosenRadius = 7.0, kReach = 9.0; ///< px
-constexpr double kTickSpace = 56.0, kTickRows = 28.0;                   ///< px between ticks at least
+constexpr double kScatterTickSpace = 56.0, kTickRows = 28.0;            ///< px between ticks at least
 
 /// Of all points along one axis; one alone gets some room.
 Span spanOf(const std::vector<ScatterPoint>& points, double (QPointF::*along)() const) {
@@ -63,7 +63,8 @@ void ScatterChart::fitAxes() {
     return ChartAxis{span, roundStep(span.length(), steps), title};
   };
   axes_.layOut(
-      axisOf(spanOf(points_, &QPointF::x), std::max(2, static_cast<int>(width() / kTickSpace)), xTitle_),
+      axisOf(spanOf(points_, &QPointF::x), std::max(2, static_cast<int>(width() / kScatterTickSpace)),
+             xTitle_),
       axisOf(spanOf(points_, &QPointF::y), std::max(2, static_cast<int>(height() / kTickRows)), yTitle_),
       QRectF(rect()).adjusted(kUnit, 2.0 * kUnit, -3.0 * kUnit, -kUnit));
   update();
