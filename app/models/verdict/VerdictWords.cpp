@@ -54,8 +54,9 @@ QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
 
 QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
   const RemedyMeasure &before = of.picture, &after = tried.picture;
-  return QObject::tr("Picture: error %1, flicker %2, sharpness %3")
+  return QObject::tr("Picture: error %1, ghost %2, flicker %3, sharpness %4")
       .arg(arrowText(stepsText(before.error), stepsText(after.error)),
+           arrowText(stepsText(before.ghost), stepsText(after.ghost)),
            arrowText(stepsText(before.flicker), stepsText(after.flicker)),
            arrowText(percentText(100.0 * before.sharpness), percentText(100.0 * after.sharpness)));
 }

@@ -15,7 +15,8 @@ QString changeText(const std::string& assignment);
 QString changesText(const Remedy& remedy);
 /// "This pixel: off by 31.2 → 4.1 of 255"
 QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
-/// "Picture: error 3.1 → 3 of 255, flicker 1.2 → 1.3, sharpness 92 % → 95 %"
+/// "Picture: error 3.1 → 3, ghost 2.4 → 1.1, flicker 1.2 → 1.3, sharpness 92 % → 95 %", the first three of
+/// 255
 QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
 
 /// What decided: "0.31", "0.31, limit 0.1", or a reason in words.

@@ -49,6 +49,7 @@ ordered_json rowJson(const VerdictRow& row) {
 
 ordered_json measureJson(const RemedyMeasure& measure, bool isPicture) {
   ordered_json json{{"error", numberJson(measure.error)}, {"flicker", numberJson(measure.flicker)}};
+  if (isPicture) json["ghost"] = numberJson(measure.ghost);
   if (isPicture) json["sharpness"] = numberJson(measure.sharpness);
   return json;
 }
@@ -103,7 +104,7 @@ std::string changesText(const std::vector<std::string>& changes) {
 std::string measureText(const RemedyMeasure& pixel, const RemedyMeasure& picture) {
   return "pixel: error " + shortNumber(pixel.error) + ", flicker " + shortNumber(pixel.flicker) +
          "; picture: error " + shortNumber(picture.error) + ", flicker " + shortNumber(picture.flicker) +
-         ", sharpness " + shortNumber(picture.sharpness);
+         ", ghost " + shortNumber(picture.ghost) + ", sharpness " + shortNumber(picture.sharpness);
 }
 
 } // namespace

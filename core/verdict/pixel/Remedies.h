@@ -18,8 +18,11 @@ struct Remedy {
 
 /// Of a pixel over its last moments, or of the whole picture, against the reference, as shown (0 to 1).
 struct RemedyMeasure {
-  double error = 0.0;     ///< root of the mean squared error
-  double flicker = 0.0;   ///< root of the mean squared change of the error from frame to frame
+  double error = 0.0;   ///< root of the mean squared error
+  double flicker = 0.0; ///< root of the mean squared change of the error from frame to frame
+  /// Root of the mean squared ghost (core/measure/compare/GhostEnergy.h), looked for where the motion vectors
+  /// point, the same for all settings; of a picture only.
+  double ghost = 0.0;
   double sharpness = 1.0; ///< sum of the gradients' lengths against the reference's; of a picture only
 };
 

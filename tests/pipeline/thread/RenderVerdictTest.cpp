@@ -39,7 +39,7 @@ Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
 }
 
 bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
-  return a.error == b.error && a.flicker == b.flicker && a.sharpness == b.sharpness;
+  return a.error == b.error && a.flicker == b.flicker && a.ghost == b.ghost && a.sharpness == b.sharpness;
 }
 
 bool isSame(const TriedRemedy& a, const TriedRemedy& b) {
