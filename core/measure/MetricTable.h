@@ -40,6 +40,10 @@ enum class Metric : std::uint8_t {
   HdrFlip,
   Sharpness,
   GhostEnergy,
+  GeometryKept,
+  GeometryRemoved,
+  GeometryLetThrough,
+  GeometryThrownAway,
 };
 
 struct MetricInfo {
@@ -58,7 +62,7 @@ struct MetricInfo {
   bool isCostly = false;       ///< takes seconds: made only where it is named
 };
 
-inline constexpr std::array<MetricInfo, 26> kMetrics{{
+inline constexpr std::array<MetricInfo, 30> kMetrics{{
     {Metric::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
     {Metric::Rejected, "rejected", "Rejected", "%", 0, 100,
      "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
@@ -164,6 +168,48 @@ inline constexpr std::array<MetricInfo, 26> kMetrics{{
      .row = "ghost",
      .needsReference = true,
      .isOverTime = true},
+    {.metric = Metric::GeometryKept,
+     .id = "geometryKept",
+     .label = "Same surface kept",
+     .unit = "%",
+     .high = 100,
+     .description = "Share of pixels whose history was of what they show, by the scene's geometry, and was "
+                    "not rejected.",
+     .row = "geometryVerdict",
+     .needsReference = true,
+     .isOverTime = true,
+     .isHigherBetter = true,
+     .category = 0},
+    {.metric = Metric::GeometryRemoved,
+     .id = "geometryRemoved",
+     .label = "Other surface rejected",
+     .unit = "%",
+     .high = 100,
+     .description = "Share of pixels whose history was of something else, and was rejected.",
+     .row = "geometryVerdict",
+     .needsReference = true,
+     .isOverTime = true,
+     .category = 1},
+    {.metric = Metric::GeometryLetThrough,
+     .id = "geometryLetThrough",
+     .label = "Other surface let through",
+     .unit = "%",
+     .high = 100,
+     .description = "Share of pixels whose history was of something else, and was not rejected.",
+     .row = "geometryVerdict",
+     .needsReference = true,
+     .isOverTime = true,
+     .category = 2},
+    {.metric = Metric::GeometryThrownAway,
+     .id = "geometryThrownAway",
+     .label = "Same surface rejected",
+     .unit = "%",
+     .high = 100,
+     .description = "Share of pixels whose history was of what they show, and was rejected.",
+     .row = "geometryVerdict",
+     .needsReference = true,
+     .isOverTime = true,
+     .category = 3},
 }};
 
 constexpr const MetricInfo& metricInfo(Metric metric) {

@@ -65,7 +65,7 @@ TEST(MetricTable, SaysOfWhichMoreIsBetter) {
   std::set<std::string_view> better;
   for (const MetricInfo& info : kMetrics)
     if (info.isHigherBetter) better.insert(info.id);
-  EXPECT_EQ(better, (std::set<std::string_view>{"psnr", "rightlyKept", "ssim", "sharpness"}));
+  EXPECT_EQ(better, (std::set<std::string_view>{"psnr", "rightlyKept", "ssim", "sharpness", "geometryKept"}));
 }
 
 TEST(MetricTable, AMapHasOneNumber) {

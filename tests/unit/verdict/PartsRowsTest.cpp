@@ -80,6 +80,12 @@ TEST(PartsRows, MetricsAreMeansOfAmountsAndSharesOfCategories) {
   EXPECT_EQ(taa::metricOverTime(Metric::HistoryRemoved, rows), 12.5);
   EXPECT_EQ(taa::metricOverTime(Metric::HistoryLetThrough, rows), 37.5);
   EXPECT_EQ(taa::metricOverTime(Metric::HistoryThrownAway, rows), 12.5);
+  rows[IntermediateId::geometryVerdict] = Image(4, 1, 1);
+  rows[IntermediateId::geometryVerdict].pixels = {1, 1, 3, 0};
+  EXPECT_EQ(taa::metricOverTime(Metric::GeometryKept, rows), 25.0);
+  EXPECT_EQ(taa::metricOverTime(Metric::GeometryRemoved, rows), 50.0);
+  EXPECT_EQ(taa::metricOverTime(Metric::GeometryLetThrough, rows), 0.0);
+  EXPECT_EQ(taa::metricOverTime(Metric::GeometryThrownAway, rows), 25.0);
 }
 
 TEST(PartsRows, EachPartHasItsMetric) {
