@@ -2,6 +2,7 @@
 // type.
 #pragma once
 
+#include "core/inspect/verdicts/WorstOfShot.h"
 #include "core/measure/Metrics.h"
 #include "core/picture/ViewRequest.h"
 #include "core/probe/Probe.h"
@@ -245,6 +246,7 @@ struct FindWorst {
   IntermediateId row = IntermediateId::referenceErrorAbs;
   int lane = 0;
   std::optional<glm::ivec2> after; ///< the next one after this pixel; nothing: the worst
+  WorstStep step = WorstStep::Pixel;
   static constexpr RequestRule kRule{.kind = RequestKind::Worst, .isOfScene = true};
 };
 

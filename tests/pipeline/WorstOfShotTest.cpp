@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -64,6 +66,34 @@ TEST_F(WorstOfShotTest, TheNextOneIsOfTheSameCategory) {
   EXPECT_EQ(inspector->worst().next(IntermediateId::motion, 0, {}).question.row,
             IntermediateId::referenceErrorAbs)
       << "a motion is not wrong by itself";
+}
+
+// Each category that is in the picture once, in the order of their numbers from the first on.
+TEST_F(WorstOfShotTest, GoesThroughTheCategoriesThatThereAre) {
+  taa::Settings settings;
+  taa::applyAssignment(settings, "validate.object=on");
+  const auto inspector = opened({settings});
+  inspector->shot().seek(5);
+  std::set<float> expected;
+  for (const float reason : inspector->views().image(IntermediateId::rejectReason).pixels)
+    if (reason > 0.0f) expected.insert(reason);
+  ASSERT_GE(expected.size(), 2u) << "edges of blades are rejected by depth and by object, or off the screen";
+  std::optional<glm::ivec2> after;
+  std::vector<float> seen;
+  for (std::size_t step = 0; step <= expected.size(); ++step) {
+    const taa::FoundWorst found =
+        inspector->worst().next(IntermediateId::rejectReason, 0, after, taa::WorstStep::Category);
+    EXPECT_EQ(found.number, 1) << "the worst of its category";
+    seen.push_back(static_cast<float>(found.question.category.value()));
+    after = found.worst.pixel;
+  }
+  std::vector<float> order(expected.begin(), expected.end());
+  order.push_back(order.front());
+  EXPECT_EQ(seen, order);
+  inspector->reference().refine(4);
+  EXPECT_THROW(inspector->worst().next(IntermediateId::referenceError, 0, {}, taa::WorstStep::Category),
+               taa::Error)
+      << "an error has none";
 }
 
 TEST_F(WorstOfShotTest, TheBatchCountsAllPixelsAndSplitsTheError) {

@@ -13,33 +13,49 @@ namespace taa {
 
 namespace {
 constexpr int kMaxWorst = 64; // that a key goes through
+
+/// Categories in the order in which they are looked for; `now`: that of the pixel probed, 0 where it is none.
+std::vector<int> categoryOrder(const Intermediate& row, int now, WorstStep step) {
+  const int high = static_cast<int>(row.high);
+  std::vector<int> order;
+  if (step == WorstStep::Category && now > 0) {
+    for (int away = 1; away <= high; ++away) order.push_back((now - 1 + away) % high + 1);
+    return order;
+  }
+  if (now > 0) order.push_back(now);
+  if (row.id != IntermediateId::rejectReason) order.push_back(static_cast<int>(HistoryVerdict::LetThrough));
+  for (int category = 1; category <= high; ++category) order.push_back(category);
+  return order;
+}
 } // namespace
 
 WorstOfShot::WorstOfShot(Views& views, ReferenceOfShot& reference) : views_(views), reference_(reference) {}
 
-WorstQuestion WorstOfShot::questionOf(IntermediateId shown, int lane,
-                                      const std::optional<glm::ivec2>& after) {
+WorstQuestion WorstOfShot::questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
+                                      WorstStep step) {
   WorstQuestion question{.count = kMaxWorst, .lane = lane};
   const Intermediate& row = intermediate(shown);
   const bool isCategories = !categoryText(shown, 0).empty();
   const bool isAmount = row.visual == Visual::Scalar || row.visual == Visual::Signed;
   if (isCategories || (isOfReference(shown) && isAmount)) question.row = shown;
+  if (!isCategories && step == WorstStep::Category)
+    throw Error(say<"%1 has no classes to go through: show a verdict or the reject reason instead">(
+        sayLabel(row.label)));
   if (!isCategories) return question;
   const Image image = views_.image(shown, lane);
-  std::vector<int> order{static_cast<int>(HistoryVerdict::LetThrough)};
-  for (int category = 1; category <= static_cast<int>(row.high); ++category) order.push_back(category);
-  if (shown == IntermediateId::rejectReason) order.erase(order.begin());
-  if (after) order.insert(order.begin(), static_cast<int>(*image.at(after->x, after->y)));
+  const int now = after ? static_cast<int>(*image.at(after->x, after->y)) : 0;
+  const std::vector<int> order = categoryOrder(row, now, step);
   const auto isWrong = [&](int category) {
-    return category > 0 && std::ranges::count(image.pixels, static_cast<float>(category)) > 0;
+    return std::ranges::find(image.pixels, static_cast<float>(category)) != image.pixels.end();
   };
   const auto found = std::ranges::find_if(order, isWrong);
   question.category = found == order.end() ? 0 : *found;
   return question;
 }
 
-FoundWorst WorstOfShot::next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after) {
-  const WorstQuestion question = questionOf(shown, lane, after);
+FoundWorst WorstOfShot::next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
+                             WorstStep step) {
+  const WorstQuestion question = questionOf(shown, lane, after, step);
   const std::vector<WorstPixel> worst = question.category == 0 ? std::vector<WorstPixel>() : of(question);
   if (worst.empty())
     throw Error(say<"nothing is wrong in this picture by %1">(sayLabel(intermediate(question.row).label)));

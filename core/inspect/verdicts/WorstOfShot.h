@@ -23,6 +23,12 @@ struct WorstQuestion {
   int lane = 0;
 };
 
+/// Where the next one is looked for.
+enum class WorstStep {
+  Pixel,   ///< of the same row, or category of it
+  Category ///< of the next category of the row that something is wrong with
+};
+
 /// One of those that a key goes through.
 struct FoundWorst {
   WorstQuestion question; ///< row and category that it is of
@@ -41,11 +47,13 @@ class WorstOfShot {
   /// The one after the pixel `after`, the worst where that is none of them or the last. Of errors and what is
   /// made of them; of a row of categories that of `after`, unless nothing is wrong with it: then of the first
   /// in which something is, ghosts let through before others. Of any other row that of the absolute error.
-  /// Throws Error where the row is not made, or nothing is wrong anywhere.
-  FoundWorst next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after);
+  /// Throws Error where the row is not made, or nothing is wrong anywhere, or it has no categories to go to.
+  FoundWorst next(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
+                  WorstStep step = WorstStep::Pixel);
 
  private:
-  WorstQuestion questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after);
+  WorstQuestion questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
+                           WorstStep step);
 
   Views& views_;
   ReferenceOfShot& reference_;

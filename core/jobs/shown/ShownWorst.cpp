@@ -12,7 +12,8 @@ void ShownWorst::deliver() {
   if (after && (after->x >= shot.width() || after->y >= shot.height())) after.reset(); // of a larger picture
   desk_.attempt(RequestKind::Worst, [&] {
     desk_.tell(RequestKind::Worst,
-               WorstDelivery{shot.frame(), desk_.inspector.worst().next(wanted->row, wanted->lane, after)});
+               WorstDelivery{shot.frame(),
+                             desk_.inspector.worst().next(wanted->row, wanted->lane, after, wanted->step)});
   });
 }
 
