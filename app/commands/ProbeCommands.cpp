@@ -2,10 +2,12 @@
 
 #include "app/panels/ProbePanel.h"
 #include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
 #include "app/views/plots/ProbePages.h"
 #include "core/report/ProbeReport.h"
+#include "core/report/verdicts/VerdictReport.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -18,14 +20,21 @@ namespace taa::app {
 ProbeCommands::ProbeCommands(Session& session, ViewArea& views, ProbePanel& panel, QObject* parent)
     : QObject(parent), session_(session), views_(views), panel_(panel) {
   connect(&panel_, &ProbePanel::copyRequested, this, [this] { copy(ProbeFormat::Text); });
-  connect(&session_, &Session::worstPixelArrived, this, [this](const WorstDelivery& worst) {
-    session_.probes().setPixel(worst.found.worst.pixel);
-    views_.active()->viewport()->reveal(worst.found.worst.pixel);
-  });
+  connect(&session_, &Session::worstPixelArrived, this,
+          [this](const WorstDelivery& worst) { showWorst(worst.found); });
 }
 
-void ProbeCommands::goToNextWorst() {
-  session_.probes().findWorst(views_.active()->id());
+void ProbeCommands::showWorst(const FoundWorst& found) {
+  session_.probes().setPixel(found.worst.pixel);
+  views_.active()->viewport()->reveal(found.worst.pixel);
+  const WorstQuestion& of = found.question;
+  QString what = tableText(intermediate(of.row).label);
+  if (of.category) what = tr("%1: %2").arg(what, tableText(categoryText(of.row, *of.category)));
+  Q_EMIT foundWorst(tr("Worst pixel %1 of %2 by %3").arg(found.number).arg(found.count).arg(what));
+}
+
+void ProbeCommands::goToNextWorst(WorstStep step) {
+  session_.probes().findWorst(views_.active()->id(), step);
 }
 
 bool ProbeCommands::addAnother() {
@@ -45,6 +54,13 @@ bool ProbeCommands::addAnother() {
 void ProbeCommands::copyValue() {
   const QString text = panel_.valueText(views_.active()->id());
   if (!text.isEmpty()) QApplication::clipboard()->setText(text);
+}
+
+void ProbeCommands::copyVerdict() {
+  const VerdictDelivery* verdict = session_.verdicts().verdict();
+  if (!verdict || !verdict->answer) return;
+  QApplication::clipboard()->setText(
+      QString::fromStdString(verdictText({{}, *verdict->answer, verdict->remedies})));
 }
 
 void ProbeCommands::copy(ProbeFormat format) {

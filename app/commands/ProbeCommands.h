@@ -1,7 +1,10 @@
 // What is done with the probe by a key: its values are copied, another one is set.
 #pragma once
 
+#include "core/inspect/verdicts/WorstOfShot.h"
+
 #include <QObject>
+#include <QString>
 
 namespace taa::app {
 
@@ -20,13 +23,21 @@ class ProbeCommands : public QObject {
   /// Of the selected row, else of what the active view shows.
   void copyValue();
   void copy(ProbeFormat format);
+  /// The verdict as taa-batch prints it; nothing where there is none.
+  void copyVerdict();
   /// Sets the probe to the next one of the worst pixels by what the active view shows, once it is found.
-  void goToNextWorst();
+  void goToNextWorst(WorstStep step = WorstStep::Pixel);
   /// Where the mouse is, else to the right of the active probe; the next place that no probe has. False:
   /// there is neither.
   bool addAnother();
 
+ Q_SIGNALS:
+  /// Which of the worst pixels the probe was set to.
+  void foundWorst(const QString& sentence);
+
  private:
+  void showWorst(const FoundWorst& found);
+
   Session& session_;
   ViewArea& views_;
   ProbePanel& panel_;

@@ -11,10 +11,13 @@
 #include "app/views/Viewport.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/ProbePages.h"
+#include "app/widgets/verdict/VerdictDetails.h"
 
 #include <QAction>
 
+#include <array>
 #include <cstddef>
+#include <utility>
 
 namespace taa::app {
 
@@ -25,7 +28,10 @@ ProbeMenu::ProbeMenu(Commands& commands, const Targets& on, QWidget* parent)
   addSeparator();
   addProbes(on);
   addSeparator();
-  addVerdicts(on.verdicts);
+  addWorst(on.probe);
+  addSeparator();
+  addVerdicts(on);
+  addRemedies(on.verdicts);
   addSeparator();
   addPages(on.panel);
   addPlot(on.panel);
@@ -39,9 +45,6 @@ void ProbeMenu::addPlaces(const Targets& on) {
   add(tr("Go to the probe"), keys({"P"}), [&probes, &views = on.views] {
     if (const auto probed = probes.pixel()) views.active()->viewport()->reveal(*probed);
   });
-  add(tr("Go to the next &worst pixel"), keys({"Shift+W"}), [&probe = on.probe] {
-    probe.goToNextWorst();
-  })->setToolTip(tr("By the error or the verdict that the active view shows, else by the absolute error"));
   add(tr("&Remove the probe"), keys({"Del"}), [&probes] { probes.setPixel({}); });
   add(tr("Remove &all probes"), keys({"Shift+Esc"}), [&probes] { probes.removeAll(); });
 }
@@ -71,19 +74,53 @@ void ProbeMenu::addProbes(const Targets& on) {
   });
 }
 
-void ProbeMenu::addVerdicts(VerdictChoices& verdicts) {
-  QAction* shows = addCheck(tr("Verdict on the pi&xel"), QKeySequence(QStringLiteral("Ctrl+Shift+V")),
-                            [&verdicts](bool on) { verdicts.setOn(on); });
+void ProbeMenu::addWorst(ProbeCommands& probe) {
+  add(tr("Go to the next &worst pixel"), keys({"Shift+W"}), [&probe] { probe.goToNextWorst(); })
+      ->setToolTip(tr("By the error, the class of a verdict or the reject reason that the active view shows, "
+                      "else by the absolute error"));
+  add(tr("Go to the worst pixel of the &next class"), keys({"Alt+W"}),
+      [&probe] { probe.goToNextWorst(WorstStep::Category); })
+      ->setToolTip(tr("Of the classes of the verdict or the reject reasons that the active view shows, those "
+                      "that are in it"));
+}
+
+void ProbeMenu::addVerdicts(const Targets& on) {
+  VerdictChoices& verdicts = on.verdicts;
+  QAction* shows = addCheck(tr("Ver&dict on the pixel"), QKeySequence(QStringLiteral("Ctrl+Shift+V")),
+                            [&verdicts](bool isOn) { verdicts.setOn(isOn); });
   shows->setToolTip(
       tr("Says what is wrong with the probed pixel of each frame that playing stops at, and why"));
-  QAction* tries = add(tr("&Try the first remedy"), keys({"Ctrl+T"}), [&verdicts] {
-    if (!verdicts.remedies().empty()) verdicts.apply(0);
+  QAction* unfolds = add(tr("Unfold or fold its &evidence"), keys({"Shift+F2"}), [&panel = on.panel] {
+    panel.openTab(ProbeTab::Values);
+    panel.verdictDetails()->setUnfolded(!panel.verdictDetails()->isUnfolded());
   });
-  onRefresh([&verdicts, shows, tries] {
+  QAction* copies =
+      add(tr("Cop&y the verdict"), keys({"Ctrl+Alt+V"}), [&probe = on.probe] { probe.copyVerdict(); });
+  onRefresh([&verdicts, shows, unfolds, copies] {
     shows->setChecked(verdicts.areOn());
-    allow(tries, verdicts.remedies().empty() ? tr("No remedy is known for the probed pixel, or not yet")
-                                             : QString());
+    const VerdictDelivery* verdict = verdicts.verdict();
+    const QString whyNot =
+        verdict && verdict->answer ? QString() : tr("There is no verdict on the probed pixel, or not yet");
+    allow(unfolds, whyNot);
+    allow(copies, whyNot);
   });
+}
+
+void ProbeMenu::addRemedies(VerdictChoices& verdicts) {
+  const std::array<std::pair<QString, const char*>, kMaxRemedies> kRemedies{
+      {{tr("Try the &first remedy"), "Ctrl+T"},
+       {tr("Try the second re&medy"), "Ctrl+Shift+T"},
+       {tr("Try t&he third remedy"), "Ctrl+Alt+T"}}};
+  for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
+    const auto isThere = [&verdicts, remedy] { return remedy < verdicts.remedies().size(); };
+    QAction* tries =
+        add(kRemedies[remedy].first, keys({kRemedies[remedy].second}), [&verdicts, remedy, isThere] {
+          if (isThere()) verdicts.apply(remedy);
+        });
+    onRefresh([tries, isThere] {
+      allow(tries, isThere() ? QString() : tr("No such remedy is known for the probed pixel, or not yet"));
+    });
+  }
 }
 
 void ProbeMenu::addPages(ProbePanel& panel) {

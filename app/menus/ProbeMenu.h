@@ -30,7 +30,9 @@ class ProbeMenu : public CommandMenu {
  private:
   void addPlaces(const Targets& on);
   void addProbes(const Targets& on);
-  void addVerdicts(VerdictChoices& verdicts);
+  void addWorst(ProbeCommands& probe);
+  void addVerdicts(const Targets& on);
+  void addRemedies(VerdictChoices& verdicts);
   void addPages(ProbePanel& panel);
   void addPlot(ProbePanel& panel);
 };

@@ -96,8 +96,8 @@ void ProbeChoices::change(const QString& what, const std::string& key, const std
   send();
 }
 
-void ProbeChoices::findWorst(IntermediateId row) {
-  outbox_.post(request::FindWorst{row, 0, pixel()});
+void ProbeChoices::findWorst(IntermediateId row, WorstStep step) {
+  outbox_.post(request::FindWorst{row, 0, pixel(), step});
 }
 
 void ProbeChoices::setPixel(std::optional<glm::ivec2> pixel) {

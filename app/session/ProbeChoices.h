@@ -44,7 +44,7 @@ class ProbeChoices : public QObject {
   /// Is no step of undo.
   void set(const std::vector<Probe>& probes, int active);
   /// Asks for the next one of the worst pixels by a row of the first lane (Session::worstPixelArrived()).
-  void findWorst(IntermediateId row);
+  void findWorst(IntermediateId row, WorstStep step = WorstStep::Pixel);
   /// Whether probes come with the active pixel under other choices.
   void setWhatIf(bool wanted);
 

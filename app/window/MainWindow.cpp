@@ -299,6 +299,7 @@ void MainWindow::connectMessages() {
   connect(&session_.presets(), &PresetChoices::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::said, messages_, &MessagesBar::showNote);
   connect(keeper_, &SessionKeeper::failed, messages_, &MessagesBar::showError);
+  connect(probeCommands_, &ProbeCommands::foundWorst, statusLine_, &StatusLine::setHover);
   connect(exports_, &Exports::said, messages_, &MessagesBar::showNote);
   connect(exports_, &Exports::failed, messages_, &MessagesBar::showError);
   connect(cameras_, &CameraFiles::failed, messages_, &MessagesBar::showError);

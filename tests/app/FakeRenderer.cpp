@@ -185,7 +185,10 @@ void FakeRenderer::take(const request::FindWorst& asked) {
   worstAsked.push_back(asked);
   WorstDelivery worst;
   worst.frame = status.info.frame;
+  worst.found.question = {.row = IntermediateId::verdictMap, .category = 2};
   worst.found.worst.pixel = {static_cast<int>(worstAsked.size()), 2};
+  worst.found.number = static_cast<int>(worstAsked.size());
+  worst.found.count = 5;
   tell(std::move(worst));
 }
 

@@ -1,6 +1,7 @@
 // The probe table: every intermediate, exact values, words.
 #include "app/panels/ProbePanel.h"
 #include "app/models/ProbeModel.h"
+#include "app/panels/StatusLine.h"
 #include "app/style/Numbers.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewPanel.h"
@@ -160,6 +161,13 @@ TEST_F(ProbeTable, GoesToTheNextWorstPixelByAKey) {
   ASSERT_EQ(renderer->worstAsked.size(), 2u);
   EXPECT_EQ(renderer->worstAsked[1].after, glm::ivec2(1, 2));
   EXPECT_EQ(session.probes().pixel(), glm::ivec2(2, 2));
+  EXPECT_EQ(renderer->worstAsked[1].step, WorstStep::Pixel);
+  EXPECT_EQ(window.statusLine()->hover().toStdString(),
+            "Worst pixel 2 of 5 by History verdict: " +
+                std::string(categoryText(IntermediateId::verdictMap, 2)));
+  key(Qt::Key_W, Qt::AltModifier);
+  ASSERT_EQ(renderer->worstAsked.size(), 3u);
+  EXPECT_EQ(renderer->worstAsked[2].step, WorstStep::Category);
 }
 
 // In a panel as wide as a window of 1600 pixels and more opens it, names and units are there to their last

@@ -23,7 +23,8 @@ VerdictDetails::VerdictDetails(QWidget* parent) : QScrollArea(parent) {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 2 * kUnit);
   column->setSpacing(0);
-  column->addWidget(makeRemedies());
+  remediesPart_ = makeRemedies();
+  column->addWidget(remediesPart_);
   column->addWidget(makeEvidence());
   setWidget(content);
   setWidgetResizable(true);
@@ -53,6 +54,8 @@ QWidget* VerdictDetails::makeRemedies() {
     remedies_[remedy] = button;
   }
   remedies_[0]->setToolTip(tr("Changes these settings (Ctrl+T); Ctrl+Z takes it back"));
+  remedies_[1]->setToolTip(tr("Changes these settings (Ctrl+Shift+T); Ctrl+Z takes it back"));
+  remedies_[2]->setToolTip(tr("Changes these settings (Ctrl+Alt+T); Ctrl+Z takes it back"));
   return part;
 }
 
@@ -106,10 +109,14 @@ void VerdictDetails::setVerdict(const VerdictDelivery* verdict) {
 void VerdictDetails::wait() {
   if (isHidden() || widget()->isHidden()) return;
   kept_ = sizeHint().height();
+  keptRemedies_ = remediesPart_->height();
   widget()->hide();
 }
 
 void VerdictDetails::showRemedies(const VerdictDelivery& verdict) {
+  const bool isPending =
+      !verdict.remedies && verdict.whyNot.empty() && verdict.answer->verdict.kind != VerdictKind::None;
+  remediesPart_->setMinimumHeight(isPending ? keptRemedies_ : 0);
   const std::size_t count = verdict.remedies ? std::min(verdict.remedies->best.size(), kMaxRemedies) : 0;
   for (std::size_t remedy = 0; remedy < kMaxRemedies; ++remedy) {
     remedies_[remedy]->setVisible(remedy < count);

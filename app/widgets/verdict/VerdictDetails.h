@@ -56,7 +56,9 @@ class VerdictDetails : public QScrollArea {
   void showRemedies(const VerdictDelivery& verdict);
   void showEvidence(const VerdictAnswer& answer);
 
-  int kept_ = 0; ///< px, its height while it waits
+  int kept_ = 0;         ///< px, its height while it waits
+  int keptRemedies_ = 0; ///< px, that of the buttons before
+  QWidget* remediesPart_ = nullptr;
   QLabel* note_ = nullptr;
   std::array<RemedyButton*, kMaxRemedies> remedies_{};
   SectionHeader* header_ = nullptr;

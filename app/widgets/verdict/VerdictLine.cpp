@@ -17,14 +17,17 @@ constexpr int kProgressHigh = 2; ///< px
 
 VerdictLine::VerdictLine(QWidget* parent) : QWidget(parent), sentence_(new QLabel), work_(new QLabel) {
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kUnit + kShape + 2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
-  column->setSpacing(kUnit);
+  column->setContentsMargins(2 * kUnit + kShape + 2 * kUnit, 0, 2 * kUnit, kUnit);
+  column->setSpacing(0);
   sentence_->setFont(titleFont());
   sentence_->setWordWrap(true);
-  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  sentence_->setAccessibleName(tr("Verdict"));
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  sentence_->setFocusPolicy(Qt::TabFocus); // for screen readers; a click leaves the keys to the views
   work_->setFont(secondaryFont());
   work_->setForegroundRole(QPalette::PlaceholderText);
+  QSizePolicy keepsRoom = work_->sizePolicy();
+  keepsRoom.setRetainSizeWhenHidden(true); // what is below does not move when the work ends
+  work_->setSizePolicy(keepsRoom);
   column->addWidget(sentence_);
   column->addWidget(work_);
   column->addStretch(1);
@@ -36,6 +39,7 @@ void VerdictLine::setSentence(const QString& sentence, VerdictTone tone) {
   tone_ = tone;
   setMinimumHeight(0);
   sentence_->setText(sentence);
+  sentence_->setAccessibleName(sentence.isEmpty() ? tr("Verdict") : tr("Verdict: %1").arg(sentence));
   sentence_->setVisible(!sentence.isEmpty());
   update();
 }
@@ -67,14 +71,14 @@ void VerdictLine::paintEvent(QPaintEvent*) {
   if (tone_ != VerdictTone::Neutral) {
     const bool isRight = tone_ == VerdictTone::Right;
     const QColor color = isRight ? colors.right : colors.wrong;
-    painter.fillRect(0, 0, kStroke, height() - 2 * kUnit, color);
+    painter.fillRect(0, 0, kStroke, sentence_->geometry().bottom() + 1, color);
     const int top = sentence_->y() + (QFontMetrics(sentence_->font()).height() - kShape) / 2;
     painter.drawPixmap(2 * kUnit, top,
                        iconPixmap(isRight ? QStringLiteral("right") : QStringLiteral("wrong"), color, kShape,
                                   devicePixelRatioF()));
   }
   if (work_->text().isEmpty()) return;
-  const QRectF bar(work_->x(), height() - kUnit - kProgressHigh, work_->width(), kProgressHigh);
+  const QRectF bar(work_->x(), height() - kProgressHigh, work_->width(), kProgressHigh);
   painter.fillRect(bar, colors.line);
   painter.fillRect(QRectF(bar.topLeft(), QSizeF(bar.width() * share_, bar.height())), colors.accent);
 }

@@ -12,7 +12,10 @@
 #include "app/widgets/verdict/VerdictLine.h"
 #include "tests/app/WindowFixture.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QJsonObject>
+#include <QLabel>
 #include <QTreeView>
 
 #include <algorithm>
@@ -152,7 +155,7 @@ TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
   EXPECT_EQ(first->text(), inWords("validate.object", QStringLiteral("on")) + QLatin1Char('\n') + method);
   EXPECT_EQ(details()->remedies()[1]->text(), method);
   EXPECT_EQ(first->effects(), "This pixel: off by 40 → 5 of 255\n"
-                              "Picture: error 4 → 3, flicker 1 → 1.5, sharpness 90 % → 95 %");
+                              "Picture: error 4 → 3, ghost 2 → 0.5, flicker 1 → 1.5, sharpness 90 % → 95 %");
 }
 
 TEST_F(VerdictPanel, ARemedyIsOneStepOfUndo) {
@@ -189,6 +192,35 @@ TEST_F(VerdictPanel, AKeyTriesTheFirstRemedyAndButtonsTakeTheFocus) {
   EXPECT_TRUE(settings() == expected);
 }
 
+TEST_F(VerdictPanel, EachRemedyHasAKey) {
+  probe();
+  const Settings before = settings();
+  key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+  Settings expected = before;
+  applyAssignment(expected, "rectify.method=clamp");
+  EXPECT_TRUE(settings() == expected);
+  session.undo();
+  settle();
+  key(Qt::Key_T, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_TRUE(settings() == before) << "there is no third one";
+}
+
+TEST_F(VerdictPanel, IsReadAloudAndCopied) {
+  probe();
+  const QString sentence = line()->sentence();
+  const auto labels = line()->findChildren<QLabel*>();
+  const auto label = std::ranges::find(labels, sentence, &QLabel::text);
+  ASSERT_NE(label, labels.end());
+  EXPECT_EQ((*label)->accessibleName(), QStringLiteral("Verdict: ") + sentence);
+  EXPECT_EQ((*label)->focusPolicy(), Qt::TabFocus);
+  EXPECT_TRUE((*label)->textInteractionFlags().testFlag(Qt::TextSelectableByKeyboard));
+  key(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
+  const QString copied = QApplication::clipboard()->text();
+  EXPECT_TRUE(copied.startsWith(sentence + QLatin1Char('\n'))) << copied.toStdString();
+  EXPECT_TRUE(copied.contains(QStringLiteral("depthMismatch 0.5 against 0.125 in frame 9 at 11,7")));
+  EXPECT_TRUE(copied.contains(QStringLiteral("validate.object=on rectify.method=clamp: pixel: error ")));
+}
+
 TEST_F(VerdictPanel, SaysThatNothingMendsIt) {
   renderer->verdict.remedies->best.clear();
   probe();
@@ -203,6 +235,10 @@ TEST_F(VerdictPanel, UnfoldsWhatDecidedAndGoesThere) {
   probe();
   const auto& rows = details()->rows();
   EXPECT_FALSE(rows[0]->isVisible());
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  EXPECT_TRUE(details()->isUnfolded());
+  key(Qt::Key_F2, Qt::ShiftModifier);
+  EXPECT_FALSE(details()->isUnfolded());
   click(details()->header());
   EXPECT_TRUE(details()->isUnfolded());
   ASSERT_TRUE(rows[3]->isVisible());
@@ -267,4 +303,11 @@ TEST_F(VerdictPanel, KeepsItsRoomWhileTheNextFrameIsJudged) {
   settle();
   EXPECT_EQ(line()->sentence(), "");
   EXPECT_EQ(window.probe()->table()->mapToGlobal(QPoint()).y(), top);
+  renderer->verdict = taa::app::test::fakeVerdict();
+  renderer->verdict.remedies.reset();
+  renderer->deliver();
+  settle();
+  EXPECT_NE(line()->sentence(), "");
+  EXPECT_EQ(shownRemedies(), 0);
+  EXPECT_GE(window.probe()->table()->mapToGlobal(QPoint()).y(), top) << "remedies are still to come";
 }
