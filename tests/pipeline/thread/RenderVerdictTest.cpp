@@ -4,6 +4,8 @@
 #include "core/inspect/Inspector.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <future>
 #include <optional>
 #include <string>
