@@ -10,9 +10,7 @@
 
 namespace taa {
 
-namespace {
-
-void openSession(Inspector& inspector, const SessionFile& session, const Progress& progress) {
+void openShotOf(Inspector& inspector, const SessionFile& session, const Progress& progress) {
   InspectedShot& shot = inspector.shot();
   if (isBuiltinScene(session.source) || !capture::isCapture(session.source))
     shot.setSize(session.size.x, session.size.y);
@@ -25,8 +23,6 @@ void openSession(Inspector& inspector, const SessionFile& session, const Progres
   shot.setRestarts(session.restarts);
 }
 
-} // namespace
-
 void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress) {
   if (request.settings.empty()) return;
   const int frames = request.metrics.last - request.metrics.first + 1;
@@ -37,7 +33,7 @@ void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured
   const Progress between = [&](std::string_view, int, int) { return tell(); };
   Inspector inspector;
   inspector.shot().setSettings(request.settings.front().settings);
-  openSession(inspector, request.shot, between);
+  openShotOf(inspector, request.shot, between);
   requireMeasurable(inspector, request.metrics.referenceSamples);
   keepReferences(inspector, request.metrics);
   for (std::size_t index = 0; index < request.settings.size(); ++index) {

@@ -12,6 +12,8 @@
 
 namespace taa {
 
+class Inspector;
+
 struct ShotSweepRequest {
   SessionFile shot;                    ///< all but its settings and lanes
   std::vector<SweepSettings> settings; ///< that are measured
@@ -20,6 +22,9 @@ struct ShotSweepRequest {
 
 /// The metrics of every frame of `settings[index]`, as soon as they are known.
 using SettingsMeasured = std::function<void(std::size_t index, const LaneMetrics& frames)>;
+
+/// Opens what `shot` says, but for its settings and lanes. Throws Error, Cancelled.
+void openShotOf(Inspector& inspector, const SessionFile& shot, const Progress& progress);
 
 /// With an Inspector of its own: expects a thread that has none. The same numbers as `taa-batch metrics` has.
 /// Reports frame by frame over all settings. Throws Error, Cancelled; what was measured stays told.

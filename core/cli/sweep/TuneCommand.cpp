@@ -8,23 +8,15 @@
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
 #include "core/sweep/MetricsOfFrames.h"
-#include "core/sweep/tune/TuneGoal.h"
-#include "core/sweep/tune/TuneSearch.h"
-#include "core/sweep/tune/TuneShot.h"
+#include "core/sweep/tune/Tuning.h"
 #include "core/taa/glsl/GlslExport.h"
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
-#include <cstddef>
 #include <exception>
 #include <filesystem>
-#include <limits>
-#include <optional>
 #include <ostream>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace taa::cli {
@@ -66,62 +58,10 @@ void checkTuning(const TuneArguments& arguments) {
   if (!arguments.force) refuseToReplace(files);
 }
 
-/// A search, and what it says of where it is.
-class Tuning {
- public:
-  Tuning(Inspector& inspector, const TuneArguments& arguments, const TuneGoal& goal, const FrameRange& frames,
-         const Progress& progress)
-      : goal_(goal), arguments_(arguments), progress_(progress),
-        shot_(inspector, goal, {frames.first, frames.last, {}, arguments.referenceSamples}),
-        search_(inspector.shot().settings(), parseVaried(arguments.varied), arguments.seed,
-                [this](const Settings& settings) { return goalOf(settings); }) {}
-
-  /// Returns what ended it before its time; result() is the best until then.
-  std::exception_ptr run() {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(arguments_.seconds);
-    TuneLimits limits{arguments_.evaluations, {}};
-    if (arguments_.seconds > 0)
-      limits = {std::numeric_limits<int>::max(), [end] { return std::chrono::steady_clock::now() >= end; }};
-    try {
-      search_.run(limits);
-    } catch (const Cancelled&) {
-      return std::current_exception();
-    }
-    return {};
-  }
-  const TuneResult& result() const { return search_.result(); }
-  /// Of the start, and of the best.
-  const TuneNumbers& start() const { return measured_.front(); }
-  const TuneNumbers& best() const {
-    const std::vector<TuneStep>& steps = result().steps;
-    return steps.empty() ? start() : measured_.at(static_cast<std::size_t>(steps.back().evaluation) - 1);
-  }
-  bool hasStart() const { return !measured_.empty(); }
-
- private:
-  double goalOf(const Settings& settings) {
-    const Progress inside = [this](std::string_view, int, int) { return tell(); };
-    TuneNumbers numbers = shot_.measure(settings, inside);
-    if (const auto unknown = goal_.unknown(numbers); unknown && !hasStart())
-      throw Error("the metric " + std::string(metricInfo(*unknown).id) +
-                  " is not known of any of these frames: give more of them with --frames");
-    measured_.push_back(std::move(numbers));
-    return goal_.value(measured_.back(), start());
-  }
-  bool tell() const {
-    const int done = search_.result().evaluations;
-    const std::string goal = hasStart() ? ", goal " + shortMetricText(search_.result().goal) + " now" : "";
-    return !progress_ || progress_("Tuning" + goal + "; settings measured", done,
-                                   arguments_.seconds > 0 ? done + 1 : arguments_.evaluations);
-  }
-
-  const TuneGoal& goal_;
-  const TuneArguments& arguments_;
-  const Progress& progress_;
-  TuneShot shot_;
-  std::vector<TuneNumbers> measured_; ///< of each evaluation, the start's first
-  TuneSearch search_;
-};
+TuneRequest tuneRequestOf(const TuneArguments& arguments, const FrameRange& frames) {
+  return {arguments.goal, arguments.varied,      {frames.first, frames.last, {}, arguments.referenceSamples},
+          arguments.seed, arguments.evaluations, arguments.seconds};
+}
 
 std::vector<std::filesystem::path> writeTuned(const TuneArguments& arguments, const LaneChoice& choice,
                                               const std::string& source, const Settings& settings) {
@@ -134,14 +74,7 @@ std::vector<std::filesystem::path> writeTuned(const TuneArguments& arguments, co
   return {arguments.preset, arguments.glsl};
 }
 
-std::string termName(const GoalTerm& term) {
-  return term.metric ? metricHeading(*term.metric) : std::string(kCostGoal);
-}
-std::optional<double> termNumber(const GoalTerm& term, const TuneNumbers& numbers) {
-  return term.metric ? numbers.means[static_cast<std::size_t>(*term.metric)] : numbers.cost;
-}
-
-void printTuned(std::ostream& out, const Tuning& tuning, const TuneGoal& goal) {
+void printTuned(std::ostream& out, const Tuning& tuning) {
   const TuneResult& result = tuning.result();
   std::vector<std::vector<std::string>> way{{"EVALUATION", "GOAL", "CHANGE"},
                                             {"1", shortMetricText(result.startGoal), "the start"}};
@@ -150,7 +83,7 @@ void printTuned(std::ostream& out, const Tuning& tuning, const TuneGoal& goal) {
   printTable(out, way);
   out << '\n';
   std::vector<std::vector<std::string>> numbers{{"", "WEIGHT", "START", "BEST"}};
-  for (const GoalTerm& term : goal.terms())
+  for (const GoalTerm& term : tuning.goal().terms())
     numbers.push_back({termName(term), shortMetricText(term.weight),
                        shortMetricText(termNumber(term, tuning.start())),
                        shortMetricText(termNumber(term, tuning.best()))});
@@ -160,12 +93,11 @@ void printTuned(std::ostream& out, const Tuning& tuning, const TuneGoal& goal) {
       << (result.isComplete ? "no single change is better" : "the search was not at its end") << '\n';
 }
 
-ordered_json tunedJson(const Inspector& inspector, const Tuning& tuning, const TuneGoal& goal,
-                       const FrameRange& frames) {
+ordered_json tunedJson(const Inspector& inspector, const Tuning& tuning, const FrameRange& frames) {
   const TuneResult& result = tuning.result();
   ordered_json json = shotJson(inspector);
   json["frames"] = {frames.first, frames.last};
-  for (const GoalTerm& term : goal.terms())
+  for (const GoalTerm& term : tuning.goal().terms())
     json["goal"].push_back({{"metric", term.metric ? metricInfo(*term.metric).id : kCostGoal},
                             {"weight", term.weight},
                             {"start", metricJson(termNumber(term, tuning.start()))},
@@ -194,17 +126,17 @@ void runTune(const TuneArguments& arguments, std::ostream& out, const Progress& 
   requireFrame(inspector, frames.last);
   for (const Metric metric : goal.metrics())
     if (metricInfo(metric).needsReference) requireMeasurable(inspector, arguments.referenceSamples);
-  Tuning tuning(inspector, arguments, goal, frames, progress);
+  Tuning tuning(inspector, tuneRequestOf(arguments, frames), progress);
   const std::exception_ptr ended = tuning.run();
   if (!tuning.hasStart()) std::rethrow_exception(ended);
   const std::vector<std::filesystem::path> files =
       writeTuned(arguments, plan.lanes.front(), plan.source, tuning.result().settings);
   if (arguments.json) {
-    ordered_json json = tunedJson(inspector, tuning, goal, frames);
+    ordered_json json = tunedJson(inspector, tuning, frames);
     for (const std::filesystem::path& file : files) json["files"].push_back(file.string());
     out << json.dump(2) << '\n';
   } else {
-    printTuned(out, tuning, goal);
+    printTuned(out, tuning);
     for (const std::filesystem::path& file : files) out << file.string() << '\n';
   }
   if (ended) std::rethrow_exception(ended);
