@@ -1,5 +1,7 @@
 #include "app/dialogs/SweepDialog.h"
 
+#include "app/background/WorkBar.h"
+#include "app/dialogs/FramesField.h"
 #include "app/session/Session.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
@@ -14,10 +16,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QSplitter>
 #include <QStringList>
 #include <QTreeWidget>
@@ -58,16 +57,15 @@ QString metricTitle(Metric metric) {
 
 SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep)
     : QDialog(parent), session_(session), work_(std::move(sweep)),
-      choices_(new SweepChoices(session, folder)), first_(new QSpinBox), last_(new QSpinBox),
+      choices_(new SweepChoices(session, folder)), frames_(new FramesField(session, kFirstFrames)),
       table_(new QTreeWidget), ofX_(new QComboBox), ofY_(new QComboBox), ofCurves_(new QComboBox),
-      scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))), note_(new QLabel),
-      progress_(new QProgressBar), start_(new QPushButton), apply_(new QPushButton(tr("Apply"))),
-      copy_(new QPushButton(tr("Copy as CSV"))) {
+      scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))),
+      bar_(new WorkBar(work_, tr("Measure"))) {
   setWindowTitle(tr("Sweep"));
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kUnit);
   left->addWidget(choices_, 1);
-  left->addWidget(makeRange());
+  left->addWidget(frames_);
   auto* sides = new QHBoxLayout;
   sides->setSpacing(3 * kUnit);
   sides->addLayout(left);
@@ -80,7 +78,8 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
   layout->setSpacing(2 * kUnit);
   layout->addLayout(sides, 1);
-  layout->addWidget(makeButtons());
+  makeButtons();
+  layout->addWidget(bar_);
   table_->setAccessibleName(tr("Measured settings"));
   table_->setRootIsDecorated(false);
   table_->setSortingEnabled(true);
@@ -88,14 +87,9 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   connect(table_, &QTreeWidget::itemActivated, this, &SweepDialog::apply);
   connect(scatter_, &ScatterChart::pointClicked, this, &SweepDialog::choose);
   connect(choices_, &SweepChoices::changed, this, &SweepDialog::refresh);
-  connect(&session_, &Session::statusChanged, this, &SweepDialog::listFrames);
+  connect(frames_, &FramesField::changed, this, &SweepDialog::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
     if (isVisible()) choices_->refresh();
-  });
-  connect(&work_, &SweepWork::progressed, this, [this](const QString& what, int done, int total) {
-    note_->setText(what);
-    progress_->setRange(0, total);
-    progress_->setValue(done);
   });
   connect(&work_, &SweepWork::measured, this, [this](std::size_t index, const LaneMetrics& frames) {
     series_.add(index, frames);
@@ -116,33 +110,6 @@ void SweepDialog::openAt(Session& session, const QString& folder, QWidget* windo
   dialog->show();
   dialog->raise();
   dialog->activateWindow();
-}
-
-QWidget* SweepDialog::makeRange() {
-  auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(kUnit);
-  const int last = std::max(0, session_.status().frameCount - 1), now = session_.status().info.frame;
-  listFrames();
-  first_->setAccessibleName(tr("First frame"));
-  last_->setAccessibleName(tr("Last frame"));
-  last_->setValue(std::max(now, std::min(last, kFirstFrames - 1)));
-  first_->setValue(std::max(0, last_->value() - kFirstFrames + 1));
-  line->addWidget(new QLabel(tr("Frames")));
-  line->addWidget(first_, 1);
-  line->addWidget(new QLabel(tr("to")));
-  line->addWidget(last_, 1);
-  for (QSpinBox* field : {first_, last_})
-    connect(field, &QSpinBox::valueChanged, this, &SweepDialog::refresh);
-  return row;
-}
-
-// Another shot may be shorter.
-void SweepDialog::listFrames() {
-  const int last = std::max(0, session_.status().frameCount - 1);
-  for (QSpinBox* field : {first_, last_})
-    if (field->maximum() != last) field->setRange(0, last);
 }
 
 QWidget* SweepDialog::makeCharts() {
@@ -173,28 +140,13 @@ QWidget* SweepDialog::makeCharts() {
   return charts;
 }
 
-QWidget* SweepDialog::makeButtons() {
-  auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(2 * kUnit);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(40 * kUnit);
-  note_->setWordWrap(true);
-  start_->setAccessibleName(tr("Measure, or stop"));
-  apply_->setAccessibleName(tr("Apply the chosen settings"));
+void SweepDialog::makeButtons() {
+  copy_ = bar_->addButton(tr("Copy as CSV"), tr("Copy the table as CSV"));
+  apply_ = bar_->addButton(tr("Apply"), tr("Apply the chosen settings"));
   apply_->setToolTip(tr("Take the chosen settings up; it can be undone"));
-  copy_->setAccessibleName(tr("Copy the table as CSV"));
-  line->addWidget(start_);
-  line->addWidget(progress_);
-  line->addWidget(note_, 1);
-  line->addWidget(copy_);
-  line->addWidget(apply_);
-  for (QPushButton* button : {start_, apply_, copy_}) button->setAutoDefault(false);
-  connect(start_, &QPushButton::clicked, this, [this] { work_.isRunning() ? work_.cancel() : begin(); });
+  connect(bar_, &WorkBar::startRequested, this, &SweepDialog::begin);
   connect(apply_, &QPushButton::clicked, this, &SweepDialog::apply);
   connect(copy_, &QPushButton::clicked, this, &SweepDialog::copy);
-  return row;
 }
 
 int SweepDialog::referenceSamples() const {
@@ -244,14 +196,14 @@ void SweepDialog::begin() {
   }
   table_->clear();
   listMetrics();
-  request.metrics = {first_->value(), last_->value(), metrics_, referenceSamples()};
+  request.metrics = {frames_->first(), frames_->last(), metrics_, referenceSamples()};
   series_.begin(std::move(names), metrics_);
   table_->headerItem()->setText(SettingsColumn, choices_->title());
   setWindowTitle(tr("Sweep: %1, frames %2 to %3")
                      .arg(QString::fromStdString(request.shot.source))
-                     .arg(first_->value())
-                     .arg(last_->value()));
-  curves_->setBounds({static_cast<double>(first_->value()), static_cast<double>(last_->value())});
+                     .arg(frames_->first())
+                     .arg(frames_->last()));
+  curves_->setBounds({static_cast<double>(frames_->first()), static_cast<double>(frames_->last())});
   showTable();
   showCharts();
   work_.begin(request);
@@ -335,26 +287,21 @@ void SweepDialog::copy() {
 }
 
 void SweepDialog::refresh() {
-  const bool isRunning = work_.isRunning();
   const int count = static_cast<int>(choices_->chosen().size());
-  const bool isOrdered = first_->value() <= last_->value();
-  start_->setText(isRunning ? tr("Stop") : tr("Measure"));
-  start_->setEnabled(isRunning || (count > 0 && isOrdered && session_.isOpen()));
-  progress_->setVisible(isRunning);
   apply_->setEnabled(chosen().has_value());
   copy_->setEnabled(series_.measuredCount() > 0);
-  if (isRunning) return;
-  const int frames = last_->value() - first_->value() + 1;
-  note_->setText(!isOrdered   ? tr("The last frame is before the first.")
-                 : count == 0 ? tr("Nothing is chosen.")
-                              : tr("Settings to measure: %1, each in frames: %2.").arg(count).arg(frames));
+  bar_->setReady(count > 0 && frames_->isOrdered() && session_.isOpen(),
+                 !frames_->isOrdered() ? tr("The last frame is before the first.")
+                 : count == 0
+                     ? tr("Nothing is chosen.")
+                     : tr("Settings to measure: %1, each in frames: %2.").arg(count).arg(frames_->count()));
 }
 
 void SweepDialog::finish(const QString& error) {
   refresh();
-  note_->setText(!error.isEmpty()
-                     ? error
-                     : tr("Settings measured: %1 of %2.").arg(series_.measuredCount()).arg(series_.count()));
+  bar_->setNote(!error.isEmpty()
+                    ? error
+                    : tr("Settings measured: %1 of %2.").arg(series_.measuredCount()).arg(series_.count()));
 }
 
 } // namespace taa::app

@@ -14,17 +14,16 @@
 #include <vector>
 
 class QComboBox;
-class QLabel;
-class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class QTreeWidget;
 
 namespace taa::app {
 
 class CurveChart;
+class FramesField;
 class ScatterChart;
 class Session;
+class WorkBar;
 
 /// There is one of a window: what was chosen, typed and measured is there again when it is opened again.
 class SweepDialog : public QDialog {
@@ -51,12 +50,10 @@ class SweepDialog : public QDialog {
   void closeEvent(QCloseEvent*) override;
 
  private:
-  QWidget* makeRange();
   QWidget* makeCharts();
-  QWidget* makeButtons();
+  void makeButtons();
   /// Those that there are of this shot. Expects that no others are in the table.
   void listMetrics();
-  void listFrames();
   void showTable();
   void showCharts();
   void choose(std::optional<std::size_t> index);
@@ -74,14 +71,13 @@ class SweepDialog : public QDialog {
   std::vector<Metric> metrics_;      ///< that are listed
   std::vector<SweptSettings> swept_; ///< whose series it is
   SweepChoices* choices_;
-  QSpinBox *first_, *last_;
+  FramesField* frames_;
   QTreeWidget* table_;
   QComboBox *ofX_, *ofY_, *ofCurves_;
   ScatterChart* scatter_;
   CurveChart* curves_;
-  QLabel* note_;
-  QProgressBar* progress_;
-  QPushButton *start_, *apply_, *copy_;
+  WorkBar* bar_;
+  QPushButton *apply_, *copy_;
 };
 
 } // namespace taa::app

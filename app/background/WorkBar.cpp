@@ -1,0 +1,60 @@
+#include "app/background/WorkBar.h"
+
+#include "app/background/BackgroundWork.h"
+#include "app/style/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+namespace taa::app {
+
+WorkBar::WorkBar(BackgroundWork& work, const QString& startText, QWidget* parent)
+    : QWidget(parent), work_(work), startText_(startText), start_(new QPushButton(startText)),
+      progress_(new QProgressBar), note_(new QLabel), line_(new QHBoxLayout(this)) {
+  line_->setContentsMargins(0, 0, 0, 0);
+  line_->setSpacing(2 * kUnit);
+  progress_->setTextVisible(false);
+  progress_->setMinimumWidth(10 * kUnit);
+  progress_->setMaximumWidth(40 * kUnit);
+  progress_->setVisible(false);
+  note_->setWordWrap(true);
+  start_->setAutoDefault(false);
+  line_->addWidget(start_);
+  line_->addWidget(progress_);
+  line_->addWidget(note_, 1);
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (work_.isRunning())
+      work_.cancel();
+    else
+      Q_EMIT startRequested();
+  });
+  connect(&work_, &BackgroundWork::progressed, this, [this](const QString& what, int done, int total) {
+    note_->setText(tr("%1: %2 of %3").arg(what).arg(done).arg(total));
+    progress_->setRange(0, total);
+    progress_->setValue(done);
+  });
+}
+
+QPushButton* WorkBar::addButton(const QString& text, const QString& accessibleName) {
+  auto* button = new QPushButton(text);
+  button->setAccessibleName(accessibleName);
+  button->setAutoDefault(false);
+  line_->addWidget(button);
+  return button;
+}
+
+void WorkBar::setReady(bool canStart, const QString& note) {
+  const bool isRunning = work_.isRunning();
+  start_->setText(isRunning ? tr("Stop") : startText_);
+  start_->setEnabled(isRunning || canStart);
+  if (isRunning != !progress_->isHidden()) progress_->setVisible(isRunning);
+  if (!isRunning) note_->setText(note);
+}
+
+void WorkBar::setNote(const QString& note) {
+  note_->setText(note);
+}
+
+} // namespace taa::app

@@ -1,0 +1,41 @@
+// Begins and stops work beside the window and says where it is; buttons for what it found stand beside that.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace taa::app {
+
+class BackgroundWork;
+
+class WorkBar : public QWidget {
+  Q_OBJECT
+ public:
+  /// `startText`: of the button while nothing is under way.
+  WorkBar(BackgroundWork& work, const QString& startText, QWidget* parent = nullptr);
+
+  /// To the right of the others.
+  QPushButton* addButton(const QString& text, const QString& accessibleName);
+  /// Whether it can begin, and what is said while nothing is under way.
+  void setReady(bool canStart, const QString& note);
+  /// Until setReady() says something else.
+  void setNote(const QString& note);
+
+ Q_SIGNALS:
+  void startRequested();
+
+ private:
+  BackgroundWork& work_;
+  QString startText_;
+  QPushButton* start_;
+  QProgressBar* progress_;
+  QLabel* note_;
+  QHBoxLayout* line_;
+};
+
+} // namespace taa::app
