@@ -110,11 +110,21 @@ void Exports::askForGlsl() {
               [this](const QString& path) { writeGlsl(path); });
 }
 
+void Exports::askForGlslOf(const Settings& settings) {
+  askForPlace(window_, tr("Export what was found as GLSL"), QStringLiteral("taa_resolve_tuned.frag"),
+              tr("GLSL (*.frag *.glsl)"),
+              [this, settings](const QString& path) { writeGlsl(path, settings); });
+}
+
 void Exports::writeGlsl(const QString& path) {
+  writeGlsl(path, session_.presets().settings());
+}
+
+void Exports::writeGlsl(const QString& path, const Settings& settings) {
   try {
     const PresetChoices& presets = session_.presets();
-    const std::string title = settingsTitle(presets.presetId(), presets.settings(), presets.presetSettings());
-    writeFile(path.toStdString(), exportedGlsl(presets.settings(), title));
+    const std::string title = settingsTitle(presets.presetId(), settings, presets.presetSettings());
+    writeFile(path.toStdString(), exportedGlsl(settings, title));
     Q_EMIT said(tr("Saved %1.").arg(path));
   } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()));

@@ -11,7 +11,8 @@
 
 namespace taa {
 struct SessionFile;
-}
+struct Settings;
+} // namespace taa
 
 namespace taa::app {
 
@@ -35,6 +36,8 @@ class Exports : public QObject {
   void writeRange(const SequenceRequest& request);
   void askForGlsl();
   void writeGlsl(const QString& path);
+  /// The same of settings that were found from the present ones.
+  void askForGlslOf(const Settings& settings);
   /// The taa-batch line that draws what the active view shows again, all of its picture. A flown path is in a
   /// file that it names, which copying writes.
   QString commandLine() const;
@@ -45,6 +48,7 @@ class Exports : public QObject {
   void failed(const QString& sentence);
 
  private:
+  void writeGlsl(const QString& path, const Settings& settings);
   QString cameraFile(const SessionFile& session) const; ///< empty: no need for one
   /// Says why when there is none.
   std::optional<QImage> viewImage(bool withLegend);

@@ -7,6 +7,7 @@
 #include "app/widgets/ConfirmReplace.h"
 #include "app/widgets/Prompt.h"
 
+#include <QApplication>
 #include <QFileDialog>
 
 namespace taa::app {
@@ -22,19 +23,31 @@ void OwnPresets::list() {
   pipeline_.setUserPresets(userPresets(folder_));
 }
 
-void OwnPresets::askForName() {
+void OwnPresets::ask(const QString& question, const std::function<void(const QString& label)>& save) {
+  // Over the dialog that asks for it, if there is one.
+  QWidget* over = QApplication::activeWindow() ? QApplication::activeWindow() : window_;
   auto* prompt = new Prompt(
-      tr("Save these settings as"), {},
-      [this](const QString& text) {
+      question, {},
+      [this, save](const QString& text) {
         if (text.trimmed().isEmpty()) return false;
-        confirmReplace(window_, {userPresetPath(folder_, text).toStdString()}, [this, text] {
-          session_.presets().savePreset(folder_, text);
+        confirmReplace(window_, {userPresetPath(folder_, text).toStdString()}, [this, save, text] {
+          save(text);
           list();
         });
         return true;
       },
-      window_);
+      over);
   prompt->open();
+}
+
+void OwnPresets::askForName() {
+  ask(tr("Save these settings as"),
+      [this](const QString& label) { session_.presets().savePreset(folder_, label); });
+}
+
+void OwnPresets::askForNameOf(const Settings& settings) {
+  ask(tr("Save what was found as"),
+      [this, settings](const QString& label) { session_.presets().savePreset(folder_, label, settings); });
 }
 
 void OwnPresets::askForFile() {

@@ -1,8 +1,12 @@
 // A user's own presets: saved, opened, compared, and listed in the pipeline.
 #pragma once
 
+#include "core/settings/Settings.h"
+
 #include <QObject>
 #include <QString>
+
+#include <functional>
 
 class QSettings;
 class QWidget;
@@ -21,10 +25,13 @@ class OwnPresets : public QObject {
   const QString& folder() const { return folder_; }
   /// Saves the present settings under a name.
   void askForName();
+  /// The same of others, which are not taken up.
+  void askForNameOf(const Settings& settings);
   void askForFile();
   void compare();
 
  private:
+  void ask(const QString& question, const std::function<void(const QString& label)>& save);
   void list();
 
   Session& session_;

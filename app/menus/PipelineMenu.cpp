@@ -2,6 +2,7 @@
 
 #include "app/commands/Exports.h"
 #include "app/commands/OwnPresets.h"
+#include "app/commands/Tune.h"
 #include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/SweepDialog.h"
 #include "app/panels/LowerArea.h"
@@ -27,7 +28,7 @@ PipelineMenu::PipelineMenu(Commands& commands, const Targets& on, QWidget* paren
                           });
   onRefresh([&session, taa] { taa->setChecked(isTaaOn(session.presets().settings())); });
   addPresets(session);
-  addOwnPresets(session, on.presets);
+  addOwnPresets(session, on.presets, on.exports);
   add(tr("&Back to the preset"), keys({"Ctrl+R"}), [&session] { session.presets().backToPreset(); });
   addSeparator();
   add(tr("&Unfold all stages"), keys({"Ctrl+Down"}),
@@ -58,7 +59,7 @@ void PipelineMenu::addPresets(Session& session) {
   }
 }
 
-void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets) {
+void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets, Exports& exports) {
   QMenu* menu = addMenu(tr("&My presets"));
   connect(menu, &QMenu::aboutToShow, this, [this, menu, &session, &presets] {
     menu->clear();
@@ -72,6 +73,10 @@ void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets) {
   add(tr("S&weep: compare settings by numbers…"), keys({"Ctrl+Alt+W"}),
       [&session, &presets, window = parentWidget()->window()] {
         SweepDialog::openAt(session, presets.folder(), window);
+      });
+  add(tr("&Tune: look for better settings…"), keys({"Ctrl+Alt+T"}),
+      [&session, &presets, &exports, window = parentWidget()->window()] {
+        openTune(session, presets, exports, window);
       });
   add(tr("Open a preset &file…"), keys({"Ctrl+Shift+O"}), [&presets] { presets.askForFile(); });
 }

@@ -28,7 +28,7 @@ class PipelineMenu : public CommandMenu {
 
  private:
   void addPresets(Session& session);
-  void addOwnPresets(Session& session, OwnPresets& presets);
+  void addOwnPresets(Session& session, OwnPresets& presets, Exports& exports);
   void addShaders(const Targets& on);
   void addReferences(Session& session, ViewArea& views);
   void addReferenceRow(QMenu* menu, ViewArea& views, IntermediateId id, const QString& text, const char* key);

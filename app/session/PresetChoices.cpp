@@ -120,6 +120,10 @@ void PresetChoices::savePreset(const QString& folder, const QString& label) {
   outbox_.guarded([&] { setPreset(saveUserPreset(folder, label, chosen_.settings)); });
 }
 
+void PresetChoices::savePreset(const QString& folder, const QString& label, const Settings& settings) {
+  outbox_.guarded([&] { saveUserPreset(folder, label, settings); });
+}
+
 void PresetChoices::setOtherPresets(const QStringList& idsOrPaths) {
   if (idsOrPaths == otherPresets_) return;
   otherPresets_ = idsOrPaths;

@@ -50,6 +50,8 @@ class PresetChoices : public QObject {
   void change(const PresetChoice& choice, const QString& what, const std::string& key = {});
   /// Saves the present settings in `folder` and goes on from them.
   void savePreset(const QString& folder, const QString& label);
+  /// The same of others, which are not taken up.
+  void savePreset(const QString& folder, const QString& label, const Settings& settings);
   /// Presets that views are compared with: lanes 1, 2 … next to that of the settings.
   void setOtherPresets(const QStringList& idsOrPaths);
   const std::vector<Settings>& otherLanes() const { return otherLanes_; } ///< their settings

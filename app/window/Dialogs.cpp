@@ -3,6 +3,7 @@
 #include "app/commands/Exports.h"
 #include "app/commands/ImportFrames.h"
 #include "app/commands/OwnPresets.h"
+#include "app/commands/Tune.h"
 #include "app/dialogs/GlslWindow.h"
 #include "app/dialogs/ReferenceDialog.h"
 #include "app/dialogs/SweepDialog.h"
@@ -56,6 +57,7 @@ const std::vector<std::pair<std::string, Open>>& dialogs() {
       {"presets", [](const DialogOpeners& by) { by.presets.compare(); }},
       {"sweep",
        [](const DialogOpeners& by) { SweepDialog::openAt(by.session, by.presets.folder(), by.window); }},
+      {"tune", [](const DialogOpeners& by) { openTune(by.session, by.presets, by.exports, by.window); }},
       {"keys", [](const DialogOpeners& by) { by.lists.showKeys(); }},
       {"reference", openReference},
       {"commands", [](const DialogOpeners& by) { by.lists.choose(); }},
