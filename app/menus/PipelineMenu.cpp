@@ -74,7 +74,7 @@ void PipelineMenu::addOwnPresets(Session& session, OwnPresets& presets, Exports&
       [&session, &presets, window = parentWidget()->window()] {
         SweepDialog::openAt(session, presets.folder(), window);
       });
-  add(tr("&Tune: look for better settings…"), keys({"Ctrl+Alt+T"}),
+  add(tr("&Tune: look for better settings…"), keys({"Ctrl+Alt+U"}),
       [&session, &presets, &exports, window = parentWidget()->window()] {
         openTune(session, presets, exports, window);
       });

@@ -194,7 +194,7 @@ TEST_F(TuneDialogTest, SaysWhatWentWrong) {
 TEST_F(TuneDialogTest, OpensOnceByItsCommand) {
   delete dialog_;
   for (int time = 0; time < 2; ++time) {
-    key(Qt::Key_T, Qt::ControlModifier | Qt::AltModifier);
+    key(Qt::Key_U, Qt::ControlModifier | Qt::AltModifier);
     EXPECT_EQ(window.findChildren<TuneDialog*>().size(), 1);
     window.activateWindow();
     settle();
