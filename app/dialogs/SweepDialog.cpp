@@ -1,6 +1,6 @@
 #include "app/dialogs/SweepDialog.h"
 
-#include "app/background/WorkBar.h"
+#include "app/background/BackgroundBar.h"
 #include "app/dialogs/FramesField.h"
 #include "app/session/Session.h"
 #include "app/style/Numbers.h"
@@ -60,7 +60,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
       choices_(new SweepChoices(session, folder)), frames_(new FramesField(session, kFirstFrames)),
       table_(new QTreeWidget), ofX_(new QComboBox), ofY_(new QComboBox), ofCurves_(new QComboBox),
       scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))),
-      bar_(new WorkBar(work_, tr("Measure"))) {
+      bar_(new BackgroundBar(work_, tr("Measure"))) {
   setWindowTitle(tr("Sweep"));
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kUnit);
@@ -144,7 +144,7 @@ void SweepDialog::makeButtons() {
   copy_ = bar_->addButton(tr("Copy as CSV"), tr("Copy the table as CSV"));
   apply_ = bar_->addButton(tr("Apply"), tr("Apply the chosen settings"));
   apply_->setToolTip(tr("Take the chosen settings up; it can be undone"));
-  connect(bar_, &WorkBar::startRequested, this, &SweepDialog::begin);
+  connect(bar_, &BackgroundBar::startRequested, this, &SweepDialog::begin);
   connect(apply_, &QPushButton::clicked, this, &SweepDialog::apply);
   connect(copy_, &QPushButton::clicked, this, &SweepDialog::copy);
 }

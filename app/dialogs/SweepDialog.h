@@ -19,11 +19,11 @@ class QTreeWidget;
 
 namespace taa::app {
 
+class BackgroundBar;
 class CurveChart;
 class FramesField;
 class ScatterChart;
 class Session;
-class WorkBar;
 
 /// There is one of a window: what was chosen, typed and measured is there again when it is opened again.
 class SweepDialog : public QDialog {
@@ -76,7 +76,7 @@ class SweepDialog : public QDialog {
   QComboBox *ofX_, *ofY_, *ofCurves_;
   ScatterChart* scatter_;
   CurveChart* curves_;
-  WorkBar* bar_;
+  BackgroundBar* bar_;
   QPushButton *apply_, *copy_;
 };
 

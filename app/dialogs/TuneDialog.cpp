@@ -1,6 +1,6 @@
 #include "app/dialogs/TuneDialog.h"
 
-#include "app/background/WorkBar.h"
+#include "app/background/BackgroundBar.h"
 #include "app/dialogs/TuneChoices.h"
 #include "app/models/verdict/VerdictWords.h"
 #include "app/session/Session.h"
@@ -44,7 +44,7 @@ QString tunedText(const std::optional<double>& number) {
 TuneDialog::TuneDialog(Session& session, TuneExits exits, QWidget* parent, TuneWork::Tune tune)
     : QDialog(parent), session_(session), exits_(std::move(exits)), work_(std::move(tune)),
       choices_(new TuneChoices(session)), numbers_(new QTreeWidget), steps_(new QTreeWidget),
-      chart_(new CurveChart(tr("Goal"), tr("evaluation"))), bar_(new WorkBar(work_, tr("Tune"))) {
+      chart_(new CurveChart(tr("Goal"), tr("evaluation"))), bar_(new BackgroundBar(work_, tr("Tune"))) {
   setWindowTitle(tr("Tune"));
   choices_->setFixedWidth(60 * kUnit);
   makeTables();
@@ -95,7 +95,7 @@ void TuneDialog::makeButtons() {
   save_ = bar_->addButton(tr("Save as preset…"), tr("Save what was found as a preset"));
   apply_ = bar_->addButton(tr("Apply"), tr("Apply what was found"));
   apply_->setToolTip(tr("Take all changes up as one step; it can be undone"));
-  connect(bar_, &WorkBar::startRequested, this, &TuneDialog::begin);
+  connect(bar_, &BackgroundBar::startRequested, this, &TuneDialog::begin);
   connect(apply_, &QPushButton::clicked, this, [this] {
     if (const auto better = found()) session_.presets().change(*better, tr("tuned settings"));
   });

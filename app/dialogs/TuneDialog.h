@@ -16,10 +16,10 @@ class QTreeWidget;
 
 namespace taa::app {
 
+class BackgroundBar;
 class CurveChart;
 class Session;
 class TuneChoices;
-class WorkBar;
 
 /// What becomes of settings that were found, besides being taken up.
 struct TuneExits {
@@ -68,7 +68,7 @@ class TuneDialog : public QDialog {
   TuneChoices* choices_;
   QTreeWidget *numbers_, *steps_;
   CurveChart* chart_;
-  WorkBar* bar_;
+  BackgroundBar* bar_;
   QPushButton *apply_ = nullptr, *save_ = nullptr, *export_ = nullptr;
 };
 

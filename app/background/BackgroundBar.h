@@ -13,11 +13,11 @@ namespace taa::app {
 
 class BackgroundWork;
 
-class WorkBar : public QWidget {
+class BackgroundBar : public QWidget {
   Q_OBJECT
  public:
   /// `startText`: of the button while nothing is under way.
-  WorkBar(BackgroundWork& work, const QString& startText, QWidget* parent = nullptr);
+  BackgroundBar(BackgroundWork& work, const QString& startText, QWidget* parent = nullptr);
 
   /// To the right of the others.
   QPushButton* addButton(const QString& text, const QString& accessibleName);

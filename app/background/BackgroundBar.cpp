@@ -1,4 +1,4 @@
-#include "app/background/WorkBar.h"
+#include "app/background/BackgroundBar.h"
 
 #include "app/background/BackgroundWork.h"
 #include "app/style/Theme.h"
@@ -10,7 +10,7 @@
 
 namespace taa::app {
 
-WorkBar::WorkBar(BackgroundWork& work, const QString& startText, QWidget* parent)
+BackgroundBar::BackgroundBar(BackgroundWork& work, const QString& startText, QWidget* parent)
     : QWidget(parent), work_(work), startText_(startText), start_(new QPushButton(startText)),
       progress_(new QProgressBar), note_(new QLabel), line_(new QHBoxLayout(this)) {
   line_->setContentsMargins(0, 0, 0, 0);
@@ -37,7 +37,7 @@ WorkBar::WorkBar(BackgroundWork& work, const QString& startText, QWidget* parent
   });
 }
 
-QPushButton* WorkBar::addButton(const QString& text, const QString& accessibleName) {
+QPushButton* BackgroundBar::addButton(const QString& text, const QString& accessibleName) {
   auto* button = new QPushButton(text);
   button->setAccessibleName(accessibleName);
   button->setAutoDefault(false);
@@ -45,7 +45,7 @@ QPushButton* WorkBar::addButton(const QString& text, const QString& accessibleNa
   return button;
 }
 
-void WorkBar::setReady(bool canStart, const QString& note) {
+void BackgroundBar::setReady(bool canStart, const QString& note) {
   const bool isRunning = work_.isRunning();
   start_->setText(isRunning ? tr("Stop") : startText_);
   start_->setEnabled(isRunning || canStart);
@@ -53,7 +53,7 @@ void WorkBar::setReady(bool canStart, const QString& note) {
   if (!isRunning) note_->setText(note);
 }
 
-void WorkBar::setNote(const QString& note) {
+void BackgroundBar::setNote(const QString& note) {
   note_->setText(note);
 }
 
