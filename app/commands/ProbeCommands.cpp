@@ -5,7 +5,7 @@
 #include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
-#include "app/views/plots/ProbePages.h"
+#include "app/views/plots/WhatIfPage.h"
 #include "core/report/ProbeReport.h"
 #include "core/report/verdicts/VerdictReport.h"
 

@@ -9,8 +9,8 @@
 #include "app/style/Icons.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
-#include "app/views/plots/ProbePages.h"
 #include "app/widgets/verdict/VerdictDetails.h"
 
 #include <QAction>

@@ -223,7 +223,7 @@ void MainWindow::makeMenus() {
 }
 
 void MainWindow::makeFeeds() {
-  probeFeed_ = std::make_unique<ProbeFeed>(session_.probes(), *views_, *probe_);
+  probeFeed_ = std::make_unique<ProbeFeed>(session_, *views_, *probe_);
   verdictFeed_ = std::make_unique<VerdictFeed>(session_, *views_, *probe_);
   plotFeed_ =
       std::make_unique<PlotFeed>(session_, PlotFeed::Panels{*plots_, *jitter_, *weights_, *timeline_});

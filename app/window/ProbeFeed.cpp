@@ -1,14 +1,18 @@
 #include "app/window/ProbeFeed.h"
 
 #include "app/panels/ProbePanel.h"
-#include "app/session/ProbeChoices.h"
+#include "app/session/Session.h"
+#include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/Viewport.h"
+#include "app/views/plots/WhatIfPage.h"
+#include "core/render/CaptureFacts.h"
+#include "core/settings/Presets.h"
 
 namespace taa::app {
 
-ProbeFeed::ProbeFeed(ProbeChoices& probes, ViewArea& views, ProbePanel& panel)
-    : probes_(probes), views_(views), panel_(panel) {
+ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
+    : session_(session), probes_(session.probes()), views_(views), panel_(panel) {
   connect(&panel_, &ProbePanel::removeRequested, this, [this] { probes_.setPixel({}); });
   connect(&panel_, &ProbePanel::probeChosen, &probes_, &ProbeChoices::setActive);
   connect(&panel_, &ProbePanel::followChosen, this,
@@ -24,6 +28,28 @@ ProbeFeed::ProbeFeed(ProbeChoices& probes, ViewArea& views, ProbePanel& panel)
   });
   connect(&probes_, &ProbeChoices::changed, this, &ProbeFeed::showActive);
   connect(&probes_, &ProbeChoices::probeArrived, this, &ProbeFeed::showProbe);
+  connectWhatIf();
+}
+
+void ProbeFeed::connectWhatIf() {
+  WhatIfPage* page = panel_.whatIf();
+  connect(page, &WhatIfPage::tried, this, [this](const Variant& variant) {
+    PresetChoice choice = session_.presets().choice();
+    if (variant.group == WhatIfGroup::Preset) {
+      choice.presetId = variant.id;
+      choice.presetSettings = preset(variant.id).settings;
+    }
+    choice.settings = variant.settings;
+    session_.presets().change(choice, tr("try of %1").arg(tableText(variant.label)));
+  });
+  connect(page, &WhatIfPage::measuringRequested, this, [this, page] {
+    const auto captured = session_.status().capture;
+    const bool hasReference = !captured || captured->hasReference;
+    page->measure(session_.file(), hasReference ? session_.status().referenceGoal : 0);
+  });
+  connect(&session_, &Session::statusChanged, this, [this, page] {
+    if (page->hasNumbers()) page->setShot(session_.file());
+  });
 }
 
 void ProbeFeed::showActive() {

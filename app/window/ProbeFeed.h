@@ -7,17 +7,20 @@ namespace taa::app {
 
 class ProbeChoices;
 class ProbePanel;
+class Session;
 class ViewArea;
 
 class ProbeFeed : public QObject {
   Q_OBJECT
  public:
-  ProbeFeed(ProbeChoices& probes, ViewArea& views, ProbePanel& panel);
+  ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel);
 
  private:
+  void connectWhatIf();
   void showActive();
   void showProbe();
 
+  Session& session_;
   ProbeChoices& probes_;
   ViewArea& views_;
   ProbePanel& panel_;

@@ -1,4 +1,4 @@
-// Two pages of the probe panel: the pixel in a color space, and the pixel under other choices.
+// The page of the probe panel that shows the pixel in a color space.
 #pragma once
 
 #include "app/views/plots/ColorSpaceMath.h"
@@ -13,7 +13,6 @@ class QLabel;
 namespace taa::app {
 
 class ColorSpaceView;
-class ValueTable;
 class SegmentedButtons;
 
 class ColorSpacePage : public QWidget {
@@ -35,25 +34,6 @@ class ColorSpacePage : public QWidget {
   SegmentedButtons* spaces_ = nullptr;
   QLabel* note_ = nullptr;
   ColorSpaceView* view_ = nullptr;
-};
-
-class WhatIfPage : public QWidget {
-  Q_OBJECT
- public:
-  explicit WhatIfPage(QWidget* parent = nullptr);
-
-  void setResult(const std::optional<ProbeResult>& result);
-  ValueTable* table() const { return table_; }
-  /// The table, to copy.
-  QString text() const;
-
- protected:
-  void resizeEvent(QResizeEvent*) override;
-
- private:
-  void fitColumns();
-  ValueTable* table_ = nullptr;
-  QLabel* note_ = nullptr;
 };
 
 } // namespace taa::app

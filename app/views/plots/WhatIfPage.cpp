@@ -1,0 +1,240 @@
+#include "app/views/plots/WhatIfPage.h"
+
+#include "app/background/BackgroundBar.h"
+#include "app/style/Numbers.h"
+#include "app/style/Text.h"
+#include "app/style/Theme.h"
+#include "app/widgets/ValueTable.h"
+#include "core/picture/ColorMap.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace taa::app {
+
+namespace {
+
+enum WhatIfColumn { NameColumn, ErrorColumn, ResolvedColumn, ChangeColumn, AlphaColumn, FirstPictureColumn };
+constexpr int kWhatIfColumns = FirstPictureColumn + static_cast<int>(kPictureMetrics.size());
+/// Those that make room first where a name would be cut: swatch and tip say them, too.
+constexpr std::array<int, 3> kGivingWay{ResolvedColumn, ChangeColumn, AlphaColumn};
+constexpr int kCellMargins = 3 * kUnit; ///< both sides
+constexpr int kPictureFrames = 8;       ///< up to the probed one
+
+QColor shownSwatch(const glm::vec3& linear) {
+  const auto byte = [](float value) {
+    return static_cast<int>(std::lround(255.0f * srgbEncoded(value > 0 ? std::min(value, 1.0f) : 0.0f)));
+  };
+  return {byte(linear.x), byte(linear.y), byte(linear.z)};
+}
+
+/// Three decimals a channel: what a narrow table has room for.
+QString channelsText(const glm::vec3& color) {
+  QStringList channels;
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto value = static_cast<double>(color[channel]);
+    channels << (std::fabs(value) < 10 ? QString::number(value, 'f', 3) : shortText(value));
+  }
+  return channels.join(QLatin1Char(' '));
+}
+
+/// Of the channel that differs most.
+float largestChannel(const glm::vec3& difference) {
+  float most = difference.x;
+  for (const float channel : {difference.y, difference.z})
+    if (std::fabs(channel) > std::fabs(most)) most = channel;
+  return most;
+}
+
+ValueTable::Row headingOf(WhatIfGroup group) {
+  return {QStringList{tableText(whatIfGroupLabel(group))}, {}, true};
+}
+
+QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
+  QStringList lines{
+      WhatIfPage::tr("%1: %2").arg(tableText(whatIfGroupLabel(row.group)), tableText(row.label)),
+      WhatIfPage::tr("resolved %1").arg(channelsText(row.resolved))};
+  if (entry.error)
+    lines << WhatIfPage::tr("from the reference, as shown: %1").arg(shortText(*entry.error, 3));
+  for (std::size_t place = 0; means && place < means->size(); ++place)
+    if ((*means)[place])
+      lines << WhatIfPage::tr("picture, %1: %2")
+                   .arg(tableText(metricInfo(kPictureMetrics[place]).label), shortText(*(*means)[place], 4));
+  if (!row.note.empty()) lines << QStringLiteral("* ") + QString::fromStdString(row.note);
+  if (!row.isCurrent) lines << WhatIfPage::tr("A click tries it; Ctrl+Z takes it back");
+  return lines.join(QLatin1Char('\n'));
+}
+
+ValueTable::Row lineOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
+  const float difference = largestChannel(row.difference);
+  QString name = (row.isCurrent ? QStringLiteral("▸ ") : QString()) + tableText(row.label);
+  if (!row.note.empty()) name += QStringLiteral(" *");
+  QStringList cells{name, entry.error ? shortText(*entry.error, 2) : QString(), channelsText(row.resolved),
+                    difference == 0 ? WhatIfPage::tr("same") : shortText(static_cast<double>(difference), 2),
+                    shortText(static_cast<double>(row.alpha), 3)};
+  for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
+    cells << (means && (*means)[place] ? shortText(*(*means)[place], 2) : QString());
+  return {cells, shownSwatch(row.resolved), false, tipOf(row, entry, means)};
+}
+
+/// The same whatever settings it is drawn with, and whichever frame is on show.
+bool isSameShot(const SessionFile& a, const SessionFile& b) {
+  return a.source == b.source && a.camera == b.camera && a.size == b.size && a.track == b.track &&
+         a.filter == b.filter && a.motionModes == b.motionModes && a.objectClasses == b.objectClasses &&
+         a.restarts == b.restarts;
+}
+
+} // namespace
+
+WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
+    : QWidget(parent), work_(std::move(sweep)), note_(new QLabel) {
+  table_ = new ValueTable({tr("Instead"), tr("Error"), tr("Resolved"), tr("Change"), tr("α"), tr("Ghost"),
+                           tr("Flicker"), tr("Sharp")});
+  bar_ = new BackgroundBar(work_, tr("Measure pictures"));
+  table_->setAccessibleName(tr("The pixel under other choices"));
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else columns change with the number of rows
+  table_->headerItem()->setToolTip(ErrorColumn, tr("How far the pixel is from the reference, as shown"));
+  for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
+    table_->headerItem()->setToolTip(FirstPictureColumn + static_cast<int>(place),
+                                     tableText(metricInfo(kPictureMetrics[place]).description));
+  note_->setFont(secondaryFont());
+  note_->setForegroundRole(QPalette::PlaceholderText);
+  note_->setWordWrap(true);
+  note_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  note_->setText(
+      tr("This frame again on the history it had, one choice replaced. ▸ is in force, a click tries another. "
+         "* uses jitter and inputs as they are now, or misses what this history does not keep."));
+  bar_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(table_, 1);
+  column->addWidget(note_);
+  column->addWidget(bar_);
+  connect(table_, &QTreeWidget::itemClicked, this,
+          [this](QTreeWidgetItem* item) { tryLine(table_->indexOfTopLevelItem(item)); });
+  connect(bar_, &BackgroundBar::startRequested, this, &WhatIfPage::measuringRequested);
+  connect(&work_, &SweepWork::measured, this, [this](std::size_t index, const LaneMetrics& frames) {
+    numbers_.add(measuring_[index], frames);
+    show();
+  });
+  connect(&work_, &SweepWork::ended, this, [this](const QString& error) {
+    refresh();
+    if (!error.isEmpty()) bar_->setNote(error);
+  });
+  refresh();
+}
+
+void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
+  result_ = result;
+  show();
+}
+
+// Headings only where rows of a group stand together.
+void WhatIfPage::show() {
+  std::vector<ValueTable::Row> rows;
+  lines_.clear();
+  const std::vector<WhatIfEntry> entries = result_ ? whatIfEntries(*result_) : std::vector<WhatIfEntry>();
+  const std::vector<Variant> variants =
+      entries.empty() ? std::vector<Variant>() : variantsOf(result_->settings);
+  for (const WhatIfEntry& entry : entries) {
+    const WhatIfRow& row = result_->whatIf[entry.row];
+    const bool isFirst = entry.row == 0 || result_->whatIf[entry.row - 1].group != row.group;
+    if (!entry.error && isFirst) {
+      rows.push_back(headingOf(row.group));
+      lines_.push_back({});
+    }
+    const auto variant = std::ranges::find_if(
+        variants, [&](const Variant& each) { return each.group == row.group && each.id == row.id; });
+    rows.push_back(
+        lineOf(row, entry, variant == variants.end() ? nullptr : numbers_.find(variant->settings)));
+    lines_.push_back(entry.row);
+  }
+  table_->setRows(rows);
+  table_->setColumnHidden(ErrorColumn, entries.empty() || !entries.front().error);
+  for (int place = FirstPictureColumn; place < kWhatIfColumns; ++place)
+    table_->setColumnHidden(place, numbers_.isEmpty());
+  fitColumns();
+  refresh();
+}
+
+void WhatIfPage::fitColumns() {
+  for (const int column : kGivingWay) table_->setColumnHidden(column, false);
+  const QFontMetrics names(secondaryFont()), digits(numberFont());
+  std::array<int, kWhatIfColumns> widths{};
+  int room = table_->viewport()->width() - table_->iconSize().width();
+  for (int column = 0; column < kWhatIfColumns; ++column) {
+    int& width = widths[static_cast<std::size_t>(column)];
+    if (column != NameColumn) width = names.horizontalAdvance(table_->headerItem()->text(column));
+    for (const ValueTable::Row& row : table_->rows())
+      width =
+          std::max(width, (column == NameColumn ? names : digits).horizontalAdvance(row.cells.value(column)));
+    width += kCellMargins;
+    if (!table_->isColumnHidden(column)) room -= width;
+  }
+  for (const int column : kGivingWay) {
+    if (room >= 0) break;
+    table_->setColumnHidden(column, true);
+    room += widths[static_cast<std::size_t>(column)];
+  }
+}
+
+void WhatIfPage::tryLine(int line) {
+  if (line < 0 || line >= static_cast<int>(lines_.size()) || !result_) return;
+  const std::optional<std::size_t> row = lines_[static_cast<std::size_t>(line)];
+  if (!row || result_->whatIf[*row].isCurrent) return;
+  if (const auto variant = variantOf(result_->settings, result_->whatIf[*row])) Q_EMIT tried(*variant);
+}
+
+void WhatIfPage::setShot(const SessionFile& shot) {
+  if (!measured_ || isSameShot(*measured_, shot)) return;
+  work_.cancel();
+  measured_.reset();
+  numbers_.clear();
+  show();
+}
+
+void WhatIfPage::measure(const SessionFile& shot, int referenceSamples) {
+  if (!result_) return;
+  if (referenceSamples == 0) return bar_->setNote(tr("There is no reference to measure against."));
+  const int last = result_->frame, first = std::max(0, last - kPictureFrames + 1);
+  if (!measured_ || !isSameShot(*measured_, shot) || first != first_ || last != last_) numbers_.clear();
+  measured_ = shot;
+  first_ = first;
+  last_ = last;
+  ShotSweepRequest request{
+      shot, {}, {first, last, {kPictureMetrics.begin(), kPictureMetrics.end()}, referenceSamples}};
+  measuring_.clear();
+  for (const Variant& variant : variantsOf(result_->settings)) {
+    if (numbers_.find(variant.settings) ||
+        std::ranges::find(measuring_, variant.settings) != measuring_.end())
+      continue;
+    measuring_.push_back(variant.settings);
+    request.settings.push_back({variant.label, variant.settings});
+  }
+  work_.begin(request);
+  show();
+}
+
+void WhatIfPage::refresh() {
+  const bool canStart = result_ && !result_->whatIf.empty();
+  bar_->setReady(canStart, numbers_.isEmpty() ? tr("Ghost, flicker and sharpness of the whole picture")
+                                              : tr("Pictures are of frames %1 to %2").arg(first_).arg(last_));
+}
+
+void WhatIfPage::resizeEvent(QResizeEvent*) {
+  fitColumns();
+}
+
+QString WhatIfPage::text() const {
+  return table_->text();
+}
+
+} // namespace taa::app
