@@ -431,10 +431,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   const QString path = urls.first().toLocalFile();
-  if (ImportFrames::isWanted(path))
-    imports_->open(path);
-  else if (urls.first().isLocalFile())
-    keeper_->openSource(path);
+  if (urls.first().isLocalFile())
+    imports_->openSource(path);
   else
     messages_->showError(
         tr("%1 is not a file on this machine; save it first, then open it.").arg(urls.first().toString()));
