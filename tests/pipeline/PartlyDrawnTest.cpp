@@ -69,3 +69,21 @@ TEST_F(PartlyDrawnTest, DrawsLittleForLittle) {
   read.color.texel(0, 0);
   EXPECT_GT(renderer.counts().drawn, whole / 8) << "drawn again, as large as it takes";
 }
+
+// Each of its pixels looks at the fog around it.
+TEST_F(PartlyDrawnTest, ReadsFogAsTheWholeFrameHoldsIt) {
+  const auto scene = std::make_shared<const Scene>(openScene("builtin:fog"));
+  SceneRenderer renderer(scene);
+  FrameRequest request = requestOf(*scene, 200, 120);
+  request.inputs.fogHistory = FogHistory::Clamped;
+  FrameInputs drawn;
+  renderer.draw(request, 6, drawn);
+  const twin::Inputs whole = twinInputs(drawn, nullptr, TwinReading::Whole);
+  PartlyDrawn parts;
+  const twin::Inputs read = parts.open(renderer, request, 6, nullptr, {100, 60});
+  for (int y = 0; y < 120; y += 4)
+    for (int x = 60; x < 140; x += 4) {
+      EXPECT_EQ(read.color.texel(x, y), whole.color.texel(x, y)) << x << " " << y;
+      EXPECT_EQ(read.fog.texel(x, y), whole.fog.texel(x, y)) << x << " " << y;
+    }
+}
