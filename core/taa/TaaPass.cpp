@@ -47,7 +47,8 @@ constexpr int kFewTexels = 128 * 128;
 struct Run {
   bool keepsHistory = false, stores = false, isSparse = false;
   std::span<const ExposedSlot> slots;
-  std::optional<Stage> last; ///< none: the whole resolve
+  std::optional<Stage> last;         ///< none: the whole resolve
+  std::optional<gl::Rect> part = {}; ///< none: the whole target
 
   std::string prelude(const Settings& settings) const {
     return historyPrelude(settings, keepsHistory) + sparsePrelude(isSparse) + stageEndsPrelude(last) +
@@ -139,7 +140,7 @@ void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const F
   passInputs.update(inputs, settings, historyState(previous, settings),
                     exposure ? TargetPixels{exposure->region(), exposure->texels()} : TargetPixels{});
 
-  gl::RenderPass pass(target, {}, "TaaPass");
+  gl::RenderPass pass(target, {.scissor = run.part}, "TaaPass");
   pass.program(resolve);
   passInputs.bind(pass, inputs);
   bindHistory(pass, inputs, previous, settings);
@@ -167,6 +168,15 @@ void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const 
   if (!exposure) return;
   parts_->output.fill(inputs, out.color, settings, *exposure);
   exposure->readFrom(&inputs, out);
+}
+
+void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, const Settings& settings,
+                          History& out, const gl::Rect& part) {
+  assert(&out != previous);
+  fitHistory(out, outputSize(inputs).width, outputSize(inputs).height, settings);
+  const Run run{.keepsHistory = true, .slots = {}, .last = {}, .part = part};
+  const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved part");
+  parts_->draw(run, target, inputs, previous, settings, nullptr);
 }
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,

@@ -77,6 +77,10 @@ class TaaPass {
   void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
                Exposure* exposure = nullptr);
 
+  /// resolve() of a part of the picture only: the rest of `out` holds anything.
+  void resolvePart(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
+                   const gl::Rect& part);
+
   /// Runs the resolve on the exposure's region only, and keeps nothing but what it exposes. `resolved`: what
   /// resolve() made of the same, for the rows of stage Output, which look at it around each pixel.
   void expose(const FrameInputs& inputs, const History* previous, const History& resolved,

@@ -2,12 +2,10 @@
 #include "core/inspect/verdicts/EvidenceFrames.h"
 
 #include "core/measure/References.h"
-#include "core/render/SceneRenderer.h"
-#include "core/scene/SceneSource.h"
-#include "core/settings/Presets.h"
 #include "core/verdict/lineage/TwinStep.h"
 #include "core/verdict/pixel/PixelError.h"
 #include "tests/support/GlTest.h"
+#include "tests/support/verdicts/SceneShot.h"
 
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
@@ -15,7 +13,6 @@
 #include <cstddef>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,19 +22,8 @@ using namespace taa;
 
 namespace {
 
-constexpr glm::ivec2 kSizePx{160, 90};
+constexpr glm::ivec2 kSizePx = test::kSceneShotPx;
 constexpr int kSamples = 4;
-
-ShotState stateOf(const std::string& source, const std::string& presetId) {
-  ShotState state;
-  state.scene = std::make_shared<const Scene>(openScene(source));
-  state.frames = std::make_shared<SceneRenderer>(state.scene);
-  state.camera = state.scene->shot.camera;
-  state.width = kSizePx.x;
-  state.height = kSizePx.y;
-  state.lanes = {preset(presetId).settings};
-  return state;
-}
 
 /// Draws all of every frame.
 class WholeEvidence : public EvidenceSource {
@@ -98,7 +84,7 @@ class EvidenceFramesTest : public test::GlTest {
   void open(const std::string& source, const std::string& presetId, int frame) {
     references_.clear();
     player_.emplace(kSizePx);
-    player_->open(stateOf(source, presetId));
+    player_->open(test::sceneShot(source, presetId));
     player_->goTo(frame, {});
   }
   std::optional<ShotPlayer> player_; // made when the context is current
