@@ -13,7 +13,6 @@
 #include <QClipboard>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 
 namespace taa::app {
@@ -75,9 +74,7 @@ void ProbeCommands::copy(ProbeFormat format) {
                            {{{"", session_.presets().presetId(), result->settings, result->info},
                              result->around[result->around.size() / 2],
                              {},
-                             result->details,
-                             panel_.comparison() ? result->compared : std::nullopt}},
-                           panel_.comparison()};
+                             result->details}}};
   const std::string text = format == ProbeFormat::Json       ? probeJson(report).dump(2) + "\n"
                            : format == ProbeFormat::Markdown ? probeMarkdown(report)
                                                              : probeText(report);

@@ -16,9 +16,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace taa::app {
 

@@ -39,12 +39,8 @@ glm::ivec2 ProbeChoices::inPicture(glm::ivec2 pixel) const {
   return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(status_.width, status_.height) - 1);
 }
 
-void ProbeChoices::post() {
-  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_, other_});
-}
-
 void ProbeChoices::send() {
-  post();
+  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_});
   Q_EMIT changed();
 }
 
@@ -153,13 +149,7 @@ void ProbeChoices::setFollow(int probe, Follow follow) {
 void ProbeChoices::setWhatIf(bool wanted) {
   if (wanted == wantsWhatIf_) return;
   wantsWhatIf_ = wanted;
-  post();
-}
-
-void ProbeChoices::setOtherSide(const std::optional<OtherSide>& other) {
-  if (other == other_) return;
-  other_ = other;
-  post();
+  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_});
 }
 
 void ProbeChoices::set(const std::vector<Probe>& probes, int active) {

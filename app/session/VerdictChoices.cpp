@@ -41,7 +41,9 @@ bool VerdictChoices::isComplete() const {
   const ProbeResult* probe = probes_.result();
   if (probe && probe->around.empty()) return true; // there is nothing to see
   const VerdictDelivery* now = verdict();
-  return now && (now->remedies || !now->whyNot.empty() || now->answer->verdict.kind == VerdictKind::None);
+  if (!now) return false;
+  if (now->remedies && (now->remedies->best.empty() || now->remedies->picture)) return true;
+  return !now->whyNot.empty() || now->answer->verdict.kind == VerdictKind::None;
 }
 
 const std::vector<TriedRemedy>& VerdictChoices::remedies() const {

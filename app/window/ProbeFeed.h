@@ -19,7 +19,6 @@ class ProbeFeed : public QObject {
   void connectWhatIf();
   void showActive();
   void showProbe();
-  void askForOtherSide();
 
   Session& session_;
   ProbeChoices& probes_;

@@ -36,7 +36,6 @@ struct ProbeResult {
   // Of the active probe.
   std::shared_ptr<const twin::Details> details{}; ///< by the CPU twin
   std::vector<WhatIfRow> whatIf{};                ///< when it is asked for
-  std::optional<ComparedPixel> compared{};        ///< when it is asked for and there
 };
 
 /// A small picture of a stage's main row, in the style it opens with.
@@ -145,8 +144,8 @@ struct LineageDelivery {
   std::uint64_t shotVersion = 0;            ///< see Status
 };
 
-/// What is wrong with a probe's pixel. It comes once with the verdict, then once more with what mends it
-/// where something is wrong.
+/// What is wrong with a probe's pixel. It comes once with the verdict, where something is wrong once more
+/// with what mends it, and where something does a third time with what that costs the picture.
 struct VerdictDelivery {
   int frame = 0;
   glm::ivec2 pixel{0};

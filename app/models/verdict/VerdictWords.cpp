@@ -53,7 +53,8 @@ QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
 }
 
 QString pictureEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
-  const RemedyMeasure &before = of.picture, &after = tried.picture;
+  if (!of.picture || !tried.picture) return QObject::tr("Picture: being measured");
+  const RemedyMeasure &before = *of.picture, &after = *tried.picture;
   return QObject::tr("Picture: error %1, ghost %2, flicker %3, sharpness %4")
       .arg(arrowText(stepsText(before.error), stepsText(after.error)),
            arrowText(stepsText(before.ghost), stepsText(after.ghost)),

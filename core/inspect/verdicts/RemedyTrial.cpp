@@ -87,22 +87,45 @@ double meanOfSquares(const Image& values) {
 /// A frame that was measured, which the next one is held against.
 struct Measured {
   Image shown, errors;
-  std::optional<glm::dvec3> pixel; ///< its error, where the surface was seen
 };
 
 } // namespace
 
-RemedyTrial::RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence,
-                         const std::vector<SurfaceMoment>& moments, int first)
-    : player_(player), evidence_(evidence), moments_(moments), first_(first) {}
+RemedyTrial::RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence, int last, int first,
+                         const Progress& progress)
+    : player_(player), evidence_(evidence), last_(last), first_(first), progress_(progress) {}
 
-HistoryHandle RemedyTrial::historyBefore(const Progress& progress) {
+HistoryHandle RemedyTrial::historyBefore() {
   if (before_ || startsHistory(evidence_.state(), first_)) return before_;
   TraceCursor cursor;
-  ShownFrame made = player_.makeInBackground(first_ - 1, cursor, progress, evidence_.lane());
+  ShownFrame made = player_.makeInBackground(first_ - 1, cursor, progress_, evidence_.lane());
   before_ = made.lanes[0].current;
   player_.maker().recycle(std::move(made));
   return before_;
+}
+
+void RemedyTrial::follow(const glm::ivec2& pixel) {
+  moments_ = evidence_.moments(last_, pixel, std::min(kMeasuredFrames, last_ - first_ + 1));
+  std::map<int, glm::ivec2> wanted;
+  for (const SurfaceMoment& moment : moments_) wanted[moment.frame] = moment.pixel;
+  parts_ = std::make_unique<PartlyResolved>(evidence_.state(), first_, wanted, progress_);
+}
+
+RemedyMeasure RemedyTrial::ofPixel(const Settings& settings) {
+  const std::map<int, glm::dvec3> colors =
+      parts_->colors(player_.maker().pass, historyBefore(), settings, progress_);
+  SquareSums sums;
+  std::optional<glm::dvec3> before;
+  for (auto moment = moments_.rbegin(); moment != moments_.rend(); ++moment) {
+    const glm::dvec3 reference = pixelColorAt(evidence_.reference(moment->frame), moment->pixel);
+    const glm::dvec3 error = shownValue(colors.at(moment->frame)) - shownValue(reference);
+    sums.add(meanOfSquares(error));
+    if (before) sums.add(meanOfSquares(error - *before), 0.0);
+    before = error;
+  }
+  RemedyMeasure measure;
+  sums.addTo(measure);
+  return measure;
 }
 
 HistoryHandle RemedyTrial::resolve(const ShotState& state, int frame, const HistoryHandle& previous) {
@@ -125,37 +148,31 @@ const RemedyTrial::Truth& RemedyTrial::truth(int frame) {
   return truths_[frame] = std::move(truth);
 }
 
-TriedRemedy RemedyTrial::measure(const Remedy& remedy, const Progress& progress) {
-  TriedRemedy tried{remedy, {}, {}};
+RemedyMeasure RemedyTrial::ofPicture(const Settings& settings) {
   ShotState state = evidence_.state();
-  state.lanes = {remedy.settings};
-  SquareSums picture, pixel;
+  state.lanes = {settings};
+  RemedyMeasure measure;
+  SquareSums sums;
   std::optional<Measured> before;
-  HistoryHandle history = historyBefore(progress);
-  const int last = moments_.front().frame;
-  for (int frame = first_; frame <= last; ++frame) {
-    report(progress, say<"Trying remedies">(), frame - first_, last - first_ + 1);
+  HistoryHandle history = historyBefore();
+  for (int frame = first_; frame <= last_; ++frame) {
+    report(progress_, say<"Measuring what remedies cost">(), frame - first_, last_ - first_ + 1);
     history = resolve(state, frame, history);
-    if (frame <= last - kMeasuredFrames) continue;
+    if (frame <= last_ - kMeasuredFrames) continue;
     const Truth& should = truth(frame);
-    Measured now{shownColors(history->color.download()), {}, {}};
+    Measured now{shownColors(history->color.download()), {}};
     now.errors = shownErrors(now.shown, should.shown);
-    const auto moment = std::ranges::find(moments_, frame, &SurfaceMoment::frame);
-    if (moment != moments_.end()) now.pixel = pixelColorAt(now.errors, moment->pixel);
-    picture.add(meanOfSquares(now.errors));
-    if (now.pixel) pixel.add(meanOfSquares(*now.pixel));
+    sums.add(meanOfSquares(now.errors));
     if (before) {
       const Image ghosts = ghostMap({now.shown, should.shown, before->shown, should.historyPositionPx});
-      picture.add(meanOfSquares(shownErrors(now.errors, before->errors)), meanOfSquares(ghosts));
-      if (now.pixel && before->pixel) pixel.add(meanOfSquares(*now.pixel - *before->pixel), 0.0);
+      sums.add(meanOfSquares(shownErrors(now.errors, before->errors)), meanOfSquares(ghosts));
     }
-    if (frame == last && should.gradients > 0.0)
-      tried.picture.sharpness = gradientSum(now.shown) / should.gradients;
+    if (frame == last_ && should.gradients > 0.0)
+      measure.sharpness = gradientSum(now.shown) / should.gradients;
     before = std::move(now);
   }
-  picture.addTo(tried.picture);
-  pixel.addTo(tried.pixel);
-  return tried;
+  sums.addTo(measure);
+  return measure;
 }
 
 } // namespace taa

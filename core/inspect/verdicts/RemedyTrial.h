@@ -1,11 +1,16 @@
-// What other settings would have made of the last frames: whole pictures, and a pixel's surface in them.
+// What other settings would have made of the last frames: a pixel's surface in them, and whole pictures.
 #pragma once
 
 #include "core/base/Image.h"
+#include "core/base/Progress.h"
 #include "core/inspect/verdicts/EvidenceFrames.h"
+#include "core/inspect/verdicts/PartlyResolved.h"
 #include "core/verdict/pixel/Remedies.h"
 
+#include <glm/vec2.hpp>
+
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace taa {
@@ -13,15 +18,18 @@ namespace taa {
 /// Frames that are measured, the last of those that are tried.
 inline constexpr int kMeasuredFrames = 4;
 
+/// Frames `first` to `last`, on the history that the present settings left before them. All of it throws
+/// Error, Cancelled.
 class RemedyTrial {
  public:
-  /// `moments`: where the surface was, latest first. `first`: frame that is tried first, on the history that
-  /// the present settings left before it.
-  RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence, const std::vector<SurfaceMoment>& moments,
-              int first);
+  /// `evidence`, `progress`: stay as long as it does.
+  RemedyTrial(ShotPlayer& player, EvidenceFrames& evidence, int last, int first, const Progress& progress);
 
-  /// Throws Error, Cancelled.
-  TriedRemedy measure(const Remedy& remedy, const Progress& progress);
+  /// Looks at the surface that a pixel of the last frame shows.
+  void follow(const glm::ivec2& pixel);
+  /// Of that surface; expects follow(). Resolves no more than it takes.
+  RemedyMeasure ofPixel(const Settings& settings);
+  RemedyMeasure ofPicture(const Settings& settings);
 
  private:
   /// What a frame is held against, whatever the settings.
@@ -31,7 +39,7 @@ class RemedyTrial {
     double gradients = 0.0;  ///< gradientSum() of the reference
   };
 
-  HistoryHandle historyBefore(const Progress& progress);
+  HistoryHandle historyBefore();
   /// What the frame leaves, by the settings of `state`.
   HistoryHandle resolve(const ShotState& state, int frame, const HistoryHandle& previous);
   /// Of a frame that was resolved.
@@ -39,10 +47,12 @@ class RemedyTrial {
 
   ShotPlayer& player_;
   EvidenceFrames& evidence_;
-  const std::vector<SurfaceMoment>& moments_;
-  int first_;
+  int last_, first_;
+  const Progress& progress_;
   HistoryHandle before_;
-  std::map<int, InputsHandle> inputs_; // drawn once for all
+  std::vector<SurfaceMoment> moments_;    // latest first
+  std::unique_ptr<PartlyResolved> parts_; // of the moments
+  std::map<int, InputsHandle> inputs_;    // of whole pictures, drawn once for all
   std::map<int, Truth> truths_;
 };
 

@@ -101,34 +101,52 @@ VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress&
 RemedyAnswer VerdictOfShot::remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                                      const Progress& progress) {
   RemedySearch search;
-  return remedies(question, verdict, search, progress);
+  RemedyAnswer answer = triedRemedies(question, verdict, search, progress);
+  measurePictures(question, answer, search, progress);
+  return answer;
 }
 
-RemedyAnswer VerdictOfShot::remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
-                                     RemedySearch& search, const Progress& progress) {
+RemedyAnswer VerdictOfShot::triedRemedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+                                          RemedySearch& search, const Progress& progress) {
   require(question);
   const Progress goesOn = withoutSteps(progress);
   EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
-  const std::vector<SurfaceMoment> moments = frames.moments(question.frame, question.pixel, kMeasuredFrames);
   RemedyAnswer answer;
   answer.first = firstTried(frames.state(), question.frame, verdict);
-  RemedyTrial trial(player_, frames, moments, answer.first);
   const std::vector<Remedy> remedies = remediesFor(verdict, frames.settings());
   const auto tell = [&] {
     report(progress, say<"Trying remedies">(), static_cast<int>(search.tried.size()),
            static_cast<int>(remedies.size()));
   };
   tell();
-  if (!search.before) search.before = trial.measure({{}, frames.settings()}, goesOn);
+  RemedyTrial trial(player_, frames, question.frame, answer.first, goesOn);
+  trial.follow(question.pixel);
+  if (!search.before) search.before = trial.ofPixel(frames.settings());
   for (std::size_t next = search.tried.size(); next < remedies.size(); ++next) {
     tell();
-    search.tried.push_back(trial.measure(remedies[next], goesOn));
+    search.tried.push_back({remedies[next], trial.ofPixel(remedies[next].settings)});
   }
-  answer.pixel = search.before->pixel;
-  answer.picture = search.before->picture;
+  answer.pixel = *search.before;
   answer.tried = static_cast<int>(search.tried.size());
   answer.best = bestRemedies(search.tried, answer.pixel, 3);
   return answer;
+}
+
+void VerdictOfShot::measurePictures(const VerdictQuestion& question, RemedyAnswer& answer,
+                                    RemedySearch& search, const Progress& progress) {
+  const Progress goesOn = withoutSteps(progress);
+  EvidenceFrames frames(player_, references_, question.lane, question.samples, goesOn);
+  RemedyTrial trial(player_, frames, question.frame, answer.first, goesOn);
+  std::vector<Settings> all{frames.settings()};
+  for (const TriedRemedy& tried : answer.best) all.push_back(tried.remedy.settings);
+  for (std::size_t next = search.pictures.size(); next < all.size(); ++next) {
+    report(progress, say<"Measuring what remedies cost">(), static_cast<int>(next),
+           static_cast<int>(all.size()));
+    search.pictures.push_back(trial.ofPicture(all[next]));
+  }
+  answer.picture = search.pictures.front();
+  for (std::size_t best = 0; best < answer.best.size(); ++best)
+    answer.best[best].picture = search.pictures[best + 1];
 }
 
 } // namespace taa

@@ -39,16 +39,18 @@ struct VerdictAnswer {
 
 /// The best remedies, and what they are held against.
 struct RemedyAnswer {
-  RemedyMeasure pixel, picture;  ///< as it is
-  std::vector<TriedRemedy> best; ///< three at most
+  RemedyMeasure pixel;                    ///< as it is
+  std::optional<RemedyMeasure> picture{}; ///< as it is; nothing: it was not measured
+  std::vector<TriedRemedy> best;          ///< three at most
   int tried = 0;
   int first = 0; ///< frame that they were tried from
 };
 
 /// What was measured of them so far, for who may be cancelled.
 struct RemedySearch {
-  std::optional<TriedRemedy> before; ///< the settings as they are
-  std::vector<TriedRemedy> tried;
+  std::optional<RemedyMeasure> before;   ///< the settings as they are
+  std::vector<TriedRemedy> tried;        ///< without their pictures
+  std::vector<RemedyMeasure> pictures{}; ///< as it is, then with the best ones
 };
 
 class VerdictOfShot {
@@ -59,13 +61,18 @@ class VerdictOfShot {
   /// Of a pixel of any frame, exactly; what is on show stays. Throws Error where there is no such pixel or
   /// frame, or where a capture has no reference; Cancelled.
   VerdictAnswer of(const VerdictQuestion& question, const Progress& progress = {});
-  /// Tries what may mend it: each remedy's frames are resolved from where the trouble began, a few frames
-  /// before, on the history there was. As of().
+  /// Tries what may mend it, and measures what the best ones cost the picture. As of().
   RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict,
                         const Progress& progress = {});
-  /// The same, and goes on from what `search` holds of this question; Cancelled: it holds what was measured.
-  RemedyAnswer remedies(const VerdictQuestion& question, const PixelVerdict& verdict, RemedySearch& search,
-                        const Progress& progress);
+  /// Of these first what they do for the pixel: each remedy's frames are resolved from where the trouble
+  /// began, a few frames before, on the history there was, around the pixel only. Goes on from what `search`
+  /// holds of this question; Cancelled: it holds what was measured.
+  RemedyAnswer triedRemedies(const VerdictQuestion& question, const PixelVerdict& verdict,
+                             RemedySearch& search, const Progress& progress);
+  /// And then, of whole pictures, how it is and what they make of it: fills in the pictures of `answer`.
+  /// Likewise.
+  void measurePictures(const VerdictQuestion& question, RemedyAnswer& answer, RemedySearch& search,
+                       const Progress& progress);
 
  private:
   void require(const VerdictQuestion& question) const;

@@ -63,10 +63,15 @@ void PixelJudging::tryOn() {
     delivery.answer =
         verdicts.of(question, desk_.progressUntilAny(WorkKind::Verdict, say<"Looking for the reason">()));
     known_.isWhole = delivery.answer->verdict.kind == VerdictKind::None;
-  } else {
+  } else if (!delivery.remedies) {
     delivery.remedies =
-        verdicts.remedies(question, delivery.answer->verdict, known_.search,
-                          desk_.progressUntilAny(WorkKind::Verdict, say<"Trying remedies">()));
+        verdicts.triedRemedies(question, delivery.answer->verdict, known_.search,
+                               desk_.progressUntilAny(WorkKind::Verdict, say<"Trying remedies">()));
+    known_.isWhole = delivery.remedies->best.empty();
+  } else {
+    verdicts.measurePictures(
+        question, *delivery.remedies, known_.search,
+        desk_.progressUntilAny(WorkKind::Verdict, say<"Measuring what remedies cost">()));
     known_.isWhole = true;
   }
   desk_.tell(RequestKind::Verdicts, delivery);

@@ -24,8 +24,8 @@ class PixelJudging final : public Job {
   void settle() override { endIfDone(); }
 
   bool isDue() override;
-  /// The verdict, or what mends it. Any request interrupts it: a verdict begins anew then, with the
-  /// references that are there, and remedies go on with the next one.
+  /// The verdict, or what mends it, or what that costs. Any request interrupts it: a verdict begins anew
+  /// then, with the references that are there, and remedies go on with the next one.
   void step() override;
 
   /// The active probe of the frame on show.

@@ -55,15 +55,18 @@ ordered_json measureJson(const RemedyMeasure& measure, bool isPicture) {
 }
 
 ordered_json remediesJson(const RemedyAnswer& remedies) {
+  const auto pictureJson = [](const std::optional<RemedyMeasure>& picture) {
+    return picture ? measureJson(*picture, true) : ordered_json();
+  };
   ordered_json json{{"firstFrame", remedies.first},
                     {"tried", remedies.tried},
                     {"pixel", measureJson(remedies.pixel, false)},
-                    {"picture", measureJson(remedies.picture, true)},
+                    {"picture", pictureJson(remedies.picture)},
                     {"best", ordered_json::array()}};
   for (const TriedRemedy& tried : remedies.best)
     json["best"].push_back({{"changes", tried.remedy.changes},
                             {"pixel", measureJson(tried.pixel, false)},
-                            {"picture", measureJson(tried.picture, true)}});
+                            {"picture", pictureJson(tried.picture)}});
   return json;
 }
 
@@ -101,10 +104,13 @@ std::string changesText(const std::vector<std::string>& changes) {
   return text;
 }
 
-std::string measureText(const RemedyMeasure& pixel, const RemedyMeasure& picture) {
-  return "pixel: error " + shortNumber(pixel.error) + ", flicker " + shortNumber(pixel.flicker) +
-         "; picture: error " + shortNumber(picture.error) + ", flicker " + shortNumber(picture.flicker) +
-         ", ghost " + shortNumber(picture.ghost) + ", sharpness " + shortNumber(picture.sharpness);
+std::string measureText(const RemedyMeasure& pixel, const std::optional<RemedyMeasure>& picture) {
+  const std::string text =
+      "pixel: error " + shortNumber(pixel.error) + ", flicker " + shortNumber(pixel.flicker);
+  if (!picture) return text;
+  return text + "; picture: error " + shortNumber(picture->error) + ", flicker " +
+         shortNumber(picture->flicker) + ", ghost " + shortNumber(picture->ghost) + ", sharpness " +
+         shortNumber(picture->sharpness);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "core/verdict/pixel/PixelVerdict.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct RemedyMeasure {
 
 struct TriedRemedy {
   Remedy remedy;
-  RemedyMeasure pixel, picture;
+  RemedyMeasure pixel;
+  std::optional<RemedyMeasure> picture{}; ///< nothing: it was not measured
 };
 
 /// Those worth a try, likely ones first: none that changes nothing or draws other inputs.

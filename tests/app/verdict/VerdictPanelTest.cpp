@@ -158,6 +158,21 @@ TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
                               "Picture: error 4 → 3, ghost 2 → 0.5, flicker 1 → 1.5, sharpness 90 % → 95 %");
 }
 
+TEST_F(VerdictPanel, ShowsRemediesBeforeWhatTheyCost) {
+  const VerdictDelivery measured = renderer->verdict;
+  renderer->verdict.remedies->picture.reset();
+  probe();
+  ASSERT_EQ(shownRemedies(), 2);
+  const RemedyButton* first = details()->remedies()[0];
+  EXPECT_EQ(first->effects(), "This pixel: off by 40 → 5 of 255\nPicture: being measured");
+  EXPECT_FALSE(session.verdicts().isComplete());
+  renderer->verdict = measured;
+  renderer->deliver();
+  settle();
+  EXPECT_TRUE(first->effects().contains(QStringLiteral("Picture: error 4 → 3")));
+  EXPECT_TRUE(session.verdicts().isComplete());
+}
+
 TEST_F(VerdictPanel, ARemedyIsOneStepOfUndo) {
   probe();
   const Settings before = settings();

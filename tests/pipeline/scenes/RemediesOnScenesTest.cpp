@@ -49,8 +49,9 @@ TEST_F(RemediesOnScenesTest, MeasureThePictureAsTheMetricsDo) {
   }
   const taa::RemedyAnswer answer =
       inspector->verdicts().remedies({.frame = kFrame, .pixel = {kWidth / 2, kHeight / 2}}, {});
+  ASSERT_TRUE(answer.picture);
   EXPECT_EQ(answer.tried, 0) << "nothing was said to be wrong";
-  EXPECT_NEAR(answer.picture.error, errors.root(), 1e-6);
-  EXPECT_NEAR(answer.picture.ghost, ghosts.root(), 1e-6);
-  EXPECT_GT(answer.picture.ghost, 0.01) << "the blades leave trails";
+  EXPECT_NEAR(answer.picture->error, errors.root(), 1e-6);
+  EXPECT_NEAR(answer.picture->ghost, ghosts.root(), 1e-6);
+  EXPECT_GT(answer.picture->ghost, 0.01) << "the blades leave trails";
 }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <future>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kFrame = 14;
 constexpr glm::ivec2 kPixel{20, 7};
-constexpr glm::ivec2 kWrong{9, 8}; ///< behind a blade
+constexpr glm::ivec2 kWrong{15, 6}; ///< where a blade has been
 
 /// Both answers, from an inspector of its own thread's context.
 struct Verdict {
@@ -42,6 +42,10 @@ Verdict askedOf(const Status& status, const glm::ivec2& pixel) {
 
 bool isSame(const RemedyMeasure& a, const RemedyMeasure& b) {
   return a.error == b.error && a.flicker == b.flicker && a.ghost == b.ghost && a.sharpness == b.sharpness;
+}
+
+bool isSame(const std::optional<RemedyMeasure>& a, const std::optional<RemedyMeasure>& b) {
+  return a && b ? isSame(*a, *b) : !a && !b;
 }
 
 bool isSame(const TriedRemedy& a, const TriedRemedy& b) {
@@ -72,7 +76,7 @@ class RenderVerdictTest : public taa::test::onThread::RenderThreadTest {
 TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   judge(kWrong);
   thread->waitUntilIdle();
-  ASSERT_EQ(recorder.verdicts.size(), 2u);
+  ASSERT_EQ(recorder.verdicts.size(), 3u);
   const Verdict there = askedOf(recorder.statuses.back(), kWrong);
   for (const VerdictDelivery& delivery : recorder.verdicts) {
     EXPECT_EQ(delivery.frame, kFrame);
@@ -88,7 +92,11 @@ TEST_F(RenderVerdictTest, SaysWhatTheInspectorSaysAndThenWhatMendsIt) {
   }
   EXPECT_FALSE(recorder.verdicts[0].remedies) << "the sentence does not wait for them";
   ASSERT_TRUE(recorder.verdicts[1].remedies);
-  const RemedyAnswer& remedies = *recorder.verdicts[1].remedies;
+  EXPECT_FALSE(recorder.verdicts[1].remedies->picture) << "nor do they wait for what they cost";
+  ASSERT_TRUE(recorder.verdicts[2].remedies);
+  const RemedyAnswer& remedies = *recorder.verdicts[2].remedies;
+  EXPECT_FALSE(remedies.best.empty());
+  EXPECT_EQ(remedies.best.size(), recorder.verdicts[1].remedies->best.size());
   EXPECT_GT(remedies.tried, 0);
   EXPECT_EQ(remedies.tried, there.remedies.tried);
   EXPECT_TRUE(isSame(remedies.pixel, there.remedies.pixel));
@@ -112,14 +120,14 @@ TEST_F(RenderVerdictTest, RequestsAreAnsweredMeanwhileAndChangeNothingOfIt) {
   judge(kWrong);
   thread->waitUntilIdle();
   EXPECT_EQ(asked, 6);
-  ASSERT_EQ(recorder.verdicts.size(), 2u);
-  ASSERT_TRUE(recorder.verdicts[1].answer && recorder.verdicts[1].remedies);
+  ASSERT_EQ(recorder.verdicts.size(), 3u);
+  ASSERT_TRUE(recorder.verdicts[2].answer && recorder.verdicts[2].remedies);
   const Verdict there = askedOf(recorder.statuses.back(), kWrong);
-  EXPECT_EQ(recorder.verdicts[1].answer->sentence, there.answer.sentence);
-  EXPECT_EQ(recorder.verdicts[1].remedies->tried, there.remedies.tried);
-  ASSERT_EQ(recorder.verdicts[1].remedies->best.size(), there.remedies.best.size());
+  EXPECT_EQ(recorder.verdicts[2].answer->sentence, there.answer.sentence);
+  EXPECT_EQ(recorder.verdicts[2].remedies->tried, there.remedies.tried);
+  ASSERT_EQ(recorder.verdicts[2].remedies->best.size(), there.remedies.best.size());
   for (std::size_t index = 0; index < there.remedies.best.size(); ++index)
-    EXPECT_TRUE(isSame(recorder.verdicts[1].remedies->best[index], there.remedies.best[index])) << index;
+    EXPECT_TRUE(isSame(recorder.verdicts[2].remedies->best[index], there.remedies.best[index])) << index;
   EXPECT_GE(recorder.pictures.size(), 2u);
   for (const ViewResult& picture : recorder.pictures)
     EXPECT_EQ(picture.frame, kFrame) << "what is shown stays";
