@@ -198,6 +198,24 @@ TEST_F(RenderSidesTest, TheFrameBeforeAlongTheMotionSaysWhereThereIsNone) {
   EXPECT_TRUE(recorder.errors.empty());
 }
 
+TEST_F(RenderSidesTest, TheActiveProbeComesWithTheOtherSide) {
+  OtherSide before;
+  before.alongMotion = true;
+  thread->post(taa::request::SetViews{{comparing(before)}});
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {5, 6}}}, .active = 0, .other = before});
+  thread->post(taa::request::Step{3});
+  thread->waitUntilIdle();
+  const auto lastProbe = [this] { return recorder.read([&] { return recorder.probes.back(); }); };
+  const taa::ProbeResult probe = lastProbe();
+  ASSERT_TRUE(probe.compared);
+  EXPECT_EQ(probe.frame, 3);
+  EXPECT_EQ(probe.compared->frame, 2);
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {5, 6}}}, .active = 0});
+  thread->waitUntilIdle();
+  EXPECT_FALSE(lastProbe().compared);
+  EXPECT_TRUE(recorder.errors.empty());
+}
+
 TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what == "Drawing the frame to compare with" && work.done > 2)
