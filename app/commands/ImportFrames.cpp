@@ -13,16 +13,30 @@ namespace taa::app {
 ImportFrames::ImportFrames(SessionKeeper& keeper, QWidget* window)
     : QObject(window), keeper_(keeper), window_(window) {}
 
-bool ImportFrames::isWanted(const QString& path) {
-  return QFileInfo(path).isDir() && !QDir(path).exists(QLatin1String(capture::kManifestName));
+QFileDialog* ImportFrames::ask(const QString& title) {
+  auto* dialog = new QFileDialog(window_, title);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly, false); // its files are what one knows a folder by
+  dialog->open();
+  return dialog;
 }
 
 void ImportFrames::askForFolder() {
-  auto* dialog = new QFileDialog(window_, tr("Folder of frames to import"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, &ImportFrames::open);
-  dialog->open();
+  connect(ask(tr("Folder of frames to import")), &QFileDialog::fileSelected, this, &ImportFrames::open);
+}
+
+void ImportFrames::askForCapture() {
+  connect(ask(tr("Open the folder of a capture")), &QFileDialog::fileSelected, this,
+          &ImportFrames::openSource);
+}
+
+void ImportFrames::openSource(const QString& path) {
+  const bool isDescribed = QDir(path).exists(QLatin1String(capture::kManifestName));
+  if (QFileInfo(path).isDir() && !isDescribed)
+    open(path);
+  else
+    keeper_.openSource(path);
 }
 
 void ImportFrames::open(const QString& folder) {

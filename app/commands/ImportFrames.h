@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 
+class QFileDialog;
 class QWidget;
 
 namespace taa::app {
@@ -16,13 +17,17 @@ class ImportFrames : public QObject {
   /// What is imported opens in `keeper`; the page opens over `window`.
   ImportFrames(SessionKeeper& keeper, QWidget* window);
 
-  /// Whether it is a folder that says nothing about its frames: it has no capture.json.
-  static bool isWanted(const QString& path);
   void askForFolder();
+  /// For the folder of a captured sequence, which opens as openSource() says.
+  void askForCapture();
+  /// The page for a folder that says nothing about its frames, as it has no capture.json; all else at once.
+  void openSource(const QString& path);
   /// The page; of an empty `folder` one on which a folder is still to be chosen.
   void open(const QString& folder);
 
  private:
+  QFileDialog* ask(const QString& title);
+
   SessionKeeper& keeper_;
   QWidget* window_;
 };

@@ -13,6 +13,7 @@
 #include <QClipboard>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace taa::app {
@@ -74,7 +75,9 @@ void ProbeCommands::copy(ProbeFormat format) {
                            {{{"", session_.presets().presetId(), result->settings, result->info},
                              result->around[result->around.size() / 2],
                              {},
-                             result->details}}};
+                             result->details,
+                             panel_.comparison() ? result->compared : std::nullopt}},
+                           panel_.comparison()};
   const std::string text = format == ProbeFormat::Json       ? probeJson(report).dump(2) + "\n"
                            : format == ProbeFormat::Markdown ? probeMarkdown(report)
                                                              : probeText(report);

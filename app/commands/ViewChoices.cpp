@@ -69,6 +69,8 @@ void ViewChoices::chooseComparison(int view) {
   const QString frames = tr("The same in another frame");
   choices.push_back(
       {{tr("The frame before"), {}, frames, {}}, Comparison{OtherKind::FramesBefore, {}, {}, 1}});
+  choices.push_back(
+      {{tr("The frame before, along the motion"), {}, frames, {}}, Comparison{OtherKind::AlongMotion}});
   choices.push_back({{tr("This frame, kept while others are shown"), {}, frames, {}},
                      Comparison{OtherKind::Frame, {}, {}, session_.status().info.frame}});
   choices.push_back({{tr("Another frame…"), {}, frames, {}}, {}});

@@ -195,6 +195,7 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
   QString other = view->sideText(true);
   if (side.frame) other = tr("%1 of frame %2").arg(other).arg(*side.frame);
   if (side.framesBefore > 0) other = tr("%1, frames before: %2").arg(other).arg(side.framesBefore);
+  if (side.alongMotion) other = tr("%1 of the frame before, along the motion").arg(other);
   const QString both = tr("%1 and %2").arg(view->sideText(false), other);
   switch (wanted.picture.showing) {
   case Showing::Wipe:

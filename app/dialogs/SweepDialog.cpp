@@ -83,6 +83,12 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   table_->setAccessibleName(tr("Measured settings"));
   table_->setRootIsDecorated(false);
   table_->setSortingEnabled(true);
+  connectParts();
+  listMetrics();
+  refresh();
+}
+
+void SweepDialog::connectParts() {
   connect(table_, &QTreeWidget::currentItemChanged, this, [this] { choose(chosen()); });
   connect(table_, &QTreeWidget::itemActivated, this, &SweepDialog::apply);
   connect(scatter_, &ScatterChart::pointClicked, this, &SweepDialog::choose);
@@ -97,8 +103,6 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
     showCharts();
   });
   connect(&work_, &SweepWork::ended, this, &SweepDialog::finish);
-  listMetrics();
-  refresh();
 }
 
 void SweepDialog::openAt(Session& session, const QString& folder, QWidget* window) {

@@ -52,6 +52,7 @@ class SweepDialog : public QDialog {
  private:
   QWidget* makeCharts();
   void makeButtons();
+  void connectParts();
   /// Those that there are of this shot. Expects that no others are in the table.
   void listMetrics();
   void showTable();

@@ -16,7 +16,9 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace taa::app {
 

@@ -53,6 +53,10 @@ CompareMenu::CompareMenu(Commands& commands, const PresetChoices& presets, ViewA
   add(tr("With the frame &before"), keys({"Shift+C"}), [&views] {
     views.active()->setComparison({OtherKind::FramesBefore, {}, {}, 1});
   });
+  add(tr("&Difference from the frame before, along the motion"), keys({"Shift+D"}), [&views] {
+    views.active()->setComparison({OtherKind::AlongMotion});
+    views.active()->setShowing(Showing::Difference);
+  });
   add(tr("With the &preset as it was chosen"), keys({"Ctrl+B"}), [&presets, &views] {
     views.active()->setComparison({OtherKind::Preset, {}, presets.presetId()});
   });

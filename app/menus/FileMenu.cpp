@@ -17,9 +17,9 @@ FileMenu::FileMenu(Commands& commands, SessionKeeper& keeper, ImportFrames& impo
   add(tr("&Open…"), keys({"Ctrl+O"}), [&keeper] {
     keeper.askWhatToOpen();
   })->setIcon(themedIcon(QStringLiteral("open")));
-  add(tr("Open &capture…"), {}, [&keeper] {
-    keeper.askForCapture();
-  })->setToolTip(tr("The folder of frames that an engine wrote, with its capture.json."));
+  add(tr("Open &capture…"), {}, [&imports] { imports.askForCapture(); })
+      ->setToolTip(tr(
+          "The folder of frames that an engine wrote, with its capture.json; without one it is imported."));
   addRecent();
   add(tr("&Import frames…"), keys({"Ctrl+Shift+I"}), [&imports] { imports.askForFolder(); })
       ->setToolTip(

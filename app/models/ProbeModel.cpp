@@ -5,6 +5,7 @@
 #include "app/style/Text.h"
 #include "app/style/Theme.h"
 
+#include "core/report/ProbeReport.h"
 #include "core/story/ProbeHeadline.h"
 #include "core/taa/rows/ChannelNames.h"
 #include "core/taa/twin/Known.h"
@@ -58,6 +59,13 @@ RowStory ProbeModel::storyOf(IntermediateId id) const {
                            pixel_->settings,
                            pixel_->info,
                            {pixel_->x, pixel_->y}});
+}
+
+QString ProbeModel::comparedText(IntermediateId id, const Comparison& comparison) const {
+  if (!pixel_ || !pixel_->compared || !comparison) return {};
+  const ComparedPixel& compared = *pixel_->compared;
+  return qtext(taa::comparedText(comparison, compared) + ": " +
+               taa::comparedText(pixel_->around[kProbedMiddle], compared, id));
 }
 
 void ProbeModel::setRecord(const std::optional<twin::PixelRecord>& record) {

@@ -1,6 +1,7 @@
 // Everything at one pixel as a table: a branch for each stage, a row for each intermediate.
 #pragma once
 
+#include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
 #include "core/settings/Settings.h"
 #include "core/story/ProbeStory.h"
@@ -25,6 +26,8 @@ class ProbeModel : public QAbstractItemModel {
   void setPixel(const ProbeResult& result);
   /// What happened at a row; empty without a probe.
   RowStory storyOf(IntermediateId id) const;
+  /// A row of the other side, and the difference; empty without one. `comparison`: what that is of.
+  QString comparedText(IntermediateId id, const Comparison& comparison) const;
   void setRecord(const std::optional<twin::PixelRecord>& record);
   /// The intermediate of a row; nothing for a stage.
   std::optional<IntermediateId> idOf(const QModelIndex& index) const;

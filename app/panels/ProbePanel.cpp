@@ -331,8 +331,10 @@ void ProbePanel::showLost(const ProbeResult& result) {
 
 void ProbePanel::describeCurrentRow() {
   const auto id = model_->idOf(table_->currentIndex());
+  const QString other = id ? model_->comparedText(*id, comparison_) : QString();
   description_->setText(
-      id ? storyHtml(*id, model_->storyOf(*id))
+      id ? (other.isEmpty() ? other : other.toHtmlEscaped() + QStringLiteral("<br>")) +
+               storyHtml(*id, model_->storyOf(*id))
          : tr("Select a row to read what happened there; Enter shows it in the active view."));
 }
 

@@ -1,6 +1,7 @@
 // Everything at the probed pixel: its story in words, its neighbors, and the value of every intermediate.
 #pragma once
 
+#include "core/inspect/Comparison.h"
 #include "core/requests/Results.h"
 
 #include <QJsonObject>
@@ -37,6 +38,9 @@ class ProbePanel : public QWidget {
   void setPixel(std::optional<glm::ivec2> pixel);
   void setProbes(const std::vector<Probe>& probes, int active);
   void setResult(const ProbeResult& result);
+  /// What the results' other sides are of.
+  void setComparison(const Comparison& comparison) { comparison_ = comparison; }
+  const Comparison& comparison() const { return comparison_; }
 
   /// The exact value of the row that is selected, else of `fallback`; empty without a probe.
   QString valueText(IntermediateId fallback) const;
@@ -83,6 +87,7 @@ class ProbePanel : public QWidget {
   void fitColumns();
 
   std::optional<ProbeResult> result_;
+  Comparison comparison_;
   ProbeModel* model_;
   ProbeBar* bar_ = nullptr;
   VerdictLine* verdict_ = nullptr;

@@ -39,8 +39,12 @@ glm::ivec2 ProbeChoices::inPicture(glm::ivec2 pixel) const {
   return glm::clamp(pixel, glm::ivec2(0), glm::ivec2(status_.width, status_.height) - 1);
 }
 
+void ProbeChoices::post() {
+  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_, other_});
+}
+
 void ProbeChoices::send() {
-  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_});
+  post();
   Q_EMIT changed();
 }
 
@@ -149,7 +153,13 @@ void ProbeChoices::setFollow(int probe, Follow follow) {
 void ProbeChoices::setWhatIf(bool wanted) {
   if (wanted == wantsWhatIf_) return;
   wantsWhatIf_ = wanted;
-  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_});
+  post();
+}
+
+void ProbeChoices::setOtherSide(const std::optional<OtherSide>& other) {
+  if (other == other_) return;
+  other_ = other;
+  post();
 }
 
 void ProbeChoices::set(const std::vector<Probe>& probes, int active) {

@@ -47,6 +47,8 @@ class ProbeChoices : public QObject {
   void findWorst(IntermediateId row, WorstStep step = WorstStep::Pixel);
   /// Whether probes come with the active pixel under other choices.
   void setWhatIf(bool wanted);
+  /// What the active pixel comes with the other side of; its row and style do not count.
+  void setOtherSide(const std::optional<OtherSide>& other);
 
   // For the session
   /// The scene is another one: probes on its surfaces stay where they are.
@@ -60,6 +62,7 @@ class ProbeChoices : public QObject {
   void probeArrived(); ///< of at least one probe
 
  private:
+  void post();
   void send();
   void change(const QString& what, const std::string& key, const std::function<bool()>& act);
   glm::ivec2 inPicture(glm::ivec2 pixel) const;
@@ -69,6 +72,7 @@ class ProbeChoices : public QObject {
   const Status& status_;
   ProbeList probes_;
   bool wantsWhatIf_ = false;
+  std::optional<OtherSide> other_;
 };
 
 } // namespace taa::app

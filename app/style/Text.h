@@ -21,11 +21,11 @@ inline QString tableText(std::string_view utf8) {
   return QCoreApplication::translate("tables", text.constData());
 }
 
-/// A clause of the core as a sentence: with a capital and a full stop.
+/// A clause of the core as a sentence: with a capital and a full stop, which it may have already.
 inline QString sentence(std::string_view clause) {
   QString text = qtext(clause);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text + QLatin1Char('.');
+  return text.endsWith(QLatin1Char('.')) ? text : text + QLatin1Char('.');
 }
 
 /// Clauses of the core in one row.

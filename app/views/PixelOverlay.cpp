@@ -43,8 +43,9 @@ void PixelOverlay::paintGrid(QPainter& painter) const {
     painter.fillRect(QRectF(first.x, first.y + y * texel_, right - first.x, line), color);
 }
 
-void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const Image& values,
+void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const PartialImage& numbers,
                                const gl::Rect& region) const {
+  const Image& values = numbers.values;
   if (values.empty()) return;
   const int channels = std::min(row.channels, values.channels);
   QFont font = numberFont();
@@ -56,6 +57,7 @@ void PixelOverlay::paintValues(QPainter& painter, const Intermediate& row, const
   painter.setRenderHint(QPainter::Antialiasing);
   for (int y = 0; y < values.height; ++y)
     for (int x = 0; x < values.width; ++x) {
+      if (!numbers.absence.empty() && *numbers.absence.at(x, y) != 0.0f) continue;
       const ScreenRect cell = pixelRect({region.x + x, region.y + y});
       double top = cell.y + (texel_ - lineHeight * channels) / 2;
       for (int channel = 0; channel < channels; ++channel, top += lineHeight) {

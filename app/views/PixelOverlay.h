@@ -27,7 +27,7 @@ class PixelOverlay {
   double texelSize() const { return texel_; } ///< logical pixels
   void paintGrid(QPainter& painter) const;
   /// Writes the values of a region of the row into their texels.
-  void paintValues(QPainter& painter, const Intermediate& row, const Image& values,
+  void paintValues(QPainter& painter, const Intermediate& row, const PartialImage& numbers,
                    const gl::Rect& region) const;
   /// A cross with its number; dotted where the surface it follows is hidden.
   void paintProbe(QPainter& painter, const ProbeMark& mark) const;

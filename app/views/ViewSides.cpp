@@ -1,5 +1,6 @@
 #include "app/views/ViewSides.h"
 
+#include "app/style/Text.h"
 #include "app/style/Theme.h"
 #include "app/views/legend/ReferenceNote.h"
 
@@ -23,6 +24,11 @@ std::optional<std::vector<float>> valueOf(const Image& values, const gl::Rect& r
   if (at.x < 0 || at.y < 0 || at.x >= values.width || at.y >= values.height) return {};
   const float* first = values.at(at.x, at.y);
   return std::vector<float>(first, first + values.channels);
+}
+
+Absence absenceIn(const Image& absence, const gl::Rect& region, glm::ivec2 pixel) {
+  const auto number = valueOf(absence, region, pixel);
+  return number ? static_cast<Absence>(static_cast<int>(number->front())) : Absence::None;
 }
 
 } // namespace
@@ -68,6 +74,18 @@ std::optional<std::vector<float>> ViewSides::otherValueAt(glm::ivec2 pixel) cons
   return valueOf(otherSide()->values, otherRegion(), pixel);
 }
 
+Absence ViewSides::absenceAt(glm::ivec2 pixel) const {
+  return isResultOfContent() ? absenceIn(result_->absence, result_->region, pixel) : Absence::None;
+}
+
+Absence ViewSides::otherAbsenceAt(glm::ivec2 pixel) const {
+  return otherSide() ? absenceIn(otherSide()->absence, otherRegion(), pixel) : Absence::None;
+}
+
+bool ViewSides::isAlongMotion() const {
+  return result_ && result_->request.other && result_->request.other->alongMotion;
+}
+
 bool ViewSides::isComparedWithAnotherFrame() const {
   return result_ && result_->request.other && result_->request.other->isOfAnotherFrame();
 }
@@ -81,12 +99,29 @@ QString ViewSides::label(bool other) const {
       return tr("%1 · comes when it is paused").arg(text);
     return tr("%1 · on its way").arg(text);
   }
-  const int frame = other ? otherSide()->frame : result_->frame;
   const bool exact = other ? otherSide()->exact : result_->exact;
-  const QString framed = tr("%1 · frame %2").arg(text).arg(frame);
+  const QString framed = framedLabel(text, other);
   const bool waits = playing_ && (kept_ || result_->request.asDifference) && isComparedWithAnotherFrame();
   if (other && waits) return tr("%1 · stays until it is paused").arg(framed);
   return exact ? framed : tr("%1 · not exact yet").arg(framed);
+}
+
+QString ViewSides::framedLabel(const QString& text, bool other) const {
+  if (!other || !isAlongMotion()) {
+    const int frame = other ? otherSide()->frame : result_->frame;
+    return tr("%1 · frame %2").arg(text).arg(frame);
+  }
+  if (const Absence absence = otherSide()->allAbsent; absence != Absence::None)
+    return tr("%1 · nothing: %2").arg(text, qtext(absenceText(absence)));
+  return tr("%1 · frame %2 along the motion").arg(text).arg(otherSide()->frame);
+}
+
+// What the checkers over a picture mean.
+QString ViewSides::absenceNote() const {
+  if (!isAlongMotion() || !otherSide()) return {};
+  if (const Absence absence = otherSide()->allAbsent; absence != Absence::None)
+    return tr("nothing: %1").arg(qtext(absenceText(absence)));
+  return tr("nothing: off screen, or no previous position");
 }
 
 bool ViewSides::isPictureComplete() const {
@@ -113,6 +148,7 @@ LegendSide ViewSides::legendSide(bool other, Showing showing) const {
   if (isOfResult && totalOf(result_->reasons) > 0) side.reasons = &result_->reasons;
   if (isOfOther && totalOf(otherSide()->reasons) > 0) side.reasons = &otherSide()->reasons;
   if (isOfResult) side.note = referenceNote(*result_);
+  if (other || side.isDifference) side.absence = absenceNote();
   side.space = content.space;
   return side;
 }

@@ -49,6 +49,9 @@ class ViewSides {
   /// The value at a pixel, when the last result brought it.
   std::optional<std::vector<float>> valueAt(glm::ivec2 pixel) const;
   std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const;
+  /// Why there is no value; None where there is one, or nothing is known.
+  Absence absenceAt(glm::ivec2 pixel) const;
+  Absence otherAbsenceAt(glm::ivec2 pixel) const;
 
   /// Who is on a side: row, settings, frame; with why it is not there, or not of now, and what helps.
   QString label(bool other) const;
@@ -63,6 +66,9 @@ class ViewSides {
  private:
   bool isPictureComplete() const;
   bool isComparedWithAnotherFrame() const;
+  bool isAlongMotion() const; ///< whether the other side is the frame before, along the motion
+  QString framedLabel(const QString& text, bool other) const;
+  QString absenceNote() const;
   LegendSide legendSide(bool other, Showing showing) const;
 
   ViewContent content_;

@@ -276,9 +276,10 @@ void Viewport::paintGridAndValues(QPainter& painter, const SidePart& side) const
   const PixelOverlay overlay(viewGeometry(), transform(), devicePixelRatioF());
   if (size_.x > 0 && showsGrid_ && overlay.texelSize() >= kGridZoom) overlay.paintGrid(painter);
   if (showsValues() && side.other && sides_.otherSide())
-    overlay.paintValues(painter, otherContent()->row, sides_.otherSide()->values, sides_.otherRegion());
+    overlay.paintValues(painter, otherContent()->row,
+                        {sides_.otherSide()->values, sides_.otherSide()->absence}, sides_.otherRegion());
   else if (showsValues() && !side.other && sides_.isResultOfContent())
-    overlay.paintValues(painter, shownContent().row, result()->values, result()->region);
+    overlay.paintValues(painter, shownContent().row, {result()->values, result()->absence}, result()->region);
   painter.setClipping(false);
 }
 

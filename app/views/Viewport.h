@@ -68,6 +68,8 @@ class Viewport : public QWidget, public Draggable {
   std::optional<std::vector<float>> otherValueAt(glm::ivec2 pixel) const {
     return sides_.otherValueAt(pixel);
   }
+  Absence absenceAt(glm::ivec2 pixel) const { return sides_.absenceAt(pixel); }
+  Absence otherAbsenceAt(glm::ivec2 pixel) const { return sides_.otherAbsenceAt(pixel); }
   double divider() const { return divider_; }
   /// The first column of the picture that a divider leaves to the other side.
   int dividerColumn() const;

@@ -1,6 +1,7 @@
 #include "app/window/HoverText.h"
 
 #include "app/style/Numbers.h"
+#include "app/style/Text.h"
 #include "app/views/ViewPanel.h"
 #include "app/views/Viewport.h"
 #include "core/taa/twin/Known.h"
@@ -37,14 +38,17 @@ QString hoverText(const ViewPanel& view, bool startsHistory) {
   if (!pixel) return {};
   const QChar letter(static_cast<char16_t>('A' + view.index()));
   QString text = QStringLiteral("%1 (%2, %3)").arg(letter).arg(pixel->x).arg(pixel->y);
-  const auto add = [&](const Values& values, IntermediateId id, const QString& before) {
-    if (values) text += before + hoveredText(values, id, startsHistory);
+  const auto add = [&](const Values& values, Absence absence, IntermediateId id, const QString& before) {
+    if (values && absence != Absence::None)
+      text += before + HoverTexts::tr("nothing: %1").arg(qtext(absenceText(absence)));
+    else if (values)
+      text += before + hoveredText(values, id, startsHistory);
   };
-  add(viewport->valueAt(*pixel), view.id(),
+  add(viewport->valueAt(*pixel), viewport->absenceAt(*pixel), view.id(),
       view.isDifference() ? HoverTexts::tr("  difference ") : QStringLiteral("  "));
   const Comparison& comparison = view.comparison();
-  add(viewport->otherValueAt(*pixel), comparison.kind == OtherKind::Row ? comparison.id : view.id(),
-      HoverTexts::tr("  other "));
+  add(viewport->otherValueAt(*pixel), viewport->otherAbsenceAt(*pixel),
+      comparison.kind == OtherKind::Row ? comparison.id : view.id(), HoverTexts::tr("  other "));
   return text;
 }
 

@@ -35,6 +35,7 @@
 #include "app/session/ShaderWatch.h"
 #include "app/session/keeping/SessionKeeper.h"
 #include "app/style/Icons.h"
+#include "app/style/Text.h"
 #include "app/views/ViewArea.h"
 #include "app/views/ViewHeader.h"
 #include "app/views/Viewport.h"
@@ -338,7 +339,7 @@ void MainWindow::startSource(const Status& status) {
   pipeline_->startAnew(status.shotVersion);
   messages_->clear();
   QStringList warnings;
-  for (const std::string& warning : status.warnings) warnings << QString::fromStdString(warning);
+  for (const std::string& warning : status.warnings) warnings << sentence(warning);
   messages_->setWarnings(warnings);
   // Nobody's change, so there is nothing to undo.
   if (status.source == kFirstSource && !session_.probes().pixel() && !keeper_->isFromSession())
@@ -430,10 +431,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   const QString path = urls.first().toLocalFile();
-  if (ImportFrames::isWanted(path))
-    imports_->open(path);
-  else if (urls.first().isLocalFile())
-    keeper_->openSource(path);
+  if (urls.first().isLocalFile())
+    imports_->openSource(path);
   else
     messages_->showError(
         tr("%1 is not a file on this machine; save it first, then open it.").arg(urls.first().toString()));

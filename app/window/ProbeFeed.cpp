@@ -9,6 +9,8 @@
 #include "core/render/CaptureFacts.h"
 #include "core/settings/Presets.h"
 
+#include <optional>
+
 namespace taa::app {
 
 ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
@@ -28,6 +30,8 @@ ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
   });
   connect(&probes_, &ProbeChoices::changed, this, &ProbeFeed::showActive);
   connect(&probes_, &ProbeChoices::probeArrived, this, &ProbeFeed::showProbe);
+  connect(&views_, &ViewArea::requestsChanged, this, &ProbeFeed::askForOtherSide);
+  connect(&views_, &ViewArea::shownChanged, this, &ProbeFeed::askForOtherSide);
   connectWhatIf();
 }
 
@@ -50,6 +54,19 @@ void ProbeFeed::connectWhatIf() {
   connect(&session_, &Session::statusChanged, this, [this, page] {
     if (page->hasNumbers()) page->setShot(session_.file());
   });
+}
+
+// What the active view is compared with; another row is in the table already.
+void ProbeFeed::askForOtherSide() {
+  const Comparison& comparison = views_.active()->comparison();
+  panel_.setComparison(comparison);
+  std::optional<OtherSide> other;
+  if (comparison.kind != OtherKind::Row) other = views_.active()->request(views_.comparedPresets()).other;
+  if (other) {
+    other->id = IntermediateId::resolved;
+    other->style = {};
+  }
+  probes_.setOtherSide(other);
 }
 
 void ProbeFeed::showActive() {

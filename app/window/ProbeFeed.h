@@ -19,6 +19,7 @@ class ProbeFeed : public QObject {
   void connectWhatIf();
   void showActive();
   void showProbe();
+  void askForOtherSide();
 
   Session& session_;
   ProbeChoices& probes_;

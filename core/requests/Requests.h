@@ -207,8 +207,9 @@ struct SetViews {
 /// Stay: each is delivered again for each new frame until it is taken back.
 struct SetProbes {
   std::vector<Probe> all;
-  int active = -1;     ///< of which more is wanted
-  bool whatIf = false; ///< also the active pixel under other choices
+  int active = -1;                  ///< of which more is wanted
+  bool whatIf = false;              ///< also the active pixel under other choices
+  std::optional<OtherSide> other{}; ///< that the active pixel comes with, whatever its row
   static constexpr RequestRule kRule{.kind = RequestKind::Probes};
 };
 

@@ -36,6 +36,7 @@ struct ProbeResult {
   // Of the active probe.
   std::shared_ptr<const twin::Details> details{}; ///< by the CPU twin
   std::vector<WhatIfRow> whatIf{};                ///< when it is asked for
+  std::optional<ComparedPixel> compared{};        ///< when it is asked for and there
 };
 
 /// A small picture of a stage's main row, in the style it opens with.

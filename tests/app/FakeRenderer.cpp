@@ -380,10 +380,24 @@ ViewResult FakeRenderer::draw(int view) const {
                       !(request.other->isOfAnotherFrame() && isOfReference(request.other->id));
   if (!isMade) return result;
   ViewSide& side = result.other.emplace();
-  side.frame = request.other->frame.value_or(result.frame - request.other->framesBefore);
+  side.frame = frameOf(*request.other);
   side.picture = gray(request, kOtherGray);
   if (request.withValues) side.values = valuesOf(request.other->id, request.other->lane, side.frame);
+  if (request.other->alongMotion) addAbsence(result);
   return result;
+}
+
+int FakeRenderer::frameOf(const OtherSide& other) const {
+  const int before = other.alongMotion ? std::min(1, status.info.frame) : other.framesBefore;
+  return other.frame.value_or(status.info.frame - before);
+}
+
+/// The first pixel of a difference comes from off screen; the first frame has none before.
+void FakeRenderer::addAbsence(ViewResult& result) const {
+  if (result.frame == 0) result.other->allAbsent = Absence::FirstFrame;
+  if (!result.request.withValues || !result.request.asDifference) return;
+  result.absence = Image(result.values.width, result.values.height, 1);
+  *result.absence.at(0, 0) = static_cast<float>(Absence::OffScreen);
 }
 
 void FakeRenderer::deliver() {
@@ -469,6 +483,12 @@ void FakeRenderer::deliverProbe(const Probe& probe) {
     }
   const bool isActive = probes.active >= 0 && probes.all[static_cast<std::size_t>(probes.active)] == probe;
   if (isActive && !result.around.empty()) result.details = std::make_shared<const twin::Details>();
+  if (isActive && probes.other && !result.around.empty()) {
+    ComparedPixel& compared = result.compared.emplace();
+    compared.frame = frameOf(*probes.other);
+    for (PartialValue& value : compared.other)
+      value.value = glm::vec4(valueAt(result.x, result.y, compared.frame));
+  }
   if (isActive && probes.whatIf)
     for (const Variant& variant : variantsOf(status.settings))
       result.whatIf.push_back({variant.group,

@@ -97,6 +97,8 @@ class FakeRenderer final : public Renderer {
   void deliverVerdict();
   ProbeSpot spotOf(const Probe& probe) const;
   ViewResult draw(int view) const;
+  int frameOf(const OtherSide& other) const;
+  void addAbsence(ViewResult& result) const;
   Image valuesOf(IntermediateId id, int lane, int frame) const;
   static Picture gray(const ViewRequest& request, int level);
 

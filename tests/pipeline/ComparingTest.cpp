@@ -105,7 +105,8 @@ TEST_F(ComparingTest, AComparisonFrameIsThatFrameAndTheOneOnShowStays) {
   EXPECT_TRUE(inspector->views().isCached({.frame = 9}));
   const std::vector<Image> expected = fresh(Settings{}, 2);
   for (std::size_t index = 0; index < taa::allRows().size(); ++index)
-    EXPECT_TRUE(isSame(inspector->views().values({taa::allRows()[index], 0, 2}, {}, kWhole).values, expected[index]))
+    EXPECT_TRUE(
+        isSame(inspector->views().values({taa::allRows()[index], 0, 2}, {}, kWhole).values, expected[index]))
         << taa::kIntermediates[index].name;
   EXPECT_EQ(inspector->shot().frame(), 6);
   EXPECT_TRUE(inspector->shot().areAllExact());

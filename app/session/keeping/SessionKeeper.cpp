@@ -137,15 +137,6 @@ void SessionKeeper::askWhatToOpen() {
   dialog->open();
 }
 
-void SessionKeeper::askForCapture() {
-  auto* dialog = new QFileDialog(window_, tr("Open the folder of a capture"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly, false); // its files are what one knows it by
-  connect(dialog, &QFileDialog::fileSelected, this, &SessionKeeper::openSource);
-  dialog->open();
-}
-
 void SessionKeeper::open(const QString& path) {
   if (!restore(path)) return;
   path_ = path;

@@ -38,8 +38,6 @@ class SessionKeeper : public QObject {
   /// Opens a session and pauses at its frame, or a file or "builtin:NAME" and plays.
   void openSource(const QString& source);
   void askWhatToOpen();
-  /// As above, for the folder of a captured sequence.
-  void askForCapture();
   /// Reads a session and goes there; failed() when that is not possible, and nothing has changed.
   void open(const QString& path);
   void save(); ///< where it came from, or asks

@@ -165,6 +165,19 @@ void addScale(Writer& writer, const LegendSide& side) {
   }
 }
 
+/// The checkers that the shader draws where there is no value.
+void addAbsence(Writer& writer, const QString& meaning) {
+  constexpr int kCells = 3, kSide = static_cast<int>(kNothingSide);
+  writer.icon(kCells * kSide, kCells * kSide, [](QPainter& painter, const QRect& place) {
+    for (int cell = 0; cell < kCells * kCells; ++cell) {
+      const float light = kNothingLight[cell % 2 == 0 ? 0 : 1];
+      painter.fillRect(place.left() + cell % kCells * kSide, place.top() + cell / kCells * kSide, kSide,
+                       kSide, QColor(rgbOf({light, light, light})));
+    }
+  });
+  writer.plain(meaning);
+}
+
 } // namespace
 
 void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& colors) {
@@ -182,6 +195,7 @@ void addRowLegend(LegendFlow& flow, const LegendSide& side, const ThemeColors& c
                                                 shortText(style.exposure)));
   writer.quiet(channelText(side));
   writer.plain(side.note);
+  if (!side.absence.isEmpty()) addAbsence(writer, side.absence);
   if (!side.isDifference) return;
   writer.quiet(row.channels > 1
                    ? QObject::tr("of the values: this minus other, the channel that differs most")

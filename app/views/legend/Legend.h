@@ -18,6 +18,7 @@ struct LegendSide {
   QString note{};                        ///< of the reference: samples and errors
   const ReasonCounts* reasons = nullptr; ///< of this picture; null: not known yet
   SpaceSettings space{};                 ///< names the channels
+  QString absence{};                     ///< what the checkers mean; empty: there are none
 };
 
 /// One side of what is looked at.

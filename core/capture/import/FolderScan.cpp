@@ -101,7 +101,7 @@ struct AlikeNames {
   }
 };
 
-Numbered numbered(const std::string& path, const DigitRun& run) {
+Numbered numberedBy(const std::string& path, const DigitRun& run) {
   const std::string digits = path.substr(run.first, run.count);
   return {path.substr(0, run.first), path.substr(run.first + run.count), run.count, std::stoi(digits),
           run.count > 1 && digits[0] == '0'};
@@ -124,7 +124,7 @@ std::vector<Numbered> numberedFiles(const std::vector<std::string>& paths) {
   for (const auto& [name, names] : alike) {
     const std::size_t run = names.counting();
     for (std::size_t i = 0; i < names.paths.size(); ++i)
-      files.push_back(numbered(names.paths[i], names.runs[i][run]));
+      files.push_back(numberedBy(names.paths[i], names.runs[i][run]));
   }
   return files;
 }

@@ -1,7 +1,11 @@
 #include "core/jobs/shown/ShownProbes.h"
 
+#include "core/inspect/ShownPicture.h"
+
 #include <cstddef>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 namespace taa {
 
@@ -21,7 +25,8 @@ void ShownProbes::take(const request::SetProbes& probes) {
 }
 
 void ShownProbes::deliver() {
-  const std::pair now(desk_.version(), desk_.referenceVersion);
+  const std::tuple now(desk_.version(), desk_.referenceVersion,
+                       wanted_.probes.other ? desk_.comparisonVersion : 0);
   if (delivered_ == now) return;
   delivered_ = now; // also when it fails: once is enough to tell
   for (int probe = 0; probe < static_cast<int>(wanted_.probes.all.size()); ++probe) deliverProbe(probe);
@@ -43,6 +48,15 @@ void ShownProbes::deliverProbe(int index) {
   });
 }
 
+// Nothing while it is on its way.
+void ShownProbes::addOther(ProbeResult& result, const OtherSide& other) {
+  const InspectedShot& shot = desk_.inspector.shot();
+  PictureSource source = otherSource(other, shot.frame(), shot.frameCount());
+  source.id = IntermediateId::resolved; // a row that needs no reference: all are given
+  if (desk_.inspector.views().isCached(source))
+    result.compared = desk_.inspector.probes().compared({result.x, result.y}, source);
+}
+
 ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
   const InspectedShot& shot = desk_.inspector.shot();
   Probes& probes = desk_.inspector.probes();
@@ -55,6 +69,7 @@ ProbeResult ShownProbes::resultOf(Probe& probe, bool isActive) {
     result.around = probes.probeAround(result.x, result.y, 1);
     if (isActive) result.details = std::make_shared<const twin::Details>(probes.details(result.x, result.y));
     if (isActive && wanted_.probes.whatIf) result.whatIf = probes.whatIf(result.x, result.y);
+    if (isActive && wanted_.probes.other) addOther(result, *wanted_.probes.other);
   }
   result.exact = shot.isExact();
   result.settings = shot.usedSettings();

@@ -8,7 +8,7 @@
 #include "core/requests/Requests.h"
 
 #include <cstdint>
-#include <utility>
+#include <tuple>
 
 namespace taa {
 
@@ -23,13 +23,15 @@ class ShownProbes {
 
  private:
   void deliverProbe(int index);
+  void addOther(ProbeResult& result, const OtherSide& other);
   ProbeResult resultOf(Probe& probe, bool isActive);
 
   Desk& desk_;
   Wanted& wanted_;
   Traces& traces_;
   PixelJudging& judging_;
-  std::pair<std::uint64_t, std::uint64_t> delivered_; // versions of frame and reference
+  // Versions of frame, reference and comparison frames
+  std::tuple<std::uint64_t, std::uint64_t, std::uint64_t> delivered_;
 };
 
 } // namespace taa

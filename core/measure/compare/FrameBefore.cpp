@@ -34,7 +34,7 @@ glm::vec4 mixedTexels(const glm::vec4& a, const glm::vec4& b, float share) {
   return share == 0.0f ? a : a + share * (b - a);
 }
 
-PartialValue texelOf(const PartialImage& image, int x, int y) {
+PartialValue partialTexelOf(const PartialImage& image, int x, int y) {
   const float absence = image.absence.empty() ? 0.0f : *image.absence.at(x, y);
   return {image.values.texel(x, y), static_cast<Absence>(static_cast<int>(absence))};
 }
@@ -162,7 +162,7 @@ PartialImage differenceOf(const Intermediate& row, const PartialImage& now, cons
   PartialImage image{Image(now.values.width, now.values.height, now.values.channels), {}};
   for (int y = 0; y < now.values.height; ++y)
     for (int x = 0; x < now.values.width; ++x)
-      setTexelOf(image, x, y, differenceOf(row, texelOf(now, x, y), texelOf(other, x, y)));
+      setTexelOf(image, x, y, differenceOf(row, partialTexelOf(now, x, y), partialTexelOf(other, x, y)));
   return image;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <future>
+#include <string>
 #include <string_view>
 #include <vector>
 
