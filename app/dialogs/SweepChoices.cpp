@@ -61,6 +61,7 @@ SweepChoices::SweepChoices(Session& session, const QString& folder, QWidget* par
   axis_->setAccessibleName(tr("What changes"));
   axis_->view()->setAccessibleName(axis_->accessibleName());
   presets_->setAccessibleName(tr("Presets to measure"));
+  presets_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // a long name ends in dots
   all_->setWordWrap(true);
   all_->setAlignment(Qt::AlignTop);
   pages_->addWidget(presets_);

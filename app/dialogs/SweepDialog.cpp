@@ -131,6 +131,7 @@ QWidget* SweepDialog::makeCharts() {
   };
   page(scatter_, {ofX_, ofY_});
   page(curves_, {ofCurves_});
+  charts->setSizes({1, 1}); // as wide as one another
   ofX_->setAccessibleName(tr("Metric to the right"));
   ofY_->setAccessibleName(tr("Metric upwards"));
   ofCurves_->setAccessibleName(tr("Metric of the curves"));
@@ -158,12 +159,14 @@ int SweepDialog::referenceSamples() const {
   return captured && !captured->hasReference ? 0 : session_.status().referenceGoal;
 }
 
-// The usual trade-off is chosen first.
+// The usual trade-off is chosen first, and stands first in the table.
 void SweepDialog::listMetrics() {
   std::vector<Metric> metrics = metricsThere(referenceSamples(), {OverTime::Flicker});
+  const std::array<Metric, 2> usual = defaultTradeOff(metrics);
+  std::ranges::stable_partition(metrics,
+                                [&](Metric metric) { return metric == usual[0] || metric == usual[1]; });
   if (metrics == metrics_) return;
   metrics_ = std::move(metrics);
-  const std::array<Metric, 2> usual = defaultTradeOff(metrics_);
   const auto list = [&](QComboBox* box, Metric first) {
     const QSignalBlocker quiet(box);
     const QVariant before = box->currentData();
