@@ -28,8 +28,8 @@ Image enlarged(const Image& image, const glm::ivec2& sizePx) {
 // A capture may be smaller than its picture.
 void enlarge(SeenSurfaces& seen, const glm::ivec2& sizePx) {
   const glm::vec2 ratio = glm::vec2(sizePx) / glm::vec2(seen.motionPx.width, seen.motionPx.height);
-  for (Image* image : {&seen.objectId, &seen.depthView, &seen.motionPx, &seen.previousDepthView})
-    *image = enlarged(*image, sizePx);
+  for (Image* image : {&seen.objectId, &seen.depthView, &seen.motionPx, &seen.previousDepthView, &seen.mask})
+    if (!image->empty()) *image = enlarged(*image, sizePx);
   for (std::size_t at = 0; at < seen.motionPx.pixels.size(); at += 2)
     for (int axis = 0; axis < 2; ++axis)
       if (float& value = seen.motionPx.pixels[at + static_cast<std::size_t>(axis)];
@@ -40,6 +40,7 @@ void enlarge(SeenSurfaces& seen, const glm::ivec2& sizePx) {
 FrameRequest centersOf(const FrameRequest& ofLane) {
   FrameRequest request = referenceRequest(ofLane);
   request.jitterPx = glm::vec2(0.0f);
+  request.inputs.mask = MaskSource::Opacity;
   return request;
 }
 
@@ -48,7 +49,8 @@ SeenSurfaces seenIn(const FrameInputs& drawn, const gl::Rect& part) {
                     drawn.depth.download(part),
                     drawn.motion.download(part),
                     drawn.previousDepth.download(part),
-                    {part.x, part.y}};
+                    {part.x, part.y},
+                    drawn.mask ? drawn.mask.download(part) : Image()}; // a capture may have none
   for (float& depth : seen.depthView.pixels) depth = twin::viewDepth(depth, drawn.block.depthTerms);
   return seen;
 }
@@ -89,6 +91,7 @@ Image firstSteps(const SeenSurfaces& seen, const gl::Rect& part) {
       float* step = steps.at(x, y);
       step[0] = step[1] = std::numeric_limits<float>::quiet_NaN();
       step[2] = *seen.objectId.at(part.x + x - seen.corner.x, part.y + y - seen.corner.y);
+      step[3] = maskFlags(seen, part.x + x, part.y + y);
     }
   return steps;
 }

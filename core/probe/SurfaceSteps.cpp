@@ -104,12 +104,19 @@ Image surfaceSteps(const SeenSurfaces& now, const SeenSurfaces& before, const gl
       step[0] = isKnown ? motion[0] : kNothing;
       step[1] = isKnown ? motion[1] : kNothing;
       step[2] = object;
-      step[3] = isKnown && valueOf(&SeenSurfaces::objectId, before, static_cast<int>(place->x),
-                                   static_cast<int>(place->y)) != object
-                    ? 1.0f
-                    : 0.0f;
+      step[3] = maskFlags(now, x, y);
+      if (isKnown && valueOf(&SeenSurfaces::objectId, before, static_cast<int>(place->x),
+                             static_cast<int>(place->y)) != object)
+        step[3] += static_cast<float>(StepFlag::SeenBeside);
     }
   return steps;
+}
+
+float maskFlags(const SeenSurfaces& seen, int x, int y) {
+  if (seen.mask.empty()) return 0.0f;
+  const float* mask = seen.mask.at(x - seen.corner.x, y - seen.corner.y);
+  return (mask[0] > 0.0f ? static_cast<float>(StepFlag::BlendedOver) : 0.0f) +
+         (mask[1] > 0.0f ? static_cast<float>(StepFlag::Changes) : 0.0f);
 }
 
 gl::Rect formerPlaces(const SeenSurfaces& now, const gl::Rect& part, const glm::ivec2& sizePx) {

@@ -20,11 +20,24 @@ struct SeenSurfaces {
   Image motionPx;          ///< current − previous; see kNoPreviousPosition
   Image previousDepthView; ///< m, of the same surface a frame ago; 0: the sky or none
   glm::ivec2 corner{0};    ///< pixel of the frame that they begin with
+  /// How much was blended over it, and whether its material changes without motion; 0 to 1. Empty: unknown.
+  Image mask{};
 };
 
-/// Channels of what surfaceSteps() gives: the motion, px, the object that moves, and 1 where it was only seen
-/// beside its place: the center of the pixel that holds that showed something else.
+/// Channels of what surfaceSteps() gives: the motion, px, the object that moves, and the sum of its
+/// StepFlags.
 inline constexpr int kStepChannels = 4;
+
+enum class StepFlag : int {
+  SeenBeside = 1,  ///< only beside its place: the center of the pixel that holds that showed something else
+  BlendedOver = 2, ///< something is blended over it
+  Changes = 4,     ///< its material changes without motion
+};
+inline bool hasFlag(float flags, StepFlag flag) {
+  return (static_cast<int>(flags) & static_cast<int>(flag)) != 0;
+}
+/// What the mask says of a pixel of the frame.
+float maskFlags(const SeenSurfaces& seen, int x, int y);
 
 /// How the surface of each pixel came there from the frame before: its motion, NaN where it was not seen
 /// then: off the picture, without a previous position, or behind something else. It was seen where one of the

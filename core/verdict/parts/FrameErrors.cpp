@@ -1,5 +1,6 @@
 #include "core/verdict/parts/FrameErrors.h"
 
+#include "core/probe/SurfaceSteps.h"
 #include "core/taa/twin/stages/HistoryTaps.h"
 
 #include <glm/common.hpp>
@@ -103,7 +104,7 @@ void addHistory(FrameErrors& errors, const PartsInputs& now, const Image& before
 } // namespace
 
 bool isOfOtherSurface(const float* step, const glm::vec2& positionPx, const glm::ivec2& pixel) {
-  if (std::isnan(step[0]) || step[3] != 0.0f) return true;
+  if (std::isnan(step[0]) || hasFlag(step[3], StepFlag::SeenBeside)) return true;
   const glm::vec2 off = glm::abs(positionPx - (glm::vec2(pixel) + 0.5f - glm::vec2(step[0], step[1])));
   return !(std::max(off.x, off.y) <= kSamePlacePx);
 }

@@ -190,6 +190,21 @@ TEST(SurfaceSteps, EndWhereSomethingElseWasInFront) {
   EXPECT_EQ(taa::surfaceSteps(wall(), before).at(4, 2)[0], 0.0f) << "a slope";
 }
 
+TEST(SurfaceSteps, SayWhatTheMaskSays) {
+  SeenSurfaces now = wall(), before = wall();
+  EXPECT_EQ(taa::surfaceSteps(now, before).at(4, 2)[3], 0.0f) << "there is none";
+  now.mask = Image(kWide, kHigh, 2);
+  now.mask.at(3, 2)[0] = 0.2f;
+  now.mask.at(4, 2)[1] = 1.0f;
+  *before.objectId.at(3, 2) = 2.0f;
+  const Image steps = taa::surfaceSteps(now, before);
+  EXPECT_EQ(steps.at(2, 2)[3], 0.0f);
+  EXPECT_TRUE(taa::hasFlag(steps.at(3, 2)[3], taa::StepFlag::BlendedOver));
+  EXPECT_TRUE(taa::hasFlag(steps.at(3, 2)[3], taa::StepFlag::SeenBeside));
+  EXPECT_FALSE(taa::hasFlag(steps.at(3, 2)[3], taa::StepFlag::Changes));
+  EXPECT_EQ(steps.at(4, 2)[3], static_cast<float>(taa::StepFlag::Changes));
+}
+
 TEST(SurfaceSteps, EndWhereThereIsNoPreviousPosition) {
   EXPECT_TRUE(std::isnan(taa::surfaceSteps(wall(taa::kNoPreviousPosition), wall()).at(4, 2)[0]));
 }
