@@ -1,9 +1,11 @@
 #include "core/verdict/pixel/PixelError.h"
 
 #include "core/base/Say.h"
+#include "core/probe/SurfaceSteps.h"
 #include "core/verdict/parts/FrameErrors.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -47,7 +49,8 @@ glm::ivec2 pixelAt(const glm::dvec2& positionPx) {
 /// What truth changed between a frame and the one before at a pixel.
 struct TrueChange {
   glm::dvec3 ghost{0.0}, lag{0.0}, blur{0.0};
-  int object = -1; ///< that history was read of, where it is a ghost
+  int object = -1;         ///< that history was read of, where it is a ghost
+  bool isOfMotion = false; ///< the surface's own motion would have led to less than half of that ghost
 };
 
 class ErrorWalk {
@@ -132,6 +135,9 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
   if (const double weight = largest(node.weight); weight > heaviest_) {
     heaviest_ = weight;
     entry.pixel = pixel;
+    const float flags = source_.steps(entry.frame).texel(pixel.x, pixel.y).w;
+    entry.isBlendedOver = hasFlag(flags, StepFlag::BlendedOver);
+    entry.isChanging = hasFlag(flags, StepFlag::Changes);
   }
   entry.weight += meanOf(node.weight);
   const glm::dvec3 samples = node.weight * step.alpha;
@@ -159,6 +165,7 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
     heaviestGhost_ = ghost;
     entry.ghostPixel = pixel;
     entry.ghostObject = change.object;
+    entry.isGhostOfMotion = change.isOfMotion;
   }
 }
 
@@ -171,12 +178,16 @@ TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const Pixel
   const glm::vec2 read(step.historyPosition);
   const glm::vec4 way = source_.steps(frame).texel(pixel.x, pixel.y);
   TrueChange change;
+  const glm::vec2 place = glm::vec2(pixel) + 0.5f - glm::vec2(way);
   if (isOfOtherSurface(&way.x, read, pixel)) {
+    const bool wasSeen = way.x == way.x; // NaN: it was not
     change.ghost = all;
+    change.isOfMotion =
+        wasSeen && 2.0 * glm::length(pixelColorAt(earlier, pixelAt(place)) - truth) < glm::length(all);
     change.object = static_cast<int>(pixelColorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
     return change;
   }
-  const glm::dvec3 former(formerColor(earlier, glm::vec2(pixel) + 0.5f - glm::vec2(way), glm::vec3(truth)));
+  const glm::dvec3 former(formerColor(earlier, place, glm::vec3(truth)));
   change.lag = former - truth;
   change.blur = all - change.lag;
   return change;

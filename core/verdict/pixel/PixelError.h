@@ -42,7 +42,10 @@ struct ErrorOfFrame {
   // Of the pixel through which most of the ghost came in with this frame; the above where none did.
   glm::ivec2 ghostPixel{0};
   int ghostObject = -1; ///< what history was read of there, in the frame before; −1: no ghost came in
-  double weight = 0.0;  ///< share of all its pixels in today's, luma
+  bool isGhostOfMotion = false; ///< at the surface's own place there was less than half of that ghost
+  double weight = 0.0;          ///< share of all its pixels in today's, luma
+  bool isBlendedOver = false;   ///< something is blended over what `pixel` shows
+  bool isChanging = false;      ///< its material changes without motion
 };
 
 struct PixelError {

@@ -1,6 +1,7 @@
 #include "core/verdict/pixel/PixelVerdict.h"
 
-#include <glm/common.hpp>
+#include "core/verdict/pixel/SurfaceMoments.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -38,56 +39,8 @@ using RowId = IntermediateId;
 /// Rectification moves history by some of the way nearly everywhere; by less than this share it does nothing.
 constexpr double kClippedShare = 0.05;
 
-double largestOf(const glm::dvec3& value) {
-  return std::max({std::fabs(value.x), std::fabs(value.y), std::fabs(value.z)});
-}
-
-double recordValue(const twin::PixelRecord& record, RowId id) {
-  return static_cast<double>(twin::at(record, id).x);
-}
-
 bool isRestart(const twin::PixelRecord& record) {
   return recordValue(record, RowId::alpha) >= 1.0;
-}
-
-/// Error of what a screen is sent.
-glm::dvec3 shownError(const SurfaceMoment& moment) {
-  return shownValue(moment.resolved) - shownValue(moment.reference);
-}
-
-/// How far a moment's color, as shown, is from the mean of those beside it.
-glm::dvec3 bendOf(const std::vector<SurfaceMoment>& moments, std::size_t at,
-                  glm::dvec3 SurfaceMoment::*color) {
-  return glm::abs(shownValue(moments[at].*color) -
-                  0.5 * (shownValue(moments[at - 1].*color) + shownValue(moments[at + 1].*color)));
-}
-
-/// The upper quartile of how much more each moment stands out from those beside it than truth does there:
-/// what comes and goes with the jitter, not what comes once and fades, nor what a moving edge or texture
-/// does.
-double flickerOf(const std::vector<SurfaceMoment>& moments) {
-  std::vector<double> bends;
-  for (std::size_t at = 1; at + 1 < moments.size(); ++at) {
-    const glm::dvec3 beyond =
-        bendOf(moments, at, &SurfaceMoment::resolved) - bendOf(moments, at, &SurfaceMoment::reference);
-    bends.push_back(std::max({0.0, beyond.x, beyond.y, beyond.z}));
-  }
-  if (bends.size() < 3) return 0.0;
-  std::ranges::sort(bends);
-  return bends[(3 * bends.size()) / 4];
-}
-
-double largestOf(const twin::PixelRecord& record, RowId id) {
-  return largestOf(glm::dvec3(glm::vec3(twin::at(record, id))));
-}
-
-/// Whether white is exceeded anywhere, by truth, by single samples or by those around that the filter takes
-/// in.
-bool isHighlight(const std::vector<SurfaceMoment>& moments) {
-  return std::ranges::any_of(moments, [](const SurfaceMoment& moment) {
-    return largestOf(moment.reference) > 1.0 || largestOf(moment.record, RowId::color) > 1.0 ||
-           largestOf(moment.record, RowId::currentFiltered) > 1.0;
-  });
 }
 
 class Judge {
@@ -106,12 +59,17 @@ class Judge {
   void concludeGhost();
   void concludeSamples();
   void concludeHistory();
+  void concludeLag();
   Stage stageOfGhost();
   Stage stageOfFlicker() const;
   void addRow(RowId id, const SurfaceMoment& moment, std::optional<double> limit = {});
   void addGhostRow(RowId id, std::optional<double> limit = {});
   const SurfaceMoment* restart() const;
   double meanBias() const;
+  bool isFiltered() const;
+  bool hasJustAppeared() const;
+  bool isNoFlicker() const;
+  bool wasBlendedOver() const;
 
   const VerdictEvidence& evidence_;
   const Settings& settings_;
@@ -136,7 +94,7 @@ PixelVerdict Judge::verdict() {
 }
 
 void Judge::measure() {
-  found_.error = largestOf(shownError(now_));
+  found_.error = largestMagnitude(shownValue(now_.resolved) - shownValue(now_.reference));
   found_.flicker = flickerOf(evidence_.moments);
 }
 
@@ -196,10 +154,11 @@ void Judge::conclude() {
     addRow(RowId::historyLength, now_);
     return;
   }
-  const bool isTransient = found_.part == ErrorPart::Ghost && found_.error >= kVisibleError;
-  if (found_.flicker >= kVisibleFlicker && !isTransient) {
+  if (found_.flicker >= kVisibleFlicker && !isNoFlicker()) {
     found_.kind = isHighlight(evidence_.moments) ? VerdictKind::HighlightFlicker : VerdictKind::Flicker;
     found_.stage = stageOfFlicker();
+    for (const RowId id : {RowId::color, RowId::clipAmount, RowId::rejectReason, RowId::alpha})
+      addRow(id, now_);
     return;
   }
   switch (found_.part) {
@@ -208,11 +167,30 @@ void Judge::conclude() {
   case ErrorPart::Aliasing:
     return concludeSamples();
   case ErrorPart::Lag:
+  case ErrorPart::Older:
+    return concludeLag();
   case ErrorPart::Blur:
   case ErrorPart::Rectification:
-  case ErrorPart::Older:
     return concludeHistory();
   }
+}
+
+// An error that is not of single frames' samples trembles as well, with where on the pixels things fall: what
+// moved, changed or came into sight is wrong then, or the filter that takes the same from all samples.
+bool Judge::isNoFlicker() const {
+  if (found_.error < kVisibleError) return false;
+  switch (found_.part) {
+  case ErrorPart::Ghost:
+  case ErrorPart::Lag:
+  case ErrorPart::Blur:
+    return true;
+  case ErrorPart::Aliasing:
+    return hasJustAppeared() || (isFiltered() && !isHighlight(evidence_.moments));
+  case ErrorPart::Rectification:
+  case ErrorPart::Older:
+    return false;
+  }
+  return false;
 }
 
 void Judge::concludeGhost() {
@@ -229,7 +207,10 @@ Stage Judge::stageOfGhost() {
   const glm::dvec2 used(glm::vec2(twin::at(record, RowId::dilatedMotion)));
   addGhostRow(RowId::dilatedMotion);
   if (settings_.reproject.method == ReprojectMethod::InPlace) return Stage::Reproject;
-  if (evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
+  const bool isOfMotion = std::ranges::any_of(evidence_.error.frames, [&](const ErrorOfFrame& entry) {
+    return entry.frame == evidence_.ghostFrame && entry.isGhostOfMotion;
+  });
+  if (isOfMotion && evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
     const bool isNeighbors = twin::at(record, RowId::dilatedOffset) != glm::vec4(0.0f);
     addGhostRow(RowId::dilatedOffset);
     return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
@@ -273,26 +254,45 @@ double Judge::meanBias() const {
   return sizes > 0.0 ? glm::length(sum) / sizes : 0.0;
 }
 
-void Judge::concludeSamples() {
+/// Whether all of four samples or more are off one way, so that no number of them mends it.
+bool Judge::isFiltered() const {
+  constexpr double kOneWay = 0.8;
+  const auto sampled = std::ranges::count_if(evidence_.error.frames, [](const ErrorOfFrame& entry) {
+    return of(entry.split, ErrorPart::Aliasing) != glm::dvec3(0.0);
+  });
+  const bool isEnough = sampled > 3 && recordValue(now_.record, RowId::historyLength) > 3.5;
+  return isEnough && meanBias() > kOneWay;
+}
+
+/// Whether there could be no more samples: as many are averaged as there are frames that show the surface, or
+/// it was hidden when history was given up.
+bool Judge::hasJustAppeared() const {
+  const auto seen = static_cast<double>(evidence_.moments.size());
+  if (evidence_.endsHidden && recordValue(now_.record, RowId::historyLength) < seen + 0.5) return true;
   const SurfaceMoment* start = restart();
+  if (!start) return false;
+  if (start == &evidence_.moments.back() && evidence_.endsHidden) return true;
+  return recordValue(start->record, RowId::rejectReason) == 1.0 || // RejectReason::NoHistory
+         wasBehind(start->record);
+}
+
+void Judge::concludeSamples() {
+  const bool isNew = hasJustAppeared();
+  const SurfaceMoment* start = isFiltered() ? nullptr : restart();
+  if (!start && isNew && !isFiltered()) start = &evidence_.moments.back();
   if (start) {
-    const bool hadHistory = recordValue(start->record, RowId::rejectReason) != 1.0; // RejectReason::NoHistory
-    const bool isLast = start == &evidence_.moments.back();
     found_.since = found_.causeFrame = start->frame;
-    const bool wasHidden = isLast && evidence_.endsHidden;
-    found_.kind = wasHidden || !hadHistory ? VerdictKind::DisocclusionRestart : VerdictKind::Aliasing;
+    found_.kind = isNew ? VerdictKind::DisocclusionRestart : VerdictKind::Aliasing;
     found_.stage = Stage::ValidateHistory;
-    found_.throwsGoodAway = hadHistory && !wasHidden;
+    found_.throwsGoodAway = !isNew;
     addRow(RowId::rejectReason, *start, 0.0);
     addRow(RowId::depthMismatch, *start, recordValue(start->record, RowId::depthAllowed));
     addRow(RowId::historyLength, now_);
     addRow(RowId::alpha, now_);
     return;
   }
-  constexpr double kOneWay = 0.7;
-  const bool isFiltered = meanBias() > kOneWay && evidence_.error.frames.size() > 3;
-  found_.kind = isFiltered ? VerdictKind::Blur : VerdictKind::Aliasing;
-  found_.stage = isFiltered ? Stage::FilterCurrent : Stage::BlendWeight;
+  found_.kind = isFiltered() ? VerdictKind::Blur : VerdictKind::Aliasing;
+  found_.stage = isFiltered() ? Stage::FilterCurrent : Stage::BlendWeight;
   addRow(RowId::currentFiltered, now_);
   addRow(RowId::alpha, now_);
   addRow(RowId::historyLength, now_);
@@ -300,23 +300,43 @@ void Judge::concludeSamples() {
 }
 
 void Judge::concludeHistory() {
-  const double mask =
-      std::max(recordValue(now_.record, RowId::reactive), recordValue(now_.record, RowId::responsive));
   addRow(RowId::historyRaw, now_);
   addRow(RowId::historyRectified, now_);
   addRow(RowId::clipAmount, now_);
   addRow(RowId::alpha, now_);
-  if (found_.part == ErrorPart::Blur) {
-    found_.kind = VerdictKind::Blur;
-    found_.stage = Stage::SampleHistory;
-  } else if (found_.part == ErrorPart::Rectification) {
-    found_.kind = VerdictKind::Blur;
-    found_.stage = Stage::RectifyHistory;
-    found_.throwsGoodAway = true;
-  } else {
-    found_.kind = mask > 0.0 ? VerdictKind::MaskSmear : VerdictKind::Lag;
-    found_.stage = mask > 0.0 ? Stage::BlendWeight : Stage::RectifyHistory;
-    addRow(RowId::alphaMask, now_);
+  found_.kind = VerdictKind::Blur;
+  found_.throwsGoodAway = found_.part == ErrorPart::Rectification;
+  found_.stage = found_.throwsGoodAway ? Stage::RectifyHistory : Stage::SampleHistory;
+}
+
+/// Whether something was blended over the surface in the frame that brought most, or in the one before it.
+bool Judge::wasBlendedOver() const {
+  return std::ranges::any_of(evidence_.error.frames, [&](const ErrorOfFrame& entry) {
+    return (entry.frame == found_.causeFrame || entry.frame == found_.causeFrame - 1) && entry.isBlendedOver;
+  });
+}
+
+// A surface looks other than it did because something was blended over it, because its material changes
+// without motion, or because the light did. What was there before all frames that are followed, and nothing
+// in them goes on making, went away: a ghost.
+void Judge::concludeLag() {
+  for (const RowId id : {RowId::historyRaw, RowId::historyRectified, RowId::clipAmount, RowId::alpha})
+    addRow(id, now_);
+  const bool isUnguarded = settings_.rectify.method == RectifyMethod::None;
+  found_.stage = Stage::RectifyHistory;
+  found_.kind = VerdictKind::Lag;
+  if (found_.part == ErrorPart::Older || wasBlendedOver()) {
+    found_.kind = VerdictKind::Ghost;
+    found_.isBlended = found_.part == ErrorPart::Lag;
+    if (isUnguarded) found_.stage = Stage::ValidateHistory;
+    return;
+  }
+  addRow(RowId::alphaMask, now_);
+  const double mask =
+      std::max(recordValue(now_.record, RowId::reactive), recordValue(now_.record, RowId::responsive));
+  if (mask > 0.0 || evidence_.error.frames.front().isChanging) {
+    found_.kind = VerdictKind::MaskSmear;
+    found_.stage = mask > 0.0 ? Stage::BlendWeight : Stage::Inputs;
   }
 }
 

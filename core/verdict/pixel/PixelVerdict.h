@@ -73,6 +73,7 @@ struct PixelVerdict {
   VerdictKind kind = VerdictKind::None;
   Stage stage = Stage::Reference; ///< that let it happen, or threw good history away; Reference: none
   bool throwsGoodAway = false;    ///< the stage gave up history that was right
+  bool isBlended = false;         ///< a ghost is of what was blended over the surface
   double error = 0.0;             ///< largest channel's, as shown, 0 to 1
   double flicker = 0.0;           ///< upper quartile of its change against the frames beside, as shown
   ErrorPart part{};               ///< the one that most of the error is

@@ -46,6 +46,9 @@ std::string pulledText(const PixelVerdict& verdict, const Settings& settings) {
 }
 
 std::string ghostReason(const PixelVerdict& verdict, const Settings& settings) {
+  if (verdict.isBlended)
+    return say<"it was blended over the surface, where no geometry tells that it has gone, and %1">(
+        pulledText(verdict, settings));
   switch (verdict.stage) {
   case Stage::Reproject:
     return say<"history is read in place, not where the surface was">();
@@ -85,9 +88,11 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
     return restartReason(verdict);
   case VerdictKind::Flicker:
   case VerdictKind::HighlightFlicker:
-    return verdict.stage == Stage::ValidateHistory
-               ? say<"history is thrown away again and again">()
-               : say<"rectification follows the samples of single frames">();
+    if (verdict.stage == Stage::ValidateHistory) return say<"history is thrown away again and again">();
+    if (verdict.stage == Stage::RectifyHistory)
+      return say<"rectification follows the samples of single frames">();
+    return say<"each sample shows, for the current frame counts %1">(
+        story::percentText(decidingValue(verdict, IntermediateId::alpha)));
   case VerdictKind::Aliasing:
     if (verdict.stage == Stage::ValidateHistory) return restartReason(verdict);
     return say<"the current frame counts %1">(
@@ -99,6 +104,8 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
       return say<"the filter of the current frame takes detail, frame by frame">();
     return say<"rectification takes good history back to the colors around">();
   case VerdictKind::MaskSmear:
+    if (verdict.stage == Stage::Inputs)
+      return say<"its material changes without motion, and no mask says so">();
     return say<"the mask is set, and history counts all the same">();
   case VerdictKind::Lag:
     return say<"what is seen has changed, and %1">(pulledText(verdict, settings));
@@ -113,7 +120,9 @@ std::string faultText(const PixelVerdict& verdict, int frame, const std::string&
     text = say<"%1 of %2">(text, *verdict.causeObject == 0 ? say<"the sky">()
                                  : object.empty()          ? say<"object %1">(*verdict.causeObject)
                                                            : object);
-  if (verdict.kind == VerdictKind::Ghost || verdict.kind == VerdictKind::DisocclusionRestart)
+  if (verdict.part == ErrorPart::Older && verdict.kind == VerdictKind::Ghost)
+    text = say<"%1, more than %2 frames ago">(text, frame - verdict.since);
+  else if (verdict.kind == VerdictKind::Ghost || verdict.kind == VerdictKind::DisocclusionRestart)
     text = say<"%1, %2">(text, agoText(frame - verdict.causeFrame));
   else if (verdict.kind == VerdictKind::Lag || verdict.kind == VerdictKind::Aliasing)
     text = say<"%1, since frame %2">(text, verdict.since);

@@ -1,6 +1,8 @@
 // The error of a pixel by part and frame, of frames made by hand.
 #include "core/verdict/pixel/PixelError.h"
 
+#include "core/probe/SurfaceSteps.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -29,7 +31,8 @@ class MadeEvidence : public taa::EvidenceSource {
   struct Frame {
     std::array<Pixel, kWidth * kHeight> pixels{};
     std::array<glm::dvec3, kWidth * kHeight> resolved{};
-    taa::twin::Texels reference{taa::Image(kWidth, kHeight, 3)}, steps{taa::Image(kWidth, kHeight, 3)};
+    taa::twin::Texels reference{taa::Image(kWidth, kHeight, 3)},
+        steps{taa::Image(kWidth, kHeight, taa::kStepChannels)};
     bool starts = false;
   };
 
@@ -166,6 +169,28 @@ TEST(PixelError, IsAGhostWhereHistoryWasReadBesideItsSurface) {
   const taa::PixelError found = pixelError(evidence, 1, {4, 2});
   EXPECT_NEAR(of(found.sum, ErrorPart::Ghost).y, 0.75 * 0.4, 1e-7);
   EXPECT_EQ(found.frames[0].ghostObject, 3);
+  EXPECT_TRUE(found.frames[0].isGhostOfMotion) << "its own would have led to what it is";
+
+  for (int channel = 0; channel < 3; ++channel) before.reference.at(4, 2)[channel] = 0.8f;
+  evidence.add(0, before);
+  EXPECT_FALSE(pixelError(evidence, 1, {4, 2}).frames[0].isGhostOfMotion) << "to much the same";
+}
+
+TEST(PixelError, KnowsWhatIsBlendedOverAndWhatChangesWithoutMotion) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame before = stillFrame(0.6);
+  before.starts = true;
+  before.steps.at(2, 1)[3] = static_cast<float>(taa::StepFlag::BlendedOver);
+  evidence.add(0, before);
+  MadeEvidence::Frame now = stillFrame(0.1);
+  now.steps.at(2, 1)[3] = static_cast<float>(taa::StepFlag::Changes);
+  evidence.add(1, now);
+  const taa::PixelError found = pixelError(evidence, 1, {2, 1});
+  ASSERT_EQ(found.frames.size(), 2u);
+  EXPECT_TRUE(found.frames[0].isChanging);
+  EXPECT_FALSE(found.frames[0].isBlendedOver);
+  EXPECT_TRUE(found.frames[1].isBlendedOver);
+  EXPECT_FALSE(found.frames[1].isChanging);
 }
 
 TEST(PixelError, IsLagWhereTheLightChanged) {

@@ -95,6 +95,9 @@ TEST(PixelVerdict, BlamesMotionThatIsNotTheSurfaces) {
   VerdictEvidence evidence = ghostOf(5, 2);
   evidence.ghostMotion = glm::dvec2(0.0);
   taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedMotion) = {6.0f, 0.0f, 0.0f, 0.0f};
+  const Stage guard = judge(ghostOf(5, 2), Settings{}).stage;
+  EXPECT_EQ(judge(evidence, Settings{}).stage, guard) << "the surface's own would have led to it as well";
+  evidence.error.frames[2].isGhostOfMotion = true;
   EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::Inputs);
   taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedOffset) = {1.0f, 0.0f, 0.0f, 0.0f};
   EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::DilateMotion);
@@ -123,7 +126,7 @@ VerdictEvidence trembling() {
   VerdictEvidence evidence = healthy();
   for (std::size_t age = 0; age < evidence.moments.size(); ++age)
     evidence.moments[age].resolved += age % 2 == 0 ? 0.1 : -0.1;
-  addError(evidence, ErrorPart::Blur, 0, glm::dvec3(0.1));
+  addError(evidence, ErrorPart::Rectification, 0, glm::dvec3(0.1));
   return evidence;
 }
 
@@ -138,7 +141,11 @@ TEST(PixelVerdict, CallsNothingFlickerThatTruthDoesAsWell) {
 }
 
 TEST(PixelVerdict, BlamesRectificationForFlickerWhereItClips) {
-  EXPECT_EQ(judge(trembling(), Settings{}).stage, Stage::BlendWeight);
+  const taa::PixelVerdict followed = judge(trembling(), Settings{});
+  EXPECT_EQ(followed.stage, Stage::BlendWeight);
+  EXPECT_EQ(followed.rows.size(), 4u);
+  EXPECT_EQ(verdictSentence(followed, 40, "", Settings{}),
+            "Flicker: each sample shows, for the current frame counts 10 %.");
   VerdictEvidence clipped = trembling();
   for (const std::size_t age : {2u, 5u})
     taa::twin::at(clipped.moments[age].record, IntermediateId::clipAmount).x = 0.9f;
@@ -146,6 +153,21 @@ TEST(PixelVerdict, BlamesRectificationForFlickerWhereItClips) {
   VerdictEvidence thrown = trembling();
   taa::twin::at(thrown.moments[3].record, IntermediateId::alpha).x = 1.0f;
   EXPECT_EQ(judge(thrown, Settings{}).stage, Stage::ValidateHistory);
+}
+
+TEST(PixelVerdict, CallsNothingFlickerThatMotionOrAFilterDoes) {
+  for (const ErrorPart part : {ErrorPart::Lag, ErrorPart::Blur, ErrorPart::Ghost}) {
+    VerdictEvidence moved = trembling();
+    addError(moved, part, 0, glm::dvec3(0.3));
+    EXPECT_NE(judge(moved, Settings{}).kind, VerdictKind::Flicker);
+  }
+  for (const double direction : {1.0, -1.0}) {
+    VerdictEvidence sampled = trembling();
+    for (int age = 0; age < 6; ++age)
+      addError(sampled, ErrorPart::Aliasing, age, glm::dvec3(age < 4 ? 0.1 : 0.05 * direction));
+    EXPECT_EQ(judge(sampled, Settings{}).kind, direction > 0.0 ? VerdictKind::Blur : VerdictKind::Flicker)
+        << "all samples are off one way, or not";
+  }
 }
 
 /// Nine tenths of today's color are older than the frames that are followed, and off.
@@ -169,7 +191,11 @@ TEST(PixelVerdict, FollowsAnOldErrorOnInWhatIsStillMade) {
 
   VerdictEvidence fading = offForLong(); // at this rate the frames would have made a tenth of it
   addError(fading, ErrorPart::Aliasing, 0, glm::dvec3(0.002));
-  EXPECT_EQ(judge(fading, Settings{}).part, ErrorPart::Older);
+  const taa::PixelVerdict gone = judge(fading, Settings{});
+  EXPECT_EQ(gone.part, ErrorPart::Older);
+  EXPECT_EQ(gone.kind, VerdictKind::Ghost);
+  const std::string sentence = verdictSentence(gone, 40, "", Settings{});
+  EXPECT_TRUE(sentence.starts_with("Ghost, more than 15 frames ago: ")) << sentence;
 }
 
 TEST(PixelVerdict, CallsFlickerOfWhatIsBrighterThanWhiteAHighlights) {
@@ -210,6 +236,31 @@ TEST(PixelVerdict, TellsARestartThatHadToBeFromGoodHistoryThrownAway) {
   EXPECT_NE(sentence.find("although the surface was there"), std::string::npos) << sentence;
 }
 
+TEST(PixelVerdict, AsksNoMoreSamplesOfASurfaceThanFramesShowedIt) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Aliasing, 3, glm::dvec3(0.2));
+  evidence.moments.resize(4);
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Aliasing);
+  evidence.endsHidden = true; // and yet 19 samples are averaged: others' history
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Aliasing);
+  taa::twin::at(evidence.moments[0].record, IntermediateId::historyLength).x = 4.0f;
+  const taa::PixelVerdict verdict = judge(evidence, Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::DisocclusionRestart);
+  EXPECT_EQ(verdict.since, 37);
+}
+
+TEST(PixelVerdict, TakesWhatLayNearerForWhatHidTheSurface) {
+  VerdictEvidence evidence = restarted(4.0f); // seen beside its place
+  auto& record = evidence.moments[3].record;
+  taa::twin::at(record, IntermediateId::depthExpected).x = 5.0f;
+  taa::twin::at(record, IntermediateId::historyDepth).x = 3.0f;
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::DisocclusionRestart);
+  taa::twin::at(record, IntermediateId::historyDepth).x = 9.0f; // the background of something thin
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Aliasing);
+  taa::twin::at(record, IntermediateId::historyDepth).x = 0.0f; // the sky
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Aliasing);
+}
+
 TEST(PixelVerdict, NamesWhatTakesDetail) {
   VerdictEvidence read = healthy();
   addError(read, ErrorPart::Blur, 2, glm::dvec3(0.2));
@@ -232,6 +283,29 @@ TEST(PixelVerdict, CallsLagUnderAMaskASmear) {
   addError(evidence, ErrorPart::Lag, 1, glm::dvec3(0.2));
   taa::twin::at(evidence.moments[0].record, IntermediateId::responsive).x = 1.0f;
   EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::MaskSmear);
+  EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::BlendWeight);
+}
+
+TEST(PixelVerdict, CallsLagOfAMaterialThatNoMaskIsDrawnOfASmearToo) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Lag, 1, glm::dvec3(0.2));
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Lag);
+  evidence.error.frames[0].isChanging = true;
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::MaskSmear);
+  EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::Inputs);
+}
+
+TEST(PixelVerdict, CallsWhatWasBlendedOverASurfaceAGhost) {
+  VerdictEvidence evidence = healthy();
+  addError(evidence, ErrorPart::Lag, 3, glm::dvec3(0.2));
+  evidence.error.frames[5].isBlendedOver = true;
+  EXPECT_EQ(judge(evidence, Settings{}).kind, VerdictKind::Lag) << "two frames before the change";
+  evidence.error.frames[4].isBlendedOver = true;
+  const taa::PixelVerdict verdict = judge(evidence, Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
+  EXPECT_EQ(verdict.causeFrame, 37);
+  const std::string sentence = verdictSentence(verdict, 40, "", Settings{});
+  EXPECT_TRUE(sentence.starts_with("Ghost, 3 frames ago: it was blended over the surface")) << sentence;
 }
 
 TEST(PixelVerdict, HasASentenceWithoutPlacesLeftForEveryKindAndStage) {
