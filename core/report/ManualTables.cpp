@@ -3,6 +3,8 @@
 #include "core/capture/format/Manifest.h"
 #include "core/report/ChoiceFunctions.h"
 #include "core/report/Techniques.h"
+#include "core/report/verdicts/Confusions.h"
+#include "core/report/verdicts/VerdictLabels.h"
 #include "core/scene/SceneSource.h"
 #include "core/settings/Parameters.h"
 #include "core/settings/Presets.h"
@@ -245,11 +247,26 @@ ManualPage captureKeysPage() {
   return page;
 }
 
+ManualPage confusionsPage() {
+  ManualPage page{"confusions.md", "Verdicts against what people see", ""};
+  page.text =
+      pageHead(page.title,
+               "Pixels of the built-in scenes at " + std::to_string(kLabelledSize.x) + " × " +
+                   std::to_string(kLabelledSize.y) +
+                   ", each with what is wrong there and which stage let it happen, said by looking at the "
+                   "frames beside the reference (`tests/support/verdicts/labels.csv`), against the "
+                   "[verdict](verdicts.md) on the same pixel (`resources/verdicts/judged.csv`, which "
+                   "`TAA_VERDICTS=write build/dev/bin/taa_gl_tests --gtest_filter='VerdictLabels.*'` writes "
+                   "and `ctest -C verdicts -L taa_verdicts` checks).") +
+      confusionsText(judgedLabels());
+  return page;
+}
+
 } // namespace
 
 std::vector<ManualPage> manualTables() {
-  return {coveragePage(), settingsPage(), intermediatesPage(),
-          presetsPage(),  scenesPage(),   captureKeysPage()};
+  return {coveragePage(), settingsPage(),    intermediatesPage(), presetsPage(),
+          scenesPage(),   captureKeysPage(), confusionsPage()};
 }
 
 } // namespace taa
