@@ -148,7 +148,7 @@ std::string patternOf(const NumberedFiles& group) {
   return first.before + (hasWidth ? "{frame:" + std::to_string(fewest) + "}" : "{frame}") + first.after;
 }
 
-std::string folderOf(const std::string& path) {
+std::string folderOfPattern(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash);
 }
@@ -187,7 +187,7 @@ std::vector<PictureSequence> sequencesOf(const std::vector<std::string>& picture
   for (const auto& [key, group] : groups) {
     PictureSequence sequence;
     sequence.pattern = patternOf(group);
-    sequence.folder = folderOf(sequence.pattern);
+    sequence.folder = folderOfPattern(sequence.pattern);
     // "7" and "0007" beside each other are two files of one number; the pattern means one of them.
     for (const Numbered& file : group.files) sequence.numbers.push_back(file.number);
     std::ranges::sort(sequence.numbers);
