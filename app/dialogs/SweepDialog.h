@@ -4,7 +4,7 @@
 
 #include "app/background/SweepWork.h"
 #include "app/dialogs/SweepChoices.h"
-#include "app/models/SweepSeries.h"
+#include "app/models/alternatives/SweepSeries.h"
 
 #include <QDialog>
 #include <QString>

@@ -1,7 +1,7 @@
 // The pixel under other choices: which come first, what a click does, what is measured of whole pictures.
 #include "app/views/plots/WhatIfPage.h"
 
-#include "app/models/WhatIfEntries.h"
+#include "app/models/alternatives/WhatIfEntries.h"
 #include "app/panels/ProbePanel.h"
 #include "app/widgets/ValueTable.h"
 #include "core/settings/Presets.h"

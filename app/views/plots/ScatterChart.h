@@ -1,7 +1,7 @@
 // Settings by two numbers, with the front that no others beat: what is on it is filled and joined.
 #pragma once
 
-#include "app/models/SweepSeries.h"
+#include "app/models/alternatives/SweepSeries.h"
 #include "app/views/plots/ChartAxes.h"
 
 #include <QString>

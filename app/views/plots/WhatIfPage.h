@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/background/SweepWork.h"
-#include "app/models/WhatIfEntries.h"
+#include "app/models/alternatives/WhatIfEntries.h"
 
 #include <QWidget>
 

@@ -65,7 +65,7 @@ const FileKind& kindOf(const UntrustedFile& file, const std::string& name) {
 /// What OpenImageIO says in its last error, on one line.
 std::string failureOf(const OIIO::ImageInput& input) {
   const std::string said = input.geterror();
-  if (said.find("ubsampled") != std::string::npos)
+  if (said.find("ubsampl") != std::string::npos)
     return say<
         "it stores luminance and chroma (Y, RY, BY) or other channels of reduced size; save it as RGB">();
   return said.empty() ? say<"it is damaged">() : shownText(said.substr(0, said.find('\n')));

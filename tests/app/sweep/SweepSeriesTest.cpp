@@ -1,5 +1,5 @@
 // Numbers of settings that are compared, written by hand.
-#include "app/models/SweepSeries.h"
+#include "app/models/alternatives/SweepSeries.h"
 
 #include <gtest/gtest.h>
 

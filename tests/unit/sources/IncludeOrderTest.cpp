@@ -98,7 +98,7 @@ const std::vector<std::vector<std::string>>& floors() {
       {"app/session"},
       {"app/session/keeping"},
       {"app/models"},
-      {"app/models/verdict"},
+      {"app/models/alternatives", "app/models/verdict"},
       {"app/views/legend", "app/views/plots", "app/views/timeline", "app/widgets/verdict"},
       {"app/views"},
       {"app/panels", "app/dialogs", "app/importing"},

@@ -1,4 +1,4 @@
-#include "app/models/SweepSeries.h"
+#include "app/models/alternatives/SweepSeries.h"
 
 #include "app/style/Text.h"
 #include "core/sweep/ParetoFront.h"

@@ -1,4 +1,4 @@
-#include "app/models/WhatIfEntries.h"
+#include "app/models/alternatives/WhatIfEntries.h"
 
 #include "core/picture/ColorMap.h"
 #include "core/taa/twin/Known.h"
