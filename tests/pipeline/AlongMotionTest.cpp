@@ -68,7 +68,8 @@ class AlongMotionTest : public taa::test::small::InspectorTest {
   /// Looks to the right by 5 degrees a frame: what comes in was off screen.
   static std::unique_ptr<Inspector> turning() {
     auto inspector = opened();
-    CameraTrack track{.name = "turning"};
+    CameraTrack track;
+    track.name = "turning";
     for (int frame = 0; frame < 10; ++frame) {
       track.poses.push_back(inspector->shot().cameraPose());
       track.poses.back().yaw += 5.0f * float(frame);
