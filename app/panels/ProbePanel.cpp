@@ -7,6 +7,7 @@
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
 #include "app/views/plots/WhatIfPage.h"
+#include "app/widgets/FittingArea.h"
 #include "app/widgets/IconButton.h"
 #include "app/widgets/Line.h"
 #include "app/widgets/ScrollPlace.h"
@@ -23,7 +24,6 @@
 #include <QHeaderView>
 #include <QJsonArray>
 #include <QLabel>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -61,24 +61,6 @@ constexpr IntermediateId kNeighbors[] = {IntermediateId::color, IntermediateId::
                                          IntermediateId::resolved};
 constexpr int kValueColumn = 18;  ///< characters
 constexpr int kValueMargins = 14; ///< beside the text of a cell: 4 a side by the style sheet, 3 by Fusion
-
-/// Seven lines high whatever it says, so that the values stay where they are; in a low window three, and
-/// scrolls.
-class DescriptionArea : public QScrollArea {
- public:
-  DescriptionArea() {
-    setWidgetResizable(true);
-    setFocusPolicy(Qt::NoFocus);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    viewport()->setAutoFillBackground(false);
-  }
-  QSize sizeHint() const override { return {120, heightOf(7)}; }
-  QSize minimumSizeHint() const override { return {120, heightOf(3)}; }
-
- private:
-  static int heightOf(int lines) { return lines * QFontMetrics(secondaryFont()).lineSpacing() + 2 * kUnit; }
-};
 
 } // namespace
 
@@ -129,20 +111,32 @@ void ProbePanel::makePages() {
   });
 }
 
+QWidget* ProbePanel::makeConclusions() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  verdict_ = new VerdictLine;
+  summary_ = new QLabel;
+  summary_->setWordWrap(true);
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
+  verdictDetails_ = new VerdictDetails;
+  for (QWidget* part : {static_cast<QWidget*>(verdict_), static_cast<QWidget*>(summary_),
+                        static_cast<QWidget*>(verdictDetails_)})
+    column->addWidget(part);
+  auto* area = new FittingArea(5 * kRowHeight);
+  area->setWidget(content);
+  content->setAutoFillBackground(false);
+  return area;
+}
+
 QWidget* ProbePanel::makeValues() {
   auto* values = new QWidget;
   auto* column = new QVBoxLayout(values);
   column->setContentsMargins(0, 2 * kUnit, 0, 0);
   column->setSpacing(0);
-  verdict_ = new VerdictLine;
-  column->addWidget(verdict_);
-  summary_ = new QLabel;
-  summary_->setWordWrap(true);
-  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  summary_->setContentsMargins(2 * kUnit, 0, 2 * kUnit, 2 * kUnit);
-  column->addWidget(summary_);
-  verdictDetails_ = new VerdictDetails;
-  column->addWidget(verdictDetails_);
+  column->addWidget(makeConclusions());
   column->addWidget(makeNeighbors());
   makeTable();
   column->addWidget(table_, 1);
@@ -152,8 +146,11 @@ QWidget* ProbePanel::makeValues() {
   description_->setWordWrap(true);
   description_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   description_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  auto* description = new DescriptionArea;
+  // Seven lines high whatever it says, so that the values stay where they are; in a low window three.
+  const int line = QFontMetrics(secondaryFont()).lineSpacing();
+  auto* description = new FittingArea(3 * line + 2 * kUnit, 7 * line + 2 * kUnit);
   description->setWidget(description_);
+  description_->setAutoFillBackground(false);
   column->addWidget(new Line);
   column->addWidget(description);
   return values;

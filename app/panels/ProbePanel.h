@@ -79,6 +79,8 @@ class ProbePanel : public QWidget {
   QWidget* makeTop();
   void makePages();
   QWidget* makeValues();
+  /// What is said above the values: in a low window it scrolls.
+  QWidget* makeConclusions();
   QWidget* makeNeighbors();
   void showColors();
   void makeTable();

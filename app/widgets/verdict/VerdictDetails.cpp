@@ -7,9 +7,7 @@
 #include "app/widgets/verdict/EvidenceRow.h"
 #include "app/widgets/verdict/RemedyButton.h"
 
-#include <QEvent>
 #include <QLabel>
-#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -18,7 +16,7 @@
 
 namespace taa::app {
 
-VerdictDetails::VerdictDetails(QWidget* parent) : QScrollArea(parent) {
+VerdictDetails::VerdictDetails(QWidget* parent) : FittingArea(2 * kRowHeight, 0, parent) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 2 * kUnit);
@@ -27,12 +25,7 @@ VerdictDetails::VerdictDetails(QWidget* parent) : QScrollArea(parent) {
   column->addWidget(remediesPart_);
   column->addWidget(makeEvidence());
   setWidget(content);
-  setWidgetResizable(true);
-  setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
   content->setAutoFillBackground(false);
-  viewport()->setAutoFillBackground(false);
   setVerdict(nullptr);
 }
 
@@ -145,26 +138,7 @@ void VerdictDetails::showEvidence(const VerdictAnswer& answer) {
 }
 
 QSize VerdictDetails::sizeHint() const {
-  const int wide = viewport()->width();
-  if (widget()->isHidden()) return {wide, kept_};
-  const int high =
-      widget()->hasHeightForWidth() ? widget()->heightForWidth(wide) : widget()->sizeHint().height();
-  return {wide, high};
-}
-
-QSize VerdictDetails::minimumSizeHint() const {
-  return {120, std::min(sizeHint().height(), 2 * kRowHeight)};
-}
-
-void VerdictDetails::resizeEvent(QResizeEvent* event) {
-  QScrollArea::resizeEvent(event);
-  if (event->oldSize().width() != event->size().width()) updateGeometry();
-}
-
-// What it shows has become higher or lower.
-bool VerdictDetails::viewportEvent(QEvent* event) {
-  if (event->type() == QEvent::LayoutRequest) updateGeometry();
-  return QScrollArea::viewportEvent(event);
+  return widget()->isHidden() ? QSize(viewport()->width(), kept_) : FittingArea::sizeHint();
 }
 
 } // namespace taa::app

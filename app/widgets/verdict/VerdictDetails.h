@@ -1,10 +1,9 @@
 // What belongs to a verdict: what mends the pixel, and, unfolded, the values that decided and the parts of
-// the error. As high as what it shows where there is room, else it scrolls.
+// the error.
 #pragma once
 
+#include "app/widgets/FittingArea.h"
 #include "core/requests/Results.h"
-
-#include <QScrollArea>
 
 #include <array>
 #include <cstddef>
@@ -21,7 +20,7 @@ class SectionHeader;
 inline constexpr std::size_t kMaxRemedies = 3;
 inline constexpr std::size_t kMaxEvidence = 5;
 
-class VerdictDetails : public QScrollArea {
+class VerdictDetails : public FittingArea {
   Q_OBJECT
  public:
   explicit VerdictDetails(QWidget* parent = nullptr);
@@ -40,15 +39,10 @@ class VerdictDetails : public QScrollArea {
   SectionHeader* header() const { return header_; }
   QString note() const; ///< why there are no remedies; empty: there are, or none is needed
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void remedyChosen(int remedy);
   void rowChosen(IntermediateId id, int frame);
-
- protected:
-  void resizeEvent(QResizeEvent*) override;
-  bool viewportEvent(QEvent*) override;
 
  private:
   QWidget* makeRemedies();

@@ -1,0 +1,49 @@
+// A part of a panel that is as high as what it shows where there is room, else it scrolls.
+#pragma once
+
+#include <QEvent>
+#include <QResizeEvent>
+#include <QScrollArea>
+
+#include <algorithm>
+
+namespace taa::app {
+
+class FittingArea : public QScrollArea {
+ public:
+  /// `leastPx`: how low it becomes before others have to give way. `alwaysPx`: how high it is where there is
+  /// room, whatever it shows; 0: as high as that.
+  explicit FittingArea(int leastPx, int alwaysPx = 0, QWidget* parent = nullptr)
+      : QScrollArea(parent), leastPx_(leastPx), alwaysPx_(alwaysPx) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
+    viewport()->setAutoFillBackground(false);
+  }
+
+  QSize sizeHint() const override {
+    const int wide = viewport()->width();
+    if (alwaysPx_ > 0) return {wide, alwaysPx_};
+    const QWidget* shown = widget();
+    return {wide, shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height()};
+  }
+  QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), leastPx_)}; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QScrollArea::resizeEvent(event);
+    if (event->oldSize().width() != event->size().width()) updateGeometry();
+  }
+  // What it shows has become higher or lower.
+  bool viewportEvent(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::viewportEvent(event);
+  }
+
+ private:
+  int leastPx_, alwaysPx_;
+};
+
+} // namespace taa::app
