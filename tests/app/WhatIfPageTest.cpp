@@ -44,11 +44,11 @@ ProbeResult resultWith(float reference, const std::vector<std::pair<std::string,
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Ghost energy is 0.125, flicker twice that, sharpness four times, of all settings.
+/// The same ghost energy, flicker and sharpness of all settings.
 void measureNumbers(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress&) {
   for (std::size_t index = 0; index < request.settings.size(); ++index) {
     FrameMetrics frame{.frame = request.metrics.first, .values = {}};
-    frame.at(Metric::GhostEnergy) = 0.125;
+    frame.at(Metric::GhostEnergy) = 0.75;
     frame.at(Metric::Flicker) = 0.25;
     frame.at(Metric::Sharpness) = 0.5;
     measured(index, {frame});
@@ -138,7 +138,7 @@ TEST(WhatIfPage, MeasuresWholePicturesUpToTheFrame) {
   auto* button = page.findChild<QPushButton*>();
   ASSERT_TRUE(waitFor([&] { return button->text() == "Measure pictures"; }));
   for (const ValueTable::Row& row : page.table()->rows()) {
-    EXPECT_EQ(row.cells[kGhostCell].toDouble(), 0.125) << row.cells[0].toStdString();
+    EXPECT_EQ(row.cells[kGhostCell].toDouble(), 0.75) << row.cells[0].toStdString();
     EXPECT_EQ(row.cells[kFlickerCell].toDouble(), 0.25);
     EXPECT_EQ(row.cells[kSharpCell].toDouble(), 0.5);
   }
