@@ -95,7 +95,7 @@ class Scheduler {
   Comparing comparing_{desk_, transport_, wanted_};
   ShownProbes probes_{desk_, wanted_, traces_, judging_};
   ShownObjects objects_{desk_, transport_, goal_};
-  ShownWorst worst_{desk_};
+  ShownWorst worst_{desk_, wanted_};
   ShownStatus status_{desk_, transport_, goal_, flight_, changes_, wanted_};
 };
 

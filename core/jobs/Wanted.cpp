@@ -1,6 +1,7 @@
 #include "core/jobs/Wanted.h"
 
 #include "core/inspect/RowsBefore.h"
+#include "core/inspect/verdicts/WorstOfShot.h"
 
 #include <algorithm>
 #include <iterator>
@@ -36,7 +37,11 @@ bool Wanted::needsReferenceOf(int lane) const {
   const auto isOfIt = [&](const ViewRequest& view) {
     return isShown(view) && (needsIt(view) || (view.other && needsIt(*view.other)));
   };
-  return std::ranges::any_of(views, isOfIt) ||
+  const auto isFoundByIt = [&](const request::FindWorst& asked) {
+    const IntermediateId row = WorstOfShot::rowOf(asked.row);
+    return asked.lane == lane && needsReference(row) && !isOverTime(row);
+  };
+  return std::ranges::any_of(views, isOfIt) || (worst && isFoundByIt(*worst)) ||
          std::ranges::any_of(metrics, [](Metric metric) { return metricInfo(metric).needsReference; });
 }
 

@@ -6,6 +6,7 @@
 #include "core/picture/ViewRequest.h"
 #include "core/requests/Requests.h"
 
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -15,10 +16,12 @@ struct Wanted {
   request::SetProbes probes; ///< with the surfaces that were found for them
   std::vector<Metric> metrics;
   int referenceSamples = kReferenceSamples;
+  std::optional<request::FindWorst> worst; ///< not answered yet
 
   /// The rows that the views show, with those that lie over them.
   std::vector<IntermediateId> rows() const;
-  /// Whether a view shows a row of the lane's reference, or a metric is taken against it.
+  /// Whether a view shows a row of the lane's reference, its worst pixel is looked for by one, or a metric is
+  /// taken against it.
   bool needsReferenceOf(int lane) const;
   /// Samples of the references that what is measured over time is wanted against of a lane, 0: without any;
   /// −1: nobody wants it.

@@ -31,13 +31,18 @@ std::vector<int> categoryOrder(const Intermediate& row, int now, WorstStep step)
 
 WorstOfShot::WorstOfShot(Views& views, ReferenceOfShot& reference) : views_(views), reference_(reference) {}
 
+IntermediateId WorstOfShot::rowOf(IntermediateId shown) {
+  const Visual visual = intermediate(shown).visual;
+  const bool isAmount = visual == Visual::Scalar || visual == Visual::Signed;
+  const bool isCategories = !categoryText(shown, 0).empty();
+  return isCategories || (isOfReference(shown) && isAmount) ? shown : IntermediateId::referenceErrorAbs;
+}
+
 WorstQuestion WorstOfShot::questionOf(IntermediateId shown, int lane, const std::optional<glm::ivec2>& after,
                                       WorstStep step) {
-  WorstQuestion question{.count = kMaxWorst, .lane = lane};
+  WorstQuestion question{.row = rowOf(shown), .count = kMaxWorst, .lane = lane};
   const Intermediate& row = intermediate(shown);
   const bool isCategories = !categoryText(shown, 0).empty();
-  const bool isAmount = row.visual == Visual::Scalar || row.visual == Visual::Signed;
-  if (isCategories || (isOfReference(shown) && isAmount)) question.row = shown;
   if (!isCategories && step == WorstStep::Category)
     throw Error(say<"%1 has no classes to go through: show a verdict or the reject reason instead">(
         sayLabel(row.label)));

@@ -38,6 +38,9 @@ struct FoundWorst {
 
 class WorstOfShot {
  public:
+  /// The row by which the worst pixels of a view that shows `shown` are found.
+  static IntermediateId rowOf(IntermediateId shown);
+
   /// Of rows that views show.
   WorstOfShot(Views& views, ReferenceOfShot& reference);
 

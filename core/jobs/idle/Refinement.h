@@ -15,6 +15,7 @@ class Refinement : public Job {
   Refinement(Desk& desk, const Transport& transport) : desk_(desk), transport_(transport) {}
 
   void take(const request::SetReferenceSamples&) { goOn(); }
+  void take(const request::FindWorst&) { goOn(); }
   void take(const request::Cancel&) { stop(); }
   void settle() override { endIfDone(); }
 

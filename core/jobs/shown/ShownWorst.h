@@ -1,23 +1,26 @@
-// Delivers the next one of the worst pixels of the frame on show when it is asked for.
+// Delivers the next one of the worst pixels of the frame on show when it is asked for, once what it is found
+// by is made.
 #pragma once
 
 #include "core/jobs/Desk.h"
+#include "core/jobs/Wanted.h"
 #include "core/requests/Requests.h"
-
-#include <optional>
 
 namespace taa {
 
 class ShownWorst {
  public:
-  explicit ShownWorst(Desk& desk) : desk_(desk) {}
+  ShownWorst(Desk& desk, Wanted& wanted) : desk_(desk), wanted_(wanted) {}
 
-  void take(const request::FindWorst& wanted) { wanted_ = wanted; }
+  void take(const request::FindWorst& asked) { wanted_.worst = asked; }
+  void take(const request::Cancel&) { wanted_.worst.reset(); }
   void deliver();
 
  private:
+  bool isUnderWay() const;
+
   Desk& desk_;
-  std::optional<request::FindWorst> wanted_; // not answered yet
+  Wanted& wanted_;
 };
 
 } // namespace taa

@@ -1,4 +1,5 @@
 // The worst pixels of the frame on show, on the render thread.
+#include "core/inspect/Inspector.h"
 #include "tests/support/RenderRecorder.h"
 
 #include <cstddef>
@@ -36,6 +37,27 @@ TEST_F(RenderWorstTest, ComesOneAfterTheOtherAndBeginsAnew) {
   EXPECT_EQ(recorder.worst.back().found.number, 1);
   EXPECT_EQ(recorder.worst.back().found.worst, recorder.worst.front().found.worst);
   EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderWorstTest, WaitsForTheReferenceThatNobodyShows) {
+  thread->post(taa::request::SetReferenceSamples{8});
+  thread->post(taa::request::Seek{3});
+  thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
+  thread->waitUntilIdle();
+  thread->post(taa::request::FindWorst{IntermediateId::resolved, 0, {}});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(recorder.failures.empty());
+  ASSERT_EQ(recorder.worst.size(), 1u);
+  EXPECT_EQ(recorder.worst[0].frame, 3);
+  EXPECT_EQ(recorder.worst[0].found.question.row, IntermediateId::referenceErrorAbs);
+  EXPECT_EQ(recorder.worst[0].found.number, 1);
+
+  taa::Inspector inspector;
+  inspector.shot().open(recorder.statuses.back().source);
+  inspector.shot().setSize(recorder.statuses.back().width, recorder.statuses.back().height);
+  inspector.shot().seek(3);
+  inspector.reference().refine(8);
+  EXPECT_EQ(recorder.worst[0].found.worst, inspector.worst().of({}).front()) << "by the whole reference";
 }
 
 TEST_F(RenderWorstTest, IsToldWhereItCannotBeKnown) {
