@@ -2,6 +2,7 @@
 
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
+#include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/settings/Parameters.h"
 #include "core/taa/rows/Intermediates.h"
 #include "core/taa/twin/Color.h"
@@ -48,7 +49,7 @@ QString changesText(const Remedy& remedy) {
 }
 
 QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried) {
-  return QObject::tr("This pixel: off by %1 of 255")
+  return QObject::tr("This pixel, last %n frames: off by %1 of 255", nullptr, kMeasuredFrames)
       .arg(arrowText(stepsText(of.pixel.error), stepsText(tried.pixel.error)));
 }
 

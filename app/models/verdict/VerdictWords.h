@@ -13,7 +13,7 @@ namespace taa::app {
 QString changeText(const std::string& assignment);
 /// All changes of a remedy, one a line.
 QString changesText(const Remedy& remedy);
-/// "This pixel: off by 31.2 → 4.1 of 255"
+/// "This pixel, last 4 frames: off by 31.2 → 4.1 of 255"
 QString pixelEffectText(const RemedyAnswer& of, const TriedRemedy& tried);
 /// "Picture: error 3.1 → 3, ghost 2.4 → 1.1, flicker 1.2 → 1.3, sharpness 92 % → 95 %", the first three of
 /// 255

@@ -1,5 +1,6 @@
 #include "core/report/verdicts/VerdictReport.h"
 
+#include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/io/FrameJson.h"
 #include "core/verdict/parts/PartsRows.h"
 #include "core/verdict/pixel/VerdictText.h"
@@ -147,8 +148,9 @@ std::string verdictText(const VerdictOfLane& lane) {
   }
   if (!lane.remedies) return text;
   text += "Remedies, of " + std::to_string(lane.remedies->tried) + " tried from frame " +
-          std::to_string(lane.remedies->first) +
-          "\n  as it is: " + measureText(lane.remedies->pixel, lane.remedies->picture) + '\n';
+          std::to_string(lane.remedies->first) + ", measured over the last " +
+          std::to_string(kMeasuredFrames) +
+          " frames\n  as it is: " + measureText(lane.remedies->pixel, lane.remedies->picture) + '\n';
   for (const TriedRemedy& tried : lane.remedies->best)
     text += "  " + changesText(tried.remedy.changes) + ": " + measureText(tried.pixel, tried.picture) + '\n';
   if (lane.remedies->best.empty())

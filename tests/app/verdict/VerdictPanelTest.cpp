@@ -154,7 +154,7 @@ TEST_F(VerdictPanel, NamesRemediesAsTheTablesDo) {
   const RemedyButton* first = details()->remedies()[0];
   EXPECT_EQ(first->text(), inWords("validate.object", QStringLiteral("on")) + QLatin1Char('\n') + method);
   EXPECT_EQ(details()->remedies()[1]->text(), method);
-  EXPECT_EQ(first->effects(), "This pixel: off by 40 → 5 of 255\n"
+  EXPECT_EQ(first->effects(), "This pixel, last 4 frames: off by 40 → 5 of 255\n"
                               "Picture: error 4 → 3, ghost 2 → 0.5, flicker 1 → 1.5, sharpness 90 % → 95 %");
 }
 
@@ -164,7 +164,7 @@ TEST_F(VerdictPanel, ShowsRemediesBeforeWhatTheyCost) {
   probe();
   ASSERT_EQ(shownRemedies(), 2);
   const RemedyButton* first = details()->remedies()[0];
-  EXPECT_EQ(first->effects(), "This pixel: off by 40 → 5 of 255\nPicture: being measured");
+  EXPECT_EQ(first->effects(), "This pixel, last 4 frames: off by 40 → 5 of 255\nPicture: being measured");
   EXPECT_FALSE(session.verdicts().isComplete());
   renderer->verdict = measured;
   renderer->deliver();
