@@ -44,9 +44,10 @@ makeBare() {
   fi
 }
 
-# Whether both commands of the README work on a bare Debian $1; prints the last lines of each.
+# Whether both commands of the README work on a bare Debian $1, in a clone of $2; the rest are options of tests/run.
 testBare() {
   local suite=$1 source=$2 root
+  shift 2
   [ "$(id -u)" -eq 0 ] || fail "--bare needs root, for debootstrap and chroot"
   installPackages debootstrap
   root=$(mktemp -d "${TMPDIR:-/tmp}/taa-bare-$suite.XXXXXX")
@@ -58,7 +59,7 @@ testBare() {
   inBare "$root" ./app/run || fail "app/run fails on Debian $suite; its root folder stays in $root"
   [ -s "$root/root/taa-inspector/build/first-look.png" ] || fail "app/run on Debian $suite wrote no picture; see $root"
   say "tests/run on Debian $suite"
-  inBare "$root" ./tests/run || fail "tests/run fails on Debian $suite; its root folder stays in $root"
+  inBare "$root" ./tests/run "$@" || fail "tests/run fails on Debian $suite; its root folder stays in $root"
   unmountBare "$root"
   trap - EXIT
   rm -rf --one-file-system "$root" "$root.log"
