@@ -94,6 +94,34 @@ TEST_F(CaptureHeader, OpensWhatCanBeOpenedAgain) {
   EXPECT_EQ(open(), TAA_OK) << "a key that begins as another is another one";
 }
 
+// What was there would name planes of the new one, should the engine die before its first frame.
+TEST_F(CaptureHeader, ACaptureThatIsReplacedIsGoneAtOnce) {
+  ASSERT_EQ(open(), TAA_OK);
+  ASSERT_EQ(frame(0), TAA_OK);
+  closed();
+  taa_capture* other = nullptr;
+  desc_.replace = 0;
+  EXPECT_EQ(taa_capture_open(&other, &desc_), TAA_ERROR_EXISTS);
+  EXPECT_EQ(other, nullptr);
+  EXPECT_EQ(readManifest(folder_).frames.size(), 1u) << "nobody asked to replace it";
+  ASSERT_EQ(open(), TAA_OK);
+  try {
+    readManifest(folder_);
+    ADD_FAILURE() << "it has no frame yet";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("\"frames\" is empty"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(CaptureHeader, FoldersThatCannotBeAreRefused) {
+  const std::string below = path_ + "/parent that is not there/capture", longest(5000, 'x');
+  for (const std::string* path : {&below, &longest}) {
+    desc_.folder = path->c_str();
+    EXPECT_EQ(open(), TAA_ERROR_FOLDER);
+    EXPECT_EQ(capture_, nullptr);
+  }
+}
+
 // U+0085 is a control character of two bytes, and half a letter stands where 4096 bytes end.
 TEST_F(CaptureHeader, TextsAreOnesThatCanBeShown) {
   const std::string name = "a\xc2\x85\x07z\xff", engine(4095, 'x'), tooLong = engine + "\xc3\xa9";
