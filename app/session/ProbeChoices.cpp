@@ -40,7 +40,7 @@ glm::ivec2 ProbeChoices::inPicture(glm::ivec2 pixel) const {
 }
 
 void ProbeChoices::post() {
-  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_, other_});
+  outbox_.post(request::SetProbes{probes_.all(), probes_.active(), wantsWhatIf_, other_, wantsReference_});
 }
 
 void ProbeChoices::send() {
@@ -153,6 +153,12 @@ void ProbeChoices::setFollow(int probe, Follow follow) {
 void ProbeChoices::setWhatIf(bool wanted) {
   if (wanted == wantsWhatIf_) return;
   wantsWhatIf_ = wanted;
+  post();
+}
+
+void ProbeChoices::setReference(bool wanted) {
+  if (wanted == wantsReference_) return;
+  wantsReference_ = wanted;
   post();
 }
 

@@ -47,6 +47,8 @@ class ProbeChoices : public QObject {
   void findWorst(IntermediateId row, WorstStep step = WorstStep::Pixel);
   /// Whether probes come with the active pixel under other choices.
   void setWhatIf(bool wanted);
+  /// Whether a reference is drawn for the probes.
+  void setReference(bool wanted);
   /// What the active pixel comes with the other side of; its row and style do not count.
   void setOtherSide(const std::optional<OtherSide>& other);
 
@@ -71,7 +73,7 @@ class ProbeChoices : public QObject {
   UndoStack& undo_;
   const Status& status_;
   ProbeList probes_;
-  bool wantsWhatIf_ = false;
+  bool wantsWhatIf_ = false, wantsReference_ = false;
   std::optional<OtherSide> other_;
 };
 

@@ -41,7 +41,8 @@ bool Wanted::needsReferenceOf(int lane) const {
     const IntermediateId row = WorstOfShot::rowOf(asked.row);
     return asked.lane == lane && needsReference(row) && !isOverTime(row);
   };
-  return std::ranges::any_of(views, isOfIt) || (worst && isFoundByIt(*worst)) ||
+  const bool isProbed = lane == 0 && probes.reference && probes.active >= 0;
+  return isProbed || std::ranges::any_of(views, isOfIt) || (worst && isFoundByIt(*worst)) ||
          std::ranges::any_of(metrics, [](Metric metric) { return metricInfo(metric).needsReference; });
 }
 

@@ -20,8 +20,8 @@ struct Wanted {
 
   /// The rows that the views show, with those that lie over them.
   std::vector<IntermediateId> rows() const;
-  /// Whether a view shows a row of the lane's reference, its worst pixel is looked for by one, or a metric is
-  /// taken against it.
+  /// Whether a view shows a row of the lane's reference, its worst pixel is looked for by one, probes are to
+  /// come with it, or a metric is taken against it.
   bool needsReferenceOf(int lane) const;
   /// Samples of the references that what is measured over time is wanted against of a lane, 0: without any;
   /// −1: nobody wants it.

@@ -24,6 +24,12 @@ void ReferenceDrawing::take(const request::SetReferenceSamples& wanted) {
   goOn();
 }
 
+// Somebody asked for it, who may have stopped it before.
+void ReferenceDrawing::take(const request::SetProbes& probes) {
+  if (probes.reference && !isProbed_) goOn();
+  isProbed_ = probes.reference;
+}
+
 bool ReferenceDrawing::isWanted(int lane) const {
   return wanted_.needsReferenceOf(lane) &&
          desk().inspector.reference().samples(lane) != wanted_.referenceSamples;

@@ -13,12 +13,14 @@ class ReferenceDrawing final : public Refinement {
 
   using Refinement::take;
   void take(const request::SetReferenceSamples& wanted);
+  void take(const request::SetProbes& probes);
 
  private:
   bool isWanted(int lane) const override;
   void refine(int lane) override;
 
   Wanted& wanted_;
+  bool isProbed_ = false; // probes are to come with it
 };
 
 } // namespace taa

@@ -1,4 +1,5 @@
 // The reference and the metrics of frames, on the render thread.
+#include "core/taa/twin/Known.h"
 #include "tests/support/RenderRecorder.h"
 
 #include <algorithm>
@@ -45,6 +46,24 @@ TEST_F(RenderReferenceTest, IsRefinedWhileAViewShowsIt) {
   EXPECT_EQ(told->total, 48);
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_TRUE(recorder.errors.empty());
+}
+
+TEST_F(RenderReferenceTest, IsDrawnForProbesThatAreToComeWithIt) {
+  thread->post(taa::request::SetReferenceSamples{8});
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
+  thread->waitUntilIdle();
+  ASSERT_FALSE(recorder.probes.empty());
+  const auto hasReference = [&] {
+    return taa::twin::isKnown(recorder.probes.back().around[taa::kProbedMiddle], IntermediateId::reference);
+  };
+  EXPECT_FALSE(hasReference()) << "nobody asked for it";
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0, .reference = true});
+  thread->waitUntilIdle();
+  EXPECT_TRUE(hasReference()) << "the probe comes again once it is there";
+  thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
+  thread->post(taa::request::Step{1});
+  thread->waitUntilIdle();
+  EXPECT_FALSE(hasReference()) << "of another frame none is drawn any more";
 }
 
 TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
