@@ -11,7 +11,7 @@ int AlphaSeries::length() const {
 }
 
 std::vector<double> AlphaSeries::nominal() const {
-  return calmAlphas(settings, length());
+  return alphasAtRest(settings, length());
 }
 
 } // namespace taa::app

@@ -71,8 +71,8 @@ void WeightsPanel::refresh() {
   const std::vector<double> nominalWeights = frameWeights(nominal);
   const int first = series().frame - static_cast<int>(nominal.size()) + 1;
   // On to where the count has nearly settled, so that the curve shows where it leads.
-  const std::vector<double> ahead =
-      calmAlphas(series().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
+  const std::vector<double> ahead = alphasAtRest(
+      series().settings, std::max(static_cast<int>(nominal.size()), kFramesAhead) + kFramesAhead);
   const QColor color = curveColor(0), measuredColor = curveColor(1);
   std::vector<Curve> weights{{tr("by the settings"), color, Qt::DashLine, backwards(nominalWeights)}};
   std::vector<Curve> samples{
@@ -83,7 +83,7 @@ void WeightsPanel::refresh() {
                .arg(series().frame)
                .arg(series().frame - series().start)
                .arg(number(nominal.back()), number(effectiveSamples(nominalWeights)),
-                    number(effectiveSamplesOver(calmAlphas(series().settings, 2 * kMaxFramesBack)).back()));
+                    number(effectiveSamplesOver(alphasAtRest(series().settings, 2 * kMaxFramesBack)).back()));
   if (!series().measured.empty()) {
     const std::vector<double> measured = frameWeights(series().measured);
     const QString name = tr("measured at %1").arg(series().place);

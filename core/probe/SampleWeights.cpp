@@ -14,7 +14,7 @@ namespace taa {
 namespace {
 
 /// A gray pixel that stays as it is, near the camera.
-twin::WeightInputs calmPixel(const Settings& settings, int frame) {
+twin::WeightInputs pixelAtRest(const Settings& settings, int frame) {
   constexpr float kGray = 0.5f;
   twin::WeightInputs weighed;
   weighed.hasHistory = frame > 0;
@@ -61,11 +61,11 @@ std::vector<double> effectiveSamplesOver(std::span<const double> alphas) {
   return counts;
 }
 
-std::vector<double> calmAlphas(const Settings& settings, int frames) {
+std::vector<double> alphasAtRest(const Settings& settings, int frames) {
   std::vector<double> alphas;
   float length = 0.0f;
   for (int frame = 0; frame < frames; ++frame) {
-    const twin::WeightInputs weighed = calmPixel(settings, frame);
+    const twin::WeightInputs weighed = pixelAtRest(settings, frame);
     const twin::Weights weights = twin::blendWeight(settings, length, frame == 0 ? 1.0f : 0.0f, weighed);
     twin::BlendInputs mix;
     mix.current = mix.history = glm::vec3(weighed.lumaCurrent);

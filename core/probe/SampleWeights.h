@@ -23,7 +23,7 @@ std::vector<double> effectiveSamplesOver(std::span<const double> alphas);
 
 /// α of the frames 0 … frames − 1 after history starts, of a gray pixel in which nothing moves or changes:
 /// what the settings come to where nothing disturbs.
-std::vector<double> calmAlphas(const Settings& settings, int frames);
+std::vector<double> alphasAtRest(const Settings& settings, int frames);
 
 /// One place of the jitter pattern.
 struct JitterSample {

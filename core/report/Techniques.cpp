@@ -196,7 +196,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
     {"13.9", "change of depth at rest",
      "`validate.flicker`, `validate.restLimit`, `rectify.flickerStrength`, `weight.flickerShare`"},
     {"13.10", "luma difference", "`weight.source=lumaDifference`, `weight.sourceMax`, `weight.sourceMin`"},
-    {"13.11", "luma difference, calming",
+    {"13.11", "luma difference, damping",
      "`weight.lumaFlicker`, `weight.flickerScale=relative`, `weight.flickerScale=compressed`"},
     {"13.12", "luma difference of source 001",
      "`weight.source=lumaDifferenceAsPrinted`; the right way round `weight.source=lumaDifferenceCompressed`"},
@@ -320,7 +320,7 @@ constexpr auto kTechniques = std::to_array<Technique>({
      "`history.filter=catmullRom5AsPrinted`, `jitter.projection=columnAsPrinted`, "
      "`history.length=pixelAsPrinted`"},
     {"D16", "previous view, current projection", "`inputs.motion=currentProjectionAsPrinted`"},
-    {"D17", "α calmed to 0", "`weight.lumaFlicker` with `weight.minimum=0`"},
+    {"D17", "α damped to 0", "`weight.lumaFlicker` with `weight.minimum=0`"},
     {"D18", "no motion of objects, no jitter", "`inputs.motion=singleMatrix`, `jitter.sequence=none`"},
     {"D19", "inverse luminance, as printed", "`blend.tone=lumaAsPrinted`"},
 });

@@ -168,15 +168,15 @@ std::string sourceText(const Values& v) {
   return lowered(story::choiceLabel("weight.source", v.settings)) + " " + v.number(Id::alphaBase);
 }
 
-/// Source × what calms it, not below the floor.
-std::string calmText(const Values& v, const std::string& source) {
+/// Source × what damps it, not below the floor.
+std::string dampedSource(const Values& v, const std::string& source) {
   std::string text = source;
   float product = v.of(Id::alphaBase);
-  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
-                        Id::alphaSampleDistance}) {
-    if (v.of(calm) == 1.0f) continue;
-    text += " × " + v.number(calm);
-    product *= v.of(calm);
+  for (const Id damping : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                           Id::alphaSampleDistance}) {
+    if (v.of(damping) == 1.0f) continue;
+    text += " × " + v.number(damping);
+    product *= v.of(damping);
   }
   const bool isByLength = v.settings.weight.source == AlphaSource::HistoryLength;
   if (isByLength || product < v.of(Id::alphaFloor)) text = say<"max(%1, %2)">(text, v.number(Id::alphaFloor));
@@ -189,7 +189,7 @@ std::string alphaLine(const Values& v, const FrameInfo& info) {
     return say<"α = 1: the current frame alone">();
   if (isFrozen(v)) return say<"α = 0: history alone">();
   const std::string source = sourceText(v);
-  std::string text = calmText(v, source);
+  std::string text = dampedSource(v, source);
   if (v.of(Id::alphaMotion) > 0) text = say<"%1 and %2 by motion">(text, v.number(Id::alphaMotion));
   if (v.of(Id::alphaVelocityChange) > 0)
     text = say<"%1 and %2 by its change">(text, v.number(Id::alphaVelocityChange));

@@ -76,7 +76,8 @@ std::string historyMeaning(Id id, const Values& v) {
   case Id::depthEdge:
     return x != 0 ? say<"one bilinear tap">() : "";
   case Id::historyObjectId:
-    return x == 0 ? say<"sky, or not kept">() : "";
+    if (!isOn(v.settings.validate.object) && !isOn(v.settings.validate.objectClass)) return say<"not kept">();
+    return x == 0 ? say<"sky, or not kept yet">() : "";
   case Id::lock:
     return x > 0 ? say<"takes back %1">(v.percent(id)) : say<"not locked">();
   case Id::instability:

@@ -18,7 +18,7 @@ constexpr std::array<std::size_t, 5> kDiagonals{4, 0, 2, 6, 8};
 
 RowStory toneStory(Id id, const Teller& t) {
   const ToneWeight tone = t.settings().blend.tone;
-  if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return {say<"not asked for">(), "", ""};
+  if (tone != ToneWeight::Luma && tone != ToneWeight::LumaAsPrinted) return {say<"off">(), "", ""};
   if (id == Id::toneWeightHistory && t.details().isFirst) return {say<"there is no history yet">(), "", ""};
   const bool isCurrent = id == Id::toneWeightCurrent;
   const bool isBlurred = t.settings().blend.restart == Restart::Blurred && t.value(Id::alphaInvalid) >= 1.0f;

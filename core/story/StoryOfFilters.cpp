@@ -95,7 +95,7 @@ RowStory rawStory(const Teller& t) {
 }
 
 std::string edgeWords(const Teller& t) {
-  if (!isOn(t.settings().history.bilinearAtEdges)) return say<"not asked for">();
+  if (!isOn(t.settings().history.bilinearAtEdges)) return say<"off">();
   return t.value(Id::depthEdge) != 0.0f ? say<"an edge in depth: read by one bilinear tap">()
                                         : say<"no edge in depth: the filter is used">();
 }

@@ -48,7 +48,7 @@ RowStory instabilityStory(const Teller& t) {
 RowStory lockStory(Id id, const Teller& t) {
   const RectifySettings& rectify = t.settings().rectify;
   const bool isLock = id == Id::lock || id == Id::lockLife;
-  if (!isOn(isLock ? rectify.locks : rectify.instability)) return {say<"not asked for">(), "", ""};
+  if (!isOn(isLock ? rectify.locks : rectify.instability)) return {say<"off">(), "", ""};
   if (id == Id::instability) return instabilityStory(t);
   if (id == Id::lockLife) return {lifeWords(t), t.equals(lifeText(t), id), ""};
   return {t.value(id) > 0 ? say<"a thin feature keeps its history">() : say<"no lock holds history">(),

@@ -148,7 +148,7 @@ RowStory shownStory(const Teller& t) {
 }
 
 RowStory detailStory(const Teller& t) {
-  if (t.settings().output.sharpen == Sharpen::None) return {say<"not asked for">(), "", ""};
+  if (t.settings().output.sharpen == Sharpen::None) return {say<"off">(), "", ""};
   const float sharp = twin::luma(t.details().shown.sharp);
   const float before = twin::luma(t.details().resolvedAround[4]);
   const float detail = t.value(Id::sharpenDetail);
@@ -159,7 +159,7 @@ RowStory detailStory(const Teller& t) {
 }
 
 RowStory trustStory(const Teller& t) {
-  if (!isOn(t.settings().output.motionBlur)) return {say<"not asked for">(), "", ""};
+  if (!isOn(t.settings().output.motionBlur)) return {say<"off">(), "", ""};
   if (t.value(Id::speed) >= kNoPreviousPosition) return {say<"the motion is not known">(), "", ""};
   return {t.value(Id::blurTrust) < 1.0f ? say<"fast surfaces are blurred along their motion">()
                                         : say<"not blurred: it is no faster than 2 px a frame">(),

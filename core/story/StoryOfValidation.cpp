@@ -47,7 +47,7 @@ RowStory allowedStory(const Teller& t) {
 }
 
 RowStory geometricFlickerStory(const Teller& t) {
-  if (!findsFlicker(t.settings())) return {say<"not asked for">(), "", ""};
+  if (!findsFlicker(t.settings())) return {say<"off">(), "", ""};
   if (t.value(Id::geometricFlicker) > 0.0f)
     return {say<"nothing parts by more than %1 px, and what is nearer is thin: single frames miss it">(
                 t.number(t.settings().validate.restLimit)),
@@ -111,7 +111,7 @@ RowStory reasonStory(const Teller& t) {
 }
 
 RowStory normalStory(const Teller& t) {
-  if (!isOn(t.settings().validate.normal)) return {say<"not asked for">(), "", ""};
+  if (!isOn(t.settings().validate.normal)) return {say<"off">(), "", ""};
   if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
   const glm::vec3 now = t.details().geometry.normal, then = t.details().match.normal;
   if (now == then && now == glm::vec3(0.0f)) return {say<"the sky, as before">(), "", ""};
@@ -126,8 +126,7 @@ RowStory normalStory(const Teller& t) {
 
 RowStory velocityStory(const Teller& t) {
   const VelocityTest test = t.settings().validate.velocity;
-  if (test == VelocityTest::None && !isOn(t.settings().weight.velocityChange))
-    return {say<"not asked for">(), "", ""};
+  if (test == VelocityTest::None && !isOn(t.settings().weight.velocityChange)) return {say<"off">(), "", ""};
   if (t.details().isFirst) return {say<"there is no history to compare with">(), "", ""};
   const glm::vec2 now = t.details().geometry.motion, then = t.details().match.motion;
   if (now.x >= kNoPreviousPosition || then.x >= kNoPreviousPosition)
@@ -165,7 +164,9 @@ RowStory validateStory(Id id, const Teller& t) {
     return geometricFlickerStory(t);
   case Id::historyObjectId:
     if (t.details().isFirst) return {say<"there is no history yet">(), "", ""};
-    return {t.value(id) == 0.0f                    ? say<"the sky, or not kept">()
+    if (!isOn(t.settings().validate.object) && !isOn(t.settings().validate.objectClass))
+      return {say<"not kept: no test compares objects">(), "", ""};
+    return {t.value(id) == 0.0f                    ? say<"the sky, or not kept yet">()
             : t.value(id) == t.value(Id::objectId) ? say<"the same object">()
                                                    : say<"another object than now">(),
             "", ""};

@@ -68,106 +68,28 @@ RowStory floorStory(const Teller& t) {
           t.equals(call("min", {t.number(Id::alphaBase), minimum}), Id::alphaFloor), ""};
 }
 
-RowStory lumaFlickerStory(const Teller& t) {
-  const WeightSettings& weight = t.settings().weight;
-  const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(weight.lumaFlicker)) return {say<"not asked for">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  const bool isCompressed = weight.flickerScale == FlickerScale::Compressed;
-  const std::string now =
-      t.number(static_cast<double>(isCompressed ? weighed.compressedCurrent : weighed.lumaCurrent));
-  const std::string then =
-      t.number(static_cast<double>(isCompressed ? weighed.compressedHistory : weighed.lumaHistory));
-  const std::string most =
-      isCompressed ? call("max", {now, then, "1.001"}) : "(0.001 + " + call("max", {now, then}) + ")";
-  return {t.value(Id::alphaLumaFlicker) < 1.0f ? say<"less where luma differs from history">()
-                                               : say<"luma is that of history">(),
-          t.equals("(1 − |" + now + " − " + then + "| / " + most + ")^2", Id::alphaLumaFlicker), ""};
-}
-
-RowStory clampStory(const Teller& t) {
-  const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(t.settings().weight.nearClamp)) return {say<"not asked for">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
-  const float past = weighed.boxHistoryRaw;
-  const float wall = std::fmin(std::fabs(past - weighed.boxLow), std::fabs(past - weighed.boxHigh));
-  if (!(wall + width > 0.0f)) return {say<"the box has no width">(), "", ""};
-  const std::string far = t.number(static_cast<double>(wall));
-  return {
-      t.value(Id::alphaNearClamp) < 1.0f ? say<"less where history is near a wall of the box">()
-                                         : say<"history is far from the walls of the box">(),
-      t.equals(far + " / (" + far + " + " + t.number(static_cast<double>(width)) + ")", Id::alphaNearClamp),
-      ""};
-}
-
-RowStory contrastStory(const Teller& t) {
-  const twin::WeightInputs& weighed = t.details().weighed;
-  if (!isOn(t.settings().weight.historyContrast)) return {say<"not asked for">(), "", ""};
-  if (!weighed.hasHistory) return {say<"there is no history yet">(), "", ""};
-  if (!(weighed.boxHistory > 0.0f)) return {say<"history is black">(), "", ""};
-  const float width = weighed.boxHigh - weighed.boxLow > 0.0f ? weighed.boxHigh - weighed.boxLow : 0.0f;
-  return {t.value(Id::alphaHistoryContrast) < 1.0f ? say<"less where the box is large against history">()
-                                                   : say<"the box has no width">(),
-          t.equals("1 / (1 + " + t.number(static_cast<double>(width)) + " / " +
-                       t.number(static_cast<double>(weighed.boxHistory)) + ")",
-                   Id::alphaHistoryContrast),
-          ""};
-}
-
-RowStory sampleDistanceStory(const Teller& t) {
-  const glm::vec2 jitter = t.details().weighed.jitterPx;
-  const std::string squared = "(" + t.number(static_cast<double>(jitter.x)) + ")^2 + (" +
-                              t.number(static_cast<double>(jitter.y)) + ")^2";
-  switch (t.settings().weight.sampleDistance) {
-  case SampleDistance::None:
-    return {say<"not asked for">(), "", ""};
-  case SampleDistance::Gaussian:
-    return {t.value(Id::alphaSampleDistance) < 1.0f ? say<"less the farther the sample is from the center">()
-                                                    : say<"the sample lies at the center">(),
-            t.equals("exp(−(" + squared + ") / 0.44)", Id::alphaSampleDistance), ""};
-  case SampleDistance::GaussianMoving: {
-    const std::string moving = "smooth(" + t.number(Id::speed) + ")";
-    return {t.value(Id::alphaSampleDistance) < 1.0f
-                ? say<"it moves: less the farther the sample is from the center">()
-                : say<"all samples count alike where nothing moves">(),
-            t.equals("1 + " + moving + " × (exp(−(" + squared + ") / 0.44) − 1)", Id::alphaSampleDistance),
-            ""};
-  }
-  case SampleDistance::Parabola:
-    return {t.value(Id::alphaSampleDistance) < 1.0f
-                ? say<"less the farther the sample is from the center, unless it moves">()
-                : say<"the sample lies at the center, or it moves">(),
-            t.equals(call("max", {"smooth(" + t.number(Id::speed) + ")",
-                                  call("max", {"1 − (" + squared + ")", "0"})}),
-                     Id::alphaSampleDistance),
-            ""};
-  }
-  return {};
-}
-
 /// α before motion is added.
-float calmed(const Teller& t) {
+float dampedAlpha(const Teller& t) {
   float alpha = t.value(Id::alphaBase);
-  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
-                        Id::alphaSampleDistance})
-    alpha *= t.value(calm);
+  for (const Id damping : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                           Id::alphaSampleDistance})
+    alpha *= t.value(damping);
   return std::fmin(std::fmax(alpha, t.value(Id::alphaFloor)), 1.0f) * t.value(Id::alphaFlicker);
 }
 
-/// Base, calmed, no less than the floor.
-std::string calmText(const Teller& t, bool withBase) {
+/// Base, damped, no less than the floor.
+std::string dampedText(const Teller& t, bool withBase) {
   std::string text = withBase ? baseText(t) : t.number(Id::alphaBase);
   bool isProduct = false;
-  for (const Id calm : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
-                        Id::alphaSampleDistance}) {
-    if (t.value(calm) == 1.0f) continue;
-    text = (isProduct ? text : "(" + text + ")") + " × " + t.number(calm);
+  for (const Id damping : {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
+                           Id::alphaSampleDistance}) {
+    if (t.value(damping) == 1.0f) continue;
+    text = (isProduct ? text : "(" + text + ")") + " × " + t.number(damping);
     isProduct = true;
   }
   const float flicker = t.value(Id::alphaFlicker);
   const bool isFloored = t.settings().weight.source == AlphaSource::HistoryLength ||
-                         calmed(t) <= t.value(Id::alphaFloor) * flicker;
+                         dampedAlpha(t) <= t.value(Id::alphaFloor) * flicker;
   if (isFloored) text = call("max", {text, t.number(Id::alphaFloor)});
   if (flicker == 1.0f) return text;
   return (isFloored || isProduct ? text : "(" + text + ")") + " × " + t.number(Id::alphaFlicker);
@@ -181,7 +103,7 @@ RowStory motionStory(const Teller& t) {
       t.value(Id::speed) > 0 ? say<"motion of %1 px">(t.number(Id::speed)) : say<"nothing moves">();
   switch (weight.motion) {
   case MotionAlpha::None:
-    return {say<"not asked for">(), "", ""};
+    return {say<"off">(), "", ""};
   case MotionAlpha::Linear:
   case MotionAlpha::Added:
     return {words, t.equals(x, Id::alphaMotion), ""};
@@ -196,7 +118,7 @@ RowStory motionStory(const Teller& t) {
             ""};
   }
   case MotionAlpha::Doubled: {
-    const std::string alpha = t.number(static_cast<double>(calmed(t)));
+    const std::string alpha = t.number(static_cast<double>(dampedAlpha(t)));
     return {t.value(Id::speed) > 0 ? say<"motion of %1 px doubles α at most">(t.number(Id::speed))
                                    : say<"nothing moves">(),
             t.equals(x + " × (" + call("min", {"2 × " + alpha, "1"}) + " − " + alpha + ")", Id::alphaMotion),
@@ -206,9 +128,9 @@ RowStory motionStory(const Teller& t) {
   return {};
 }
 
-std::string joinedText(const Teller& t, bool withBase) {
+std::string screenedText(const Teller& t, bool withBase) {
   const WeightSettings& weight = t.settings().weight;
-  std::string text = calmText(t, withBase);
+  std::string text = dampedText(t, withBase);
   const auto join = [&](Id term) {
     if (t.value(term) > 0.0f) text = "1 − (1 − (" + text + ")) × (1 − " + t.number(term) + ")";
   };
@@ -240,20 +162,20 @@ double frames(const Teller& t) {
 }
 
 RowStory frameRateStory(const Teller& t) {
-  const std::string joined = joinedText(t, false);
+  const std::string screened = screenedText(t, false);
   if (!isOn(t.settings().weight.frameRate) || frames(t) == 1.0)
     return {isOn(t.settings().weight.frameRate) ? say<"as long as the frame it is meant for">()
-                                                : say<"not asked for: whatever time the frame takes">(),
-            t.equals(joined, Id::alphaFrameRate), ""};
+                                                : say<"off: whatever time the frame takes">(),
+            t.equals(screened, Id::alphaFrameRate), ""};
   return {say<"for a frame that counts as %1">(t.number(frames(t))),
-          t.equals("1 − (1 − (" + joined + "))^" + t.number(frames(t)), Id::alphaFrameRate), ""};
+          t.equals("1 − (1 − (" + screened + "))^" + t.number(frames(t)), Id::alphaFrameRate), ""};
 }
 
 RowStory maskStory(const Teller& t) {
   const WeightSettings& weight = t.settings().weight;
   switch (weight.mask) {
   case MaskAlpha::Off:
-    return {say<"not asked for">(), "", ""};
+    return {say<"off">(), "", ""};
   case MaskAlpha::Responsive:
     return {t.value(Id::alphaMask) > 0 ? say<"the mask asks for that much">() : say<"not masked">(),
             t.equals(t.number(static_cast<double>(weight.maskAlpha)) + " × " +
@@ -270,7 +192,7 @@ RowStory maskStory(const Teller& t) {
 }
 
 RowStory divergenceStory(const Teller& t) {
-  if (!isOn(t.settings().weight.divergence)) return {say<"not asked for">(), "", ""};
+  if (!isOn(t.settings().weight.divergence)) return {say<"off">(), "", ""};
   if (t.value(Id::alphaDivergence) == 0.0f)
     return {say<"neighbors move along, or the pixel rests">(), "", ""};
   const twin::Divergence& d = t.details().divergence;
@@ -303,7 +225,7 @@ RowStory invalidStory(const Teller& t) {
 
 std::string alphaText(const Teller& t, bool withBase) {
   const bool isScaled = isOn(t.settings().weight.frameRate) && frames(t) != 1.0;
-  std::string text = isScaled ? t.number(Id::alphaFrameRate) : joinedText(t, withBase);
+  std::string text = isScaled ? t.number(Id::alphaFrameRate) : screenedText(t, withBase);
   if (isUpsampled(t.settings())) text = t.number(Id::sampleConfidence) + " × (" + text + ")";
   const bool isMasked = t.value(Id::alphaMask) > 0, isInvalid = t.value(Id::alphaInvalid) > 0;
   if (t.details().weighed.decays && isInvalid) {
@@ -330,7 +252,7 @@ RowStory channelAlphasStory(const Teller& t) {
   const ProbedPixel red{record, t.details(), t.settings(), t.probed.info, t.probed.pixel};
   const Teller teller{red, t.digits};
   if (weight.motion == MotionAlpha::Doubled) {
-    const float alpha = calmed(teller);
+    const float alpha = dampedAlpha(teller);
     const float speed = twin::speedIn(weight.motionSpeedIn, t.value(Id::speed), t.details().weighed.motion,
                                       t.details().picturePx);
     set(Id::alphaMotion,
@@ -357,7 +279,7 @@ RowStory alphaStory(const Teller& t) {
         say<"%1; %2 of that, for single frames may miss a thin feature">(words, t.number(Id::alphaFlicker));
   const float mask = t.value(Id::alphaMask), alpha = t.value(Id::alpha);
   const bool isComposed = alpha > std::fmax(mask, invalid); // else it is not motion that it comes from
-  if (isComposed && t.value(Id::alphaMotion) > 0 && calmed(t) < 1.0f)
+  if (isComposed && t.value(Id::alphaMotion) > 0 && dampedAlpha(t) < 1.0f)
     words = say<"%1; raised by motion of %2 px">(words, t.number(Id::speed));
   if (mask > 0 && mask == alpha && mask > t.value(Id::alphaFrameRate) * t.value(Id::sampleConfidence))
     words = say<"%1; raised where the mask asks for it">(words);
@@ -366,14 +288,8 @@ RowStory alphaStory(const Teller& t) {
   return {words, t.equals(alphaText(t, true), Id::alpha), ""};
 }
 
-RowStory relaxStory(const Teller& t) {
-  if (!isOn(t.settings().neighborhood.maskRelax)) return {say<"not asked for">(), "", ""};
-  return {t.value(Id::alphaRelax) < 1.0f ? say<"less where the mask relaxes the box">() : say<"not masked">(),
-          t.equals("1 / (1 + 0.5 × " + t.number(t.details().weighed.relax) + ")", Id::alphaRelax), ""};
-}
-
 RowStory changeStory(const Teller& t) {
-  if (!isOn(t.settings().weight.velocityChange)) return {say<"not asked for">(), "", ""};
+  if (!isOn(t.settings().weight.velocityChange)) return {say<"off">(), "", ""};
   return {say<"its motion changed by %1 px">(t.number(Id::velocityChange)),
           t.equals("clamp(" + t.number(Id::velocityChange) + " / " +
                        t.number(static_cast<double>(t.settings().weight.velocityChangeSpeed)) + ", 0, 1)",
@@ -390,20 +306,12 @@ RowStory weightStory(Id id, const Teller& t) {
   case Id::alphaFloor:
     return floorStory(t);
   case Id::alphaLumaFlicker:
-    return lumaFlickerStory(t);
   case Id::alphaNearClamp:
-    return clampStory(t);
   case Id::alphaHistoryContrast:
-    return contrastStory(t);
   case Id::alphaRelax:
-    return relaxStory(t);
   case Id::alphaSampleDistance:
-    return sampleDistanceStory(t);
   case Id::alphaFlicker:
-    return {t.value(Id::geometricFlicker) > 0 ? say<"a single frame may miss a thin feature">()
-                                              : say<"no geometric flicker">(),
-            t.value(Id::geometricFlicker) > 0 ? t.equals(t.number(t.settings().weight.flickerShare), id) : "",
-            ""};
+    return dampingStory(id, t);
   case Id::alphaMotion:
     return motionStory(t);
   case Id::alphaVelocityChange:

@@ -83,6 +83,7 @@ RowStory rectifyStory(Id id, const Teller& teller);
 RowStory lockStory(Id id, const Teller& teller); ///< what of rectification is taken back
 RowStory validateStory(Id id, const Teller& teller);
 RowStory weightStory(Id id, const Teller& teller);
+RowStory dampingStory(Id id, const Teller& teller); ///< of the weight's rows those that are factors of it
 RowStory blendStory(Id id, const Teller& teller);
 RowStory outputStory(Id id, const Teller& teller);  ///< output and reference
 RowStory flickerStory(Id id, const Teller& teller); ///< the rows that flicker is measured with

@@ -276,10 +276,10 @@ TEST_F(ProbeStoryTest, AlphaIsToldAsTheSettingsMakeIt) {
   twin::Details details;
   Settings settings;
   const auto set = [&](IntermediateId id, float value) { twin::at(record, id).x = value; };
-  for (const IntermediateId calm : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
-                                    IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
-                                    IntermediateId::alphaSampleDistance, IntermediateId::alphaFlicker})
-    set(calm, 1.0f);
+  for (const IntermediateId damping : {IntermediateId::alphaLumaFlicker, IntermediateId::alphaNearClamp,
+                                       IntermediateId::alphaHistoryContrast, IntermediateId::alphaRelax,
+                                       IntermediateId::alphaSampleDistance, IntermediateId::alphaFlicker})
+    set(damping, 1.0f);
   set(IntermediateId::historyKeptLength, 7.0f);
   set(IntermediateId::alphaBase, 0.125f);
   set(IntermediateId::alphaFloor, 0.1f);

@@ -151,7 +151,7 @@ TEST_F(HoldTest, ALockDoesNotLeaveThePicture) {
 
 namespace {
 
-Settings calming() {
+Settings withInstability() {
   Settings settings = locking();
   settings.rectify.locks = Switch::Off;
   settings.rectify.instability = Switch::On;
@@ -176,9 +176,9 @@ TEST_F(HoldTest, LumaThatComesAndGoesIsUnstable) {
     taa::twin::Inputs frame = lines(wanted.scales[0], 0.0f);
     for (std::size_t n = 0; n < wanted.scales.size(); ++n) {
       show(frame, lines(0.2f * wanted.scales[n], 0.6f * wanted.scales[n]));
-      if (n + 1 < wanted.scales.size()) advance(frame, shape(), calming());
+      if (n + 1 < wanted.scales.size()) advance(frame, shape(), withInstability());
     }
-    const Exposed seen = expose(frame, shape(), calming());
+    const Exposed seen = expose(frame, shape(), withInstability());
     EXPECT_EQ(valueOf(seen, IntermediateId::instability, kLine), wanted.instability) << wanted.why;
     EXPECT_EQ(valueOf(seen, IntermediateId::instability, 1), 0.0f) << "no contrast there, " << wanted.why;
   }
@@ -188,12 +188,12 @@ TEST_F(HoldTest, UnstableLumaKeepsItsHistory) {
   taa::twin::Inputs frame = lines(0.2f, 0.6f);
   for (const float scale : {1.0f, 1.5f, 1.0f, 1.5f, 1.0f}) {
     show(frame, lines(0.2f * scale, 0.6f * scale));
-    advance(frame, shape(), calming());
+    advance(frame, shape(), withInstability());
   }
   for (float& value : frame.historyColor.pixels) value = 5.0f;
   show(frame, lines(0.3f, 0.9f));
-  EXPECT_EQ(exposed(frame, calming(), IntermediateId::historyRectified), 5.0f);
-  Settings without = calming();
+  EXPECT_EQ(exposed(frame, withInstability(), IntermediateId::historyRectified), 5.0f);
+  Settings without = withInstability();
   without.rectify.instability = Switch::Off;
   EXPECT_EQ(exposed(frame, without, IntermediateId::historyRectified), 0.9f);
 }

@@ -72,6 +72,11 @@ inline constexpr Phrase kPhrases[] = {
      [](const ProbedPixel& p) {
        return p.settings.validate.offScreen == OffScreen::Keep && !isOn(p.settings.validate.depth);
      }},
+    {"no test compares objects",
+     [](const ProbedPixel& p) {
+       return !isOn(p.settings.validate.object) && !isOn(p.settings.validate.objectClass) &&
+              valueOf(p, Id::historyObjectId) == 0;
+     }},
     {"at random", [](const ProbedPixel& p) { return isOn(p.settings.history.dither); }},
     {"half float", [](const ProbedPixel& p) { return p.settings.history.precision == Precision::Half; }},
     {"rounded to the 8 bits",

@@ -154,11 +154,11 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
       "N after rectification: less than before only where that forgets.")                                    \
   ROW(alphaBase, "α base", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "α of the chosen source.")                \
   ROW(alphaFloor, "α floor", BlendWeight, 1, "", 0, 1, Scalar, 1e-3, "The least α may be.")                  \
-  ROW(alphaLumaFlicker, "α calm luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                               \
+  ROW(alphaLumaFlicker, "α damping luma", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                            \
       "Factor on α where luma differs from history; 1 when off.")                                            \
-  ROW(alphaNearClamp, "α calm near clamp", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                           \
+  ROW(alphaNearClamp, "α damping clamp", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                             \
       "Factor on α by the distance of history to the box's walls; 1 when off.")                              \
-  ROW(alphaHistoryContrast, "α calm contrast", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                       \
+  ROW(alphaHistoryContrast, "α damping contrast", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                    \
       "Factor on α by the size of the box; 1 when off.")                                                     \
   ROW(alphaRelax, "α relax", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                         \
       "Factor on α where the mask is set; 1 when off.")                                                      \
@@ -178,7 +178,7 @@ inline constexpr MadeOf kOfParts{.isReference = true, .overTime = OverTime::Part
   ROW(alphaInvalid, "α invalid", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                     \
       "Least α where history was rejected: 1 where it is dropped, 0 where it was kept.")                     \
   ROW(alpha, "α", BlendWeight, 1, "", 0, 1, Scalar, 1e-3,                                                    \
-      "Weight of the current frame: base times the calming factors, at least the floor, what motion adds "   \
+      "Weight of the current frame: base times the damping factors, at least the floor, what motion adds "   \
       "joined, for the frame's time, times κ, at least α mask and α invalid.")                               \
   ROW(alphaChannels, "α of channels", BlendWeight, 3, "", 0, 1, Color, 1e-3,                                 \
       "Weight of the current frame in red, green and blue: α in each, unless its source has three.")         \

@@ -21,10 +21,10 @@ struct Pixel {
   Settings settings;
 
   Pixel() {
-    for (const Id calm :
+    for (const Id damping :
          {Id::alphaLumaFlicker, Id::alphaNearClamp, Id::alphaHistoryContrast, Id::alphaRelax,
           Id::alphaSampleDistance, Id::alphaFlicker, Id::onScreen, Id::sampleConfidence, Id::blurTrust})
-      set(calm, 1.0f);
+      set(damping, 1.0f);
     set(Id::depthExpected, 8.0f);
     set(Id::historyDepth, 8.0f);
     set(Id::depthAllowed, 0.03f);

@@ -56,12 +56,12 @@ TEST(SampleWeights, OfACalmPixelAreWhatTheSettingsSay) {
   settings.weight.source = AlphaSource::Constant;
   settings.weight.alpha = 0.125f;
   settings.weight.minimum = 0.0f;
-  EXPECT_EQ(calmAlphas(settings, 4), (std::vector{1.0, 0.125, 0.125, 0.125}));
+  EXPECT_EQ(alphasAtRest(settings, 4), (std::vector{1.0, 0.125, 0.125, 0.125}));
   settings.weight.source = AlphaSource::HistoryLength;
   settings.blend.length = LengthRule::Count;
-  EXPECT_EQ(calmAlphas(settings, 4), (std::vector<double>{1.0, 0.5, 1.0f / 3.0f, 0.25}));
+  EXPECT_EQ(alphasAtRest(settings, 4), (std::vector<double>{1.0, 0.5, 1.0f / 3.0f, 0.25}));
   settings.weight.minimum = 0.5f;
-  EXPECT_EQ(calmAlphas(settings, 4), (std::vector{1.0, 0.5, 0.5, 0.5}));
+  EXPECT_EQ(alphasAtRest(settings, 4), (std::vector{1.0, 0.5, 0.5, 0.5}));
 }
 
 TEST(JitterPattern, PutsSamplesWhereTheyLieAndSumsTheirWeights) {

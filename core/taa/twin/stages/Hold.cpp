@@ -96,8 +96,8 @@ LockState holdHistory(const Inputs& inputs, const Settings& settings, const Repr
                       const glm::ivec2& pixel, const glm::ivec2& drawn) {
   LockState lockState;
   const bool locks = settings.rectify.locks == Switch::On;
-  const bool calms = settings.rectify.instability == Switch::On;
-  if (!locks && !calms) return lockState;
+  const bool findsInstability = settings.rectify.instability == Switch::On;
+  if (!locks && !findsInstability) return lockState;
   const Lumas lumas = lumasOf(inputs, drawn);
   lockState.luma = lumas.mean;
   const glm::ivec2 texel = clampedToPicture(
@@ -109,7 +109,7 @@ LockState holdHistory(const Inputs& inputs, const Settings& settings, const Repr
                has ? glm::vec2(inputs.historyLock.texel(texel.x, texel.y)) : glm::vec2(0.0f),
                center + (center - reprojected.position), lockState);
   }
-  if (calms) {
+  if (findsInstability) {
     glm::vec4 stored(0.0f);
     if (isValid && !inputs.historyLumas.empty())
       for (int k = 0; k < 4; ++k)
