@@ -15,7 +15,7 @@
 
 namespace taa {
 
-struct RenderThread::Parts {
+struct RenderThread::Impl {
   Listener listener;
   ClockNow now;
   WaitingRequests waiting;
@@ -32,7 +32,7 @@ struct RenderThread::Parts {
 };
 
 // Waits until there is something to do; nothing: it ends.
-std::optional<RequestQueue> RenderThread::Parts::take(const Scheduler::Agenda& agenda) {
+std::optional<RequestQueue> RenderThread::Impl::take(const Scheduler::Agenda& agenda) {
   std::unique_lock lock(mutex);
   const auto hasNews = [this] { return ends || !requests.isEmpty(); };
   if (!hasNews() && !agenda.isAwaited) {
@@ -48,7 +48,7 @@ std::optional<RequestQueue> RenderThread::Parts::take(const Scheduler::Agenda& a
   return std::exchange(requests, {});
 }
 
-void RenderThread::Parts::run() {
+void RenderThread::Impl::run() {
   try {
     runScheduler();
   } catch (const std::exception& error) { // no GL
@@ -57,7 +57,7 @@ void RenderThread::Parts::run() {
   }
 }
 
-void RenderThread::Parts::runScheduler() {
+void RenderThread::Impl::runScheduler() {
   Scheduler scheduler(listener, waiting, now);
   scheduler.deliver();
   for (Scheduler::Agenda agenda = scheduler.agenda(); auto taken = take(agenda);
@@ -70,43 +70,43 @@ void RenderThread::Parts::runScheduler() {
   }
 }
 
-RenderThread::RenderThread(Listener listener, ClockNow now) : parts_(std::make_unique<Parts>()) {
-  parts_->listener = std::move(listener);
-  parts_->now = std::move(now);
-  parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
+RenderThread::RenderThread(Listener listener, ClockNow now) : impl_(std::make_unique<Impl>()) {
+  impl_->listener = std::move(listener);
+  impl_->now = std::move(now);
+  impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 
 RenderThread::~RenderThread() {
   {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->ends = true;
-    parts_->waiting.end();
+    const std::lock_guard lock(impl_->mutex);
+    impl_->ends = true;
+    impl_->waiting.end();
   }
-  parts_->posted.notify_one();
-  parts_->thread.join();
+  impl_->posted.notify_one();
+  impl_->thread.join();
 }
 
 RequestId RenderThread::post(Request request) {
   std::visit(
       [&](auto& asked) {
-        if constexpr (requires { asked.at; }) asked.at = parts_->now();
+        if constexpr (requires { asked.at; }) asked.at = impl_->now();
       },
       request);
   RequestId id = 0;
   {
-    const std::lock_guard lock(parts_->mutex);
-    id = ++parts_->last;
-    parts_->waiting.add(request);
-    parts_->requests.post({id, std::move(request)});
+    const std::lock_guard lock(impl_->mutex);
+    id = ++impl_->last;
+    impl_->waiting.add(request);
+    impl_->requests.post({id, std::move(request)});
   }
-  parts_->posted.notify_one();
+  impl_->posted.notify_one();
   return id;
 }
 
 void RenderThread::waitUntilIdle() {
-  std::unique_lock lock(parts_->mutex);
-  const RequestId upTo = parts_->last;
-  parts_->answered.wait(lock, [&] { return parts_->done >= upTo; });
+  std::unique_lock lock(impl_->mutex);
+  const RequestId upTo = impl_->last;
+  impl_->answered.wait(lock, [&] { return impl_->done >= upTo; });
 }
 
 } // namespace taa

@@ -28,8 +28,8 @@ class RenderThread {
   void waitUntilIdle();
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 } // namespace taa

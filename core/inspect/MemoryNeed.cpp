@@ -56,8 +56,8 @@ MemoryNeed memoryNeed(const std::vector<Settings>& lanes, const glm::ivec2& pict
     const std::size_t history = historyBytes(picturePx.x, picturePx.y, settings);
     largestHistory = std::max(largestHistory, history);
     need.histories += kHistoriesOfLane * history;
-    need.exposures += kFramesInUse * exposureBytes(ExposureLayout(watched, rowSources(settings)),
-                                                   {0, 0, picturePx.x, picturePx.y});
+    need.intermediates += kFramesInUse * exposedBytes(ExposedLayout(watched, rowSources(settings)),
+                                                      {0, 0, picturePx.x, picturePx.y});
   }
   for (const IntermediateId id : watched) {
     if (!isOfReference(id)) continue;
@@ -89,15 +89,15 @@ std::string memoryRefusal(const MemoryNeed& need, const glm::ivec2& picturePx, s
   if (need.total() <= available) return "";
   const std::string size = sizeText(picturePx), total = bytesText(need.total()), left = bytesText(available);
   const std::string inputs = bytesText(need.inputs), histories = bytesText(need.histories);
-  const std::string exposures = bytesText(need.exposures);
+  const std::string intermediates = bytesText(need.intermediates);
   if (need.reference > 0)
     return say<
         "cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, "
-        "exposures %5, reference %6) and %7 are free; choose a smaller size, fewer lanes or fewer views">(
-        size, total, inputs, histories, exposures, bytesText(need.reference), left);
+        "intermediates %5, reference %6) and %7 are free; choose a smaller size, fewer lanes or fewer views">(
+        size, total, inputs, histories, intermediates, bytesText(need.reference), left);
   return say<"cannot use a picture of %1 pixels: it takes about %2 of memory (inputs %3, histories %4, "
-             "exposures %5) and %6 are free; choose a smaller size, fewer lanes or fewer views">(
-      size, total, inputs, histories, exposures, left);
+             "intermediates %5) and %6 are free; choose a smaller size, fewer lanes or fewer views">(
+      size, total, inputs, histories, intermediates, left);
 }
 
 std::string referenceRefusal(std::size_t bytes, const glm::ivec2& picturePx, std::size_t available) {

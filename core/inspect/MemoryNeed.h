@@ -15,11 +15,11 @@ namespace taa {
 
 /// Bytes of textures, besides those of the scene, the views and the kept histories.
 struct MemoryNeed {
-  std::size_t inputs = 0;    ///< of the frame on show and of the one that is made, and what drawing keeps
-  std::size_t histories = 0; ///< that a frame is resolved from and into, and those used again
-  std::size_t exposures = 0; ///< of what is watched, for both frames
-  std::size_t reference = 0; ///< where rows of it are watched: drawing it, those rows and their frames
-  std::size_t total() const { return inputs + histories + exposures + reference; }
+  std::size_t inputs = 0;        ///< of the frame on show and of the one that is made, and what drawing keeps
+  std::size_t histories = 0;     ///< that a frame is resolved from and into, and those used again
+  std::size_t intermediates = 0; ///< of what is watched, for both frames
+  std::size_t reference = 0;     ///< where rows of it are watched: drawing it, those rows and their frames
+  std::size_t total() const { return inputs + histories + intermediates + reference; }
 };
 
 /// `hasFog`: whether the scene has some.

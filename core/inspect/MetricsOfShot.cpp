@@ -63,8 +63,8 @@ RowImages exposed(FrameMaker& maker, const ShotState& state, ShownFrame& made,
                   const std::vector<IntermediateId>& ids) {
   RowImages images;
   if (ids.empty()) return images;
-  const Exposure exposure = maker.expose(state, made, ids, 0);
-  for (const IntermediateId id : ids) images.emplace(id, exposure.image(id));
+  const ExposedRows exposedRows = maker.expose(state, made, ids, 0);
+  for (const IntermediateId id : ids) images.emplace(id, exposedRows.image(id));
   return images;
 }
 

@@ -58,7 +58,7 @@ PartialImage RowsBefore::made(const PictureSource& source) {
   if (absence != Absence::None) return absentImage(row, player_.picturePx(), absence);
   FrameMaker& maker = player_.maker();
   const std::vector<IntermediateId> places(std::begin(kPlacesBefore), std::end(kPlacesBefore));
-  const Exposure& now = maker.exposedAll(player_.state(), player_.shown(), places, source.lane);
+  const ExposedRows& now = maker.exposedAll(player_.state(), player_.shown(), places, source.lane);
   const Image positions = now.image(kPlacesBefore[0]), motions = now.image(kPlacesBefore[1]);
   ShownFrame* before = player_.find(source.frame);
   assert(before && before->frame == player_.shown().frame - 1);

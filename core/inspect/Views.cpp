@@ -16,8 +16,8 @@ namespace taa {
 
 namespace {
 
-Layer layerOf(const Exposure& exposure, IntermediateId id) {
-  return {&exposure.texture(id), exposure.layer(id), exposure.firstChannel(id)};
+Layer layerOf(const ExposedRows& exposedRows, IntermediateId id) {
+  return {&exposedRows.texture(id), exposedRows.layer(id), exposedRows.firstChannel(id)};
 }
 
 } // namespace
@@ -45,13 +45,13 @@ std::vector<Image> Views::images(const std::vector<IntermediateId>& ids, int lan
     if (!isOfReference(id) && !(shown.isExposed && shown.watched.holds(id)) &&
         std::ranges::find(missing, id) == missing.end())
       missing.push_back(id);
-  Exposure exposure;
-  if (!missing.empty()) exposure = player_.maker().expose(player_.state(), player_.shown(), missing, lane);
+  ExposedRows exposedRows;
+  if (!missing.empty()) exposedRows = player_.maker().expose(player_.state(), player_.shown(), missing, lane);
   std::vector<Image> images;
   images.reserve(ids.size());
   for (IntermediateId id : ids)
     images.push_back(isOfReference(id) ? image(id, lane)
-                                       : (exposure.holds(id) ? exposure : shown.watched).image(id));
+                                       : (exposedRows.holds(id) ? exposedRows : shown.watched).image(id));
   return images;
 }
 
@@ -59,9 +59,9 @@ Picture Views::picture(IntermediateId id, const ViewStyle& style, const ViewTran
                        int height, int lane) {
   const gl::PassGroup exposing(pass_group::kExposure);
   if (isOfReference(id)) return pictureOfReference(id, style, transform, {width, height}, lane);
-  const Exposure& exposure = player_.exposed(id, lane);
+  const ExposedRows& exposedRows = player_.exposed(id, lane);
   const gl::PassGroup drawing(pass_group::kViews);
-  return visualizer_.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id),
+  return visualizer_.draw(exposedRows.texture(id), exposedRows.layer(id), exposedRows.firstChannel(id),
                           intermediate(id), style, transform, width, height);
 }
 
@@ -109,7 +109,7 @@ Layer Views::separateLayer(const PictureSource& source) {
   return isOfReference(source.id) ? Layer{reference_.texture(source.id, source.lane)} : Layer{};
 }
 
-// Rows of one lane's frame come out of one exposure. What lies over a picture along the motion is of the
+// Rows of one lane's frame are exposed together. What lies over a picture along the motion is of the
 // frame on show, whose pixels it has.
 DrawnLayers Views::layersOf(const PictureSource& source, const std::optional<PictureSource>& minus,
                             const ViewStyle& style) {
@@ -125,11 +125,11 @@ DrawnLayers Views::layersOf(const PictureSource& source, const std::optional<Pic
   if (style.markRejected) ids.push_back(IntermediateId::rejectReason);
   if (style.outlineObjects) ids.push_back(IntermediateId::objectId);
   if (!ids.empty()) {
-    const Exposure& exposure = maker.exposedAll(state, frame, inTableOrder(ids), source.lane);
-    if (!layers.row.texture) layers.row = layerOf(exposure, source.id);
-    if (isSameFrame && !layers.minus.texture) layers.minus = layerOf(exposure, minus->id);
-    if (style.markRejected) layers.rejectReason = layerOf(exposure, IntermediateId::rejectReason);
-    if (style.outlineObjects) layers.objectId = layerOf(exposure, IntermediateId::objectId);
+    const ExposedRows& exposedRows = maker.exposedAll(state, frame, inTableOrder(ids), source.lane);
+    if (!layers.row.texture) layers.row = layerOf(exposedRows, source.id);
+    if (isSameFrame && !layers.minus.texture) layers.minus = layerOf(exposedRows, minus->id);
+    if (style.markRejected) layers.rejectReason = layerOf(exposedRows, IntermediateId::rejectReason);
+    if (style.outlineObjects) layers.objectId = layerOf(exposedRows, IntermediateId::objectId);
   }
   if (minus && !layers.minus.texture)
     layers.minus =
@@ -160,9 +160,9 @@ PartialImage Views::values(const PictureSource& source, const std::optional<Pict
     if (of.alongMotion)
       return partOf(rowsBefore_.values(of), {region.x, region.y}, {region.width, region.height});
     if (isOfReference(of.id)) return {reference_.image(of.id, region, of.lane), {}};
-    const Exposure& exposure =
+    const ExposedRows& exposedRows =
         player_.maker().exposed(player_.state(), *player_.find(of.frame), of.id, of.lane);
-    return {exposure.image(of.id, region), {}};
+    return {exposedRows.image(of.id, region), {}};
   };
   PartialImage own = valuesOf(source);
   return minus ? differenceOf(intermediate(source.id), own, valuesOf(*minus)) : own;

@@ -52,7 +52,7 @@ void setDelays(std::string& gif, int delay) {
 
 } // namespace
 
-struct GifWriter::Parts {
+struct GifWriter::Impl {
   fs::path path, shown;
   OIIO::ImageSpec spec;
   std::unique_ptr<OIIO::ImageOutput> output;
@@ -67,48 +67,48 @@ struct GifWriter::Parts {
 
 GifWriter::GifWriter(const fs::path& path, const fs::path& shown, int width, int height,
                      double framesPerSecond)
-    : parts_(std::make_unique<Parts>()) {
-  parts_->path = path;
-  parts_->shown = shown;
-  parts_->spec = OIIO::ImageSpec(width, height, 4, OIIO::TypeUInt8);
-  parts_->delay = gifDelay(framesPerSecond);
-  parts_->output = OIIO::ImageOutput::create("gif");
-  if (!parts_->output) parts_->fail(say<"OpenImageIO was built without GIF">());
+    : impl_(std::make_unique<Impl>()) {
+  impl_->path = path;
+  impl_->shown = shown;
+  impl_->spec = OIIO::ImageSpec(width, height, 4, OIIO::TypeUInt8);
+  impl_->delay = gifDelay(framesPerSecond);
+  impl_->output = OIIO::ImageOutput::create("gif");
+  if (!impl_->output) impl_->fail(say<"OpenImageIO was built without GIF">());
   // Its own words about a file that cannot be made leave the reason out.
   const std::ofstream probe(path, std::ios::binary);
-  if (!probe) parts_->fail(std::strerror(errno));
+  if (!probe) impl_->fail(std::strerror(errno));
 }
 
 GifWriter::~GifWriter() = default;
 
 void GifWriter::add(std::span<const std::uint8_t> rgba) {
-  assert(rgba.size() == static_cast<std::size_t>(parts_->spec.width) * parts_->spec.height * 4);
-  std::vector<std::uint8_t>& opaque = parts_->opaque;
+  assert(rgba.size() == static_cast<std::size_t>(impl_->spec.width) * impl_->spec.height * 4);
+  std::vector<std::uint8_t>& opaque = impl_->opaque;
   opaque.assign(rgba.begin(), rgba.end());
   for (std::size_t at = 0; at < opaque.size(); at += 4) {
     for (std::size_t channel = 0; channel < 3; ++channel)
       opaque[at + channel] = static_cast<std::uint8_t>(opaque[at + channel] * opaque[at + 3] / 255);
     opaque[at + 3] = 255;
   }
-  const auto mode = parts_->pictures++ == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
-  OIIO::ImageOutput& output = *parts_->output;
-  if (!output.open(parts_->path.string(), parts_->spec, mode) ||
+  const auto mode = impl_->pictures++ == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage;
+  OIIO::ImageOutput& output = *impl_->output;
+  if (!output.open(impl_->path.string(), impl_->spec, mode) ||
       !output.write_image(OIIO::TypeUInt8, opaque.data()))
-    parts_->fail(output.geterror());
+    impl_->fail(output.geterror());
 }
 
 void GifWriter::finish() {
-  if (!parts_->output->close()) parts_->fail(parts_->output->geterror());
-  std::ifstream file(parts_->path, std::ios::binary);
+  if (!impl_->output->close()) impl_->fail(impl_->output->geterror());
+  std::ifstream file(impl_->path, std::ios::binary);
   file.seekg(-1, std::ios::end);
   constexpr char kTrailer = 0x3B;
-  const auto input = OIIO::ImageInput::open(parts_->path.string());
-  if (file.get() != kTrailer || !input || !input->seek_subimage(parts_->pictures - 1, 0))
-    parts_->fail(say<"not all of it could be stored; is the disk full?">());
+  const auto input = OIIO::ImageInput::open(impl_->path.string());
+  if (file.get() != kTrailer || !input || !input->seek_subimage(impl_->pictures - 1, 0))
+    impl_->fail(say<"not all of it could be stored; is the disk full?">());
   file.close();
-  std::string bytes = readFile(parts_->path);
-  setDelays(bytes, parts_->delay);
-  writeFile(parts_->path, bytes);
+  std::string bytes = readFile(impl_->path);
+  setDelays(bytes, impl_->delay);
+  writeFile(impl_->path, bytes);
 }
 
 } // namespace taa

@@ -3,28 +3,28 @@
 
 namespace taa {
 
-const Exposure& Thumbnails::exposed(TaaPass& pass, const ResolvedFrame& frame, const glm::ivec2& texels) {
+const ExposedRows& Thumbnails::exposed(TaaPass& pass, const ResolvedFrame& frame, const glm::ivec2& texels) {
   const gl::Rect whole{0, 0, frame.inputs.outputWidth(), frame.inputs.outputHeight()};
-  if (exposure_.region() != whole || exposure_.texels() != texels) {
+  if (exposedRows_.region() != whole || exposedRows_.texels() != texels) {
     forget();
-    exposure_ = Exposure(allRows(), whole, texels);
+    exposedRows_ = ExposedRows(allRows(), whole, texels);
   }
-  if (shownHistory_.lock() == frame.current) return exposure_;
-  pass.expose(frame.inputs, frame.previous.get(), *frame.current, frame.settings, exposure_);
+  if (shownHistory_.lock() == frame.current) return exposedRows_;
+  pass.expose(frame.inputs, frame.previous.get(), *frame.current, frame.settings, exposedRows_);
   shownHistory_ = frame.current;
-  return exposure_;
+  return exposedRows_;
 }
 
 Picture Thumbnails::draw(TaaPass& pass, Visualizer& visualizer, const ResolvedFrame& frame, IntermediateId id,
                          const glm::ivec2& texels) {
-  const Exposure& exposure = exposed(pass, frame, texels);
+  const ExposedRows& exposedRows = exposed(pass, frame, texels);
   const Intermediate& row = intermediate(id);
-  return visualizer.draw(exposure.texture(id), exposure.layer(id), exposure.firstChannel(id), row,
+  return visualizer.draw(exposedRows.texture(id), exposedRows.layer(id), exposedRows.firstChannel(id), row,
                          defaultStyle(row), {}, texels.x, texels.y);
 }
 
 void Thumbnails::forget() {
-  exposure_ = {};
+  exposedRows_ = {};
   shownHistory_.reset();
 }
 

@@ -13,14 +13,14 @@ namespace taa {
 class Thumbnails {
  public:
   /// The values of `texels` pixels, each in the middle of its share of the picture.
-  const Exposure& exposed(TaaPass& pass, const ResolvedFrame& frame, const glm::ivec2& texels);
+  const ExposedRows& exposed(TaaPass& pass, const ResolvedFrame& frame, const glm::ivec2& texels);
   /// `id` in the style it opens with.
   Picture draw(TaaPass& pass, Visualizer& visualizer, const ResolvedFrame& frame, IntermediateId id,
                const glm::ivec2& texels);
   void forget();
 
  private:
-  Exposure exposure_;
+  ExposedRows exposedRows_;
   std::weak_ptr<const History> shownHistory_; // whose values they are; it may end meanwhile
 };
 

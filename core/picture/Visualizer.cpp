@@ -177,7 +177,7 @@ shared::ViewBlock block(const DrawnLayers& layers, const ViewStyle& style, const
 
 } // namespace
 
-struct Visualizer::Parts {
+struct Visualizer::Impl {
   struct Target {
     gl::Texture texture;
     gl::Framebuffer framebuffer;
@@ -192,13 +192,13 @@ struct Visualizer::Parts {
   Target& target(int width, int height);
 };
 
-const gl::Program& Visualizer::Parts::program(const VisualVariant& variant) {
+const gl::Program& Visualizer::Impl::program(const VisualVariant& variant) {
   const auto found = programs.find(variant);
   return found != programs.end() ? found->second
                                  : programs.emplace(variant, compileVisual(variant)).first->second;
 }
 
-Visualizer::Parts::Target& Visualizer::Parts::target(int width, int height) {
+Visualizer::Impl::Target& Visualizer::Impl::target(int width, int height) {
   const auto fits = [&](const Target& target) {
     return target.texture.width() == width && target.texture.height() == height;
   };
@@ -215,7 +215,7 @@ Visualizer::Parts::Target& Visualizer::Parts::target(int width, int height) {
   return targets.back();
 }
 
-Visualizer::Visualizer() : parts_(std::make_unique<Parts>()) {}
+Visualizer::Visualizer() : impl_(std::make_unique<Impl>()) {}
 Visualizer::~Visualizer() = default;
 Visualizer::Visualizer(Visualizer&&) noexcept = default;
 Visualizer& Visualizer::operator=(Visualizer&&) noexcept = default;
@@ -229,18 +229,18 @@ Picture Visualizer::draw(const DrawnLayers& layers, const Intermediate& row, con
                          const ViewTransform& transform, int width, int height) {
   assert(layers.row.texture);
   assert(width > 0 && height > 0 && transform.zoom > 0.0f);
-  const gl::Program& program = parts_->program(variantOf(layers, row, style, transform));
-  const Parts::Target& target = parts_->target(width, height);
+  const gl::Program& program = impl_->program(variantOf(layers, row, style, transform));
+  const Impl::Target& target = impl_->target(width, height);
   const shared::ViewBlock values = block(layers, style, transform);
-  parts_->blocks.update(0, &values, sizeof(values));
+  impl_->blocks.update(0, &values, sizeof(values));
   {
     gl::RenderPass pass(target.framebuffer, {}, "Visualizer");
     pass.program(program);
-    pass.texture(1, parts_->colorMaps, parts_->sampler);
+    pass.texture(1, impl_->colorMaps, impl_->sampler);
     for (const LayerUnit& unit : kLayerUnits)
       if (const gl::Texture* drawn = (layers.*unit.layer).texture)
-        pass.texture(unit.unit, *drawn, parts_->sampler);
-    pass.uniformBlock(3, parts_->blocks);
+        pass.texture(unit.unit, *drawn, impl_->sampler);
+    pass.uniformBlock(3, impl_->blocks);
     pass.drawFullscreen();
   }
   Picture picture{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 4)};
@@ -250,7 +250,7 @@ Picture Visualizer::draw(const DrawnLayers& layers, const Intermediate& row, con
 
 Visualizer Visualizer::reloaded() const {
   Visualizer fresh;
-  for (const auto& [variant, program] : parts_->programs) fresh.parts_->program(variant);
+  for (const auto& [variant, program] : impl_->programs) fresh.impl_->program(variant);
   return fresh;
 }
 

@@ -109,8 +109,8 @@ class Visualizer {
   Visualizer reloaded() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Color of `value` (0…1) in a map, linear 0…1 RGB; from the same table as the shader's (ColorMap.h).

@@ -19,11 +19,11 @@ std::vector<twin::PixelRecord> probeRegion(TaaPass& pass, const FrameInputs& inp
                                            const History& resolved, const Settings& settings,
                                            const gl::Rect& region) {
   const std::vector<IntermediateId> ids = allRows();
-  Exposure exposure(ids, region);
-  pass.expose(inputs, previous, resolved, settings, exposure);
+  ExposedRows exposedRows(ids, region);
+  pass.expose(inputs, previous, resolved, settings, exposedRows);
   std::vector<twin::PixelRecord> records(static_cast<std::size_t>(region.width) * region.height, noValues());
   for (IntermediateId id : ids) {
-    const Image image = exposure.image(id);
+    const Image image = exposedRows.image(id);
     for (int y = 0; y < region.height; ++y)
       for (int x = 0; x < region.width; ++x)
         twin::at(records[static_cast<std::size_t>(y) * region.width + x], id) = image.texel(x, y);

@@ -84,7 +84,7 @@ std::size_t scratchBytes(const InputSettings& settings, const glm::ivec2& pictur
          (settings.mask == MaskSource::AutoReactive ? color : 0);
 }
 
-struct SceneRenderer::Parts {
+struct SceneRenderer::Impl {
   std::shared_ptr<const Scene> scene;
   SceneResources resources;
   GBufferPass gbuffer;
@@ -95,7 +95,7 @@ struct SceneRenderer::Parts {
   std::unique_ptr<FogPass> fog; ///< where the scene has some
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
 
-  Parts(std::shared_ptr<const Scene> scene_, const Progress& progress)
+  Impl(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene),
         fog(scene->fog.empty() ? nullptr : std::make_unique<FogPass>()) {}
 
@@ -107,7 +107,7 @@ struct SceneRenderer::Parts {
 };
 
 SceneRenderer::SceneRenderer(std::shared_ptr<const Scene> scene, const Progress& progress)
-    : parts_(std::make_unique<Parts>(std::move(scene), progress)) {
+    : impl_(std::make_unique<Impl>(std::move(scene), progress)) {
   gl::checkErrors(say<"uploading the scene">());
 }
 
@@ -115,8 +115,8 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
-                                        const Progress& warmUp) {
+void SceneRenderer::Impl::drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
+                                       const Progress& warmUp) {
   std::vector<gl::Attachment> attachments{
       {&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}};
   const gl::Framebuffer background(attachments, &out.depth, "background");
@@ -129,8 +129,8 @@ void SceneRenderer::Parts::drawSurfaces(const FrameRequest& request, const View&
   sky.draw(frame, background, view.part);
 }
 
-void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const FrameInputs& out,
-                                       const Progress& warmUp) {
+void SceneRenderer::Impl::drawBlended(const InputSettings& settings, const FrameInputs& out,
+                                      const Progress& warmUp) {
   if (out.overlay) {
     gl::Framebuffer layer({{&out.overlay}}, &out.depth, "overlay");
     layer.clearColor(0, glm::vec4(0.0f));
@@ -145,14 +145,14 @@ void SceneRenderer::Parts::drawBlended(const InputSettings& settings, const Fram
   gbuffer.drawBlended(*scene, resources, frame, target, warmUp);
 }
 
-void SceneRenderer::Parts::drawFog(const FrameRequest& request, const View& view, FrameInputs& out) {
+void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view, FrameInputs& out) {
   if (drawsFog(*scene, request.inputs)) return fog->draw(*scene, request, view, frame, out);
   out.fog = gl::Texture();
   if (fog) fog->rest();
 }
 
-void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameInputs& out,
-                                const Progress& warmUp) {
+void SceneRenderer::Impl::draw(const FrameRequest& request, int number, FrameInputs& out,
+                               const Progress& warmUp) {
   const View view = viewAt(*scene, request, number);
   fitInputs(request, out);
   out.info = view.info;
@@ -170,15 +170,15 @@ void SceneRenderer::Parts::draw(const FrameRequest& request, int number, FrameIn
 
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {
   assert(frame >= 0 && request.width > 0 && request.height > 0);
-  parts_->draw(request, frame, out, {});
+  impl_->draw(request, frame, out, {});
 }
 
 FrameInfo SceneRenderer::info(const FrameRequest& request, int frame) const {
-  return frameInfo(*parts_->scene, request, frame);
+  return frameInfo(*impl_->scene, request, frame);
 }
 
 CameraState SceneRenderer::camera(const FrameRequest& request, int frame) const {
-  return cameraOf(*parts_->scene, request, frame);
+  return cameraOf(*impl_->scene, request, frame);
 }
 
 void SceneRenderer::warmUp(const FrameRequest& request, const Progress& progress) {
@@ -190,31 +190,31 @@ void SceneRenderer::warmUp(const FrameRequest& request, const Progress& progress
   const auto told = [&](std::string_view what, int done, int total) {
     return !progress || progress(what, done, total);
   };
-  parts_->draw(small, 0, ignored, told);
+  impl_->draw(small, 0, ignored, told);
   gl::finish();
 }
 
 const DrawCounts& SceneRenderer::counts() const {
-  return parts_->gbuffer.counts();
+  return impl_->gbuffer.counts();
 }
 
 void SceneRenderer::setCulling(bool culls) {
-  parts_->gbuffer.setCulling(culls);
+  impl_->gbuffer.setCulling(culls);
 }
 
 void SceneRenderer::reloadShaders() {
   SkyPass sky;
-  CameraMotionPass cameraMotion = parts_->cameraMotion.reloaded();
-  ReactivePass reactive = parts_->reactive.reloaded();
-  NoisePass noise = parts_->noise.reloaded();
+  CameraMotionPass cameraMotion = impl_->cameraMotion.reloaded();
+  ReactivePass reactive = impl_->reactive.reloaded();
+  NoisePass noise = impl_->noise.reloaded();
   std::optional<FogPass> fog;
-  if (parts_->fog) fog.emplace(parts_->fog->reloaded());
-  parts_->gbuffer.reloadShaders();
-  parts_->sky = std::move(sky);
-  parts_->cameraMotion = std::move(cameraMotion);
-  parts_->reactive = std::move(reactive);
-  parts_->noise = std::move(noise);
-  if (fog) *parts_->fog = std::move(*fog);
+  if (impl_->fog) fog.emplace(impl_->fog->reloaded());
+  impl_->gbuffer.reloadShaders();
+  impl_->sky = std::move(sky);
+  impl_->cameraMotion = std::move(cameraMotion);
+  impl_->reactive = std::move(reactive);
+  impl_->noise = std::move(noise);
+  if (fog) *impl_->fog = std::move(*fog);
 }
 
 } // namespace taa

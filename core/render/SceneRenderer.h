@@ -57,8 +57,8 @@ class SceneRenderer : public FrameSource {
   void setCulling(bool culls);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Number, time, jitter and cut of a frame: all that can be known without drawing.

@@ -45,8 +45,8 @@ class Compiler {
     fitHistory(previous, region.width, region.height, settings);
     for (const auto& rows : {job.request.exposed, std::vector<IntermediateId>()}) {
       if (pass_.isPrepared(settings, rows)) continue;
-      Exposure exposure(ExposureLayout(rows, rowSources(settings)), region);
-      pass_.resolve(inputs, &previous, settings, out, rows.empty() ? nullptr : &exposure);
+      ExposedRows exposedRows(ExposedLayout(rows, rowSources(settings)), region);
+      pass_.resolve(inputs, &previous, settings, out, rows.empty() ? nullptr : &exposedRows);
     }
     gl::finish();
   }
@@ -59,7 +59,7 @@ class Compiler {
 
 } // namespace
 
-struct BackgroundCompiler::Parts {
+struct BackgroundCompiler::Impl {
   std::mutex mutex; // held for a moment only: never while GL works
   std::condition_variable changed;
   std::optional<CompileJob> next;
@@ -69,7 +69,7 @@ struct BackgroundCompiler::Parts {
   void run();
 };
 
-void BackgroundCompiler::Parts::run() {
+void BackgroundCompiler::Impl::run() {
   std::optional<Compiler> compiler;
   std::unique_lock lock(mutex);
   while (true) {
@@ -89,29 +89,29 @@ void BackgroundCompiler::Parts::run() {
   }
 }
 
-BackgroundCompiler::BackgroundCompiler() : parts_(std::make_unique<Parts>()) {}
+BackgroundCompiler::BackgroundCompiler() : impl_(std::make_unique<Impl>()) {}
 
 BackgroundCompiler::~BackgroundCompiler() {
   {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->ends = true;
+    const std::lock_guard lock(impl_->mutex);
+    impl_->ends = true;
   }
-  parts_->changed.notify_all();
-  if (parts_->thread.joinable()) parts_->thread.join();
+  impl_->changed.notify_all();
+  if (impl_->thread.joinable()) impl_->thread.join();
 }
 
 void BackgroundCompiler::want(CompileRequest request) {
   {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->next = CompileJob{std::move(request), shadersInUse()};
+    const std::lock_guard lock(impl_->mutex);
+    impl_->next = CompileJob{std::move(request), shadersInUse()};
   }
-  parts_->changed.notify_all();
-  if (!parts_->thread.joinable()) parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
+  impl_->changed.notify_all();
+  if (!impl_->thread.joinable()) impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 
 bool BackgroundCompiler::waitFor(std::chrono::milliseconds duration) {
-  std::unique_lock lock(parts_->mutex);
-  return parts_->changed.wait_for(lock, duration, [&] { return !parts_->isBusy && !parts_->next; });
+  std::unique_lock lock(impl_->mutex);
+  return impl_->changed.wait_for(lock, duration, [&] { return !impl_->isBusy && !impl_->next; });
 }
 
 } // namespace taa

@@ -38,8 +38,8 @@ class BackgroundCompiler {
   bool waitFor(std::chrono::milliseconds duration);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 } // namespace taa

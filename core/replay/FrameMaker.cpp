@@ -44,10 +44,11 @@ void arrange(const ShotState& state, const std::vector<InputsHandle>& given, Sho
   }
 }
 
-void fitExposure(Exposure& exposure, const ExposureLayout& layout, const gl::Rect& picture) {
-  if (exposure.region() == picture && exposure.layout().hasSamePlaces(layout)) return exposure.take(layout);
-  exposure = Exposure(); // the old textures first: there may not be room for both
-  exposure = Exposure(layout, picture);
+void fitExposed(ExposedRows& exposedRows, const ExposedLayout& layout, const gl::Rect& picture) {
+  if (exposedRows.region() == picture && exposedRows.layout().hasSamePlaces(layout))
+    return exposedRows.take(layout);
+  exposedRows = ExposedRows(); // the old textures first: there may not be room for both
+  exposedRows = ExposedRows(layout, picture);
 }
 
 /// The first frame that has to be resolved again to reach `frame`; the one after it when it is kept.
@@ -174,7 +175,7 @@ const FrameInputs& FrameMaker::inputs(const ShotState& state, ShownFrame& shown,
 }
 
 std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) const {
-  return ExposureLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
+  return ExposedLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
 }
 
 void FrameMaker::make(const ShotState& state, const FrameStep& step, ShownFrame& next) {
@@ -193,7 +194,7 @@ void FrameMaker::make(const ShotState& state, const FrameStep& step, ShownFrame&
     lane.asked.reset();
     lane.isExposed = step.exposes && !exposedRows(state.lanes[index]).empty();
     if (lane.isExposed)
-      fitExposure(lane.watched, ExposureLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
+      fitExposed(lane.watched, ExposedLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
     const std::shared_ptr<History> out = pool_.take();
     pass.resolve(inputs, lane.previous.get(), state.lanes[index], *out,
                  lane.isExposed ? &lane.watched : nullptr);
@@ -238,39 +239,41 @@ ShownFrame FrameMaker::replay(const ShotState& state, std::vector<Checkpoints>& 
 }
 
 // What the history holds is there at once; for all else the inputs are drawn.
-void FrameMaker::fill(const ShotState& state, ShownFrame& shown, std::size_t index, Exposure& exposure) {
+void FrameMaker::fill(const ShotState& state, ShownFrame& shown, std::size_t index,
+                      ExposedRows& exposedRows) {
   const ShownLane& lane = shown.lanes[index];
-  if (!exposure.layout().needsInputs()) return exposure.readFrom(nullptr, *lane.current);
-  pass.expose(inputs(state, shown, index), lane.previous.get(), *lane.current, state.lanes[index], exposure);
+  if (!exposedRows.layout().needsInputs()) return exposedRows.readFrom(nullptr, *lane.current);
+  pass.expose(inputs(state, shown, index), lane.previous.get(), *lane.current, state.lanes[index],
+              exposedRows);
 }
 
-Exposure FrameMaker::expose(const ShotState& state, ShownFrame& shown, const std::vector<IntermediateId>& ids,
-                            int laneIndex) {
+ExposedRows FrameMaker::expose(const ShotState& state, ShownFrame& shown,
+                               const std::vector<IntermediateId>& ids, int laneIndex) {
   const auto index = static_cast<std::size_t>(laneIndex);
-  Exposure exposure(ExposureLayout(ids, rowSources(state.lanes[index])), wholePicture(state));
-  fill(state, shown, index, exposure);
-  return exposure;
+  ExposedRows exposedRows(ExposedLayout(ids, rowSources(state.lanes[index])), wholePicture(state));
+  fill(state, shown, index, exposedRows);
+  return exposedRows;
 }
 
-const Exposure& FrameMaker::exposed(const ShotState& state, ShownFrame& shown, IntermediateId id,
-                                    int laneIndex) {
+const ExposedRows& FrameMaker::exposed(const ShotState& state, ShownFrame& shown, IntermediateId id,
+                                       int laneIndex) {
   return exposedAll(state, shown, {id}, laneIndex);
 }
 
 // What is watched is exposed together.
-const Exposure& FrameMaker::exposedAll(const ShotState& state, ShownFrame& shown,
-                                       const std::vector<IntermediateId>& ids, int laneIndex) {
+const ExposedRows& FrameMaker::exposedAll(const ShotState& state, ShownFrame& shown,
+                                          const std::vector<IntermediateId>& ids, int laneIndex) {
   const auto index = static_cast<std::size_t>(laneIndex);
   ShownLane& lane = shown.lanes[index];
-  const auto hasAll = [&](const Exposure& exposure) {
-    return std::ranges::all_of(ids, [&](IntermediateId id) { return exposure.holds(id); });
+  const auto hasAll = [&](const ExposedRows& exposedRows) {
+    return std::ranges::all_of(ids, [&](IntermediateId id) { return exposedRows.holds(id); });
   };
   if (lane.isExposed && hasAll(lane.watched)) return lane.watched;
   if (lane.asked && hasAll(*lane.asked)) return *lane.asked;
   const auto isWatched = [&](IntermediateId id) { return std::ranges::find(watched, id) != watched.end(); };
   if (!std::ranges::all_of(ids, isWatched)) return lane.asked.emplace(expose(state, shown, ids, laneIndex));
   lane.isExposed = false;
-  fitExposure(lane.watched, ExposureLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
+  fitExposed(lane.watched, ExposedLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
   fill(state, shown, index, lane.watched);
   lane.isExposed = true;
   return lane.watched;

@@ -60,10 +60,10 @@ struct ShownLane {
   InputsHandle inputs;    ///< one for lanes whose inputs are the same
   HistoryHandle previous; ///< what the frame was resolved on; null: no history
   HistoryHandle current;
-  bool exact = true;             ///< false: `previous` is not what these settings would have left
-  bool isExposed = false;        ///< whether `watched` holds this frame
-  Exposure watched;              ///< the whole picture of what is watched
-  std::optional<Exposure> asked; ///< the whole picture of what was asked for besides
+  bool exact = true;                ///< false: `previous` is not what these settings would have left
+  bool isExposed = false;           ///< whether `watched` holds this frame
+  ExposedRows watched;              ///< the whole picture of what is watched
+  std::optional<ExposedRows> asked; ///< the whole picture of what was asked for besides
 };
 
 /// A frame as it is looked at.
@@ -106,19 +106,19 @@ class FrameMaker {
   ShownFrame replay(const ShotState& state, std::vector<Checkpoints>& checkpoints, int frame,
                     std::size_t budget, const Progress& progress);
 
-  /// The exposure of the whole picture that holds `id`, made now when there is none.
-  const Exposure& exposed(const ShotState& state, ShownFrame& shown, IntermediateId id, int lane);
-  /// One exposure of the whole picture that holds all of `ids`, made now when there is none.
-  const Exposure& exposedAll(const ShotState& state, ShownFrame& shown,
-                             const std::vector<IntermediateId>& ids, int lane);
+  /// The rows exposed of the whole picture, `id` among them, made now when there is none.
+  const ExposedRows& exposed(const ShotState& state, ShownFrame& shown, IntermediateId id, int lane);
+  /// Rows exposed together of the whole picture, all of `ids` among them, made now when there is none.
+  const ExposedRows& exposedAll(const ShotState& state, ShownFrame& shown,
+                                const std::vector<IntermediateId>& ids, int lane);
   /// The whole picture of several rows, made now.
-  Exposure expose(const ShotState& state, ShownFrame& shown, const std::vector<IntermediateId>& ids,
-                  int lane);
+  ExposedRows expose(const ShotState& state, ShownFrame& shown, const std::vector<IntermediateId>& ids,
+                     int lane);
   /// The inputs of a lane, drawn now when they are not.
   const FrameInputs& inputs(const ShotState& state, ShownFrame& shown, std::size_t lane);
 
  private:
-  void fill(const ShotState& state, ShownFrame& shown, std::size_t lane, Exposure& exposure);
+  void fill(const ShotState& state, ShownFrame& shown, std::size_t lane, ExposedRows& exposedRows);
   HistoryPool pool_;
   std::optional<ShownFrame> spare_;
 };

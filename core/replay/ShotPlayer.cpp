@@ -61,7 +61,7 @@ ResolvedFrame ShotPlayer::resolved(int lane) {
   return {inputs(lane), shown.previous, shown.current, settings(lane)};
 }
 
-const Exposure& ShotPlayer::exposed(IntermediateId id, int lane) {
+const ExposedRows& ShotPlayer::exposed(IntermediateId id, int lane) {
   return maker_.exposed(state_, shown_, id, lane);
 }
 

@@ -43,7 +43,7 @@ class ShotPlayer {
   bool isExact() const; ///< in all lanes
   const FrameInputs& inputs(int lane);
   ResolvedFrame resolved(int lane);
-  const Exposure& exposed(IntermediateId id, int lane);
+  const ExposedRows& exposed(IntermediateId id, int lane);
   FrameMaker& maker() { return maker_; }
 
   // Going to another; expects that something is open

@@ -30,7 +30,7 @@ class PartSource {
     const gl::Rect picture{0, 0, inspector_.shot().width(), inspector_.shot().height()};
     std::vector<IntermediateId> ids;
     for (std::size_t sum = 0; first_ < parts_.size() && parts_[first_].lane == lane; ++first_) {
-      sum += exposureBytes(ExposureLayout({parts_[first_].id}), picture); // as an image, if not as a texture
+      sum += exposedBytes(ExposedLayout({parts_[first_].id}), picture); // as an image, if not as a texture
       if (!ids.empty() && sum > bytes_) break;
       ids.push_back(parts_[first_].id);
     }

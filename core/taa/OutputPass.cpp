@@ -9,7 +9,7 @@ namespace taa {
 namespace {
 
 const gl::Program& programFor(ProgramCache& programs, const Settings& settings, bool hasOverlay,
-                              bool isSparse, const ExposureLayout& layout) {
+                              bool isSparse, const ExposedLayout& layout) {
   const std::string key =
       std::string(hasOverlay ? "overlay " : "") + (isSparse ? "sparse " : "") + slotsKey(layout.ofOutput());
   return programs.program(outputSettings(settings), key, [&] {
@@ -42,15 +42,15 @@ std::string overlayPrelude(bool hasOverlay) {
 OutputPass::OutputPass() : programs("taa/output.frag", "output") {}
 
 void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
-                      const Exposure& exposure) {
-  const ExposureLayout& layout = exposure.layout();
+                      const ExposedRows& exposedRows) {
+  const ExposedLayout& layout = exposedRows.layout();
   if (layout.ofOutput().empty()) return;
   std::vector<gl::Attachment> targets;
   for (const ExposedSlot& slot : layout.ofOutput())
-    targets.push_back({&exposure.textureOf(slot), slot.layer});
+    targets.push_back({&exposedRows.textureOf(slot), slot.layer});
   const gl::Program& program =
-      programFor(programs, settings, bool(inputs.overlay), exposure.isSparse(), layout);
-  passInputs_.update(inputs, settings, 0, {exposure.region(), exposure.texels()});
+      programFor(programs, settings, bool(inputs.overlay), exposedRows.isSparse(), layout);
+  passInputs_.update(inputs, settings, 0, {exposedRows.region(), exposedRows.texels()});
   const gl::Framebuffer target(targets, nullptr, "output");
   gl::RenderPass pass(target, {}, "OutputPass");
   pass.program(program);
@@ -59,7 +59,7 @@ void OutputPass::fill(const FrameInputs& inputs, const gl::Texture& resolved, co
   pass.drawFullscreen();
 }
 
-void OutputPass::prepare(const Settings& settings, const ExposureLayout& layout) {
+void OutputPass::prepare(const Settings& settings, const ExposedLayout& layout) {
   if (layout.ofOutput().empty()) return;
   const bool hasOverlay = settings.inputs.blended == BlendedAs::After;
   programFor(programs, settings, hasOverlay, false, layout);

@@ -24,13 +24,13 @@ class OutputPass {
  public:
   OutputPass();
 
-  /// Fills the rows of stage Output in `exposure`, whose region lies in the picture `resolved`, which may
+  /// Fills the rows of stage Output in `exposedRows`, whose region lies in the picture `resolved`, which may
   /// have another size than the inputs. Nothing to do when it holds none of them.
   void fill(const FrameInputs& inputs, const gl::Texture& resolved, const Settings& settings,
-            const Exposure& exposure);
+            const ExposedRows& exposedRows);
 
   /// Compiles the program for `settings` now; not when `layout` holds no row of stage Output.
-  void prepare(const Settings& settings, const ExposureLayout& layout);
+  void prepare(const Settings& settings, const ExposedLayout& layout);
 
   ProgramCache programs;
 

@@ -87,8 +87,8 @@ int historyState(const History* previous, const Settings& settings) {
   return state;
 }
 
-// Where a run draws: into the history, if it writes one, and into the exposure's layers.
-std::vector<gl::Attachment> attachments(const Run& run, const History* out, const Exposure* exposure,
+// Where a run draws: into the history, if it writes one, and into the layers of exposed rows.
+std::vector<gl::Attachment> attachments(const Run& run, const History* out, const ExposedRows* exposedRows,
                                         const Settings& settings) {
   std::vector<gl::Attachment> targets;
   if (run.keepsHistory) {
@@ -96,13 +96,13 @@ std::vector<gl::Attachment> attachments(const Run& run, const History* out, cons
     for (const HistoryLayer& layer : historyLayers())
       if (layer.isNeeded(settings)) targets.push_back({&(out->*layer.texture)});
   }
-  for (const ExposedSlot& slot : run.slots) targets.push_back({&exposure->textureOf(slot), slot.layer});
+  for (const ExposedSlot& slot : run.slots) targets.push_back({&exposedRows->textureOf(slot), slot.layer});
   return targets;
 }
 
 } // namespace
 
-struct TaaPass::Parts {
+struct TaaPass::Impl {
   ProgramCache programs{"taa/resolve.frag", "resolve"};
   ProgramCache stageEnds{"taa/resolve.frag", "resolve until"};
   PassInputs passInputs;
@@ -111,11 +111,11 @@ struct TaaPass::Parts {
   void bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
                    const Settings& settings) const;
   void draw(const Run& run, const gl::Framebuffer& target, const FrameInputs& inputs, const History* previous,
-            const Settings& settings, const Exposure* exposure);
+            const Settings& settings, const ExposedRows* exposedRows);
 };
 
-void TaaPass::Parts::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
-                                 const Settings& settings) const {
+void TaaPass::Impl::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs, const History* previous,
+                                const Settings& settings) const {
   // Without history the shader uses nothing of what it reads there, but the reads want a texture of this
   // size.
   pass.texture(6, previous ? previous->color : inputs.color, passInputs.nearest());
@@ -129,8 +129,8 @@ void TaaPass::Parts::bindHistory(gl::RenderPass& pass, const FrameInputs& inputs
   }
 }
 
-void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const FrameInputs& inputs,
-                          const History* previous, const Settings& settings, const Exposure* exposure) {
+void TaaPass::Impl::draw(const Run& run, const gl::Framebuffer& target, const FrameInputs& inputs,
+                         const History* previous, const Settings& settings, const ExposedRows* exposedRows) {
   if (inputs.info.startsHistory) previous = nullptr;
   assert(!previous || previous->color.size() == outputSize(inputs));
   assert(isUpsampled(settings) || outputSize(inputs) == inputs.color.size());
@@ -138,36 +138,37 @@ void TaaPass::Parts::draw(const Run& run, const gl::Framebuffer& target, const F
   const gl::Program& resolve =
       (run.last ? stageEnds : programs).program(relevant, run.key(), [&] { return run.prelude(relevant); });
   passInputs.update(inputs, settings, historyState(previous, settings),
-                    exposure ? TargetPixels{exposure->region(), exposure->texels()} : TargetPixels{});
+                    exposedRows ? TargetPixels{exposedRows->region(), exposedRows->texels()}
+                                : TargetPixels{});
 
   gl::RenderPass pass(target, {.scissor = run.part}, "TaaPass");
   pass.program(resolve);
   passInputs.bind(pass, inputs);
   bindHistory(pass, inputs, previous, settings);
-  if (run.stores) pass.image(0, exposure->textureOf(run.slots.front()));
+  if (run.stores) pass.image(0, exposedRows->textureOf(run.slots.front()));
   pass.drawFullscreen();
   if (run.stores) gl::imageBarrier();
 }
 
-TaaPass::TaaPass() : parts_(std::make_unique<Parts>()) {}
+TaaPass::TaaPass() : impl_(std::make_unique<Impl>()) {}
 TaaPass::~TaaPass() = default;
 TaaPass::TaaPass(TaaPass&&) noexcept = default;
 TaaPass& TaaPass::operator=(TaaPass&&) noexcept = default;
 
 void TaaPass::resolve(const FrameInputs& inputs, const History* previous, const Settings& settings,
-                      History& out, Exposure* exposure) {
+                      History& out, ExposedRows* exposedRows) {
   assert(&out != previous);
   const gl::TextureSize size = outputSize(inputs);
-  assert(!exposure || exposure->region() == (gl::Rect{0, 0, size.width, size.height}));
+  assert(!exposedRows || exposedRows->region() == (gl::Rect{0, 0, size.width, size.height}));
   fitHistory(out, size.width, size.height, settings);
-  const auto slots = exposure ? exposure->layout().ofResolve() : std::span<const ExposedSlot>();
+  const auto slots = exposedRows ? exposedRows->layout().ofResolve() : std::span<const ExposedSlot>();
   for (const Run& run : runsFor(settings, true, slots)) {
-    const gl::Framebuffer target(attachments(run, &out, exposure, settings), nullptr, "resolved");
-    parts_->draw(run, target, inputs, previous, settings, exposure);
+    const gl::Framebuffer target(attachments(run, &out, exposedRows, settings), nullptr, "resolved");
+    impl_->draw(run, target, inputs, previous, settings, exposedRows);
   }
-  if (!exposure) return;
-  parts_->output.fill(inputs, out.color, settings, *exposure);
-  exposure->readFrom(&inputs, out);
+  if (!exposedRows) return;
+  impl_->output.fill(inputs, out.color, settings, *exposedRows);
+  exposedRows->readFrom(&inputs, out);
 }
 
 void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, const Settings& settings,
@@ -176,25 +177,25 @@ void TaaPass::resolvePart(const FrameInputs& inputs, const History* previous, co
   fitHistory(out, outputSize(inputs).width, outputSize(inputs).height, settings);
   const Run run{.keepsHistory = true, .slots = {}, .last = {}, .part = part};
   const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved part");
-  parts_->draw(run, target, inputs, previous, settings, nullptr);
+  impl_->draw(run, target, inputs, previous, settings, nullptr);
 }
 
 void TaaPass::expose(const FrameInputs& inputs, const History* previous, const History& resolved,
-                     const Settings& settings, Exposure& exposure) {
-  const glm::ivec2& texels = exposure.texels();
-  std::vector<Run> runs = runsFor(settings, false, exposure.layout().ofResolve());
+                     const Settings& settings, ExposedRows& exposedRows) {
+  const glm::ivec2& texels = exposedRows.texels();
+  std::vector<Run> runs = runsFor(settings, false, exposedRows.layout().ofResolve());
   if (runs.size() > 1 && texels.x * texels.y <= kFewTexels)
-    runs = {{.stores = true, .slots = exposure.layout().ofResolve(), .last = {}}};
+    runs = {{.stores = true, .slots = exposedRows.layout().ofResolve(), .last = {}}};
   for (Run& run : runs) {
-    run.isSparse = exposure.isSparse();
+    run.isSparse = exposedRows.isSparse();
     const gl::Framebuffer target =
         run.stores
             ? gl::Framebuffer(texels.x, texels.y, "exposed region")
-            : gl::Framebuffer(attachments(run, nullptr, &exposure, settings), nullptr, "exposed region");
-    parts_->draw(run, target, inputs, previous, settings, &exposure);
+            : gl::Framebuffer(attachments(run, nullptr, &exposedRows, settings), nullptr, "exposed region");
+    impl_->draw(run, target, inputs, previous, settings, &exposedRows);
   }
-  parts_->output.fill(inputs, resolved.color, settings, exposure);
-  exposure.readFrom(&inputs, resolved);
+  impl_->output.fill(inputs, resolved.color, settings, exposedRows);
+  exposedRows.readFrom(&inputs, resolved);
 }
 
 void TaaPass::resolveUntil(Stage last, const FrameInputs& inputs, const History* previous,
@@ -204,33 +205,33 @@ void TaaPass::resolveUntil(Stage last, const FrameInputs& inputs, const History*
   fitHistory(out, size.width, size.height, settings);
   const Run run{.keepsHistory = true, .slots = {}, .last = last};
   const gl::Framebuffer target(attachments(run, &out, nullptr, settings), nullptr, "resolved until");
-  parts_->draw(run, target, inputs, previous, settings, nullptr);
+  impl_->draw(run, target, inputs, previous, settings, nullptr);
 }
 
 void TaaPass::forgetStageEnds() {
-  parts_->stageEnds = ProgramCache("taa/resolve.frag", "resolve until");
+  impl_->stageEnds = ProgramCache("taa/resolve.frag", "resolve until");
 }
 
 void TaaPass::prepare(const Settings& settings, const std::vector<IntermediateId>& watched) {
-  const ExposureLayout layout(watched, rowSources(settings));
+  const ExposedLayout layout(watched, rowSources(settings));
   const Settings relevant = relevantSettings(settings);
   for (const Run& run : runsFor(relevant, true, layout.ofResolve()))
-    parts_->programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
-  parts_->output.prepare(settings, layout);
+    impl_->programs.program(relevant, run.key(), [&] { return run.prelude(relevant); });
+  impl_->output.prepare(settings, layout);
 }
 
 bool TaaPass::isPrepared(const Settings& settings, const std::vector<IntermediateId>& watched) const {
-  const ExposureLayout layout(watched, rowSources(settings));
+  const ExposedLayout layout(watched, rowSources(settings));
   const Settings relevant = relevantSettings(settings);
   return std::ranges::all_of(runsFor(relevant, true, layout.ofResolve()),
-                             [&](const Run& run) { return parts_->programs.holds(relevant, run.key()); });
+                             [&](const Run& run) { return impl_->programs.holds(relevant, run.key()); });
 }
 
 void TaaPass::reloadShaders() {
-  ProgramCache programs = parts_->programs.compiledAnew();
-  ProgramCache output = parts_->output.programs.compiledAnew();
-  parts_->programs = std::move(programs); // not reached when one of them does not compile
-  parts_->output.programs = std::move(output);
+  ProgramCache programs = impl_->programs.compiledAnew();
+  ProgramCache output = impl_->output.programs.compiledAnew();
+  impl_->programs = std::move(programs); // not reached when one of them does not compile
+  impl_->output.programs = std::move(output);
 }
 
 } // namespace taa

@@ -7,7 +7,7 @@
 #include "core/render/FrameInputs.h"
 #include "core/settings/Settings.h"
 #include "core/taa/History.h"
-#include "core/taa/rows/ExposureLayout.h"
+#include "core/taa/rows/ExposedLayout.h"
 #include "core/taa/rows/Intermediates.h"
 
 #include <array>
@@ -19,17 +19,17 @@ namespace taa {
 
 /// The watched intermediates of a region: textures of 32-bit floats, and where rows need not be written,
 /// those that hold them anyway.
-class Exposure {
+class ExposedRows {
  public:
-  Exposure() = default;
+  ExposedRows() = default;
   /// All rows are written. `region` in pixels of the picture; `texels`: how many stand for them, each for the
   /// one in its middle, 0: one each. Throws Error when there is not the memory.
-  Exposure(std::vector<IntermediateId> watched, const gl::Rect& region, const glm::ivec2& texels = {});
+  ExposedRows(std::vector<IntermediateId> watched, const gl::Rect& region, const glm::ivec2& texels = {});
   /// Of the whole picture; likewise.
-  Exposure(ExposureLayout layout, const gl::Rect& picture);
+  ExposedRows(ExposedLayout layout, const gl::Rect& picture);
 
   const std::vector<IntermediateId>& watched() const { return layout_.watched(); }
-  const ExposureLayout& layout() const { return layout_; }
+  const ExposedLayout& layout() const { return layout_; }
   const gl::Rect& region() const { return region_; }
   const glm::ivec2& texels() const { return texels_; }
   bool isSparse() const { return texels_ != glm::ivec2(region_.width, region_.height); }
@@ -48,11 +48,11 @@ class Exposure {
   /// `inputs` may be null where the layout needs none.
   void readFrom(const FrameInputs* inputs, const History& resolved);
   /// Takes another layout of the same places, with its constants.
-  void take(const ExposureLayout& layout);
+  void take(const ExposedLayout& layout);
 
  private:
   void fill(const ExposedSlot& slot);
-  ExposureLayout layout_;
+  ExposedLayout layout_;
   gl::Rect region_;
   glm::ivec2 texels_{0};
   gl::Texture one_, two_, four_; ///< arrays by channel count; empty when no row needs them
@@ -60,8 +60,8 @@ class Exposure {
   const History* resolved_ = nullptr;
 };
 
-/// What an Exposure of the same takes, bytes.
-std::size_t exposureBytes(const ExposureLayout& layout, const gl::Rect& region);
+/// What ExposedRows of the same take, bytes.
+std::size_t exposedBytes(const ExposedLayout& layout, const gl::Rect& region);
 
 /// Specialised programs and the draw. Needs the current context for its whole life.
 class TaaPass {
@@ -71,20 +71,20 @@ class TaaPass {
   TaaPass(TaaPass&&) noexcept;
   TaaPass& operator=(TaaPass&&) noexcept;
 
-  /// Resolves the whole frame into `out` (fitted to the picture); `exposure`, when given, covers the whole
+  /// Resolves the whole frame into `out` (fitted to the picture); `exposedRows`, when given, covers the whole
   /// picture and is filled with it. `previous` null: no history. The result is the same bits with and
-  /// without exposure.
+  /// without it.
   void resolve(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
-               Exposure* exposure = nullptr);
+               ExposedRows* exposedRows = nullptr);
 
   /// resolve() of a part of the picture only: the rest of `out` holds anything.
   void resolvePart(const FrameInputs& inputs, const History* previous, const Settings& settings, History& out,
                    const gl::Rect& part);
 
-  /// Runs the resolve on the exposure's region only, and keeps nothing but what it exposes. `resolved`: what
+  /// Runs the resolve on the region of `exposedRows` only, and keeps nothing but those. `resolved`: what
   /// resolve() made of the same, for the rows of stage Output, which look at it around each pixel.
   void expose(const FrameInputs& inputs, const History* previous, const History& resolved,
-              const Settings& settings, Exposure& exposure);
+              const Settings& settings, ExposedRows& exposedRows);
 
   /// As resolve(), but ends after `last` (shaders/taa/resolve.frag) and leaves nothing of use in `out`:
   /// for the profiler. Stage::Jitter only stores; Blend, the last, is resolve() itself. Keeps the programs
@@ -104,8 +104,8 @@ class TaaPass {
   void reloadShaders();
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Factor on α by the distance of the jittered sample to the pixel's center (manual 7.7, 13.6).

@@ -177,11 +177,11 @@ class GlslExportTest : public test::ResolveTest {
       const History history = test::uploadHistory(images, shape);
       const History* previous = seed == 3 ? nullptr : &history;
       History expected, actual;
-      Exposure exposure({IntermediateId::output}, whole(shape));
-      pass().resolve(inputs, previous, settings, expected, &exposure);
+      ExposedRows exposedRows({IntermediateId::output}, whole(shape));
+      pass().resolve(inputs, previous, settings, expected, &exposedRows);
       engine.resolve(inputs, previous, settings, actual);
       expectSameHistory(actual, expected);
-      expectSameColors(engine.show(inputs, settings, actual), exposure.image(IntermediateId::output));
+      expectSameColors(engine.show(inputs, settings, actual), exposedRows.image(IntermediateId::output));
     }
   }
 };

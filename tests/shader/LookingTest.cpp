@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-using taa::Exposure;
+using taa::ExposedRows;
 using taa::History;
 using taa::IntermediateId;
 using taa::test::crop;
@@ -48,8 +48,8 @@ TEST_P(LookingAtVariants, ChangesNothing) {
     const taa::twin::Inputs frame = taa::test::randomFrame(shape, ++seed, true);
     const History bare = resolve(frame, shape, variant.settings);
     for (const auto& watched : {watches(seed)[1], watches(seed)[2]}) {
-      Exposure exposure(watched, whole(shape));
-      expectSame(resolve(frame, shape, variant.settings, &exposure), bare,
+      ExposedRows exposedRows(watched, whole(shape));
+      expectSame(resolve(frame, shape, variant.settings, &exposedRows), bare,
                  std::to_string(watched.size()) + " watched, " + variant.name);
     }
   }
@@ -59,8 +59,8 @@ TEST_P(LookingAtVariants, ChangesNothingInRandomCombinations) {
   for (const Variant& variant : taa::test::partOf(taa::test::randomCombinations(), GetParam())) {
     const FrameShape shape = taa::test::shapeFor(variant.settings);
     const taa::twin::Inputs frame = taa::test::randomFrame(shape, 11, true);
-    Exposure exposure(taa::allRows(), whole(shape));
-    expectSame(resolve(frame, shape, variant.settings, &exposure), resolve(frame, shape, variant.settings),
+    ExposedRows exposedRows(taa::allRows(), whole(shape));
+    expectSame(resolve(frame, shape, variant.settings, &exposedRows), resolve(frame, shape, variant.settings),
                variant.name);
   }
 }
@@ -73,10 +73,10 @@ TEST_F(LookingTest, ShowsTheSameWhetherItIsAloneOrPacked) {
     std::vector<IntermediateId> watched;
     for (std::size_t row = first; row < std::min(first + 6, taa::kResolveRowCount); ++row)
       watched.push_back(static_cast<IntermediateId>(row));
-    Exposure exposure(watched, whole(shape));
-    resolve(frame, shape, {}, &exposure);
+    ExposedRows exposedRows(watched, whole(shape));
+    resolve(frame, shape, {}, &exposedRows);
     for (const IntermediateId id : watched)
-      EXPECT_EQ(difference(exposure.image(id), all.at(id)), "") << taa::intermediate(id).name;
+      EXPECT_EQ(difference(exposedRows.image(id), all.at(id)), "") << taa::intermediate(id).name;
   }
 }
 
@@ -91,12 +91,12 @@ TEST_F(LookingTest, ShowsInARegionWhatTheWholePictureHasThere) {
       {13, 7, 9, 5}, {0, 0, 1, 1}, {96, 60, 1, 1}, {40, 0, 57, 61}, {1, 0, 96, 61}}; // the last by targets
   for (const taa::gl::Rect& region : regions)
     for (const auto& watched : watches(3)) {
-      Exposure exposure(watched, region);
-      pass().expose(inputs, &previous, resolved, {}, exposure);
+      ExposedRows exposedRows(watched, region);
+      pass().expose(inputs, &previous, resolved, {}, exposedRows);
       for (const IntermediateId id : watched)
-        EXPECT_EQ(
-            difference(exposure.image(id), crop(all.at(id), region.x, region.y, region.width, region.height)),
-            "")
+        EXPECT_EQ(difference(exposedRows.image(id),
+                             crop(all.at(id), region.x, region.y, region.width, region.height)),
+                  "")
             << taa::intermediate(id).name << " at " << region.x << ", " << region.y;
     }
 }
@@ -123,19 +123,20 @@ TEST_F(LookingTest, ShowsAsResolvedWhatTheHistoryHolds) {
   }
 }
 
-TEST_F(LookingTest, AnExposureKnowsItsRows) {
-  const Exposure exposure(
+TEST_F(LookingTest, ExposedRowsKnowWhatTheyHold) {
+  const ExposedRows exposedRows(
       {IntermediateId::alpha, IntermediateId::color, IntermediateId::depth, IntermediateId::color},
       {0, 0, 4, 4});
-  EXPECT_EQ(exposure.watched(),
+  EXPECT_EQ(exposedRows.watched(),
             (std::vector{IntermediateId::color, IntermediateId::depth, IntermediateId::alpha}));
-  EXPECT_TRUE(exposure.holds(IntermediateId::depth));
-  EXPECT_FALSE(exposure.holds(IntermediateId::motion));
-  EXPECT_EQ(exposure.layer(IntermediateId::color), 0);
-  EXPECT_EQ(exposure.layer(IntermediateId::depth), 0);
-  EXPECT_EQ(exposure.layer(IntermediateId::alpha), 1);
-  EXPECT_EQ(exposure.firstChannel(IntermediateId::alpha), 0);
-  EXPECT_EQ(difference(exposure.image(IntermediateId::color), taa::Image(4, 4, 3)), "") << "cleared at first";
+  EXPECT_TRUE(exposedRows.holds(IntermediateId::depth));
+  EXPECT_FALSE(exposedRows.holds(IntermediateId::motion));
+  EXPECT_EQ(exposedRows.layer(IntermediateId::color), 0);
+  EXPECT_EQ(exposedRows.layer(IntermediateId::depth), 0);
+  EXPECT_EQ(exposedRows.layer(IntermediateId::alpha), 1);
+  EXPECT_EQ(exposedRows.firstChannel(IntermediateId::alpha), 0);
+  EXPECT_EQ(difference(exposedRows.image(IntermediateId::color), taa::Image(4, 4, 3)), "")
+      << "cleared at first";
 }
 
 TEST_F(LookingTest, ABrokenShaderKeepsTheProgramsThatRun) {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-using taa::Exposure;
+using taa::ExposedRows;
 using taa::History;
 using taa::IntermediateId;
 using taa::Settings;
@@ -89,11 +89,11 @@ TEST_F(OutputTest, NeverGoesIntoHistory) {
   for (int frame = 0; frame < 3; ++frame) {
     advance(plain, shape, {});
     for (std::size_t i = 0; i < others.size(); ++i) {
-      Exposure exposure(kOutputRows, whole(shape));
-      taa::test::downloadHistory(resolve(others[i], shape, outputs()[i], &exposure), others[i]);
+      ExposedRows exposedRows(kOutputRows, whole(shape));
+      taa::test::downloadHistory(resolve(others[i], shape, outputs()[i], &exposedRows), others[i]);
       ASSERT_EQ(difference(others[i].historyColor, plain.historyColor), "") << i << ", frame " << frame;
       ASSERT_EQ(difference(others[i].historySurface, plain.historySurface), "") << i << ", frame " << frame;
-      shown[i] = exposure.image(IntermediateId::output);
+      shown[i] = exposedRows.image(IntermediateId::output);
     }
   }
   for (std::size_t i = 1; i < shown.size(); ++i)
@@ -109,7 +109,7 @@ TEST_F(OutputTest, ShowsInARegionWhatTheWholePictureHasThere) {
     const Exposed all = expose(frame, shape, settings);
     const History resolved = resolve(frame, shape, settings);
     for (const taa::gl::Rect& region : {taa::gl::Rect{0, 0, 1, 1}, {96, 60, 1, 1}, {40, 7, 30, 20}}) {
-      Exposure some(kOutputRows, region);
+      ExposedRows some(kOutputRows, region);
       pass().expose(inputs, &previous, resolved, settings, some);
       for (const IntermediateId id : kOutputRows)
         EXPECT_EQ(
@@ -135,18 +135,19 @@ TEST_F(OutputTest, ABrokenShaderKeepsTheProgramsThatRun) {
   taa::TaaPass own;
   const taa::FrameInputs inputs = taa::test::upload(frame, shape);
   History out;
-  Exposure exposure(kOutputRows, whole(shape));
-  own.resolve(inputs, nullptr, {}, out, &exposure);
-  const taa::Image before = exposure.image(IntermediateId::output);
+  ExposedRows exposedRows(kOutputRows, whole(shape));
+  own.resolve(inputs, nullptr, {}, out, &exposedRows);
+  const taa::Image before = exposedRows.image(IntermediateId::output);
 
   folder.replace("taa/output.glsl", "precise float detail", "no float detail");
   EXPECT_THROW(own.reloadShaders(), taa::Error);
-  own.resolve(inputs, nullptr, {}, out, &exposure);
-  EXPECT_EQ(difference(exposure.image(IntermediateId::output), before), "") << "after a reload that failed";
+  own.resolve(inputs, nullptr, {}, out, &exposedRows);
+  EXPECT_EQ(difference(exposedRows.image(IntermediateId::output), before), "")
+      << "after a reload that failed";
 
   folder.replace("taa/output.glsl", "no float detail", "precise float detail");
   folder.replace("taa/output.glsl", "expose_output(color)", "expose_output(vec3(2.0))");
   own.reloadShaders();
-  own.resolve(inputs, nullptr, {}, out, &exposure);
-  EXPECT_EQ(exposure.image(IntermediateId::output).pixels[0], 2.0f) << "the new shader runs";
+  own.resolve(inputs, nullptr, {}, out, &exposedRows);
+  EXPECT_EQ(exposedRows.image(IntermediateId::output).pixels[0], 2.0f) << "the new shader runs";
 }

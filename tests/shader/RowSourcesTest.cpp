@@ -32,9 +32,9 @@ class RowSourcesTest : public test::ResolveTest {
     const twin::Inputs images = test::randomFrame(shape, seed, true);
     const FrameInputs inputs = drawn(images, shape, settings);
     const History previous = test::uploadHistory(images, shape);
-    Exposure written(allRows(), whole(shape));
+    ExposedRows written(allRows(), whole(shape));
     const RowSources sources = rowSources(settings);
-    Exposure looked(ExposureLayout(allRows(), sources), whole(shape));
+    ExposedRows looked(ExposedLayout(allRows(), sources), whole(shape));
     History one, other;
     pass().resolve(inputs, &previous, settings, one, &written);
     pass().resolve(inputs, &previous, settings, other, &looked);
@@ -91,10 +91,10 @@ TEST_F(RowSourcesTest, ShowsThePartOfARowThatIsReadInPlace) {
   const test::FrameShape shape;
   const twin::Inputs images = test::randomFrame(shape, 3, false);
   const FrameInputs inputs = drawn(images, shape, {});
-  Exposure looked(ExposureLayout({IntermediateId::normal, IntermediateId::objectId,
-                                  IntermediateId::objectClass, IntermediateId::depth},
-                                 rowSources({})),
-                  whole(shape));
+  ExposedRows looked(ExposedLayout({IntermediateId::normal, IntermediateId::objectId,
+                                    IntermediateId::objectClass, IntermediateId::depth},
+                                   rowSources({})),
+                     whole(shape));
   History out;
   pass().resolve(inputs, nullptr, {}, out, &looked);
   const gl::Rect part{13, 7, 9, 5};
@@ -111,12 +111,12 @@ TEST_F(RowSourcesTest, ShowsThePartOfARowThatIsReadInPlace) {
 TEST_F(RowSourcesTest, FollowsANumberWithoutNewTextures) {
   Settings settings;
   const gl::Rect picture{0, 0, 8, 8};
-  Exposure looked(ExposureLayout(allRows(), rowSources(settings)), picture);
+  ExposedRows looked(ExposedLayout(allRows(), rowSources(settings)), picture);
   const auto value = [&](IntermediateId id) { return looked.image(id).pixels[5]; };
   EXPECT_EQ(value(IntermediateId::boxGamma), settings.neighborhood.gamma);
   EXPECT_EQ(value(IntermediateId::alphaNearClamp), 1.0f);
   settings.neighborhood.gamma = 0.0f;
-  const ExposureLayout next(allRows(), rowSources(settings));
+  const ExposedLayout next(allRows(), rowSources(settings));
   ASSERT_TRUE(looked.layout().hasSamePlaces(next));
   gl::failAllocationsAfter(0);
   looked.take(next);
@@ -125,7 +125,7 @@ TEST_F(RowSourcesTest, FollowsANumberWithoutNewTextures) {
   EXPECT_EQ(value(IntermediateId::lock), 0.0f);
   EXPECT_EQ(value(IntermediateId::alphaNearClamp), 1.0f);
   settings.weight.nearClamp = Switch::On;
-  EXPECT_FALSE(next.hasSamePlaces(ExposureLayout(allRows(), rowSources(settings))));
+  EXPECT_FALSE(next.hasSamePlaces(ExposedLayout(allRows(), rowSources(settings))));
 }
 
 } // namespace

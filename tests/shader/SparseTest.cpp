@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-using taa::Exposure;
+using taa::ExposedRows;
 using taa::Image;
 using taa::IntermediateId;
 using taa::test::FrameShape;
@@ -35,7 +35,7 @@ class SparseTest : public taa::test::ResolveTest {
     const taa::FrameInputs inputs = taa::test::upload(frame, shape);
     const taa::History previous = taa::test::uploadHistory(frame, shape);
     taa::History resolved;
-    Exposure full(ids, whole(shape)), sparse(ids, region, texels);
+    ExposedRows full(ids, whole(shape)), sparse(ids, region, texels);
     pass().resolve(inputs, &previous, settings, resolved, &full);
     pass().expose(inputs, &previous, resolved, settings, sparse);
     for (const IntermediateId id : ids) {

@@ -74,7 +74,7 @@ std::shared_ptr<const Image> part(std::shared_ptr<const DecodedFrame> frame, con
 
 } // namespace
 
-struct CaptureSource::Parts {
+struct CaptureSource::Impl {
   Manifest manifest;
   FrameReader read;
   std::shared_ptr<const CaptureFacts> facts;
@@ -82,7 +82,7 @@ struct CaptureSource::Parts {
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
   DrawCounts counts; // nothing is drawn
 
-  Parts(Manifest stated, FrameReader reader) : manifest(std::move(stated)), read(std::move(reader)) {
+  Impl(Manifest stated, FrameReader reader) : manifest(std::move(stated)), read(std::move(reader)) {
     checkSize(manifest);
     facts = factsOf(manifest);
   }
@@ -100,33 +100,33 @@ CaptureSource::CaptureSource(std::shared_ptr<const Capture> capture)
     : CaptureSource(capture->manifest(), [capture](int index) { return capture->frame(index); }) {}
 
 CaptureSource::CaptureSource(Manifest manifest, FrameReader frames)
-    : parts_(std::make_unique<Parts>(std::move(manifest), std::move(frames))) {}
+    : impl_(std::make_unique<Impl>(std::move(manifest), std::move(frames))) {}
 
 CaptureSource::~CaptureSource() = default;
 
 // Where it is asked for and can be, motion is made from depth and matrices; decode() has made what planes
 // lack.
-void CaptureSource::Parts::drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out) {
+void CaptureSource::Impl::drawMotion(MotionSource source, const DecodedFrame& decoded, FrameInputs& out) {
   if (!isFromDepth(source) || !decoded.camera || decoded.depth.empty()) return uploadMotion(decoded, out);
   frame.update(0, &out.block, sizeof(out.block));
   cameraMotion.draw(source, frame, out);
 }
 
 void CaptureSource::draw(const FrameRequest& request, int frame, FrameInputs& out) {
-  const std::shared_ptr<const DecodedFrame> decoded = parts_->decoded(frame);
+  const std::shared_ptr<const DecodedFrame> decoded = impl_->decoded(frame);
   InputSettings fitted = request.inputs;
-  if (!parts_->facts->hasMask) fitted.mask = MaskSource::None;
-  if (!parts_->facts->hasOverlay) fitted.blended = BlendedAs::Mask;
-  fitInputs(fitted, parts_->facts->renderPx, parts_->facts->outputPx, out);
+  if (!impl_->facts->hasMask) fitted.mask = MaskSource::None;
+  if (!impl_->facts->hasOverlay) fitted.blended = BlendedAs::Mask;
+  fitInputs(fitted, impl_->facts->renderPx, impl_->facts->outputPx, out);
   out.info = info(request, frame);
-  out.block = blockOf(*decoded, parts_->manifest, fitted.precision);
+  out.block = blockOf(*decoded, impl_->manifest, fitted.precision);
   uploadSurfaces(*decoded, out);
-  parts_->drawMotion(fitted.motion, *decoded, out);
-  gl::checkErrors(say<"uploading frame %1 of the capture">(parts_->numberOf(frame)));
+  impl_->drawMotion(fitted.motion, *decoded, out);
+  gl::checkErrors(say<"uploading frame %1 of the capture">(impl_->numberOf(frame)));
 }
 
 FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
-  const Manifest& manifest = parts_->manifest;
+  const Manifest& manifest = impl_->manifest;
   const auto index = static_cast<std::size_t>(frame);
   const CapturedFrame& stated = manifest.frames.at(index);
   FrameInfo info;
@@ -137,8 +137,8 @@ FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
     if (const double step = *stated.seconds - *manifest.frames[index - 1].seconds;
         step > 0.0 && std::abs(step - info.stepSeconds) > kSameStep)
       info.stepSeconds = step;
-  info.jitterIndex = frame % parts_->facts->jitterPeriod;
-  info.jitterPx = parts_->facts->jitterPx[index];
+  info.jitterIndex = frame % impl_->facts->jitterPeriod;
+  info.jitterPx = impl_->facts->jitterPx[index];
   info.startsHistory = startsHistoryAt(manifest, frame) ||
                        std::ranges::find(request.restarts, frame) != request.restarts.end();
   return info;
@@ -147,7 +147,7 @@ FrameInfo CaptureSource::info(const FrameRequest& request, int frame) const {
 CameraState CaptureSource::camera(const FrameRequest& request, int frame) const {
   if (request.camera != kCaptureCamera || request.track)
     throw Error(say<"there is no camera \"%1\": %2">(request.camera, whyNoScene()));
-  const Manifest& manifest = parts_->manifest;
+  const Manifest& manifest = impl_->manifest;
   const auto stated = decodeCamera(manifest, manifest.frames.at(static_cast<std::size_t>(frame)));
   return stateOf(stated.value_or(unknownCamera(manifest.sizePx, kNearPlaneOfNoCamera)));
 }
@@ -161,29 +161,29 @@ void CaptureSource::warmUp(const FrameRequest& request, const Progress& progress
 }
 
 const DrawCounts& CaptureSource::counts() const {
-  return parts_->counts;
+  return impl_->counts;
 }
 
 void CaptureSource::reloadShaders() {
-  parts_->cameraMotion = parts_->cameraMotion.reloaded();
+  impl_->cameraMotion = impl_->cameraMotion.reloaded();
 }
 
 std::shared_ptr<const CaptureFacts> CaptureSource::capture() const {
-  return parts_->facts;
+  return impl_->facts;
 }
 
 std::shared_ptr<const Image> CaptureSource::reference(int frame) {
-  if (!parts_->facts->hasReference) throw Error(whyNoReference());
-  const auto decoded = parts_->decoded(frame);
-  auto image = part(decoded, decoded->reference, PlaneKind::Reference, parts_->manifest);
-  if (!image) throw Error(say<"frame %1 of this capture has no reference">(parts_->numberOf(frame)));
+  if (!impl_->facts->hasReference) throw Error(whyNoReference());
+  const auto decoded = impl_->decoded(frame);
+  auto image = part(decoded, decoded->reference, PlaneKind::Reference, impl_->manifest);
+  if (!image) throw Error(say<"frame %1 of this capture has no reference">(impl_->numberOf(frame)));
   return image;
 }
 
 std::shared_ptr<const Image> CaptureSource::engineOutput(int frame) {
-  if (!parts_->facts->hasOutput) return nullptr;
-  const auto decoded = parts_->decoded(frame);
-  return part(decoded, decoded->output, PlaneKind::Output, parts_->manifest);
+  if (!impl_->facts->hasOutput) return nullptr;
+  const auto decoded = impl_->decoded(frame);
+  return part(decoded, decoded->output, PlaneKind::Output, impl_->manifest);
 }
 
 } // namespace taa::capture

@@ -40,8 +40,8 @@ class CaptureSource : public FrameSource {
   std::shared_ptr<const Image> engineOutput(int frame) override;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 } // namespace taa::capture

@@ -21,9 +21,9 @@ namespace taa {
 
 namespace {
 
-RowImages imagesOf(const Exposure& exposure, const std::vector<IntermediateId>& ids) {
+RowImages imagesOf(const ExposedRows& exposedRows, const std::vector<IntermediateId>& ids) {
   RowImages images;
-  for (const IntermediateId id : ids) images.emplace(id, exposure.image(id));
+  for (const IntermediateId id : ids) images.emplace(id, exposedRows.image(id));
   return images;
 }
 

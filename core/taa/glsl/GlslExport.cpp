@@ -8,7 +8,7 @@
 #include "core/taa/PassInputs.h"
 #include "core/taa/TaaPass.h"
 #include "core/taa/glsl/GlslHead.h"
-#include "core/taa/rows/ExposureLayout.h"
+#include "core/taa/rows/ExposedLayout.h"
 
 #include <algorithm>
 #include <array>

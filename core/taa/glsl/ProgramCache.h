@@ -3,7 +3,7 @@
 
 #include "core/gl/Program.h"
 #include "core/settings/Settings.h"
-#include "core/taa/rows/ExposureLayout.h"
+#include "core/taa/rows/ExposedLayout.h"
 
 #include <cstdint>
 #include <functional>

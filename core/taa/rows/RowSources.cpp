@@ -13,7 +13,7 @@ namespace {
 using enum IntermediateId;
 
 /// `value` where nothing computes the row.
-std::optional<float> unless(bool isComputed, float value) {
+std::optional<float> constantUnless(bool isComputed, float value) {
   return isComputed ? std::nullopt : std::optional(value);
 }
 
@@ -51,53 +51,63 @@ bool comparesMotion(const Settings& s) {
 
 std::optional<float> constantStrength(const Settings& s) {
   if (s.rectify.method == RectifyMethod::None) return 0.0f;
-  return unless(isOn(s.rectify.relaxAtRest) || findsFlicker(s), 1.0f);
+  return constantUnless(isOn(s.rectify.relaxAtRest) || findsFlicker(s), 1.0f);
 }
 
 std::optional<float> constantFloor(const Settings& s) {
   if (s.weight.source == AlphaSource::HistoryLength) return s.weight.minimum;
-  return unless(s.weight.source != AlphaSource::Constant, std::min(s.weight.alpha, s.weight.minimum));
+  return constantUnless(s.weight.source != AlphaSource::Constant, std::min(s.weight.alpha, s.weight.minimum));
 }
 
 constexpr ConstantRow kConstants[] = {
-    {reactive, [](const Settings& s) { return unless(hasMask(s), 0.0f); }},
-    {responsive, [](const Settings& s) { return unless(hasMask(s), 0.0f); }},
-    {overlay, [](const Settings& s) { return unless(hasOverlay(s), 0.0f); }},
-    {overlayAlpha, [](const Settings& s) { return unless(hasOverlay(s), 0.0f); }},
-    {dilatedOffset, [](const Settings& s) { return unless(s.dilate.method != DilateMethod::None, 0.0f); }},
-    {depthEdge, [](const Settings& s) { return unless(takesEdges(s), 0.0f); }},
-    {sampleConfidence, [](const Settings& s) { return unless(isUpsampled(s), 1.0f); }},
-    {boxGamma, [](const Settings& s) { return unless(changesGamma(s), s.neighborhood.gamma); }, true},
-    {clipAmount, [](const Settings& s) { return unless(s.rectify.method != RectifyMethod::None, 0.0f); }},
+    {reactive, [](const Settings& s) { return constantUnless(hasMask(s), 0.0f); }},
+    {responsive, [](const Settings& s) { return constantUnless(hasMask(s), 0.0f); }},
+    {overlay, [](const Settings& s) { return constantUnless(hasOverlay(s), 0.0f); }},
+    {overlayAlpha, [](const Settings& s) { return constantUnless(hasOverlay(s), 0.0f); }},
+    {dilatedOffset,
+     [](const Settings& s) { return constantUnless(s.dilate.method != DilateMethod::None, 0.0f); }},
+    {depthEdge, [](const Settings& s) { return constantUnless(takesEdges(s), 0.0f); }},
+    {sampleConfidence, [](const Settings& s) { return constantUnless(isUpsampled(s), 1.0f); }},
+    {boxGamma, [](const Settings& s) { return constantUnless(changesGamma(s), s.neighborhood.gamma); }, true},
+    {clipAmount,
+     [](const Settings& s) { return constantUnless(s.rectify.method != RectifyMethod::None, 0.0f); }},
     {rectifyStrength, constantStrength},
-    {lock, [](const Settings& s) { return unless(isOn(s.rectify.locks), 0.0f); }},
-    {lockLife, [](const Settings& s) { return unless(isOn(s.rectify.locks), 0.0f); }},
-    {instability, [](const Settings& s) { return unless(isOn(s.rectify.instability), 0.0f); }},
-    {geometricFlicker, [](const Settings& s) { return unless(findsFlicker(s), 0.0f); }},
+    {lock, [](const Settings& s) { return constantUnless(isOn(s.rectify.locks), 0.0f); }},
+    {lockLife, [](const Settings& s) { return constantUnless(isOn(s.rectify.locks), 0.0f); }},
+    {instability, [](const Settings& s) { return constantUnless(isOn(s.rectify.instability), 0.0f); }},
+    {geometricFlicker, [](const Settings& s) { return constantUnless(findsFlicker(s), 0.0f); }},
     {historyObjectId,
-     [](const Settings& s) { return unless(isOn(s.validate.object) || isOn(s.validate.objectClass), 0.0f); }},
-    {normalAgreement, [](const Settings& s) { return unless(isOn(s.validate.normal), 1.0f); }},
-    {velocityChange, [](const Settings& s) { return unless(comparesMotion(s), 0.0f); }},
+     [](const Settings& s) {
+       return constantUnless(isOn(s.validate.object) || isOn(s.validate.objectClass), 0.0f);
+     }},
+    {normalAgreement, [](const Settings& s) { return constantUnless(isOn(s.validate.normal), 1.0f); }},
+    {velocityChange, [](const Settings& s) { return constantUnless(comparesMotion(s), 0.0f); }},
     {alphaBase,
-     [](const Settings& s) { return unless(s.weight.source != AlphaSource::Constant, s.weight.alpha); },
+     [](const Settings& s) {
+       return constantUnless(s.weight.source != AlphaSource::Constant, s.weight.alpha);
+     },
      true},
     {alphaFloor, constantFloor, true},
-    {alphaLumaFlicker, [](const Settings& s) { return unless(isOn(s.weight.lumaFlicker), 1.0f); }},
-    {alphaNearClamp, [](const Settings& s) { return unless(isOn(s.weight.nearClamp), 1.0f); }},
-    {alphaHistoryContrast, [](const Settings& s) { return unless(isOn(s.weight.historyContrast), 1.0f); }},
-    {alphaRelax, [](const Settings& s) { return unless(isOn(s.neighborhood.maskRelax), 1.0f); }},
+    {alphaLumaFlicker, [](const Settings& s) { return constantUnless(isOn(s.weight.lumaFlicker), 1.0f); }},
+    {alphaNearClamp, [](const Settings& s) { return constantUnless(isOn(s.weight.nearClamp), 1.0f); }},
+    {alphaHistoryContrast,
+     [](const Settings& s) { return constantUnless(isOn(s.weight.historyContrast), 1.0f); }},
+    {alphaRelax, [](const Settings& s) { return constantUnless(isOn(s.neighborhood.maskRelax), 1.0f); }},
     {alphaSampleDistance,
-     [](const Settings& s) { return unless(s.weight.sampleDistance != SampleDistance::None, 1.0f); }},
-    {alphaFlicker, [](const Settings& s) { return unless(findsFlicker(s), 1.0f); }},
-    {alphaMotion, [](const Settings& s) { return unless(s.weight.motion != MotionAlpha::None, 0.0f); }},
-    {alphaVelocityChange, [](const Settings& s) { return unless(isOn(s.weight.velocityChange), 0.0f); }},
-    {alphaDivergence, [](const Settings& s) { return unless(isOn(s.weight.divergence), 0.0f); }},
-    {alphaMask, [](const Settings& s) { return unless(s.weight.mask != MaskAlpha::Off, 0.0f); }},
-    {toneWeightCurrent, [](const Settings& s) { return unless(weighsByLuma(s), 1.0f); }},
-    {toneWeightHistory, [](const Settings& s) { return unless(weighsByLuma(s), 1.0f); }},
+     [](const Settings& s) { return constantUnless(s.weight.sampleDistance != SampleDistance::None, 1.0f); }},
+    {alphaFlicker, [](const Settings& s) { return constantUnless(findsFlicker(s), 1.0f); }},
+    {alphaMotion,
+     [](const Settings& s) { return constantUnless(s.weight.motion != MotionAlpha::None, 0.0f); }},
+    {alphaVelocityChange,
+     [](const Settings& s) { return constantUnless(isOn(s.weight.velocityChange), 0.0f); }},
+    {alphaDivergence, [](const Settings& s) { return constantUnless(isOn(s.weight.divergence), 0.0f); }},
+    {alphaMask, [](const Settings& s) { return constantUnless(s.weight.mask != MaskAlpha::Off, 0.0f); }},
+    {toneWeightCurrent, [](const Settings& s) { return constantUnless(weighsByLuma(s), 1.0f); }},
+    {toneWeightHistory, [](const Settings& s) { return constantUnless(weighsByLuma(s), 1.0f); }},
     {sharpenDetail,
-     [](const Settings& s) { return unless(isTaaOn(s) && s.output.sharpen != Sharpen::None, 0.0f); }},
-    {blurTrust, [](const Settings& s) { return unless(isTaaOn(s) && isOn(s.output.motionBlur), 1.0f); }},
+     [](const Settings& s) { return constantUnless(isTaaOn(s) && s.output.sharpen != Sharpen::None, 0.0f); }},
+    {blurTrust,
+     [](const Settings& s) { return constantUnless(isTaaOn(s) && isOn(s.output.motionBlur), 1.0f); }},
 };
 
 struct HeldEntry {

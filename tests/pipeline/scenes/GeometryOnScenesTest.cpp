@@ -38,12 +38,12 @@ class GeometryOnScenes : public test::GlTest {
     TaaPass pass;
     test::Accumulator accumulator;
     FrameInputs inputs;
-    Exposure exposure({id}, {0, 0, kWidth, kHeight});
+    ExposedRows exposedRows({id}, {0, 0, kWidth, kHeight});
     for (const int frame : {0, 1}) {
       renderer.draw(request, frame, inputs);
-      accumulator.resolve(pass, inputs, settings, &exposure);
+      accumulator.resolve(pass, inputs, settings, &exposedRows);
     }
-    return exposure.image(id);
+    return exposedRows.image(id);
   }
   float reason(const Scene& scene, const Settings& settings, int x) const {
     return *second(scene, settings, IntermediateId::rejectReason).at(x, kHeight / 2);

@@ -26,12 +26,12 @@ TEST_F(LadderTest, ShaderAndTwinAgreeOnEveryStep) {
   for (const Preset& preset : builtinPresets()) {
     if (preset.step == 0) continue;
     test::Player player("builtin:fan", camera, kWidth, kHeight, preset.settings);
-    Exposure exposure(ExposureLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
+    ExposedRows exposedRows(ExposedLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 3; ++frame) {
-      player.step(pass, &exposure);
+      player.step(pass, &exposedRows);
       if (frame == 1) continue;
       std::vector<Image> pictures;
-      for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
+      for (const IntermediateId id : allRows()) pictures.push_back(exposedRows.image(id));
       EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()),
                                          preset.settings, pictures, isExact()),
                 "")

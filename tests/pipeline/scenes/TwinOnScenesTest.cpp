@@ -25,12 +25,12 @@ TEST_P(TwinOnScenesTest, AgreesOnWholeFramesWithEveryPreset) {
   TaaPass pass;
   for (const Preset& preset : wholePresets()) {
     test::Player player(source, camera, kWidth, kHeight, preset.settings);
-    Exposure exposure(ExposureLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
+    ExposedRows exposedRows(ExposedLayout(allRows(), rowSources(preset.settings)), {0, 0, kWidth, kHeight});
     for (int frame = 0; frame < 12; ++frame) {
-      player.step(pass, &exposure);
+      player.step(pass, &exposedRows);
       if (frame != 0 && frame != 1 && frame != 11) continue; // no history, the least, a usual one
       std::vector<Image> pictures;
-      for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
+      for (const IntermediateId id : allRows()) pictures.push_back(exposedRows.image(id));
       EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()),
                                          preset.settings, pictures, isExact()),
                 "")
@@ -44,11 +44,11 @@ TEST_P(TwinOnScenesTest, ShowsOnePixelAsItShowsTheWholePicture) {
   TaaPass pass;
   const Settings settings = preset("balanced").settings;
   test::Player player(source, openScene(source).shot.camera, kWidth, kHeight, settings);
-  Exposure whole(ExposureLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
+  ExposedRows whole(ExposedLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
   for (int frame = 0; frame < 6; ++frame) player.step(pass, &whole);
   for (const gl::Rect& region :
        {gl::Rect{0, 0, 1, 1}, gl::Rect{97, 41, 1, 1}, gl::Rect{kWidth - 9, kHeight - 9, 9, 9}}) {
-    Exposure some(allRows(), region);
+    ExposedRows some(allRows(), region);
     pass.expose(player.inputs(), player.previous(), player.history(), settings, some);
     for (const IntermediateId id : allRows()) {
       const Image all = whole.image(id);
@@ -75,8 +75,8 @@ TEST_P(TwinOnScenesTest, LookingChangesNoHistoryWithEveryPreset) {
     test::Accumulator glancing;
     test::Accumulator staring;
     const gl::Rect all{0, 0, kSmallWidth, kSmallHeight};
-    Exposure one({IntermediateId::alpha}, all);
-    Exposure everything(ExposureLayout(allRows(), rowSources(preset.settings)), all);
+    ExposedRows one({IntermediateId::alpha}, all);
+    ExposedRows everything(ExposedLayout(allRows(), rowSources(preset.settings)), all);
     for (int frame = 0; frame < 32; ++frame) {
       player.draw();
       blind.resolve(pass, player.inputs(), preset.settings);
@@ -119,10 +119,10 @@ TEST_F(TwinOnGlassTest, AgreesWithMasksAndOverlay) {
   TaaPass pass;
   for (const Settings& settings : policies()) {
     test::Player player("builtin:glass", "gltf:front", kWidth, kHeight, settings);
-    Exposure exposure(ExposureLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
-    for (int frame = 0; frame < 6; ++frame) player.step(pass, &exposure);
+    ExposedRows exposedRows(ExposedLayout(allRows(), rowSources(settings)), {0, 0, kWidth, kHeight});
+    for (int frame = 0; frame < 6; ++frame) player.step(pass, &exposedRows);
     std::vector<Image> pictures;
-    for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
+    for (const IntermediateId id : allRows()) pictures.push_back(exposedRows.image(id));
     const auto most = [&](IntermediateId id) {
       return std::ranges::max(pictures[static_cast<std::size_t>(id)].pixels);
     };

@@ -34,12 +34,12 @@ TEST_F(UpsampledFramesTest, AreWhatTheTwinSaysAtOddSizes) {
       settings.inputs.renderScale = scale;
       settings.current.upsample = kernel;
       test::Player player("builtin:fan", "orbit", kWidth, kHeight, settings);
-      Exposure exposure(allRows(), {0, 0, kWidth, kHeight});
+      ExposedRows exposedRows(allRows(), {0, 0, kWidth, kHeight});
       for (int frame = 0; frame < 8; ++frame) {
-        player.step(pass, &exposure);
+        player.step(pass, &exposedRows);
         if (frame != 0 && frame != 1 && frame != 7) continue; // no history, the least, a usual one
         std::vector<Image> pictures;
-        for (const IntermediateId id : allRows()) pictures.push_back(exposure.image(id));
+        for (const IntermediateId id : allRows()) pictures.push_back(exposedRows.image(id));
         EXPECT_EQ(test::differenceFromTwin(test::twinInputs(player.inputs(), player.previous()), settings,
                                            pictures, isExact()),
                   "")

@@ -60,11 +60,11 @@ std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
 }
 
 void Accumulator::resolve(TaaPass& pass, const FrameInputs& inputs, const Settings& settings,
-                          Exposure* exposure) {
+                          ExposedRows* exposedRows) {
   hadHistory_ = !inputs.info.startsHistory;
   current_ = 1 - current_;
   fitHistory(histories_[current_], inputs.outputWidth(), inputs.outputHeight(), settings);
-  pass.resolve(inputs, previous(), settings, histories_[current_], exposure);
+  pass.resolve(inputs, previous(), settings, histories_[current_], exposedRows);
 }
 
 Player::Player(const std::string& source, const std::string& camera, int width, int height,
@@ -81,9 +81,9 @@ void Player::draw() {
   renderer_.draw(request_, ++frame_, inputs_);
 }
 
-void Player::step(TaaPass& pass, Exposure* exposure) {
+void Player::step(TaaPass& pass, ExposedRows* exposedRows) {
   draw();
-  accumulator_.resolve(pass, inputs_, settings_, exposure);
+  accumulator_.resolve(pass, inputs_, settings_, exposedRows);
 }
 
 } // namespace taa::test

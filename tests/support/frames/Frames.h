@@ -23,9 +23,9 @@ std::string differenceFromTwin(twin::Inputs inputs, const Settings& settings,
 /// Resolves frames one after another, each on the history of the one before.
 class Accumulator {
  public:
-  /// Fills `exposure` when given.
+  /// Fills `exposedRows` when given.
   void resolve(TaaPass& pass, const FrameInputs& inputs, const Settings& settings,
-               Exposure* exposure = nullptr);
+               ExposedRows* exposedRows = nullptr);
 
   const History& history() const { return histories_[current_]; }
   /// What the last frame was resolved on; null: nothing.
@@ -45,8 +45,8 @@ class Player {
 
   /// Draws the next frame.
   void draw();
-  /// Draws the next frame and resolves it, filling `exposure` when given.
-  void step(TaaPass& pass, Exposure* exposure = nullptr);
+  /// Draws the next frame and resolves it, filling `exposedRows` when given.
+  void step(TaaPass& pass, ExposedRows* exposedRows = nullptr);
 
   const FrameInputs& inputs() const { return inputs_; }
   const History& history() const { return accumulator_.history(); }

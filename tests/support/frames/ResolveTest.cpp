@@ -9,9 +9,9 @@ std::unique_ptr<TaaPass> sharedPass; // lives as long as the shared context, tha
 
 } // namespace
 
-Exposed images(const Exposure& exposure) {
+Exposed images(const ExposedRows& exposedRows) {
   Exposed all;
-  for (const IntermediateId id : exposure.watched()) all[id] = exposure.image(id);
+  for (const IntermediateId id : exposedRows.watched()) all[id] = exposedRows.image(id);
   return all;
 }
 
@@ -26,21 +26,21 @@ TaaPass& ResolveTest::pass() {
 }
 
 History ResolveTest::resolve(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
-                             Exposure* exposure) {
+                             ExposedRows* exposedRows) {
   const FrameInputs inputs = upload(images, shape);
   const History previous = uploadHistory(images, shape);
   History out;
-  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, exposure);
+  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, exposedRows);
   return out;
 }
 
 Exposed ResolveTest::expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings) {
   const FrameInputs inputs = upload(images, shape);
   const History previous = uploadHistory(images, shape);
-  Exposure exposure(allRows(), whole(shape));
+  ExposedRows exposedRows(allRows(), whole(shape));
   History out;
-  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposure);
-  return test::images(exposure);
+  pass().resolve(inputs, previous.color ? &previous : nullptr, settings, out, &exposedRows);
+  return test::images(exposedRows);
 }
 
 void ResolveTest::advance(twin::Inputs& images, const FrameShape& shape, const Settings& settings) {

@@ -15,7 +15,7 @@ namespace taa::test {
 using Exposed = std::map<IntermediateId, Image>;
 
 /// Everything exposed, read back.
-Exposed images(const Exposure& exposure);
+Exposed images(const ExposedRows& exposedRows);
 
 /// Shares one TaaPass, hence its programs, among all tests of the process.
 class ResolveTest : public GlTest {
@@ -26,7 +26,7 @@ class ResolveTest : public GlTest {
   static gl::Rect whole(const FrameShape& shape) { return {0, 0, shape.width, shape.height}; }
   /// The history after `images` were resolved on their own history, nothing exposed.
   static History resolve(const twin::Inputs& images, const FrameShape& shape, const Settings& settings,
-                         Exposure* exposure = nullptr);
+                         ExposedRows* exposedRows = nullptr);
   /// Everything about that frame.
   static Exposed expose(const twin::Inputs& images, const FrameShape& shape, const Settings& settings);
   /// Resolves `images` and makes the result their history.

@@ -60,15 +60,15 @@ TEST(MemoryNeed, CountsTheHistoriesThatLivePlayingAtOnce) {
 }
 
 TEST(MemoryNeed, CountsWhatIsWatchedInBothFrames) {
-  EXPECT_EQ(needOf({}).exposures, 0u);
-  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw}).exposures, 2 * 16 * kPixels)
+  EXPECT_EQ(needOf({}).intermediates, 0u);
+  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw}).intermediates, 2 * 16 * kPixels)
       << "three channels are stored in four";
-  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw, IntermediateId::alpha}).exposures, 2 * 20 * kPixels);
-  EXPECT_EQ(needOf({}, {IntermediateId::resolved, IntermediateId::color}).exposures, 0u)
+  EXPECT_EQ(needOf({}, {IntermediateId::historyRaw, IntermediateId::alpha}).intermediates, 2 * 20 * kPixels);
+  EXPECT_EQ(needOf({}, {IntermediateId::resolved, IntermediateId::color}).intermediates, 0u)
       << "what is read in place takes nothing";
-  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}, {IntermediateId::color}).exposures, 2 * 16 * kPixels)
+  EXPECT_EQ(needOf({"inputs.renderScale=0.5"}, {IntermediateId::color}).intermediates, 2 * 16 * kPixels)
       << "not of another size";
-  EXPECT_EQ(needOf({}, {IntermediateId::lock, IntermediateId::alphaMotion}).exposures, 2 * 4 * kPixels)
+  EXPECT_EQ(needOf({}, {IntermediateId::lock, IntermediateId::alphaMotion}).intermediates, 2 * 4 * kPixels)
       << "both are 0: one layer";
 }
 
@@ -88,7 +88,7 @@ TEST(MemoryNeed, CountsTheReferenceWhereItIsWatched) {
   using enum IntermediateId;
   EXPECT_EQ(needOf({}, {resolved}).reference, 0u);
   EXPECT_EQ(needOf({}, {IntermediateId::reference, resolved}).reference, (44 + 16) * kPixels);
-  EXPECT_EQ(needOf({}, {IntermediateId::reference, alpha}).exposures, needOf({}, {alpha}).exposures);
+  EXPECT_EQ(needOf({}, {IntermediateId::reference, alpha}).intermediates, needOf({}, {alpha}).intermediates);
   EXPECT_EQ(needOf({"inputs.renderScale=0.5"}, {referenceError}).reference, (44 + 4) * kPixels);
   EXPECT_EQ(memoryNeed({Settings{}, Settings{}}, {100, 50}, {referenceError, referenceErrorAbs}).reference,
             (44 + 2 * (4 + 4)) * kPixels);
@@ -110,7 +110,7 @@ TEST(MemoryNeed, IsRefusedInWordsWhereTheReferenceDoesNotFit) {
   EXPECT_EQ(
       memoryRefusal(need, {64, 48}, 9u << 20),
       "cannot use a picture of 64 × 48 pixels: it takes about 10 MiB of memory (inputs 1 MiB, histories 1 "
-      "MiB, exposures 1 MiB, reference 7 MiB) and 9 MiB are free; choose a smaller size, fewer lanes or "
+      "MiB, intermediates 1 MiB, reference 7 MiB) and 9 MiB are free; choose a smaller size, fewer lanes or "
       "fewer views");
   EXPECT_EQ(referenceRefusal(7u << 20, {64, 48}, 7u << 20), "");
   EXPECT_EQ(
@@ -125,7 +125,7 @@ TEST(MemoryNeed, IsRefusedInWordsWhereItIsNotThere) {
   EXPECT_EQ(
       memoryRefusal(need, {640, 480}, need.total() - 1),
       "cannot use a picture of 640 × 480 pixels: it takes about 2.0 GiB of memory (inputs 3 MiB, histories 5 "
-      "MiB, exposures 2.0 GiB) and 2.0 GiB are free; choose a smaller size, fewer lanes or fewer views");
+      "MiB, intermediates 2.0 GiB) and 2.0 GiB are free; choose a smaller size, fewer lanes or fewer views");
 }
 
 TEST(MemoryNeed, IsSaidInMebibytesAndGibibytes) {

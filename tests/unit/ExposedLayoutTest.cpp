@@ -1,5 +1,5 @@
 // Where watched rows go, and the GLSL that puts them there.
-#include "core/taa/rows/ExposureLayout.h"
+#include "core/taa/rows/ExposedLayout.h"
 
 #include "core/settings/Presets.h"
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 using taa::allRows;
+using taa::ExposedLayout;
 using taa::ExposedSlot;
-using taa::ExposureLayout;
 using taa::Intermediate;
 using taa::IntermediateId;
 using taa::kResolveRows;
@@ -28,9 +28,9 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 } // namespace
 
-TEST(ExposureLayout, GivesAFewALayerEach) {
-  const ExposureLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color,
-                               IntermediateId::depth, IntermediateId::output});
+TEST(ExposedLayout, GivesAFewALayerEach) {
+  const ExposedLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color,
+                              IntermediateId::depth, IntermediateId::output});
   EXPECT_EQ(layout.ofResolve().size(), 4u);
   EXPECT_EQ(layout.ofOutput().size(), 1u);
   EXPECT_EQ(layout.slot(IntermediateId::alpha).layer, 1);
@@ -40,8 +40,8 @@ TEST(ExposureLayout, GivesAFewALayerEach) {
   EXPECT_FALSE(layout.holds(IntermediateId::alphaBase));
 }
 
-TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
-  const ExposureLayout layout(allRows());
+TEST(ExposedLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
+  const ExposedLayout layout(allRows());
   std::set<std::pair<int, int>> taken;
   int channels = 0;
   for (const ExposedSlot& slot : layout.ofResolve()) {
@@ -60,9 +60,9 @@ TEST(ExposureLayout, PacksManyWithoutOverlapAndWithLittleLeftOver) {
   }
 }
 
-TEST(ExposureLayout, GivesTheFirstRunTheLatestStages) {
+TEST(ExposedLayout, GivesTheFirstRunTheLatestStages) {
   const taa::Settings settings;
-  const ExposureLayout layout(allRows(), taa::rowSources(settings));
+  const ExposedLayout layout(allRows(), taa::rowSources(settings));
   const std::size_t first = taa::kMaxTargets - taa::historyTargets(settings);
   ASSERT_GT(layout.ofResolve().size(), first);
   for (const ExposedSlot& slot : layout.ofResolve().subspan(first))
@@ -74,9 +74,9 @@ TEST(ExposureLayout, GivesTheFirstRunTheLatestStages) {
     }
 }
 
-TEST(ExposureLayout, TakesFewRunsForAllRowsOfEveryPreset) {
+TEST(ExposedLayout, TakesFewRunsForAllRowsOfEveryPreset) {
   for (const taa::Preset& preset : taa::builtinPresets()) {
-    const ExposureLayout layout(allRows(), taa::rowSources(preset.settings));
+    const ExposedLayout layout(allRows(), taa::rowSources(preset.settings));
     const std::size_t slots = layout.ofResolve().size() + taa::historyTargets(preset.settings);
     const std::size_t runs = (slots + taa::kMaxTargets - 1) / taa::kMaxTargets;
     EXPECT_LE(runs, 3u) << preset.id << ": " << slots << " targets";
@@ -85,36 +85,36 @@ TEST(ExposureLayout, TakesFewRunsForAllRowsOfEveryPreset) {
   }
 }
 
-TEST(ExposureLayout, WritesWhatIsNowhereElse) {
+TEST(ExposedLayout, WritesWhatIsNowhereElse) {
   using enum IntermediateId;
   const taa::RowSources sources = taa::rowSources({});
-  const ExposureLayout stored({resolved, historyLength, output}, sources);
+  const ExposedLayout stored({resolved, historyLength, output}, sources);
   EXPECT_FALSE(stored.isWritten());
   EXPECT_FALSE(stored.needsInputs());
-  const ExposureLayout drawn({color, objectClass}, sources);
+  const ExposedLayout drawn({color, objectClass}, sources);
   EXPECT_FALSE(drawn.isWritten());
   EXPECT_TRUE(drawn.needsInputs());
   EXPECT_EQ(drawn.firstChannel(objectClass), 3);
-  const ExposureLayout off({lock, alphaMotion, alphaNearClamp}, sources);
+  const ExposedLayout off({lock, alphaMotion, alphaNearClamp}, sources);
   EXPECT_FALSE(off.needsInputs());
   EXPECT_EQ(off.layers(1), 2) << "one for 0, one for 1";
   EXPECT_NE(off.slot(lock).constant, off.slot(alphaNearClamp).constant);
   EXPECT_EQ(&off.slot(lock), &off.slot(alphaMotion));
 }
 
-TEST(ExposureLayout, WritesRowsThatAreEqualOnce) {
+TEST(ExposedLayout, WritesRowsThatAreEqualOnce) {
   using enum IntermediateId;
   const taa::RowSources sources = taa::rowSources({});
-  const ExposureLayout both({alpha, alphaChannels}, sources);
+  const ExposedLayout both({alpha, alphaChannels}, sources);
   EXPECT_EQ(both.ofResolve().size(), 1u);
   EXPECT_EQ(&both.slot(alpha), &both.slot(alphaChannels));
-  const ExposureLayout one({alpha}, sources);
+  const ExposedLayout one({alpha}, sources);
   EXPECT_EQ(one.slot(alpha).channels, 1) << "nobody writes the other";
 }
 
-TEST(ExposureLayout, DefinesOneMacroForEveryRow) {
+TEST(ExposedLayout, DefinesOneMacroForEveryRow) {
   for (const auto& watched : {std::vector<IntermediateId>{}, {IntermediateId::alpha}, allRows()}) {
-    const ExposureLayout layout(watched);
+    const ExposedLayout layout(watched);
     const auto slots = layout.ofResolve().first(std::min<std::size_t>(layout.ofResolve().size(), 6));
     for (const std::string& text :
          {taa::exposeAsTargets(slots, 2), taa::exposeAsTargets(layout.ofOutput(), 0)}) {
@@ -125,14 +125,14 @@ TEST(ExposureLayout, DefinesOneMacroForEveryRow) {
   }
 }
 
-TEST(ExposureLayout, WritesNothingButTheMacrosWhenNothingIsWatched) {
+TEST(ExposedLayout, WritesNothingButTheMacrosWhenNothingIsWatched) {
   const std::string text = taa::exposeAsTargets({}, 2);
   EXPECT_EQ(count(text, "\n"), kResolveRows.size() + 1);
   EXPECT_EQ(count(text, "(value)\n"), kResolveRows.size()) << "every macro is empty";
 }
 
-TEST(ExposureLayout, GivesTargetsBehindThoseOfTheHistory) {
-  const ExposureLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color});
+TEST(ExposedLayout, GivesTargetsBehindThoseOfTheHistory) {
+  const ExposedLayout layout({IntermediateId::motion, IntermediateId::alpha, IntermediateId::color});
   const std::string text = taa::exposeAsTargets(layout.ofResolve(), 2);
   EXPECT_EQ(count(text, "layout(location = 2) out vec4 o_exposed0;"), 1u) << text;
   EXPECT_EQ(count(text, "layout(location = 3) out vec2 o_exposed1;"), 1u) << text;
@@ -142,8 +142,8 @@ TEST(ExposureLayout, GivesTargetsBehindThoseOfTheHistory) {
   EXPECT_EQ(count(text, "imageStore"), 0u);
 }
 
-TEST(ExposureLayout, StoresEachSlotOnce) {
-  const ExposureLayout layout(allRows());
+TEST(ExposedLayout, StoresEachSlotOnce) {
+  const ExposedLayout layout(allRows());
   const std::string text = taa::exposeAsStores(layout.ofResolve());
   EXPECT_EQ(count(text, "imageStore"), layout.ofResolve().size());
   EXPECT_EQ(count(text, "layout(rgba32f, binding = 0) uniform writeonly image2DArray u_exposed;"), 1u);

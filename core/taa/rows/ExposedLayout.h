@@ -12,8 +12,8 @@
 
 namespace taa {
 
-/// One layer of an exposure's texture array of `channels` (1, 2 or 4): rows side by side, each from a channel
-/// on.
+/// One layer of a texture array of exposed rows, of `channels` (1, 2 or 4): rows side by side, each from a
+/// channel on.
 struct ExposedSlot {
   int channels = 4, layer = 0;
   struct Part {
@@ -29,11 +29,11 @@ struct ExposedSlot {
 /// looking costs is the bytes written and the number of runs, and a run writes eight layers at most. The
 /// first run computes everything, for the history; so the rows of the latest stages go there, and runs after
 /// it are spared those stages. What need not be written has no layer at all or is constant.
-class ExposureLayout {
+class ExposedLayout {
  public:
-  ExposureLayout() = default;
+  ExposedLayout() = default;
   /// `watched` in any order; the layout is that of the set.
-  explicit ExposureLayout(std::vector<IntermediateId> watched, const RowSources& sources = {});
+  explicit ExposedLayout(std::vector<IntermediateId> watched, const RowSources& sources = {});
 
   const std::vector<IntermediateId>& watched() const { return watched_; } ///< in the order of the table
   bool holds(IntermediateId id) const;
@@ -51,7 +51,7 @@ class ExposureLayout {
   /// Whether any comes from the frame's inputs, written or not.
   bool needsInputs() const;
   /// Whether rows lie at the same places; the values of constants may differ.
-  bool hasSamePlaces(const ExposureLayout& other) const;
+  bool hasSamePlaces(const ExposedLayout& other) const;
 
   /// Where another texture holds `id`; null: a slot does.
   const HeldRow* held(IntermediateId id) const;

@@ -1,5 +1,5 @@
 // Where the watched rows go.
-#include "core/taa/rows/ExposureLayout.h"
+#include "core/taa/rows/ExposedLayout.h"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ std::string macros(std::span<const ExposedSlot> slots) {
 
 } // namespace
 
-ExposureLayout::ExposureLayout(std::vector<IntermediateId> watched, const RowSources& sources)
+ExposedLayout::ExposedLayout(std::vector<IntermediateId> watched, const RowSources& sources)
     : watched_(inTableOrder(std::move(watched))), sources_(sources) {
   std::erase_if(watched_, isOfReference);
   const std::vector<IntermediateId> written = rowsToWrite();
@@ -76,7 +76,7 @@ ExposureLayout::ExposureLayout(std::vector<IntermediateId> watched, const RowSou
   giveConstants();
 }
 
-std::vector<IntermediateId> ExposureLayout::rowsToWrite() const {
+std::vector<IntermediateId> ExposedLayout::rowsToWrite() const {
   std::vector<IntermediateId> rows;
   std::ranges::copy_if(watched_, std::back_inserter(rows), [this](IntermediateId id) {
     const RowSource& source = sources_.of(id);
@@ -86,19 +86,19 @@ std::vector<IntermediateId> ExposureLayout::rowsToWrite() const {
 }
 
 // The row that is equal must be watched too.
-IntermediateId ExposureLayout::writtenAs(IntermediateId id) const {
+IntermediateId ExposedLayout::writtenAs(IntermediateId id) const {
   const std::optional<IntermediateId>& same = sources_.of(id).same;
   return same && holds(*same) ? *same : id;
 }
 
-void ExposureLayout::giveLayers(const std::vector<IntermediateId>& rows) {
+void ExposedLayout::giveLayers(const std::vector<IntermediateId>& rows) {
   for (const IntermediateId id : rows) {
     const int channels = storedChannels(id);
     slots_.push_back({channels, layers(channels), {{id, 0}}});
   }
 }
 
-void ExposureLayout::pack(std::vector<IntermediateId> rows) {
+void ExposedLayout::pack(std::vector<IntermediateId> rows) {
   std::ranges::stable_sort(rows, [](IntermediateId a, IntermediateId b) {
     const Intermediate &left = intermediate(a), &right = intermediate(b);
     return left.stage > right.stage; // the latest first
@@ -108,8 +108,8 @@ void ExposureLayout::pack(std::vector<IntermediateId> rows) {
 }
 
 // As many of the rows as fit into so many slots, those that stand first before others; what is left over.
-std::vector<IntermediateId> ExposureLayout::packRun(const std::vector<IntermediateId>& rows,
-                                                    std::size_t room) {
+std::vector<IntermediateId> ExposedLayout::packRun(const std::vector<IntermediateId>& rows,
+                                                   std::size_t room) {
   std::vector<IntermediateId> taken, left;
   std::array<std::size_t, 4> counts{}; // of rows, by their channels
   for (const IntermediateId id : rows) {
@@ -134,7 +134,7 @@ std::vector<IntermediateId> ExposureLayout::packRun(const std::vector<Intermedia
 
 // Rows that choices make 0 or 1 share a layer each of those, where they have as many channels; a number of
 // the settings has its own, so that places stay when it changes.
-void ExposureLayout::giveConstants() {
+void ExposedLayout::giveConstants() {
   for (const IntermediateId id : watched_) {
     const std::optional<float>& value = sources_.of(id).constant;
     if (!value || held(id)) continue;
@@ -151,14 +151,14 @@ void ExposureLayout::giveConstants() {
   }
 }
 
-bool ExposureLayout::needsInputs() const {
+bool ExposedLayout::needsInputs() const {
   return isWritten() || std::ranges::any_of(watched_, [this](IntermediateId id) {
            const HeldRow* row = held(id);
            return row && row->input;
          });
 }
 
-bool ExposureLayout::hasSamePlaces(const ExposureLayout& other) const {
+bool ExposedLayout::hasSamePlaces(const ExposedLayout& other) const {
   const auto isSameSlot = [](const ExposedSlot& a, const ExposedSlot& b) {
     return a.channels == b.channels && a.layer == b.layer && a.parts == b.parts &&
            a.constant.has_value() == b.constant.has_value();
@@ -166,27 +166,27 @@ bool ExposureLayout::hasSamePlaces(const ExposureLayout& other) const {
   return watched_ == other.watched_ && std::ranges::equal(slots_, other.slots_, isSameSlot);
 }
 
-bool ExposureLayout::holds(IntermediateId id) const {
+bool ExposedLayout::holds(IntermediateId id) const {
   return std::ranges::binary_search(watched_, id);
 }
 
-int ExposureLayout::layers(int channels) const {
+int ExposedLayout::layers(int channels) const {
   return static_cast<int>(std::ranges::count(slots_, channels, &ExposedSlot::channels));
 }
 
-const HeldRow* ExposureLayout::held(IntermediateId id) const {
+const HeldRow* ExposedLayout::held(IntermediateId id) const {
   const std::optional<HeldRow>& row = sources_.of(id).held;
   return row ? &*row : nullptr;
 }
 
-const ExposedSlot& ExposureLayout::slot(IntermediateId id) const {
+const ExposedSlot& ExposedLayout::slot(IntermediateId id) const {
   assert(holds(id) && !held(id));
   return *std::ranges::find_if(slots_, [id = writtenAs(id)](const ExposedSlot& slot) {
     return std::ranges::find(slot.parts, id, &ExposedSlot::Part::id) != slot.parts.end();
   });
 }
 
-int ExposureLayout::firstChannel(IntermediateId id) const {
+int ExposedLayout::firstChannel(IntermediateId id) const {
   if (const HeldRow* row = held(id)) return row->firstChannel;
   return std::ranges::find(slot(id).parts, writtenAs(id), &ExposedSlot::Part::id)->first;
 }
