@@ -32,11 +32,11 @@ struct PresetGroup {
 inline constexpr std::array<PresetGroup, 7> kPresetGroups{
     {{"ours", "Recommended, and what to compare with"},
      {"engines", "Engines"},
-     {"source000", "Source 000: blog on TAA in Unity"},
-     {"source001", "Source 001: Castorina and Sassone 2023, chapter 11"},
-     {"source002", "Source 002: blog on engine practice"},
-     {"source003", "Source 003: notes on URP"},
-     {"source004", "Source 004: DezemingFamily's booklet"}}};
+     {"source000", "Blog on TAA in Unity"},
+     {"source001", "Castorina and Sassone 2023, chapter 11"},
+     {"source002", "Blog on engine practice"},
+     {"source003", "Notes on URP"},
+     {"source004", "DezemingFamily's booklet"}}};
 
 /// The built-in presets, by groups, each in its order; "balanced" first.
 const std::vector<Preset>& builtinPresets();

@@ -141,7 +141,7 @@ TEST_F(FirstStepsWindow, AStepOfALadderIsChosenInTheListBesideTheStages) {
   QAction* wanted = nullptr;
   QMenu* ladder = nullptr;
   for (QAction* action : menu->actions())
-    if (action->menu() && action->text().startsWith("Source 000")) ladder = action->menu();
+    if (action->menu() && action->text().startsWith("Blog on TAA in Unity")) ladder = action->menu();
   ASSERT_TRUE(ladder);
   for (QAction* action : ladder->actions())
     if (action->text().contains("step 2")) wanted = action;
