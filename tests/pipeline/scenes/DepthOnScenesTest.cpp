@@ -90,7 +90,7 @@ TEST_P(FlickerOnScenes, OfTheDefaultPresetIsNotTheDepthTests) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FlickerOnScenes,
                          testing::Values("fan", "fence", "disocclusion", "cut", "thin", "text", "fireflies",
-                                         "lights", "foliage", "gallery", "glass", "crowd"));
+                                         "lights", "foliage", "gallery", "glass", "fog", "crowd"));
 
 class DepthOnScenes : public test::GlTest {
  protected:
