@@ -11,10 +11,10 @@ namespace taa::app {
 
 class FittingArea : public QScrollArea {
  public:
-  /// `leastPx`: how low it becomes before others have to give way. `alwaysPx`: how high it is where there is
+  /// `minPx`: how low it becomes before others have to give way. `alwaysPx`: how high it is where there is
   /// room, whatever it shows; 0: as high as that.
-  explicit FittingArea(int leastPx, int alwaysPx = 0, QWidget* parent = nullptr)
-      : QScrollArea(parent), leastPx_(leastPx), alwaysPx_(alwaysPx) {
+  explicit FittingArea(int minPx, int alwaysPx = 0, QWidget* parent = nullptr)
+      : QScrollArea(parent), minPx_(minPx), alwaysPx_(alwaysPx) {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus); // the way of the Tab key scrolls it
@@ -29,7 +29,7 @@ class FittingArea : public QScrollArea {
     const QWidget* shown = widget();
     return {wide, shown->hasHeightForWidth() ? shown->heightForWidth(wide) : shown->sizeHint().height()};
   }
-  QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), leastPx_)}; }
+  QSize minimumSizeHint() const override { return {120, std::min(sizeHint().height(), minPx_)}; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
@@ -43,7 +43,7 @@ class FittingArea : public QScrollArea {
   }
 
  private:
-  int leastPx_, alwaysPx_;
+  int minPx_, alwaysPx_;
 };
 
 } // namespace taa::app

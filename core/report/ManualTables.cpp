@@ -223,7 +223,7 @@ std::string planesText() {
                      head({"plane", "channels", "what it holds"});
   for (std::size_t kind = 0; kind < capture::kPlaneKinds; ++kind) {
     const auto plane = static_cast<capture::PlaneKind>(kind);
-    const int least = capture::leastChannelsOf(plane), most = capture::channelsOf(plane);
+    const int least = capture::minChannelsOf(plane), most = capture::channelsOf(plane);
     text += cells({code(capture::planeName(plane)),
                    std::to_string(least) + (most > least ? " or " + std::to_string(most) : ""),
                    markdownText(capture::planeDescription(plane))});

@@ -15,9 +15,9 @@ namespace taa::app {
 
 namespace {
 constexpr double kFootprintMargin = 10.0;
-constexpr double kLeastRadius = 1.0;
-constexpr double kWholeRadius = 0.25; ///< of a pixel's side: one sample that is all of the pixel
-constexpr double kLeastWhole = 40.0;  ///< px that a pixel's side counts as at least for that
+constexpr double kMinDotRadius = 1.0;
+constexpr double kWholeRadius = 0.25;  ///< of a pixel's side: one sample that is all of the pixel
+constexpr double kMinPixelSide = 40.0; ///< px that a pixel's side counts as at least for that
 constexpr double kGrabRadius = 8.0;
 } // namespace
 
@@ -53,8 +53,8 @@ QPointF FootprintView::pointOf(const glm::dvec2& offset) const {
 }
 
 double FootprintView::radiusOf(const FootprintSample& sample) const {
-  const double pixel = std::max(kLeastWhole, 0.5 * square().width() / reach_);
-  return std::max(kLeastRadius, kWholeRadius * pixel * std::sqrt(std::fabs(sample.weight)));
+  const double pixel = std::max(kMinPixelSide, 0.5 * square().width() / reach_);
+  return std::max(kMinDotRadius, kWholeRadius * pixel * std::sqrt(std::fabs(sample.weight)));
 }
 
 std::optional<int> FootprintView::frameAt(const QPointF& point) const {

@@ -54,7 +54,7 @@ PlaneData* PlaneShapes::find(PlaneKind kind) {
   const bool isSame = isId || (plane.image.width == plane.width && plane.image.height == plane.height);
   if (!isWhole || !isSame)
     throw Error(say<"frame %1: %2 does not have as many values as its size says">(frame_, planeName(kind)));
-  if (const int needed = leastChannelsOf(kind); channels < needed)
+  if (const int needed = minChannelsOf(kind); channels < needed)
     throw Error(say<"frame %1: %2 has %3 channels, and %4 are needed; set its channels in capture.json">(
         frame_, planeName(kind), channels, needed));
   return &plane;

@@ -22,9 +22,9 @@ class StoredValue {
     full_ = static_cast<float>(*value);
     half_ = roundedToHalf(full_);
     hasSteps_ = *value > 0.0 && *value < 1.0;
-    for (std::size_t i = 0; hasSteps_ && i < kMost.size(); ++i) {
-      steps_[2 * i] = static_cast<float>(std::floor(*value * kMost[i] + 0.5) / kMost[i]);
-      steps_[2 * i + 1] = static_cast<float>(std::ceil(*value * kMost[i] - 0.5) / kMost[i]);
+    for (std::size_t i = 0; hasSteps_ && i < kLargestCounts.size(); ++i) {
+      steps_[2 * i] = static_cast<float>(std::floor(*value * kLargestCounts[i] + 0.5) / kLargestCounts[i]);
+      steps_[2 * i + 1] = static_cast<float>(std::ceil(*value * kLargestCounts[i] - 0.5) / kLargestCounts[i]);
     }
   }
   bool operator==(float stored) const {
@@ -35,11 +35,11 @@ class StoredValue {
   float value() const { return full_; }
 
  private:
-  static constexpr std::array<double, 3> kMost = {255.0, 65535.0, 16777215.0};
+  static constexpr std::array<double, 3> kLargestCounts = {255.0, 65535.0, 16777215.0};
 
   float full_ = std::numeric_limits<float>::quiet_NaN();
   float half_ = std::numeric_limits<float>::quiet_NaN();
-  std::array<float, 2 * kMost.size()> steps_{};
+  std::array<float, 2 * kLargestCounts.size()> steps_{};
   bool hasSteps_ = false; ///< between 0 and 1, which themselves are the same in all formats
 };
 

@@ -75,7 +75,7 @@ int channelsOf(PlaneKind kind) {
   return infoOf(kind).most;
 }
 
-int leastChannelsOf(PlaneKind kind) {
+int minChannelsOf(PlaneKind kind) {
   return infoOf(kind).least;
 }
 

@@ -43,7 +43,7 @@ std::string_view planeDescription(PlaneKind kind);
 /// Channels that decode/ wants of it, 1 to 4.
 int channelsOf(PlaneKind kind);
 /// Channels that it needs: of colors the fourth may be missing, of normals the class, of masks the second.
-int leastChannelsOf(PlaneKind kind);
+int minChannelsOf(PlaneKind kind);
 
 /// How a value lies in a raw plane, little-endian; the names are those of taa_capture.h without TAA_. D24S8:
 /// depth in the lower 24 bits, as Direct3D has it; D24S8_GL: in the upper, as GL_UNSIGNED_INT_24_8. D32F_S8:

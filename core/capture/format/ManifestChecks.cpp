@@ -103,9 +103,9 @@ void requireRaw(const PlaneSource& source, PlaneKind kind, glm::ivec2 usualPx, c
                                       rawPath, rawFormatName(format))
                                 : say<"\"%1\" is %2, which does not hold whole numbers: objectId wants them">(
                                       rawPath, rawFormatName(format)));
-  if (rawChannels(format) < leastChannelsOf(kind))
+  if (rawChannels(format) < minChannelsOf(kind))
     throw Error(say<"\"%1\" is %2 with fewer than the %3 channels of %4">(
-        rawPath, rawFormatName(format), leastChannelsOf(kind), planeName(kind)));
+        rawPath, rawFormatName(format), minChannelsOf(kind), planeName(kind)));
   if (source.sizePx != glm::ivec2(0)) requireSide(source.sizePx, pathOf(path, "size"));
   const int width = source.sizePx.x > 0 ? source.sizePx.x : usualPx.x;
   const std::size_t row = static_cast<std::size_t>(width) * bytesPerPixel(format);
@@ -123,9 +123,9 @@ void requirePicture(const PlaneSource& source, PlaneKind kind, const std::string
   if (key)
     throw Error(say<"\"%1\" is for raw planes: \"%2\" is missing">(pathOf(path, key), pathOf(path, "raw")));
   const auto channels = static_cast<int>(source.channels.size());
-  if (channels > 0 && (channels < leastChannelsOf(kind) || channels > channelsOf(kind)))
+  if (channels > 0 && (channels < minChannelsOf(kind) || channels > channelsOf(kind)))
     throw Error(say<"\"%1\" names %2 channels; %3 has %4 to %5">(
-        pathOf(path, "channels"), channels, planeName(kind), leastChannelsOf(kind), channelsOf(kind)));
+        pathOf(path, "channels"), channels, planeName(kind), minChannelsOf(kind), channelsOf(kind)));
   requireText(source.part, pathOf(path, "part"));
   for (const std::string& channel : source.channels) requireText(channel, pathOf(path, "channels"));
 }

@@ -22,7 +22,7 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 /// px: hypotheses that lead to places nearer to each other say the same of a pixel.
 constexpr float kSamePlace = 0.05f;
 constexpr int kRegionColumns = 8, kRegionRows = 6; ///< of regions
-constexpr std::size_t kLeastInRegion = 16;
+constexpr std::size_t kMinPixelsOfRegion = 16;
 constexpr std::size_t kRoughStep = 8;
 
 /// Residuals that differ by less are the same but for rounding: 0.00001 of luma.
@@ -91,7 +91,7 @@ void compareRegions(const Outcome& best, const Outcome& second, const std::vecto
   }
   std::size_t won = 0;
   for (const RegionSums& sum : sums) {
-    if (sum.pixels < kLeastInRegion || sum.best == sum.second) continue;
+    if (sum.pixels < kMinPixelsOfRegion || sum.best == sum.second) continue;
     ++out.regions;
     if (sum.best < sum.second) ++won;
   }

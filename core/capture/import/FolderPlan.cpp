@@ -126,9 +126,9 @@ void addOthers(FolderPlan& plan, const FolderScan& scan, const PictureSequence& 
 
 std::vector<SideFile> sidesOf(const fs::path& folder, const FolderScan& scan, FolderPlan& plan,
                               const Progress& progress) {
-  constexpr std::size_t kMostFiles = 16;
+  constexpr std::size_t kMaxSideFiles = 16;
   std::vector<SideFile> sides;
-  const std::size_t count = std::min(scan.sideFiles.size(), kMostFiles);
+  const std::size_t count = std::min(scan.sideFiles.size(), kMaxSideFiles);
   for (std::size_t i = 0; i < count; ++i) {
     report(progress, say<"Reading side files">(), static_cast<int>(i), static_cast<int>(count));
     try {

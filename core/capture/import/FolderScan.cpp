@@ -60,7 +60,7 @@ struct DigitRun {
 
 /// Those of the file's name, else of the last folder's that has any; from the left.
 std::vector<DigitRun> runsIn(const std::string& path) {
-  constexpr std::size_t kMostDigits = 9;
+  constexpr std::size_t kMaxDigits = 9;
   std::vector<DigitRun> runs;
   for (std::size_t end = path.rfind('.'); end != std::string::npos && end > 0 && runs.empty();) {
     const std::size_t slash = path.rfind('/', end - 1);
@@ -69,7 +69,7 @@ std::vector<DigitRun> runsIn(const std::string& path) {
       if (!isDigit(path[last - 1])) continue;
       std::size_t first = last;
       while (first > begin && isDigit(path[first - 1])) --first;
-      const std::size_t count = std::min(last - first, kMostDigits);
+      const std::size_t count = std::min(last - first, kMaxDigits);
       runs.insert(runs.begin(), {last - count, count});
       last = first + 1;
     }

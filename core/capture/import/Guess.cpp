@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kPairs = 8;
 /// A jitter stays within a pixel: what is smaller than this is no pixels, but a share of the picture.
-constexpr double kLeastJitterPx = 0.06;
+constexpr double kMinJitterPx = 0.06;
 
 std::set<std::string> pathsOf(const std::vector<std::string>& assignments) {
   std::set<std::string> paths;
@@ -156,7 +156,7 @@ void Guesser::takeJitter() {
   if (plan_.side->jitterUnit)
     stated().jitter.unit = *plan_.side->jitterUnit;
   else if (like_.empty())
-    stated().jitter.unit = largest < kLeastJitterPx ? ScreenUnit::Ndc : ScreenUnit::Pixels;
+    stated().jitter.unit = largest < kMinJitterPx ? ScreenUnit::Ndc : ScreenUnit::Pixels;
 }
 
 void Guesser::takeColor() {

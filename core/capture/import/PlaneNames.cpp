@@ -196,7 +196,7 @@ std::vector<std::string> namesFor(const NamedLayer& layer, PlaneKind kind) {
     if (!names.empty()) return names;
   }
   // As they come.
-  const auto least = static_cast<std::size_t>(leastChannelsOf(kind));
+  const auto least = static_cast<std::size_t>(minChannelsOf(kind));
   if (layer.channels.size() < least) return {};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < least; ++i) names.push_back(layer.channels[i].name);
@@ -239,8 +239,8 @@ std::vector<NamedLayer> splitDepth(std::vector<NamedLayer> layers) {
 } // namespace
 
 std::optional<PlaneKind> kindOfName(std::string_view name) {
-  constexpr std::size_t kMostLetters = 512;
-  const Words words = wordsOf(name.substr(0, kMostLetters));
+  constexpr std::size_t kMaxLetters = 512;
+  const Words words = wordsOf(name.substr(0, kMaxLetters));
   std::optional<PlaneKind> found;
   // The last word that is no color says most: "color_depth", "output_color". Several words are one name.
   for (std::size_t first = 0; first < words.size(); ++first) {

@@ -266,12 +266,12 @@ bool Finding::contradicts() const {
 
 std::vector<Finding> askPixels(FrameSamples& samples, TestState& state, const QuestionRules& rules,
                                const Progress& progress) {
-  constexpr int kMostRounds = 4;
+  constexpr int kMaxRounds = 4;
   std::vector<Finding> findings;
   if (samples.pairs().empty()) return findings;
   if (rules.adopt == Adopt::Best) search(samples, state, rules, progress);
   bool isChanged = true;
-  for (int round = 0; round < kMostRounds && isChanged; ++round) {
+  for (int round = 0; round < kMaxRounds && isChanged; ++round) {
     isChanged = false;
     findings.clear();
     int done = 0;

@@ -103,11 +103,11 @@ std::string missingIn(const OIIO::ImageSpec& spec, const PlaneRequest& request) 
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostNames = 16;
+  constexpr std::size_t kMaxNames = 16;
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i)
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i)
     text += (i == 0 ? "" : ", ") + shownText(names[i]);
-  return names.size() > kMostNames ? text + " …" : text;
+  return names.size() > kMaxNames ? text + " …" : text;
 }
 
 std::vector<int> channelsFor(const OIIO::ImageSpec& spec, const PlaneRequest& request) {
@@ -119,9 +119,9 @@ std::vector<int> channelsFor(const OIIO::ImageSpec& spec, const PlaneRequest& re
     for (int i = 0; i < std::min(spec.nchannels, most); ++i) channels.push_back(i);
   if (static_cast<int>(channels.size()) > channelsOf(request.kind))
     channels.resize(static_cast<std::size_t>(channelsOf(request.kind)));
-  if (static_cast<int>(channels.size()) < leastChannelsOf(request.kind))
+  if (static_cast<int>(channels.size()) < minChannelsOf(request.kind))
     throw Error(say<"%1 gives %2 channels (of %3); %4 are needed">(
-        request.file, channels.size(), listed(spec.channelnames), leastChannelsOf(request.kind)));
+        request.file, channels.size(), listed(spec.channelnames), minChannelsOf(request.kind)));
   return channels;
 }
 

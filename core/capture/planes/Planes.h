@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxPlanePixels = std::size_t(1) << 26;
 
 /// Values as stored (normalized formats as 0 to 1, sRGB formats not decoded but where the format's name says
 /// SRGB), row 0 at the top whatever the file's order is. Channels: those stored or named, of its kind at most
-/// channelsOf(), at least leastChannelsOf().
+/// channelsOf(), at least minChannelsOf().
 struct PlaneData {
   Image image; ///< floats: everything but ids
   /// PlaneKind::ObjectId only, width · height of them; `image` has no pixels then.

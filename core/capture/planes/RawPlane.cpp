@@ -27,8 +27,8 @@ struct RawLayout {
   glm::ivec2 sizePx{0};
   std::uintmax_t rowBytes = 0, pitch = 0;
 
-  std::uintmax_t leastBytes() const { return pitch * static_cast<std::uintmax_t>(sizePx.y - 1) + rowBytes; }
-  std::uintmax_t mostBytes() const { return pitch * static_cast<std::uintmax_t>(sizePx.y); }
+  std::uintmax_t minBytes() const { return pitch * static_cast<std::uintmax_t>(sizePx.y - 1) + rowBytes; }
+  std::uintmax_t maxBytes() const { return pitch * static_cast<std::uintmax_t>(sizePx.y); }
   std::string text() const {
     return std::to_string(sizePx.x) + " × " + std::to_string(sizePx.y) + " " +
            std::string(rawFormatName(format));
@@ -55,13 +55,13 @@ RawLayout layoutOf(const Manifest& manifest, const PlaneRequest& request) {
 }
 
 void requireFileSize(const UntrustedFile& file, const std::string& name, const RawLayout& layout) {
-  if (file.size() < layout.leastBytes())
+  if (file.size() < layout.minBytes())
     throw Error(say<"%1 has %2 bytes; %3 at a row pitch of %4 takes %5">(name, file.size(), layout.text(),
-                                                                         layout.pitch, layout.leastBytes()));
-  if (file.size() > layout.mostBytes())
+                                                                         layout.pitch, layout.minBytes()));
+  if (file.size() > layout.maxBytes())
     throw Error(
         say<"%1 has %2 bytes, more than the %3 of %4 at a row pitch of %5: size or format is another">(
-            name, file.size(), layout.mostBytes(), layout.text(), layout.pitch));
+            name, file.size(), layout.maxBytes(), layout.text(), layout.pitch));
 }
 
 void decodeInto(PlaneData& plane, const RawLayout& layout, int row, const std::byte* bytes) {
@@ -105,9 +105,9 @@ PlaneData readRawPlane(const std::filesystem::path& folder, const Manifest& mani
                        const PlaneRequest& request) {
   const RawLayout layout = layoutOf(manifest, request);
   const int stored = rawChannels(layout.format);
-  if (stored < leastChannelsOf(request.kind))
+  if (stored < minChannelsOf(request.kind))
     throw Error(say<"%1 has %2 channels; %3 are needed">(rawFormatName(layout.format), stored,
-                                                         leastChannelsOf(request.kind)));
+                                                         minChannelsOf(request.kind)));
   const UntrustedFile file = openUntrusted(folder, request.file, std::numeric_limits<std::uintmax_t>::max());
   requireFileSize(file, request.file, layout);
   PlaneData plane = makePlane(request.kind, layout.sizePx, std::min(stored, channelsOf(request.kind)));

@@ -55,8 +55,8 @@ Progress withoutSteps(const Progress& progress) {
 
 /// Where the trouble began, but frames enough for it to settle, and few enough to try many.
 int firstTried(const ShotState& state, int frame, const PixelVerdict& verdict) {
-  constexpr int kLeast = 8, kMost = 16;
-  const int wanted = std::clamp(frame - verdict.since + 3, kLeast, kMost);
+  constexpr int kMinFrames = 8, kMaxFrames = 16;
+  const int wanted = std::clamp(frame - verdict.since + 3, kMinFrames, kMaxFrames);
   int first = frame;
   while (first > 0 && frame - first + 1 < wanted && !startsHistory(state, first)) --first;
   return first;

@@ -16,7 +16,7 @@ namespace taa {
 
 namespace {
 
-constexpr double kLeastShareOfRange = 1e-3;
+constexpr double kMinShareOfRange = 1e-3;
 
 GoalTerm goalTerm(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -39,7 +39,7 @@ GoalTerm goalTerm(const std::string& text) {
 
 double atLeastFloor(Metric metric, double value) {
   const MetricInfo& info = metricInfo(metric);
-  return std::max(value, kLeastShareOfRange * (info.high - info.low));
+  return std::max(value, kMinShareOfRange * (info.high - info.low));
 }
 
 /// 1 at the start, less where it is better.

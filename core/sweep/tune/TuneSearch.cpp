@@ -17,7 +17,7 @@ namespace taa {
 namespace {
 
 constexpr double kFirstStep = 1.0 / 8.0, kLastStep = 1.0 / 64.0; // shares of a number's range
-constexpr double kLeastGain = 1e-4;                              // of the start's goal
+constexpr double kMinGain = 1e-4;                                // of the start's goal
 
 bool isOfResolve(const Parameter& row) {
   return row.stage >= Stage::DilateMotion && row.stage <= Stage::Blend && row.effect != Effect::Storage;
@@ -138,7 +138,7 @@ bool TuneSearch::tryValue(const Parameter& row, double value) {
   Settings candidate = result_.settings;
   row.set(candidate, value);
   const double goal = goalOf(candidate);
-  if (!(goal < result_.goal - kLeastGain * std::abs(result_.startGoal))) return false;
+  if (!(goal < result_.goal - kMinGain * std::abs(result_.startGoal))) return false;
   result_.settings = candidate;
   result_.goal = goal;
   result_.steps.push_back({result_.evaluations, goal, std::string(row.path) + "=" + valueText(row, value)});

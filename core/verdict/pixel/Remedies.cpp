@@ -69,9 +69,9 @@ const std::array<Cure, 29>& cures() {
 }
 
 void addRemedy(std::vector<Remedy>& remedies, const Settings& changed, const Settings& settings) {
-  constexpr std::size_t kMostChanges = 3;
+  constexpr std::size_t kMaxChanges = 3;
   Remedy remedy{differences(changed, settings), changed};
-  const bool isOne = !remedy.changes.empty() && remedy.changes.size() <= kMostChanges;
+  const bool isOne = !remedy.changes.empty() && remedy.changes.size() <= kMaxChanges;
   const bool isKnown =
       std::ranges::any_of(remedies, [&](const Remedy& known) { return known.changes == remedy.changes; });
   if (isOne && !isKnown && sameInputs(changed, settings)) remedies.push_back(std::move(remedy));

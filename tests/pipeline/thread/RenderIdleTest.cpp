@@ -27,7 +27,7 @@ TEST_F(RenderIdleTest, ProfilesFramesWhileItIsAskedFor) {
   EXPECT_EQ(recorder.profiles.size(), 1u);
 }
 
-TEST_F(RenderIdleTest, MeasuresStagesAndAnswersWishesMeanwhile) {
+TEST_F(RenderIdleTest, MeasuresStagesAndAnswersRequestsMeanwhile) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != "Measuring stages" || asked) return;

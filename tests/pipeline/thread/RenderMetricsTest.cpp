@@ -102,7 +102,7 @@ TEST_F(RenderMetricsTest, WhatTakesSecondsIsNotMadeWithThePicture) {
   EXPECT_FALSE(first->at(Metric::HdrFlip)) << "of the frame on show what is cheap comes first";
 }
 
-TEST_F(RenderMetricsTest, WishesAreAnsweredMeanwhileAndCancelEndsIt) {
+TEST_F(RenderMetricsTest, RequestsAreAnsweredMeanwhileAndCancelEndsIt) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 3 || asked) return;

@@ -66,7 +66,7 @@ TEST_F(RenderReferenceTest, IsDrawnForProbesThatAreToComeWithIt) {
   EXPECT_FALSE(hasReference()) << "of another frame none is drawn any more";
 }
 
-TEST_F(RenderReferenceTest, AnswersWishesMeanwhileAndStops) {
+TEST_F(RenderReferenceTest, AnswersRequestsMeanwhileAndStops) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
     if (work.what != kWork || work.done < 20 || asked) return;

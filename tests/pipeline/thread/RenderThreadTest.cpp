@@ -80,7 +80,7 @@ TEST_F(RenderThreadTest, DeliversTheValuesOfVisibleTexels) {
   EXPECT_EQ(recorder.pictures[0].values.at(0, 0)[0], 1.0f) << "frame 0 has no history";
 }
 
-TEST_F(RenderThreadTest, GoesWhereTheLastWishSays) {
+TEST_F(RenderThreadTest, GoesWhereTheLastRequestSays) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
   recorder.clear();
@@ -90,7 +90,7 @@ TEST_F(RenderThreadTest, GoesWhereTheLastWishSays) {
   thread->post(taa::request::Step{-2});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.frame(), 23);
-  // Wishes that came while it worked may have shown a frame each, but never one for every wish.
+  // Requests that came while it worked may have shown a frame each, but never one for every request.
   EXPECT_LE(recorder.pictures.size(), 5u);
   EXPECT_EQ(recorder.pictures.back().frame, 23);
   thread->post(taa::request::Seek{100000});

@@ -98,7 +98,7 @@ TEST_F(RenderThreadTimeTest, LeavesASeekThatANewerOneMakesUseless) {
   EXPECT_EQ(furthest, 3);
 }
 
-TEST_F(RenderThreadTimeTest, ShowsTheNearestCachedFrameBeforeTheWishedOne) {
+TEST_F(RenderThreadTimeTest, ShowsTheNearestCachedFrameBeforeTheRequestedOne) {
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::resolved)}});
   thread->post(taa::request::Seek{60});
   thread->waitUntilIdle();

@@ -105,7 +105,7 @@ TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
     EXPECT_EQ(each.shotVersion, recorder.statuses.back().shotVersion);
 }
 
-TEST_F(TraceTest, FillingInIsCancelledAndAnswersWishesMeanwhile) {
+TEST_F(TraceTest, FillingInIsCancelledAndAnswersRequestsMeanwhile) {
   bool isAsked = false;
   recorder.onWork = [&](const Work& work) {
     if (work.what != "Tracing the probes" || work.done < 5 || isAsked) return;

@@ -203,16 +203,16 @@ TEST(Manifest, PlanesHaveTheirNamesAndChannels) {
   for (std::size_t kind = 0; kind < kPlaneKinds; ++kind) {
     const auto plane = static_cast<PlaneKind>(kind);
     EXPECT_EQ(planeOf(planeName(plane)), plane);
-    EXPECT_LE(leastChannelsOf(plane), channelsOf(plane));
+    EXPECT_LE(minChannelsOf(plane), channelsOf(plane));
   }
   EXPECT_EQ(planeName(PlaneKind::PreviousDepth), "previousDepth");
   EXPECT_EQ(planeName(PlaneKind::Reference), "reference");
   EXPECT_FALSE(planeOf("colour"));
   EXPECT_EQ(channelsOf(PlaneKind::Motion), 2);
   EXPECT_EQ(channelsOf(PlaneKind::Depth), 1);
-  EXPECT_EQ(leastChannelsOf(PlaneKind::Color), 3);
-  EXPECT_EQ(leastChannelsOf(PlaneKind::Overlay), 4);
-  EXPECT_EQ(leastChannelsOf(PlaneKind::Mask), 1);
+  EXPECT_EQ(minChannelsOf(PlaneKind::Color), 3);
+  EXPECT_EQ(minChannelsOf(PlaneKind::Overlay), 4);
+  EXPECT_EQ(minChannelsOf(PlaneKind::Mask), 1);
   EXPECT_EQ(channelsOf(PlaneKind::Mask), 2);
 }
 
