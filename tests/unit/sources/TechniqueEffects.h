@@ -312,7 +312,7 @@ inline const std::map<std::string, std::initializer_list<const char*>>& testsOfT
        {"FilterNumbers.FiveTapsAsPrintedDarkenAConstant", "Jitter.MovesContentAsEachPrintedFormDoes",
         "TwinHistory.AsBevyPrintsItNIsOfTheOwnPixel"}},
       {"D16", {"PrintedMotionTest.OfThisFramesProjectionMissesTheZoom"}},
-      {"D17", {"TechniqueEffect.LumaCalmsAlphaToNothingWithoutAFloor"}},
+      {"D17", {"TechniqueEffect.LumaDampsAlphaToNothingWithoutAFloor"}},
       {"D18", {"MotionTest.OfTheCameraHasTheKnownErrorOfEachVariant", "Jitter.IsNothingWithoutASequence"}},
       {"D19", {"TechniqueEffect.InverseLumaAsPrintedHardlySuppressesFireflies"}},
   };

@@ -501,7 +501,7 @@ TEST(TechniqueEffect, InverseLumaAsPrintedHardlySuppressesFireflies) {
 }
 
 // Manual 13.11, §26, D17: 0.1·(1 − 1/1.001)² of a change from 0 to 1, and a floor of α that ends it.
-TEST(TechniqueEffect, LumaCalmsAlphaToNothingWithoutAFloor) {
+TEST(TechniqueEffect, LumaDampsAlphaToNothingWithoutAFloor) {
   Inputs inputs = test::constantInputs(3, 3, glm::vec3(1.0f));
   test::setHistory(inputs, glm::vec3(0.0f), 9.0f);
   const auto alpha = [&](const char* floor) {
