@@ -72,7 +72,7 @@ RowStory lengthStory(const Teller& t) {
                      Id::historyLength),
             ""};
   case LengthRule::Variance:
-    return {say<"frames that would be as calm when averaged">(),
+    return {say<"equally weighted frames that would have as little noise">(),
             t.equals("1 / (" + a + "^2 + (1 − " + a + ")^2 / " + n + ")", Id::historyLength), ""};
   case LengthRule::VarianceAsPrinted:
     return {say<"the variance itself, as printed">(),
