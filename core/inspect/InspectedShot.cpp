@@ -374,7 +374,7 @@ void InspectedShot::prepare(const Settings& settings, int lane) {
 void InspectedShot::prepareInBackground(const Settings& settings, int lane) {
   const Settings counting = used(settings);
   if (!player_.isOpen() || !sameInputs(counting, usedSettings(lane))) return;
-  compiler_.want({counting, {width(), height()}, player_.maker().exposedRows(counting)});
+  compiler_.want({counting, {width(), height()}, player_.maker().rowsToExpose(counting)});
 }
 
 bool InspectedShot::waitUntilPrepared(std::chrono::milliseconds duration) {

@@ -174,7 +174,7 @@ const FrameInputs& FrameMaker::inputs(const ShotState& state, ShownFrame& shown,
   return inputs.textures;
 }
 
-std::vector<IntermediateId> FrameMaker::exposedRows(const Settings& settings) const {
+std::vector<IntermediateId> FrameMaker::rowsToExpose(const Settings& settings) const {
   return ExposedLayout(watched, rowSources(settings)).isWritten() ? watched : std::vector<IntermediateId>();
 }
 
@@ -192,7 +192,7 @@ void FrameMaker::make(const ShotState& state, const FrameStep& step, ShownFrame&
     const FrameInputs& inputs = lane.inputs->textures;
     lane.previous = inputs.info.startsHistory ? nullptr : step.previous[index];
     lane.asked.reset();
-    lane.isExposed = step.exposes && !exposedRows(state.lanes[index]).empty();
+    lane.isExposed = step.exposes && !rowsToExpose(state.lanes[index]).empty();
     if (lane.isExposed)
       fitExposed(lane.watched, ExposedLayout(watched, rowSources(state.lanes[index])), wholePicture(state));
     const std::shared_ptr<History> out = pool_.take();

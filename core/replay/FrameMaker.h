@@ -91,7 +91,7 @@ class FrameMaker {
   /// A frame to make the next one in, with the textures of one that is not on show any more.
   ShownFrame take();
   /// What a run of the resolve exposes: nothing when no watched row has to be written.
-  std::vector<IntermediateId> exposedRows(const Settings& settings) const;
+  std::vector<IntermediateId> rowsToExpose(const Settings& settings) const;
   /// Gives back a frame that is not on show any more.
   void recycle(ShownFrame&& frame);
   /// Frees textures that are kept for later: they have not the right size any more.

@@ -303,7 +303,7 @@ void ShotPlayer::prepare(const Settings& settings, int lane) {
   FrameStep step = stepOfRedraw(next, changed, true);
   for (const bool exposes : {true, false}) { // as it is shown at once, and as it is replayed
     step.exposes = exposes;
-    const auto rows = exposes ? maker_.exposedRows(settings) : std::vector<IntermediateId>();
+    const auto rows = exposes ? maker_.rowsToExpose(settings) : std::vector<IntermediateId>();
     if (maker_.pass.isPrepared(settings, rows)) continue;
     ShownFrame made = maker_.take();
     maker_.make(next, step, made);
@@ -314,7 +314,7 @@ void ShotPlayer::prepare(const Settings& settings, int lane) {
 // A new pass is made beside the old; the source, which keeps its own old shaders on error, comes last.
 void ShotPlayer::reloadShaders() {
   TaaPass pass;
-  for (const Settings& settings : state_.lanes) pass.prepare(settings, maker_.exposedRows(settings));
+  for (const Settings& settings : state_.lanes) pass.prepare(settings, maker_.rowsToExpose(settings));
   if (isOpen()) state_.frames->reloadShaders();
   maker_.pass = std::move(pass);
   for (ShownLane& lane : shown_.lanes) lane.inputs->areDrawn = false; // with the old ones
