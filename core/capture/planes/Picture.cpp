@@ -5,14 +5,13 @@
 #include "core/capture/format/ShownText.h"
 #include "core/capture/planes/PictureParts.h"
 #include "core/capture/planes/PlaneFiles.h"
-#include "core/capture/planes/SmallFloats.h"
+#include "core/capture/planes/StoredRows.h"
 
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -181,66 +180,6 @@ void requireReadable(const Selection& selection, const std::string& name) {
             "%4 × %5 px; save all of it">(name, spec.width, spec.height, spec.full_width, spec.full_height));
 }
 
-/// Where a channel stands in the bytes of a pixel, and what it is.
-struct StoredChannel {
-  std::size_t offset = 0;
-  OIIO::TypeDesc::BASETYPE type = OIIO::TypeDesc::FLOAT;
-};
-
-template <typename T>
-T loadFrom(const std::byte* at) {
-  T value;
-  std::memcpy(&value, at, sizeof(T));
-  return value;
-}
-
-/// `value(at)` for each pixel of a row, `step` bytes apart.
-template <typename Out, typename Value>
-void unpack(const std::byte* at, std::size_t step, std::size_t width, Out* out, std::size_t outStep,
-            const Value& value) {
-  for (std::size_t x = 0; x < width; ++x, at += step, out += outStep) *out = value(at);
-}
-
-void unpackFloats(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_t step, std::size_t width,
-                  float* out, std::size_t outStep) {
-  const auto each = [&](const auto& value) { unpack(at, step, width, out, outStep, value); };
-  using Byte = const std::byte*;
-  switch (type) {
-  case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return floatOfHalf(loadFrom<std::uint16_t>(p)); });
-  case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return loadFrom<float>(p); });
-  case OIIO::TypeDesc::DOUBLE:
-    return each([](Byte p) { return static_cast<float>(loadFrom<double>(p)); });
-  case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint8_t>(p)) / 255.0f; });
-  case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint16_t>(p)) / 65535.0f; });
-  default:
-    return each([](Byte p) { return static_cast<float>(loadFrom<std::uint32_t>(p)); });
-  }
-}
-
-void unpackIds(OIIO::TypeDesc::BASETYPE type, const std::byte* at, std::size_t step, std::size_t width,
-               std::uint32_t* out) {
-  const auto each = [&](const auto& value) { unpack(at, step, width, out, 1, value); };
-  using Byte = const std::byte*;
-  switch (type) {
-  case OIIO::TypeDesc::UINT8:
-    return each([](Byte p) { return loadFrom<std::uint8_t>(p); });
-  case OIIO::TypeDesc::UINT16:
-    return each([](Byte p) { return loadFrom<std::uint16_t>(p); });
-  case OIIO::TypeDesc::UINT32:
-    return each([](Byte p) { return loadFrom<std::uint32_t>(p); });
-  case OIIO::TypeDesc::HALF:
-    return each([](Byte p) { return idOf(floatOfHalf(loadFrom<std::uint16_t>(p))); });
-  case OIIO::TypeDesc::FLOAT:
-    return each([](Byte p) { return idOf(loadFrom<float>(p)); });
-  default:
-    return each([](Byte p) { return idOf(static_cast<float>(loadFrom<double>(p))); });
-  }
-}
-
 /// Bytes of some rows as OpenImageIO gives them: channels first to end of a pixel, each in its own format.
 class RowReader {
  public:
@@ -302,19 +241,6 @@ class RowReader {
   std::size_t pixelBytes_ = 0;
   std::vector<std::byte> bytes_;
 };
-
-/// Row `row` of `plane` from the pixels at `at`.
-void unpackRow(PlaneData& plane, int row, const std::byte* at, std::size_t pixelBytes,
-               const std::vector<StoredChannel>& channels) {
-  const auto width = static_cast<std::size_t>(plane.width);
-  const std::size_t first = static_cast<std::size_t>(row) * width;
-  if (!plane.integers.empty())
-    return unpackIds(channels[0].type, at + channels[0].offset, pixelBytes, width,
-                     plane.integers.data() + first);
-  float* out = plane.image.pixels.data() + first * channels.size();
-  for (const StoredChannel& channel : channels)
-    unpackFloats(channel.type, at + channel.offset, pixelBytes, width, out++, channels.size());
-}
 
 /// Rows of the data window that are in the display window, too, become rows of the planes.
 std::vector<PlaneData> readSelection(OIIO::ImageInput& input, const Selection& selection) {
