@@ -54,7 +54,7 @@ double StageMeter::time(TaaPass& pass, const ResolvedFrame& frame, const Draw& d
 StageCosts StageMeter::measure(TaaPass& pass, const ResolvedFrame& frame, const Progress& progress) {
   if (measured_.lock() != frame.current) begin(frame);
   for (; done_ < draws_.size(); ++done_) {
-    report(progress, "Measuring stages", static_cast<int>(done_), static_cast<int>(draws_.size()));
+    report(progress, say<"Measuring stages">(), static_cast<int>(done_), static_cast<int>(draws_.size()));
     const Draw& draw = draws_[done_];
     const double milliseconds = time(pass, frame, draw);
     if (draw.counts)

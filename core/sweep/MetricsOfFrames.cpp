@@ -43,13 +43,15 @@ void keepReferences(Inspector& inspector, const MetricsRequest& request) {
 }
 
 std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,
-                                       const Progress& progress) {
+                                       const Progress& progress,
+                                       const std::function<void(int frame)>& begun) {
   const int samples = request.referenceSamples;
   std::vector<OverTime> kinds;
   for (const OverTime kind : {OverTime::Flicker, OverTime::Parts})
     if (std::ranges::count(request.wanted, kind, overTimeOf) > 0) kinds.push_back(kind);
   std::vector<LaneMetrics> lanes(static_cast<std::size_t>(inspector.shot().laneCount()));
   for (int frame = request.first; frame <= request.last; ++frame) {
+    if (begun) begun(frame);
     report(progress, say<"Measuring frames">(), frame - request.first, request.last - request.first + 1);
     inspector.shot().seek(frame, frame == request.first ? progress : Progress());
     for (int lane = 0; lane < inspector.shot().laneCount(); ++lane) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,9 +36,11 @@ void requireMeasurable(const Inspector& inspector, int referenceSamples);
 /// same frames with other settings draws none of them again.
 void keepReferences(Inspector& inspector, const MetricsRequest& request);
 
-/// Of each lane of what is open; ends at the last frame. Throws Error, Cancelled.
+/// Of each lane of what is open; ends at the last frame. `begun` hears of each frame before it is measured.
+/// Throws Error, Cancelled.
 std::vector<LaneMetrics> measureFrames(Inspector& inspector, const MetricsRequest& request,
-                                       const Progress& progress);
+                                       const Progress& progress,
+                                       const std::function<void(int frame)>& begun = {});
 
 /// Of the frames that have it: nothing changes over time up to the first, or to a cut.
 std::optional<double> meanOfFrames(const LaneMetrics& lane, Metric metric);

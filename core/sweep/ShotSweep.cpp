@@ -38,12 +38,9 @@ void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured
   keepReferences(inspector, request.metrics);
   for (std::size_t index = 0; index < request.settings.size(); ++index) {
     const int before = static_cast<int>(index) * frames;
-    const Progress inside = [&](std::string_view what, int frame, int) {
-      if (what == say<"Measuring frames">()) done = before + frame;
-      return tell();
-    };
+    const auto count = [&](int frame) { done = before + frame - request.metrics.first; };
     inspector.shot().setSettings(request.settings[index].settings);
-    measured(index, measureFrames(inspector, request.metrics, inside).front());
+    measured(index, measureFrames(inspector, request.metrics, between, count).front());
   }
 }
 

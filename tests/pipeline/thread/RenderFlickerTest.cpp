@@ -11,7 +11,7 @@ using taa::Metric;
 using taa::test::onThread::viewOf;
 
 namespace {
-constexpr auto kWork = "Measuring the flicker";
+constexpr taa::WorkKind kWork = taa::WorkKind::OverTime;
 constexpr int kSamples = 4;
 } // namespace
 
@@ -23,7 +23,7 @@ class RenderFlickerTest : public taa::test::onThread::RenderThreadTest {
     thread->waitUntilIdle();
   }
   bool wasTold() const {
-    return std::ranges::any_of(recorder.works, [](const taa::Work& work) { return work.what == kWork; });
+    return std::ranges::any_of(recorder.works, [](const taa::Work& work) { return work.kind == kWork; });
   }
 };
 
@@ -50,7 +50,7 @@ TEST_F(RenderFlickerTest, IsMeasuredWhileAViewShowsIt) {
 TEST_F(RenderFlickerTest, StopsWhenItIsTold) {
   goTo(8);
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == kWork && work.done == 2) thread->post(taa::request::Cancel{});
+    if (work.kind == kWork && work.done == 2) thread->post(taa::request::Cancel{});
   };
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::flicker)}});
   thread->waitUntilIdle();

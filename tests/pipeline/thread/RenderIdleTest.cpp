@@ -30,7 +30,7 @@ TEST_F(RenderIdleTest, ProfilesFramesWhileItIsAskedFor) {
 TEST_F(RenderIdleTest, MeasuresStagesAndAnswersRequestsMeanwhile) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what != "Measuring stages" || asked) return;
+    if (work.kind != taa::WorkKind::Stages || asked) return;
     asked = true;
     thread->post(taa::request::SetViews{{viewOf(IntermediateId::alpha)}});
   };
@@ -45,7 +45,7 @@ TEST_F(RenderIdleTest, MeasuresStagesAndAnswersRequestsMeanwhile) {
 
 TEST_F(RenderIdleTest, StopsMeasuringStages) {
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == "Measuring stages") thread->post(taa::request::Cancel{});
+    if (work.kind == taa::WorkKind::Stages) thread->post(taa::request::Cancel{});
   };
   thread->post(taa::request::MeasureStages{});
   thread->waitUntilIdle();

@@ -17,7 +17,7 @@ using taa::test::onThread::viewOf;
 
 namespace {
 
-constexpr auto kWork = "Measuring the frames";
+constexpr taa::WorkKind kWork = taa::WorkKind::Metrics;
 constexpr int kSamples = 4;
 const std::vector<Metric> kWanted{Metric::MeanAlpha, Metric::Clipped, Metric::Rmse, Metric::Psnr};
 
@@ -78,7 +78,7 @@ TEST_F(RenderMetricsTest, AllFramesThatArePlayedAreMeasuredAsIfTheyWereVisited) 
     EXPECT_EQ(picture.frame, 15) << "what is shown stays";
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_TRUE(std::ranges::any_of(recorder.works, [](const taa::Work& work) {
-    return work.what == kWork && work.done > 8 && work.total == 17;
+    return work.kind == kWork && work.done > 8 && work.total == 17;
   }));
   EXPECT_TRUE(recorder.errors.empty());
 }
@@ -105,7 +105,7 @@ TEST_F(RenderMetricsTest, WhatTakesSecondsIsNotMadeWithThePicture) {
 TEST_F(RenderMetricsTest, RequestsAreAnsweredMeanwhileAndCancelEndsIt) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what != kWork || work.done < 3 || asked) return;
+    if (work.kind != kWork || work.done < 3 || asked) return;
     asked = true;
     thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
     thread->post(taa::request::Cancel{});
@@ -127,7 +127,7 @@ TEST_F(RenderMetricsTest, NothingIsMeasuredWhileItPlays) {
   thread->post(taa::request::SetMetrics{{Metric::MeanAlpha}});
   ASSERT_TRUE(recorder.waitFor([&] { return recorder.metrics.size() > 6; }));
   recorder.read([&] {
-    for (const taa::Work& work : recorder.works) EXPECT_NE(work.what, kWork);
+    for (const taa::Work& work : recorder.works) EXPECT_NE(work.kind, kWork);
   });
   thread->post(taa::request::SetPlaying{false});
   thread->waitUntilIdle();

@@ -11,7 +11,7 @@ using taa::Metric;
 using taa::test::onThread::viewOf;
 
 namespace {
-constexpr auto kWork = "Drawing the reference";
+constexpr taa::WorkKind kWork = taa::WorkKind::Reference;
 } // namespace
 
 class RenderReferenceTest : public taa::test::onThread::RenderThreadTest {
@@ -28,7 +28,7 @@ TEST_F(RenderReferenceTest, IsRefinedWhileAViewShowsIt) {
   thread->post(taa::request::SetReferenceSamples{48});
   thread->waitUntilIdle();
   EXPECT_EQ(recorder.statuses.back().referenceGoal, 48);
-  EXPECT_TRUE(recorder.works.empty() || recorder.works.back().what != kWork) << "nobody looks";
+  EXPECT_TRUE(recorder.works.empty() || recorder.works.back().kind != kWork) << "nobody looks";
   thread->post(taa::request::SetViews{{viewOf(IntermediateId::reference), viewOf(IntermediateId::resolved)}});
   thread->waitUntilIdle();
   EXPECT_EQ(samplesShown(), (std::vector{0, 4, 16, 48}));
@@ -42,7 +42,8 @@ TEST_F(RenderReferenceTest, IsRefinedWhileAViewShowsIt) {
       << "the others are not drawn again";
   const auto told = std::ranges::find(recorder.works, 48, &taa::Work::done);
   ASSERT_NE(told, recorder.works.end());
-  EXPECT_EQ(told->what, kWork);
+  EXPECT_EQ(told->kind, kWork);
+  EXPECT_EQ(told->what, "Drawing the reference");
   EXPECT_EQ(told->total, 48);
   EXPECT_TRUE(recorder.works.back().what.empty());
   EXPECT_TRUE(recorder.errors.empty());
@@ -69,7 +70,7 @@ TEST_F(RenderReferenceTest, IsDrawnForProbesThatAreToComeWithIt) {
 TEST_F(RenderReferenceTest, AnswersRequestsMeanwhileAndStops) {
   bool asked = false;
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what != kWork || work.done < 20 || asked) return;
+    if (work.kind != kWork || work.done < 20 || asked) return;
     asked = true;
     thread->post(taa::request::SetProbes{.all = {{.pixel = {3, 4}}}, .active = 0});
     thread->post(taa::request::Cancel{});

@@ -218,8 +218,7 @@ TEST_F(RenderSidesTest, TheActiveProbeComesWithTheOtherSide) {
 
 TEST_F(RenderSidesTest, WhatIsUnderWayCanBeStoppedAndIsNotStartedAgain) {
   recorder.onWork = [&](const taa::Work& work) {
-    if (work.what == "Drawing the frame to compare with" && work.done > 2)
-      thread->post(taa::request::Cancel{});
+    if (work.kind == taa::WorkKind::Comparing && work.done > 2) thread->post(taa::request::Cancel{});
   };
   const ViewRequest view = comparing(ofFrame(200));
   thread->post(taa::request::SetViews{{view}});

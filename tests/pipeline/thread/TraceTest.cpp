@@ -75,8 +75,8 @@ TEST_F(TraceTest, IsFilledInBesideWhatIsOnShowWithTheSameBits) {
   EXPECT_EQ(filled, (std::vector{3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14})) << "12 was known";
   EXPECT_TRUE(recorder.pictures.empty()) << "what is shown stays";
   EXPECT_EQ(recorder.works.back().what, "");
-  EXPECT_TRUE(std::ranges::any_of(recorder.works,
-                                  [](const Work& work) { return work.what == "Tracing the probes"; }));
+  EXPECT_TRUE(
+      std::ranges::any_of(recorder.works, [](const Work& work) { return work.kind == WorkKind::Traces; }));
   const ProbeTrace traced = trace();
   for (const int frame : {3, 8, 14}) {
     thread->post(taa::request::Seek{frame});
@@ -108,7 +108,7 @@ TEST_F(TraceTest, WhatIsKnownEndsWithTheSettings) {
 TEST_F(TraceTest, FillingInIsCancelledAndAnswersRequestsMeanwhile) {
   bool isAsked = false;
   recorder.onWork = [&](const Work& work) {
-    if (work.what != "Tracing the probes" || work.done < 5 || isAsked) return;
+    if (work.kind != WorkKind::Traces || work.done < 5 || isAsked) return;
     isAsked = true;
     thread->post(taa::request::Cancel{});
   };
@@ -119,7 +119,7 @@ TEST_F(TraceTest, FillingInIsCancelledAndAnswersRequestsMeanwhile) {
   isAsked = false;
   recorder.clear();
   recorder.onWork = [&](const Work& work) {
-    if (work.what != "Tracing the probes" || isAsked) return;
+    if (work.kind != WorkKind::Traces || isAsked) return;
     isAsked = true;
     thread->post(taa::request::Step{1});
   };

@@ -1,4 +1,5 @@
-// Texts of the window go through tr(), so that they can be translated.
+// Texts of the window go through tr(), and what the core is doing through say(), so that they can be
+// translated; so nothing is decided by how they read.
 #include "core/base/Files.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,23 @@ std::vector<std::string> untranslated(const std::string& source) {
   return found;
 }
 
+std::vector<std::string> matches(const std::string& source, const std::regex& pattern) {
+  return {std::sregex_token_iterator(source.begin(), source.end(), pattern), std::sregex_token_iterator()};
+}
+
+/// Sentences, and what work is called, that are compared.
+std::vector<std::string> comparisons(const std::string& source) {
+  static const std::regex kCompared(
+      R"x([=!]= (?:taa::)?say<[^;]*|say<"[^"]*">\([^;()]*\) [=!]= [^;]*|\.what [=!]= [^;]*)x");
+  return matches(source, kCompared);
+}
+
+/// What is reported as being done without say().
+std::vector<std::string> unsaid(const std::string& source) {
+  static const std::regex kReported(R"x(\breport\(\w+, "[^"]+")x");
+  return matches(source, kReported);
+}
+
 } // namespace
 
 TEST(Translatable, FindsWhatIsNot) {
@@ -52,4 +70,28 @@ TEST(Translatable, EveryTextOfTheWindowIs) {
       ADD_FAILURE() << entry.path().string() << ": " << text;
   }
   EXPECT_GT(files, 40);
+}
+
+TEST(Translatable, FindsSentencesThatAreCompared) {
+  EXPECT_EQ(comparisons(R"(if (what == say<"Measuring">()) ++done;)").size(), 1u);
+  EXPECT_EQ(comparisons(R"(return say<"%1 is off">(name) != text;)").size(), 1u);
+  EXPECT_EQ(comparisons(R"(if (work.what == "Measuring") return;)").size(), 1u);
+  EXPECT_TRUE(comparisons(R"(return x == 0 ? say<"none">() : say<"some">();)").empty());
+  EXPECT_EQ(unsaid(R"(report(progress, "Measuring", 1, 2);)").size(), 1u);
+  EXPECT_TRUE(unsaid(R"(report(progress, say<"Measuring">(), 1, 2);)").empty());
+}
+
+// The command line is English.
+TEST(Translatable, WhatTheCoreIsDoingIsSaidAndNeverCompared) {
+  int files = 0;
+  for (const char* folder : {"core", "app"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+      ++files;
+      const std::string source = taa::readFile(entry.path()), path = entry.path().generic_string();
+      for (const std::string& text : comparisons(source)) ADD_FAILURE() << path << ": " << text;
+      if (path.starts_with("core/cli/")) continue;
+      for (const std::string& text : unsaid(source)) ADD_FAILURE() << path << ": " << text;
+    }
+  EXPECT_GT(files, 500);
 }
