@@ -93,15 +93,15 @@ bool isMoved(const Teller& t) {
 
 /// How far the result is on the way from h to the target, by the channel that goes farthest.
 float alongToTarget(const Clip& clip) {
-  const glm::vec3 way = clip.target - clip.h;
+  const glm::vec3 toTarget = clip.target - clip.h;
   int most = 0;
   for (int i = 1; i < 3; ++i)
-    if (std::fabs(way[i]) > std::fabs(way[most])) most = i;
-  return way[most] == 0.0f ? 0.0f : (clip.moved[most] - clip.h[most]) / way[most];
+    if (std::fabs(toTarget[i]) > std::fabs(toTarget[most])) most = i;
+  return toTarget[most] == 0.0f ? 0.0f : (clip.moved[most] - clip.h[most]) / toTarget[most];
 }
 
 /// The way into the box as an expression of box space; empty where it has no short one.
-std::string wayText(const Teller& t, const Clip& clip) {
+std::string pathText(const Teller& t, const Clip& clip) {
   const std::string h = t.tuple(clip.h), target = t.tuple(clip.target);
   const std::string amount = t.number(static_cast<double>(clip.result.amount));
   switch (t.settings().rectify.method) {
@@ -206,9 +206,9 @@ RowStory rectifiedStory(const Teller& t) {
   }
   if (isSelected) return {words, t.equals(t.tuple(clip.result.value), Id::historyRectified), ""};
   if (RowStory cutOff = cutOffStory(t, clip, words); !cutOff.words.empty()) return cutOff;
-  const std::string way = wayText(t, clip);
-  if (way.empty()) return {words, "", ""};
-  return {words, way + " = " + t.tuple(clip.moved), say<"in box space">()};
+  const std::string path = pathText(t, clip);
+  if (path.empty()) return {words, "", ""};
+  return {words, path + " = " + t.tuple(clip.moved), say<"in box space">()};
 }
 
 /// The way of h against that to `target`.
