@@ -11,6 +11,8 @@
 #include "app/views/Viewport.h"
 #include "app/views/plots/ColorSpacePage.h"
 #include "app/views/plots/ColorSpaceView.h"
+#include "app/views/plots/WhatIfPage.h"
+#include "app/widgets/ValueTable.h"
 #include "app/widgets/verdict/VerdictDetails.h"
 
 #include <QAction>
@@ -126,7 +128,20 @@ void ProbeMenu::addRemedies(VerdictChoices& verdicts) {
 void ProbeMenu::addPages(ProbePanel& panel) {
   add(tr("&Values"), keys({"F2"}), [&panel] { panel.openTab(ProbeTab::Values); });
   add(tr("&Color space"), keys({"F3"}), [&panel] { panel.openTab(ProbeTab::ColorSpace); });
-  add(tr("&What if"), keys({"F4"}), [&panel] { panel.openTab(ProbeTab::WhatIf); });
+  const auto openWhatIf = [&panel] {
+    panel.openTab(ProbeTab::WhatIf);
+    panel.whatIf()->table()->setFocus();
+  };
+  add(tr("&What if"), keys({"F4"}), openWhatIf)
+      ->setToolTip(tr("Arrows choose one of the other choices, Enter tries it"));
+  add(tr("Measure the pictures of w&hat if"), keys({"Ctrl+F4"}), [&panel, openWhatIf] {
+    openWhatIf();
+    Q_EMIT panel.whatIf()->measuringRequested();
+  });
+  add(tr("Draw the re&ference that what if is sorted by"), keys({"Shift+F4"}), [&panel, openWhatIf] {
+    openWhatIf();
+    Q_EMIT panel.whatIf()->referenceRequested();
+  });
 }
 
 void ProbeMenu::addPlot(ProbePanel& panel) {

@@ -21,7 +21,10 @@ ProbeFeed::ProbeFeed(Session& session, ViewArea& views, ProbePanel& panel)
           [this](Follow follow) { probes_.setFollow(probes_.active(), follow); });
   connect(&panel_, &ProbePanel::intermediateChosen, this,
           [this](IntermediateId id) { views_.active()->setIntermediate(id); });
-  connect(&panel_, &ProbePanel::whatIfWanted, &probes_, &ProbeChoices::setWhatIf);
+  connect(&panel_, &ProbePanel::whatIfWanted, this, [this](bool wanted) {
+    probes_.setWhatIf(wanted);
+    if (!wanted) probes_.setReference(false);
+  });
   connect(&views_, &ViewArea::otherProbed, this, [this](glm::ivec2 pixel) { probes_.add(pixel); });
   connect(&views_, &ViewArea::probed, this, [this](glm::ivec2 pixel) { probes_.setPixel(pixel); });
   connect(&views_, &ViewArea::probeMoved, this, [this](int dx, int dy) {
@@ -46,12 +49,14 @@ void ProbeFeed::connectWhatIf() {
     choice.settings = variant.settings;
     session_.presets().change(choice, tr("try of %1").arg(tableText(variant.label)));
   });
+  connect(page, &WhatIfPage::referenceRequested, this, [this] { probes_.setReference(true); });
   connect(page, &WhatIfPage::measuringRequested, this, [this, page] {
     const auto captured = session_.status().capture;
     const bool hasReference = !captured || captured->hasReference;
     page->measure(session_.file(), hasReference ? session_.status().referenceGoal : 0);
   });
   connect(&session_, &Session::statusChanged, this, [this, page] {
+    page->setPlaying(session_.status().playing);
     if (page->hasNumbers()) page->setShot(session_.file());
   });
 }

@@ -55,6 +55,12 @@ void measureNumbers(const ShotSweepRequest& request, const SettingsMeasured& mea
   }
 }
 
+QPushButton* buttonOf(const QWidget& page, const QString& text) {
+  for (QPushButton* each : page.findChildren<QPushButton*>())
+    if (each->text() == text) return each;
+  return nullptr;
+}
+
 } // namespace
 
 // Black is 1 from white in each channel; sRGB puts 0.0031308 · 12.92 = 0.04045 above it.
@@ -71,10 +77,20 @@ TEST(WhatIfEntries, AreOrderedByTheirDistanceFromTheReference) {
     EXPECT_LT(entries[place - 1].row, entries[place].row) << "what is as near keeps its order";
 }
 
-TEST(WhatIfEntries, KeepTheirOrderWithoutAReference) {
-  const std::vector<WhatIfEntry> entries = whatIfEntries(resultWith(kUnknown, {{"clipToCenter", 0.0f}}));
-  for (std::size_t place = 0; place < entries.size(); ++place)
-    EXPECT_EQ(entries[place], (WhatIfEntry{place, {}}));
+// Rows say how far they are from what is resolved now: here white.
+TEST(WhatIfEntries, AreOrderedByWhatTheyChangeWithoutAReference) {
+  ProbeResult result = resultWith(kUnknown, {{"clipToCenter", 0.0f}, {"clamp", 0.0031308f}});
+  for (WhatIfRow& row : result.whatIf) row.difference = row.resolved - glm::vec3(1.0f);
+  const std::vector<WhatIfEntry> entries = whatIfEntries(result);
+  ASSERT_EQ(entries.size(), result.whatIf.size());
+  EXPECT_EQ(result.whatIf[entries[0].row].id, "clipToCenter");
+  EXPECT_FALSE(entries[0].error);
+  EXPECT_NEAR(entries[0].change, 1.0, 1e-6);
+  EXPECT_EQ(result.whatIf[entries[1].row].id, "clamp");
+  EXPECT_NEAR(entries[1].change, 1.0 - 0.04045, 1e-5);
+  EXPECT_EQ(entries.back().change, 0.0);
+  for (std::size_t place = 3; place < entries.size(); ++place)
+    EXPECT_LT(entries[place - 1].row, entries[place].row) << "what changes as much keeps its order";
 }
 
 TEST(PictureNumbers, AreThoseOfTheSettings) {
@@ -90,13 +106,82 @@ TEST(PictureNumbers, AreThoseOfTheSettings) {
   EXPECT_EQ(numbers.find(preset("balanced").settings), nullptr);
 }
 
-TEST(WhatIfPage, HasHeadingsWhereThereIsNoReference) {
+TEST(WhatIfPage, SaysWhatItIsSortedByAndOffersTheReferenceThatIsMissing) {
   WhatIfPage page;
+  int asked = 0;
+  QObject::connect(&page, &WhatIfPage::referenceRequested, [&] { ++asked; });
+  EXPECT_EQ(page.order(), "");
   const ProbeResult result = resultWith(kUnknown, {});
   page.setResult(result);
-  EXPECT_EQ(page.table()->rows().size(), result.whatIf.size() + 4);
-  EXPECT_TRUE(page.table()->rows()[0].isSum);
+  page.QWidget::show();
+  EXPECT_EQ(page.table()->rows().size(), result.whatIf.size());
   EXPECT_TRUE(page.table()->isColumnHidden(kErrorCell));
+  EXPECT_EQ(page.order(),
+            "There is no reference of this frame yet: sorted by how much each changes the pixel, "
+            "the most first.");
+  QPushButton* draw = buttonOf(page, "Draw the reference");
+  ASSERT_NE(draw, nullptr);
+  ASSERT_TRUE(draw->isVisible());
+  QTest::mouseClick(draw, Qt::LeftButton);
+  EXPECT_EQ(asked, 1);
+  page.setResult(resultWith(0.0f, {}));
+  EXPECT_FALSE(draw->isVisible());
+  EXPECT_FALSE(page.table()->isColumnHidden(kErrorCell));
+  EXPECT_EQ(page.order(), "Sorted by the error to the reference, the nearest first.");
+}
+
+TEST(WhatIfPage, StaysAsItIsWhileItPlaysWithoutAReference) {
+  WhatIfPage page;
+  ProbeResult result = resultWith(kUnknown, {});
+  page.setResult(result);
+  page.setPlaying(true);
+  const QString first = page.table()->rows()[0].cells[0];
+  result.whatIf.back().difference = glm::vec3(1.0f); // it changes most
+  page.setResult(result);
+  EXPECT_EQ(page.table()->rows()[0].cells[0], first);
+  EXPECT_EQ(page.order(), "In their own order while it plays.");
+  page.setPlaying(false);
+  EXPECT_NE(page.table()->rows()[0].cells[0], first);
+}
+
+TEST(WhatIfPage, ArrowsChooseARowAndEnterTriesIt) {
+  WhatIfPage page;
+  page.resize(500, 400);
+  ProbeResult result = resultWith(0.0f, {{"clipToCenter", 0.0f}, {"clamp", 0.0031308f}});
+  page.setResult(result);
+  page.QWidget::show();
+  page.activateWindow();
+  page.table()->setFocus();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  std::vector<std::string> tried;
+  QObject::connect(&page, &WhatIfPage::tried, [&](const Variant& variant) { tried.push_back(variant.id); });
+  page.table()->setCurrentItem(page.table()->topLevelItem(0));
+  QTest::keyClick(page.table(), Qt::Key_Down);
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(tried, (std::vector<std::string>{"clamp"}));
+  // It comes first now: what is chosen is the row, not its place.
+  for (WhatIfRow& row : result.whatIf)
+    if (row.group == WhatIfGroup::Rectify)
+      row.resolved = glm::vec3(row.id == "clamp" ? 0.0f : row.id == "clipToCenter" ? 0.0031308f : 1.0f);
+  page.setResult(result);
+  EXPECT_EQ(page.table()->currentItem(), page.table()->topLevelItem(0));
+  QTest::keyClick(page.table(), Qt::Key_Down);
+  QTest::keyClick(page.table(), Qt::Key_Enter);
+  EXPECT_EQ(tried, (std::vector<std::string>{"clamp", "clipToCenter"}));
+}
+
+TEST(WhatIfPage, EnterDoesNotTryWhatIsInForce) {
+  WhatIfPage page;
+  page.setResult(resultWith(0.0f, {}));
+  int times = 0;
+  QObject::connect(&page, &WhatIfPage::tried, [&] { ++times; });
+  QTest::keyClick(page.table(), Qt::Key_Return); // no row is chosen
+  for (int line = 0; line < page.table()->topLevelItemCount(); ++line) {
+    if (!page.table()->topLevelItem(line)->text(0).startsWith(QStringLiteral("▸"))) continue;
+    page.table()->setCurrentItem(page.table()->topLevelItem(line));
+    QTest::keyClick(page.table(), Qt::Key_Return);
+  }
+  EXPECT_EQ(times, 0);
 }
 
 TEST(WhatIfPage, AClickTriesARow) {
@@ -135,8 +220,7 @@ TEST(WhatIfPage, MeasuresWholePicturesUpToTheFrame) {
   SessionFile shot;
   shot.source = "builtin:fan";
   page.measure(shot, 16);
-  auto* button = page.findChild<QPushButton*>();
-  ASSERT_TRUE(waitFor([&] { return button->text() == "Measure pictures"; }));
+  ASSERT_TRUE(waitFor([&] { return buttonOf(page, "Measure pictures") != nullptr; }));
   for (const ValueTable::Row& row : page.table()->rows()) {
     EXPECT_EQ(row.cells[kGhostCell].toDouble(), 0.75) << row.cells[0].toStdString();
     EXPECT_EQ(row.cells[kFlickerCell].toDouble(), 0.25);
@@ -197,6 +281,36 @@ TEST_F(WhatIfInTheWindow, TriesAsOneStepOfUndo) {
   EXPECT_TRUE(session.presets().settings() == wanted);
   session.undo();
   EXPECT_TRUE(session.presets().settings() == before);
+}
+
+TEST_F(WhatIfInTheWindow, KeysOpenItChooseARowAndTryIt) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  settle();
+  key(Qt::Key_F4);
+  ValueTable* table = window.probe()->whatIf()->table();
+  EXPECT_TRUE(table->hasFocus());
+  const Settings before = session.presets().settings();
+  const auto isInForce = [&] {
+    return !table->currentItem() || table->currentItem()->text(0).startsWith(QStringLiteral("▸"));
+  };
+  do QTest::keyClick(table, Qt::Key_Down);
+  while (isInForce());
+  QTest::keyClick(table, Qt::Key_Return);
+  settle();
+  EXPECT_FALSE(session.presets().settings() == before);
+  session.undo();
+  EXPECT_TRUE(session.presets().settings() == before);
+}
+
+TEST_F(WhatIfInTheWindow, HasTheReferenceDrawnByAKeyWhileThePageIsOpen) {
+  session.probes().setPixel(glm::ivec2(12, 7));
+  settle();
+  EXPECT_FALSE(renderer->probes.reference);
+  key(Qt::Key_F4, Qt::ShiftModifier);
+  EXPECT_EQ(window.probe()->tab(), ProbeTab::WhatIf);
+  EXPECT_TRUE(renderer->probes.reference);
+  key(Qt::Key_F2);
+  EXPECT_FALSE(renderer->probes.reference);
 }
 
 } // namespace taa::app::test

@@ -27,19 +27,21 @@ double shownDistance(const glm::vec3& color, const glm::vec3& reference) {
 
 } // namespace
 
-std::vector<WhatIfEntry> whatIfEntries(const ProbeResult& result) {
+std::vector<WhatIfEntry> whatIfEntries(const ProbeResult& result, bool sortsByChange) {
   std::vector<WhatIfEntry> entries;
   const PixelRecord* record = result.around.size() > kProbedMiddle ? &result.around[kProbedMiddle] : nullptr;
   const bool hasReference = record && twin::isKnown(*record, IntermediateId::reference);
   for (std::size_t row = 0; row < result.whatIf.size(); ++row) {
-    WhatIfEntry& entry = entries.emplace_back(WhatIfEntry{row, {}});
+    const WhatIfRow& of = result.whatIf[row];
+    WhatIfEntry& entry =
+        entries.emplace_back(WhatIfEntry{row, {}, shownDistance(of.resolved, of.resolved - of.difference)});
     if (hasReference)
-      entry.error =
-          shownDistance(result.whatIf[row].resolved, glm::vec3(twin::at(*record, IntermediateId::reference)));
+      entry.error = shownDistance(of.resolved, glm::vec3(twin::at(*record, IntermediateId::reference)));
   }
-  if (hasReference)
-    std::ranges::stable_sort(entries,
-                             [](const WhatIfEntry& a, const WhatIfEntry& b) { return *a.error < *b.error; });
+  if (!hasReference && !sortsByChange) return entries;
+  std::ranges::stable_sort(entries, [hasReference](const WhatIfEntry& a, const WhatIfEntry& b) {
+    return hasReference ? *a.error < *b.error : a.change > b.change;
+  });
   return entries;
 }
 

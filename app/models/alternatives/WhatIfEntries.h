@@ -1,4 +1,5 @@
-// The pixel under other choices, nearest to the reference first, and what they make of whole pictures.
+// The pixel under other choices, nearest to the reference first or what changes it most, and what they make
+// of whole pictures.
 #pragma once
 
 #include "core/requests/Results.h"
@@ -21,11 +22,13 @@ struct WhatIfEntry {
   /// From the reference: root of the mean squared difference of red, green and blue as they are shown;
   /// nothing: there is no reference.
   std::optional<double> error;
+  double change = 0.0; ///< the same from what is resolved by the settings in force
   bool operator==(const WhatIfEntry&) const = default;
 };
 
-/// By error where there is a reference, what is as near as in their own order; else in that.
-std::vector<WhatIfEntry> whatIfEntries(const ProbeResult& result);
+/// By error where there is a reference, the nearest first; else by change, the largest first, unless they are
+/// to stay in their own order, in which equal ones always are.
+std::vector<WhatIfEntry> whatIfEntries(const ProbeResult& result, bool sortsByChange = true);
 
 /// Means of the picture metrics by the settings they were measured of.
 class PictureNumbers {

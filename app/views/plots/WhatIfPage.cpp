@@ -8,7 +8,10 @@
 #include "core/picture/ColorMap.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
 #include <QStringList>
 #include <QVBoxLayout>
 
@@ -53,10 +56,6 @@ float largestChannel(const glm::vec3& difference) {
   return most;
 }
 
-ValueTable::Row headingOf(WhatIfGroup group) {
-  return {QStringList{tableText(whatIfGroupLabel(group))}, {}, true};
-}
-
 QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbers::Means* means) {
   QStringList lines{
       WhatIfPage::tr("%1: %2").arg(tableText(whatIfGroupLabel(row.group)), tableText(row.label)),
@@ -68,7 +67,7 @@ QString tipOf(const WhatIfRow& row, const WhatIfEntry& entry, const PictureNumbe
       lines << WhatIfPage::tr("picture, %1: %2")
                    .arg(tableText(metricInfo(kPictureMetrics[place]).label), shortText(*(*means)[place], 4));
   if (!row.note.empty()) lines << QStringLiteral("* ") + QString::fromStdString(row.note);
-  if (!row.isCurrent) lines << WhatIfPage::tr("A click tries it; Ctrl+Z takes it back");
+  if (!row.isCurrent) lines << WhatIfPage::tr("A click or Enter tries it; Ctrl+Z takes it back");
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -94,30 +93,28 @@ bool isSameShot(const SessionFile& a, const SessionFile& b) {
 } // namespace
 
 WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
-    : QWidget(parent), work_(std::move(sweep)), note_(new QLabel) {
+    : QWidget(parent), work_(std::move(sweep)), order_(new QLabel), note_(new QLabel) {
   table_ = new ValueTable({tr("Instead"), tr("Error"), tr("Resolved"), tr("Change"), tr("α"), tr("Ghost"),
                            tr("Flicker"), tr("Sharp")});
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setAllColumnsShowFocus(true);
+  table_->setFocusPolicy(Qt::StrongFocus);
+  table_->installEventFilter(this);
   bar_ = new BackgroundBar(work_, tr("Measure pictures"));
+  draw_ = bar_->addButton(tr("Draw the reference"), tr("Draw the reference that rows are sorted by"));
   table_->setAccessibleName(tr("The pixel under other choices"));
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else columns change with the number of rows
   table_->headerItem()->setToolTip(ErrorColumn, tr("How far the pixel is from the reference, as shown"));
   for (std::size_t place = 0; place < kPictureMetrics.size(); ++place)
     table_->headerItem()->setToolTip(FirstPictureColumn + static_cast<int>(place),
                                      tableText(metricInfo(kPictureMetrics[place]).description));
-  note_->setFont(secondaryFont());
-  note_->setForegroundRole(QPalette::PlaceholderText);
-  note_->setWordWrap(true);
-  note_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
   note_->setText(
-      tr("This frame again on the history it had, one choice replaced. ▸ is in force, a click tries another. "
-         "* uses jitter and inputs as they are now, or misses what this history does not keep."));
-  bar_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(table_, 1);
-  column->addWidget(note_);
-  column->addWidget(bar_);
+      tr("This frame again on the history it had, one choice replaced. ▸ is in force, a click or Enter tries "
+         "another. * uses jitter and inputs as they are now, or misses what this history does not keep."));
+  layOut();
+  connect(table_, &QTreeWidget::currentItemChanged, this,
+          [this](QTreeWidgetItem* item) { chosen_ = keyOf(table_->indexOfTopLevelItem(item)); });
+  connect(draw_, &QPushButton::clicked, this, &WhatIfPage::referenceRequested);
   connect(table_, &QTreeWidget::itemClicked, this,
           [this](QTreeWidgetItem* item) { tryLine(table_->indexOfTopLevelItem(item)); });
   connect(bar_, &BackgroundBar::startRequested, this, &WhatIfPage::measuringRequested);
@@ -129,7 +126,24 @@ WhatIfPage::WhatIfPage(SweepWork::Sweep sweep, QWidget* parent)
     refresh();
     if (!error.isEmpty()) bar_->setNote(error);
   });
-  refresh();
+  show();
+}
+
+void WhatIfPage::layOut() {
+  for (QLabel* label : {order_, note_}) {
+    label->setFont(secondaryFont());
+    label->setForegroundRole(QPalette::PlaceholderText);
+    label->setWordWrap(true);
+    label->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  }
+  bar_->setContentsMargins(2 * kUnit, kUnit, 2 * kUnit, kUnit);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(order_);
+  column->addWidget(table_, 1);
+  column->addWidget(note_);
+  column->addWidget(bar_);
 }
 
 void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
@@ -137,32 +151,63 @@ void WhatIfPage::setResult(const std::optional<ProbeResult>& result) {
   show();
 }
 
-// Headings only where rows of a group stand together.
+void WhatIfPage::setPlaying(bool playing) {
+  if (playing == isPlaying_) return;
+  isPlaying_ = playing;
+  show();
+}
+
 void WhatIfPage::show() {
   std::vector<ValueTable::Row> rows;
-  lines_.clear();
-  const std::vector<WhatIfEntry> entries = result_ ? whatIfEntries(*result_) : std::vector<WhatIfEntry>();
+  const std::vector<WhatIfEntry> entries =
+      result_ ? whatIfEntries(*result_, !isPlaying_) : std::vector<WhatIfEntry>();
   const std::vector<Variant> variants =
       entries.empty() ? std::vector<Variant>() : variantsOf(result_->settings);
+  lines_.clear();
   for (const WhatIfEntry& entry : entries) {
     const WhatIfRow& row = result_->whatIf[entry.row];
-    const bool isFirst = entry.row == 0 || result_->whatIf[entry.row - 1].group != row.group;
-    if (!entry.error && isFirst) {
-      rows.push_back(headingOf(row.group));
-      lines_.push_back({});
-    }
     const auto variant = std::ranges::find_if(
         variants, [&](const Variant& each) { return each.group == row.group && each.id == row.id; });
     rows.push_back(
         lineOf(row, entry, variant == variants.end() ? nullptr : numbers_.find(variant->settings)));
     lines_.push_back(entry.row);
   }
-  table_->setRows(rows);
-  table_->setColumnHidden(ErrorColumn, entries.empty() || !entries.front().error);
+  {
+    const QSignalBlocker quiet(table_);
+    table_->setRows(rows);
+    chooseAgain();
+  }
+  showOrder(!entries.empty() && entries.front().error);
   for (int place = FirstPictureColumn; place < kWhatIfColumns; ++place)
     table_->setColumnHidden(place, numbers_.isEmpty());
   fitColumns();
   refresh();
+}
+
+void WhatIfPage::showOrder(bool hasReference) {
+  const bool hasRows = !lines_.empty();
+  table_->setColumnHidden(ErrorColumn, !hasReference);
+  order_->setText(!hasRows       ? QString()
+                  : hasReference ? tr("Sorted by the error to the reference, the nearest first.")
+                  : isPlaying_   ? tr("In their own order while it plays.")
+                                 : tr("There is no reference of this frame yet: sorted by how much each "
+                                        "changes the pixel, the most first."));
+  draw_->setVisible(hasRows && !hasReference);
+}
+
+QString WhatIfPage::order() const {
+  return order_->text();
+}
+
+std::optional<WhatIfPage::VariantKey> WhatIfPage::keyOf(int line) const {
+  if (line < 0 || line >= static_cast<int>(lines_.size()) || !result_) return {};
+  const WhatIfRow& row = result_->whatIf[lines_[static_cast<std::size_t>(line)]];
+  return VariantKey(row.group, row.id);
+}
+
+void WhatIfPage::chooseAgain() {
+  for (int line = 0; chosen_ && line < table_->topLevelItemCount(); ++line)
+    if (keyOf(line) == chosen_) table_->setCurrentItem(table_->topLevelItem(line));
 }
 
 void WhatIfPage::fitColumns() {
@@ -188,9 +233,17 @@ void WhatIfPage::fitColumns() {
 
 void WhatIfPage::tryLine(int line) {
   if (line < 0 || line >= static_cast<int>(lines_.size()) || !result_) return;
-  const std::optional<std::size_t> row = lines_[static_cast<std::size_t>(line)];
-  if (!row || result_->whatIf[*row].isCurrent) return;
-  if (const auto variant = variantOf(result_->settings, result_->whatIf[*row])) Q_EMIT tried(*variant);
+  const WhatIfRow& row = result_->whatIf[lines_[static_cast<std::size_t>(line)]];
+  if (row.isCurrent) return;
+  if (const auto variant = variantOf(result_->settings, row)) Q_EMIT tried(*variant);
+}
+
+bool WhatIfPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != table_ || event->type() != QEvent::KeyPress) return false;
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key != Qt::Key_Return && key != Qt::Key_Enter) return false;
+  tryLine(table_->indexOfTopLevelItem(table_->currentItem()));
+  return true;
 }
 
 void WhatIfPage::setShot(const SessionFile& shot) {
