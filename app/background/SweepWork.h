@@ -12,9 +12,9 @@ namespace taa::app {
 class SweepWork : public BackgroundWork {
   Q_OBJECT
  public:
-  /// As sweepShot(); tests put another one in its place.
+  /// As sweepShots(); tests put another one in its place.
   using Sweep = std::function<void(const ShotSweepRequest&, const SettingsMeasured&, const Progress&)>;
-  explicit SweepWork(Sweep sweep = sweepShot, QObject* parent = nullptr);
+  explicit SweepWork(Sweep sweep = sweepShots, QObject* parent = nullptr);
 
   void begin(const ShotSweepRequest& request);
 

@@ -2,6 +2,7 @@
 
 #include "app/background/BackgroundBar.h"
 #include "app/dialogs/FramesField.h"
+#include "app/dialogs/SweepScenes.h"
 #include "app/session/Session.h"
 #include "app/style/Numbers.h"
 #include "app/style/Text.h"
@@ -16,6 +17,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStringList>
@@ -31,7 +33,8 @@ namespace taa::app {
 
 namespace {
 
-enum SweepColumn { SettingsColumn, FrontColumn, FirstMetric };
+enum SweepColumn { SettingsColumn, SceneColumn, FrontColumn, FirstMetric };
+constexpr int kAllScenes = -1;
 constexpr int kIndexRole = Qt::UserRole, kNumberRole = Qt::UserRole + 1;
 constexpr int kFirstFrames = 8; ///< up to the one on show
 
@@ -57,14 +60,16 @@ QString metricTitle(Metric metric) {
 
 SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep)
     : QDialog(parent), session_(session), work_(std::move(sweep)),
-      choices_(new SweepChoices(session, folder)), frames_(new FramesField(session, kFirstFrames)),
-      table_(new QTreeWidget), ofX_(new QComboBox), ofY_(new QComboBox), ofCurves_(new QComboBox),
-      scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))),
-      bar_(new BackgroundBar(work_, tr("Measure"))) {
+      choices_(new SweepChoices(session, folder)), scenes_(new SweepScenes(session)),
+      frames_(new FramesField(session, kFirstFrames)), table_(new QTreeWidget), ofX_(new QComboBox),
+      ofY_(new QComboBox), ofCurves_(new QComboBox), ofScene_(new QComboBox), scatter_(new ScatterChart),
+      curves_(new CurveChart({}, tr("frame"))), bar_(new BackgroundBar(work_, tr("Measure"))) {
   setWindowTitle(tr("Sweep"));
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kUnit);
   left->addWidget(choices_, 1);
+  left->addWidget(new QLabel(tr("Scenes")));
+  left->addWidget(scenes_);
   left->addWidget(frames_);
   auto* sides = new QHBoxLayout;
   sides->setSpacing(3 * kUnit);
@@ -74,6 +79,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   right->addWidget(makeCharts());
   sides->addWidget(right, 1);
   choices_->setFixedWidth(60 * kUnit);
+  scenes_->setFixedSize(scenes_->sizeHint());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * kUnit, 3 * kUnit, 3 * kUnit, 3 * kUnit);
   layout->setSpacing(2 * kUnit);
@@ -85,6 +91,7 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   table_->setSortingEnabled(true);
   connectParts();
   listMetrics();
+  listScenes();
   refresh();
 }
 
@@ -93,6 +100,7 @@ void SweepDialog::connectParts() {
   connect(table_, &QTreeWidget::itemActivated, this, &SweepDialog::apply);
   connect(scatter_, &ScatterChart::pointClicked, this, &SweepDialog::choose);
   connect(choices_, &SweepChoices::changed, this, &SweepDialog::refresh);
+  connect(scenes_, &SweepScenes::changed, this, &SweepDialog::refresh);
   connect(frames_, &FramesField::changed, this, &SweepDialog::refresh);
   connect(&session_.presets(), &PresetChoices::settingsChanged, this, [this] {
     if (isVisible()) choices_->refresh();
@@ -130,12 +138,14 @@ QWidget* SweepDialog::makeCharts() {
     charts->addWidget(side);
   };
   page(scatter_, {ofX_, ofY_});
-  page(curves_, {ofCurves_});
+  page(curves_, {ofCurves_, ofScene_});
   charts->setSizes({1, 1}); // as wide as one another
   ofX_->setAccessibleName(tr("Metric to the right"));
   ofY_->setAccessibleName(tr("Metric upwards"));
   ofCurves_->setAccessibleName(tr("Metric of the curves"));
-  for (QComboBox* box : {ofX_, ofY_, ofCurves_}) {
+  ofScene_->setAccessibleName(tr("Scene of the charts"));
+  ofScene_->setVisible(false);
+  for (QComboBox* box : {ofX_, ofY_, ofCurves_, ofScene_}) {
     box->view()->setAccessibleName(box->accessibleName());
     connect(box, &QComboBox::currentIndexChanged, this, [this] {
       showTable(); // the front is another one
@@ -154,9 +164,11 @@ void SweepDialog::makeButtons() {
   connect(copy_, &QPushButton::clicked, this, &SweepDialog::copy);
 }
 
+// What all scenes have.
 int SweepDialog::referenceSamples() const {
   const auto captured = session_.status().capture;
-  return captured && !captured->hasReference ? 0 : session_.status().referenceGoal;
+  const bool isOpenOneChosen = std::ranges::any_of(scenes_->chosen(), &SweptScene::isOpen);
+  return captured && !captured->hasReference && isOpenOneChosen ? 0 : session_.status().referenceGoal;
 }
 
 // The usual trade-off is chosen first, and stands first in the table.
@@ -178,7 +190,7 @@ void SweepDialog::listMetrics() {
   list(ofX_, usual[0]);
   list(ofY_, usual[1]);
   list(ofCurves_, usual[0]);
-  QStringList header{tr("Settings"), tr("Front")};
+  QStringList header{tr("Settings"), tr("Scene"), tr("Front")};
   for (const Metric metric : metrics_) header << metricTitle(metric);
   table_->setColumnCount(static_cast<int>(header.size()));
   table_->setHeaderLabels(header);
@@ -189,14 +201,34 @@ void SweepDialog::listMetrics() {
                                      tableText(metricInfo(metrics_[column]).description));
 }
 
+void SweepDialog::listScenes() {
+  const QSignalBlocker quiet(ofScene_);
+  ofScene_->clear();
+  ofScene_->addItem(tr("All scenes"), kAllScenes);
+  for (std::size_t scene = 0; scene < series_.sceneCount(); ++scene)
+    ofScene_->addItem(series_.sceneName(scene), static_cast<int>(scene));
+  ofScene_->setVisible(series_.sceneCount() > 1);
+  table_->setColumnHidden(SceneColumn, series_.sceneCount() < 2);
+}
+
+std::optional<std::size_t> SweepDialog::sceneShown() const {
+  const QVariant scene = ofScene_->currentData();
+  if (!scene.isValid() || scene.toInt() == kAllScenes) return {};
+  return static_cast<std::size_t>(scene.toInt());
+}
+
 Metric SweepDialog::metricOf(const QComboBox* box) const {
   return static_cast<Metric>(box->currentData().toInt());
 }
 
 void SweepDialog::begin() {
   swept_ = choices_->chosen();
-  ShotSweepRequest request{session_.file(), {}, {}};
-  std::vector<QString> names;
+  ShotSweepRequest request;
+  std::vector<QString> names, scenes;
+  for (const SweptScene& each : scenes_->chosen()) {
+    request.shots.push_back(each.shot);
+    scenes.push_back(each.name);
+  }
   for (const SweptSettings& each : swept_) {
     request.settings.push_back({each.name.toStdString(), each.choice.settings});
     names.push_back(each.name);
@@ -204,12 +236,11 @@ void SweepDialog::begin() {
   table_->clear();
   listMetrics();
   request.metrics = {frames_->first(), frames_->last(), metrics_, referenceSamples()};
-  series_.begin(std::move(names), metrics_);
+  const QString sceneNames = QStringList(scenes.begin(), scenes.end()).join(QStringLiteral(", "));
+  series_.begin(std::move(names), std::move(scenes), metrics_);
+  listScenes();
   table_->headerItem()->setText(SettingsColumn, choices_->title());
-  setWindowTitle(tr("Sweep: %1, frames %2 to %3")
-                     .arg(QString::fromStdString(request.shot.source))
-                     .arg(frames_->first())
-                     .arg(frames_->last()));
+  setWindowTitle(tr("Sweep: %1, frames %2 to %3").arg(sceneNames).arg(frames_->first()).arg(frames_->last()));
   curves_->setBounds({static_cast<double>(frames_->first()), static_cast<double>(frames_->last())});
   showTable();
   showCharts();
@@ -227,32 +258,38 @@ void SweepDialog::showTable() {
   for (std::size_t index = 0; index < series_.count(); ++index) {
     if (!series_.isMeasured(index)) continue;
     auto* line = new SweepLine({series_.name(index)});
-    line->setData(SettingsColumn, kIndexRole, static_cast<qulonglong>(index));
-    line->setData(SettingsColumn, kNumberRole, static_cast<double>(index)); // "10" comes after "2"
     const auto point = std::ranges::find(points, index, &ScatterPoint::index);
-    const bool isOnFront = point != points.end() && point->isOnFront;
-    line->setText(FrontColumn, isOnFront ? tr("yes") : QString());
-    line->setData(FrontColumn, kNumberRole, isOnFront ? 0.0 : 1.0);
-    for (std::size_t column = 0; column < series_.metrics().size(); ++column) {
-      const int place = FirstMetric + static_cast<int>(column);
-      const std::optional<double> mean = series_.mean(index, series_.metrics()[column]);
-      line->setText(place, mean ? shortText(*mean, 4) : QStringLiteral("–"));
-      line->setData(place, kNumberRole, mean.value_or(std::numeric_limits<double>::max()));
-      line->setFont(place, numberFont());
-      line->setTextAlignment(place, Qt::AlignVCenter | Qt::AlignRight);
-    }
+    fillLine(*line, index, point != points.end() && point->isOnFront);
     table_->addTopLevelItem(line);
     if (index == before) table_->setCurrentItem(line);
   }
   table_->setSortingEnabled(true);
 }
 
+void SweepDialog::fillLine(QTreeWidgetItem& line, std::size_t index, bool isOnFront) const {
+  line.setData(SettingsColumn, kIndexRole, static_cast<qulonglong>(index));
+  line.setData(SettingsColumn, kNumberRole,
+               static_cast<double>(series_.settingsOf(index))); // "10" comes after "2"
+  line.setText(SceneColumn, series_.sceneName(series_.sceneOf(index)));
+  line.setData(SceneColumn, kNumberRole, static_cast<double>(series_.sceneOf(index)));
+  line.setText(FrontColumn, isOnFront ? tr("yes") : QString());
+  line.setData(FrontColumn, kNumberRole, isOnFront ? 0.0 : 1.0);
+  for (std::size_t column = 0; column < series_.metrics().size(); ++column) {
+    const int place = FirstMetric + static_cast<int>(column);
+    const std::optional<double> mean = series_.mean(index, series_.metrics()[column]);
+    line.setText(place, mean ? shortText(*mean, 4) : QStringLiteral("–"));
+    line.setData(place, kNumberRole, mean.value_or(std::numeric_limits<double>::max()));
+    line.setFont(place, numberFont());
+    line.setTextAlignment(place, Qt::AlignVCenter | Qt::AlignRight);
+  }
+}
+
 void SweepDialog::showCharts() {
   const Metric x = metricOf(ofX_), y = metricOf(ofY_), curve = metricOf(ofCurves_);
   scatter_->setTitles(metricTitle(x), metricTitle(y));
-  scatter_->setPoints(series_.tradeOff(x, y));
+  scatter_->setPoints(series_.tradeOff(x, y, sceneShown()));
   scatter_->setChosen(chosen());
-  curves_->setCurves(series_.curves(curve));
+  curves_->setCurves(series_.curves(curve, sceneShown()));
 }
 
 std::optional<std::size_t> SweepDialog::chosen() const {
@@ -274,7 +311,7 @@ void SweepDialog::choose(std::optional<std::size_t> index) {
 void SweepDialog::apply() {
   const std::optional<std::size_t> index = chosen();
   if (!index) return;
-  const SweptSettings& wanted = swept_[*index];
+  const SweptSettings& wanted = swept_[series_.settingsOf(*index)];
   session_.presets().change(wanted.choice, tr("settings of a sweep: %1").arg(wanted.name));
 }
 
@@ -295,13 +332,19 @@ void SweepDialog::copy() {
 
 void SweepDialog::refresh() {
   const int count = static_cast<int>(choices_->chosen().size());
+  const int scenes = static_cast<int>(scenes_->chosen().size());
   apply_->setEnabled(chosen().has_value());
   copy_->setEnabled(series_.measuredCount() > 0);
-  bar_->setReady(count > 0 && frames_->isOrdered() && session_.isOpen(),
+  bar_->setReady(count > 0 && scenes > 0 && frames_->isOrdered() && session_.isOpen(),
                  !frames_->isOrdered() ? tr("The last frame is before the first.")
-                 : count == 0
-                     ? tr("Nothing is chosen.")
-                     : tr("Settings to measure: %1, each in frames: %2.").arg(count).arg(frames_->count()));
+                 : count == 0          ? tr("Nothing is chosen.")
+                 : scenes == 0         ? tr("No scene is chosen.")
+                 : scenes == 1
+                     ? tr("Settings to measure: %1, each in frames: %2.").arg(count).arg(frames_->count())
+                     : tr("Settings to measure: %1, on scenes: %2, each in frames: %3.")
+                           .arg(count)
+                           .arg(scenes)
+                           .arg(frames_->count()));
 }
 
 void SweepDialog::finish(const QString& error) {

@@ -1,5 +1,5 @@
-// Settings compared by numbers on the shot on show: presets, or the values of one parameter, as a table, as
-// curves over the frames and as a trade-off with its Pareto front.
+// Settings compared by numbers on the shot on show and on other scenes: presets, or the values of one
+// parameter, as a table, as curves over the frames and as a trade-off with a Pareto front for each scene.
 #pragma once
 
 #include "app/background/SweepWork.h"
@@ -16,6 +16,7 @@
 class QComboBox;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace taa::app {
 
@@ -24,23 +25,25 @@ class CurveChart;
 class FramesField;
 class ScatterChart;
 class Session;
+class SweepScenes;
 
 /// There is one of a window: what was chosen, typed and measured is there again when it is opened again.
 class SweepDialog : public QDialog {
   Q_OBJECT
  public:
   /// `folder` holds the user's own presets. Expects that something is open.
-  SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep = sweepShot);
+  SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep = sweepShots);
 
   /// Opens that of `window`, or brings it to the front.
   static void openAt(Session& session, const QString& folder, QWidget* window);
 
   SweepChoices* choices() const { return choices_; }
+  SweepScenes* scenes() const { return scenes_; }
   QTreeWidget* table() const { return table_; }
   ScatterChart* scatter() const { return scatter_; }
   CurveChart* curves() const { return curves_; }
   const SweepSeries& series() const { return series_; }
-  QSize sizeHint() const override { return {1100, 760}; }
+  QSize sizeHint() const override { return {1100, 820}; }
 
   void begin();
   /// Esc: ends what is under way, else closes.
@@ -55,7 +58,9 @@ class SweepDialog : public QDialog {
   void connectParts();
   /// Those that there are of this shot. Expects that no others are in the table.
   void listMetrics();
+  void listScenes();
   void showTable();
+  void fillLine(QTreeWidgetItem& line, std::size_t index, bool isOnFront) const;
   void showCharts();
   void choose(std::optional<std::size_t> index);
   std::optional<std::size_t> chosen() const;
@@ -64,6 +69,7 @@ class SweepDialog : public QDialog {
   void refresh();
   void finish(const QString& error);
   Metric metricOf(const QComboBox* box) const;
+  std::optional<std::size_t> sceneShown() const; ///< in the charts; nothing: all
   int referenceSamples() const;
 
   Session& session_;
@@ -72,9 +78,10 @@ class SweepDialog : public QDialog {
   std::vector<Metric> metrics_;      ///< that are listed
   std::vector<SweptSettings> swept_; ///< whose series it is
   SweepChoices* choices_;
+  SweepScenes* scenes_;
   FramesField* frames_;
   QTreeWidget* table_;
-  QComboBox *ofX_, *ofY_, *ofCurves_;
+  QComboBox *ofX_, *ofY_, *ofCurves_, *ofScene_;
   ScatterChart* scatter_;
   CurveChart* curves_;
   BackgroundBar* bar_;

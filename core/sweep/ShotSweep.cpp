@@ -6,6 +6,7 @@
 #include "core/inspect/Inspector.h"
 #include "core/scene/SceneSource.h"
 
+#include <memory>
 #include <string_view>
 
 namespace taa {
@@ -23,24 +24,41 @@ void openShotOf(Inspector& inspector, const SessionFile& session, const Progress
   shot.setRestarts(session.restarts);
 }
 
-void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress) {
-  if (request.settings.empty()) return;
+namespace {
+
+/// With an Inspector of its own. Throws Error, Cancelled.
+std::unique_ptr<Inspector> openedShot(const ShotSweepRequest& request, const SessionFile& session,
+                                      const Progress& progress) {
+  auto inspector = std::make_unique<Inspector>();
+  inspector->shot().setSettings(request.settings.front().settings);
+  openShotOf(*inspector, session, progress);
+  requireMeasurable(*inspector, request.metrics.referenceSamples);
+  const int last = inspector->shot().frameCount() - 1;
+  if (request.metrics.last > last)
+    throw Error(say<"%1 has frames 0 to %2, so no frame %3">(session.source, last, request.metrics.last));
+  keepReferences(*inspector, request.metrics);
+  return inspector;
+}
+
+} // namespace
+
+void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress) {
   const int frames = request.metrics.last - request.metrics.first + 1;
-  const int total = frames * static_cast<int>(request.settings.size());
+  const int total = frames * static_cast<int>(request.count());
   int done = 0;
   const auto tell = [&] { return !progress || progress(say<"Measuring settings">(), done, total); };
   // What is done between frames only asks whether to stop.
   const Progress between = [&](std::string_view, int, int) { return tell(); };
-  Inspector inspector;
-  inspector.shot().setSettings(request.settings.front().settings);
-  openShotOf(inspector, request.shot, between);
-  requireMeasurable(inspector, request.metrics.referenceSamples);
-  keepReferences(inspector, request.metrics);
-  for (std::size_t index = 0; index < request.settings.size(); ++index) {
+  std::unique_ptr<Inspector> inspector;
+  for (std::size_t index = 0; index < request.count(); ++index) {
+    if (index % request.settings.size() == 0) {
+      inspector.reset(); // a thread has one at a time
+      inspector = openedShot(request, request.shotOf(index), between);
+    }
     const int before = static_cast<int>(index) * frames;
     const auto count = [&](int frame) { done = before + frame - request.metrics.first; };
-    inspector.shot().setSettings(request.settings[index].settings);
-    measured(index, measureFrames(inspector, request.metrics, between, count).front());
+    inspector->shot().setSettings(request.settingsOf(index).settings);
+    measured(index, measureFrames(*inspector, request.metrics, between, count).front());
   }
 }
 

@@ -1,4 +1,4 @@
-// Settings measured one after the other on a shot that somebody looks at, beside it.
+// Settings measured one after the other on a shot that somebody looks at, and on others, beside it.
 #pragma once
 
 #include "core/base/Progress.h"
@@ -15,19 +15,25 @@ namespace taa {
 class Inspector;
 
 struct ShotSweepRequest {
-  SessionFile shot;                    ///< all but its settings and lanes
-  std::vector<SweepSettings> settings; ///< that are measured
+  std::vector<SessionFile> shots;      ///< all of them but their settings and lanes
+  std::vector<SweepSettings> settings; ///< that are measured on each of them
   MetricsRequest metrics{};
+
+  /// Shots slowest.
+  std::size_t count() const { return shots.size() * settings.size(); }
+  const SessionFile& shotOf(std::size_t index) const { return shots[index / settings.size()]; }
+  const SweepSettings& settingsOf(std::size_t index) const { return settings[index % settings.size()]; }
 };
 
-/// The metrics of every frame of `settings[index]`, as soon as they are known.
+/// The metrics of every frame of `settingsOf(index)` on `shotOf(index)`, as soon as they are known.
 using SettingsMeasured = std::function<void(std::size_t index, const LaneMetrics& frames)>;
 
 /// Opens what `shot` says, but for its settings and lanes. Throws Error, Cancelled.
 void openShotOf(Inspector& inspector, const SessionFile& shot, const Progress& progress);
 
 /// With an Inspector of its own: expects a thread that has none. The same numbers as `taa-batch metrics` has.
-/// Reports frame by frame over all settings. Throws Error, Cancelled; what was measured stays told.
-void sweepShot(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress);
+/// Reports frame by frame over all settings on all shots. Throws Error, also where a shot has no such frames,
+/// and Cancelled; what was measured stays told.
+void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress);
 
 } // namespace taa

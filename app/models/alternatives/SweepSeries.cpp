@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,14 +16,10 @@ namespace taa::app {
 
 namespace {
 
-/// Dashes tell apart what has a color of the palette again.
+/// Dashes tell apart scenes, and what has a color of the palette again.
 constexpr std::array<Qt::PenStyle, 4> kSettingsDashes{Qt::SolidLine, Qt::DashLine, Qt::DotLine,
                                                       Qt::DashDotLine};
 constexpr std::size_t kPaletteColors = 8;
-
-QColor settingsColor(std::size_t index) {
-  return curveColor(static_cast<int>(index % kPaletteColors));
-}
 
 double lessIsBetter(Metric metric, double value) {
   return metricInfo(metric).isHigherBetter ? -value : value;
@@ -34,37 +31,61 @@ QString quotedField(const QString& text) {
   return u'"' + inside.replace(u'"', QStringLiteral("\"\"")) + u'"';
 }
 
+/// Marks those that no other one of them beats.
+void markFront(std::vector<ScatterPoint>& points, std::size_t first, Metric x, Metric y) {
+  std::vector<TradeOff> tradeOffs;
+  for (std::size_t place = first; place < points.size(); ++place)
+    tradeOffs.emplace_back(
+        std::array{lessIsBetter(x, points[place].value.x()), lessIsBetter(y, points[place].value.y())});
+  const std::vector<bool> isOnFront = onParetoFront(tradeOffs);
+  for (std::size_t place = first; place < points.size(); ++place)
+    points[place].isOnFront = isOnFront[place - first];
+}
+
 } // namespace
 
-void SweepSeries::begin(std::vector<QString> names, std::vector<Metric> metrics) {
+void SweepSeries::begin(std::vector<QString> settings, std::vector<QString> scenes,
+                        std::vector<Metric> metrics) {
+  assert(settings.empty() || !scenes.empty());
   metrics_ = std::move(metrics);
-  entries_.clear();
-  for (QString& name : names) entries_.push_back({std::move(name), {}});
+  settings_ = std::move(settings);
+  scenes_ = std::move(scenes);
+  frames_.assign(settings_.size() * scenes_.size(), {});
 }
 
 void SweepSeries::add(std::size_t index, LaneMetrics frames) {
-  if (index < entries_.size()) entries_[index].frames = std::move(frames);
+  if (index < frames_.size()) frames_[index] = std::move(frames);
 }
 
 std::size_t SweepSeries::measuredCount() const {
   return static_cast<std::size_t>(
-      std::ranges::count_if(entries_, [](const Entry& entry) { return !entry.frames.empty(); }));
+      std::ranges::count_if(frames_, [](const LaneMetrics& frames) { return !frames.empty(); }));
 }
 
 std::optional<double> SweepSeries::mean(std::size_t index, Metric metric) const {
-  return meanOfFrames(entries_[index].frames, metric);
+  return meanOfFrames(frames_[index], metric);
 }
 
-std::vector<Curve> SweepSeries::curves(Metric metric) const {
+QString SweepSeries::fullName(std::size_t index) const {
+  if (scenes_.size() < 2) return name(index);
+  return QStringLiteral("%1 · %2").arg(sceneName(sceneOf(index)), name(index));
+}
+
+QColor SweepSeries::colorOf(std::size_t index) const {
+  return curveColor(static_cast<int>(settingsOf(index) % kPaletteColors));
+}
+
+std::vector<Curve> SweepSeries::curves(Metric metric, std::optional<std::size_t> scene) const {
   std::vector<Curve> curves;
-  for (std::size_t index = 0; index < entries_.size(); ++index) {
-    if (!isMeasured(index)) continue;
-    Curve curve{entries_[index].name,
-                settingsColor(index),
-                kSettingsDashes[index / kPaletteColors % kSettingsDashes.size()],
+  for (std::size_t index = 0; index < count(); ++index) {
+    if (!isMeasured(index) || (scene && sceneOf(index) != *scene)) continue;
+    const std::size_t dash = settingsOf(index) / kPaletteColors + (scene ? 0 : sceneOf(index));
+    Curve curve{scene ? name(index) : fullName(index),
+                colorOf(index),
+                kSettingsDashes[dash % kSettingsDashes.size()],
                 {},
                 {}};
-    for (const FrameMetrics& frame : entries_[index].frames)
+    for (const FrameMetrics& frame : frames_[index])
       curve.points.emplace_back(frame.frame,
                                 frame.at(metric).value_or(std::numeric_limits<double>::quiet_NaN()));
     curves.push_back(std::move(curve));
@@ -72,27 +93,41 @@ std::vector<Curve> SweepSeries::curves(Metric metric) const {
   return curves;
 }
 
-std::vector<ScatterPoint> SweepSeries::tradeOff(Metric x, Metric y) const {
+std::vector<ScatterPoint> SweepSeries::tradeOff(Metric x, Metric y, std::optional<std::size_t> scene) const {
   std::vector<ScatterPoint> points;
-  std::vector<TradeOff> tradeOffs;
-  for (std::size_t index = 0; index < entries_.size(); ++index) {
+  std::size_t first = 0; // of the points, of the scene
+  for (std::size_t index = 0; index < count(); ++index) {
+    if (settingsOf(index) == 0) {
+      markFront(points, first, x, y);
+      first = points.size();
+    }
+    if (scene && sceneOf(index) != *scene) continue;
     const std::optional<double> ofX = mean(index, x), ofY = mean(index, y);
     if (!ofX || !ofY || !std::isfinite(*ofX) || !std::isfinite(*ofY)) continue;
-    points.push_back({index, entries_[index].name, settingsColor(index), {*ofX, *ofY}, false});
-    tradeOffs.emplace_back(std::array{lessIsBetter(x, *ofX), lessIsBetter(y, *ofY)});
+    points.push_back({index,
+                      fullName(index),
+                      colorOf(index),
+                      {*ofX, *ofY},
+                      false,
+                      sceneOf(index),
+                      scenes_.size() < 2 ? QString() : sceneName(sceneOf(index))});
   }
-  const std::vector<bool> isOnFront = onParetoFront(tradeOffs);
-  for (std::size_t place = 0; place < points.size(); ++place) points[place].isOnFront = isOnFront[place];
+  markFront(points, first, x, y);
   return points;
 }
 
 QString SweepSeries::csv() const {
-  QStringList header{QStringLiteral("settings")};
+  const bool namesScenes = scenes_.size() > 1;
+  QStringList header;
+  if (namesScenes) header << QStringLiteral("scene");
+  header << QStringLiteral("settings");
   for (const Metric metric : metrics_) header << qtext(metricInfo(metric).id);
   QString text = header.join(u',') + u'\n';
-  for (std::size_t index = 0; index < entries_.size(); ++index) {
+  for (std::size_t index = 0; index < count(); ++index) {
     if (!isMeasured(index)) continue;
-    QStringList line{quotedField(entries_[index].name)};
+    QStringList line;
+    if (namesScenes) line << quotedField(sceneName(sceneOf(index)));
+    line << quotedField(name(index));
     for (const Metric metric : metrics_) line << QString::fromStdString(exactMetricText(mean(index, metric)));
     text += line.join(u',') + u'\n';
   }

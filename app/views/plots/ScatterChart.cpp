@@ -3,13 +3,16 @@
 #include "app/style/Numbers.h"
 #include "app/style/Theme.h"
 
+#include <QFontMetricsF>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPolygonF>
 #include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace taa::app {
@@ -29,6 +32,24 @@ Span spanOf(const std::vector<ScatterPoint>& points, double (QPointF::*along)() 
     isFirst = false;
   }
   return isFirst ? Span{} : span;
+}
+
+/// A sign of each scene: disk, square, diamond, triangle, and again.
+void drawSign(QPainter& painter, const QPointF& at, std::size_t scene) {
+  constexpr double r = kPointRadius;
+  switch (scene % 4) {
+  case 0:
+    return painter.drawEllipse(at, r, r);
+  case 1:
+    return painter.drawRect(QRectF(at - QPointF(r, r), QSizeF(2.0 * r, 2.0 * r)));
+  case 2:
+    painter.drawPolygon(QPolygonF{at + QPointF(0, -1.3 * r), at + QPointF(1.3 * r, 0),
+                                  at + QPointF(0, 1.3 * r), at + QPointF(-1.3 * r, 0)});
+    return;
+  default:
+    painter.drawPolygon(
+        QPolygonF{at + QPointF(0, -1.2 * r), at + QPointF(1.2 * r, r), at + QPointF(-1.2 * r, r)});
+  }
 }
 
 } // namespace
@@ -66,8 +87,37 @@ void ScatterChart::fitAxes() {
       axisOf(spanOf(points_, &QPointF::x), std::max(2, static_cast<int>(width() / kScatterTickSpace)),
              xTitle_),
       axisOf(spanOf(points_, &QPointF::y), std::max(2, static_cast<int>(height() / kTickRows)), yTitle_),
-      QRectF(rect()).adjusted(kUnit, 2.0 * kUnit, -3.0 * kUnit, -kUnit));
+      QRectF(rect()).adjusted(kUnit, 2.0 * kUnit + legendHeight(), -3.0 * kUnit, -kUnit));
   update();
+}
+
+std::vector<ScatterPoint> ScatterChart::scenes() const {
+  std::vector<ScatterPoint> firsts;
+  for (const ScatterPoint& point : points_)
+    if (!point.sceneName.isEmpty() && std::ranges::count(firsts, point.scene, &ScatterPoint::scene) == 0)
+      firsts.push_back(point);
+  return firsts.size() < 2 ? std::vector<ScatterPoint>() : firsts;
+}
+
+double ScatterChart::legendHeight() const {
+  return scenes().empty() ? 0.0 : QFontMetricsF(secondaryFont()).height() + kUnit;
+}
+
+// Signs with their names in a row; what has no room is in the tool tips.
+void ScatterChart::paintLegend(QPainter& painter) const {
+  const ThemeColors& colors = themeColors(this);
+  const QFontMetricsF metrics(secondaryFont());
+  painter.setFont(secondaryFont());
+  painter.setPen(QPen(colors.text, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  double x = 2.0 * kUnit;
+  for (const ScatterPoint& each : scenes()) {
+    const double end = x + 4.0 * kUnit + metrics.horizontalAdvance(each.sceneName);
+    if (end > width()) return;
+    drawSign(painter, {x + kPointRadius, kUnit + 0.5 * metrics.height()}, each.scene);
+    painter.drawText(QPointF(x + 3.0 * kUnit, kUnit + metrics.ascent()), each.sceneName);
+    x = end + 2.0 * kUnit;
+  }
 }
 
 const ScatterPoint* ScatterChart::pointAt(QPointF place) const {
@@ -89,10 +139,10 @@ QString ScatterChart::textOf(const ScatterPoint& point) const {
 }
 
 // In the order of the first number.
-void ScatterChart::paintFront(QPainter& painter) const {
+void ScatterChart::paintFront(QPainter& painter, std::size_t scene) const {
   std::vector<QPointF> places;
   for (const ScatterPoint& point : points_)
-    if (point.isOnFront) places.push_back(placeOf(point));
+    if (point.isOnFront && point.scene == scene) places.push_back(placeOf(point));
   std::ranges::sort(places, {}, [](const QPointF& place) { return std::pair(place.x(), place.y()); });
   painter.setPen(QPen(themeColors(this).secondary, 1.0, Qt::DashLine));
   for (std::size_t next = 1; next < places.size(); ++next) painter.drawLine(places[next - 1], places[next]);
@@ -104,11 +154,14 @@ void ScatterChart::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), colors.panel);
   painter.setRenderHint(QPainter::Antialiasing);
   axes_.paint(painter, colors);
-  paintFront(painter);
+  paintLegend(painter);
+  std::set<std::size_t> ofScenes;
+  for (const ScatterPoint& point : points_) ofScenes.insert(point.scene);
+  for (const std::size_t scene : ofScenes) paintFront(painter, scene);
   for (const ScatterPoint& point : points_) {
     painter.setPen(QPen(point.color, 1.5));
     painter.setBrush(point.isOnFront ? QBrush(point.color) : QBrush(Qt::NoBrush));
-    painter.drawEllipse(placeOf(point), kPointRadius, kPointRadius);
+    drawSign(painter, placeOf(point), point.scene);
     if (point.index != chosen_) continue;
     painter.setPen(QPen(colors.accent, 2.0));
     painter.setBrush(Qt::NoBrush);

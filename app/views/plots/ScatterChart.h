@@ -1,4 +1,5 @@
-// Settings by two numbers, with the front that no others beat: what is on it is filled and joined.
+// Settings by two numbers, with the front that no others beat: what is on it is filled and joined, scene by
+// scene, each with a sign of its own.
 #pragma once
 
 #include "app/models/alternatives/SweepSeries.h"
@@ -30,6 +31,8 @@ class ScatterChart : public QWidget {
   const ScatterPoint* pointAt(QPointF place) const;
   /// "balanced: RMSE 0.021, Flicker 0.0013"
   QString textOf(const ScatterPoint& point) const;
+  /// The scenes that points are of, in their order; none where there is only one.
+  std::vector<ScatterPoint> scenes() const;
   QSize sizeHint() const override { return {360, 260}; }
 
  Q_SIGNALS:
@@ -43,7 +46,9 @@ class ScatterChart : public QWidget {
 
  private:
   void fitAxes();
-  void paintFront(QPainter& painter) const;
+  double legendHeight() const;
+  void paintLegend(QPainter& painter) const;
+  void paintFront(QPainter& painter, std::size_t scene) const;
 
   std::vector<ScatterPoint> points_;
   QString xTitle_, yTitle_;

@@ -263,7 +263,7 @@ void WhatIfPage::measure(const SessionFile& shot, int referenceSamples) {
   first_ = first;
   last_ = last;
   ShotSweepRequest request{
-      shot, {}, {first, last, {kPictureMetrics.begin(), kPictureMetrics.end()}, referenceSamples}};
+      {shot}, {}, {first, last, {kPictureMetrics.begin(), kPictureMetrics.end()}, referenceSamples}};
   measuring_.clear();
   for (const Variant& variant : variantsOf(result_->settings)) {
     if (numbers_.find(variant.settings) ||

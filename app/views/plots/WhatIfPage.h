@@ -24,7 +24,7 @@ class ValueTable;
 class WhatIfPage : public QWidget {
   Q_OBJECT
  public:
-  explicit WhatIfPage(SweepWork::Sweep sweep = sweepShot, QWidget* parent = nullptr);
+  explicit WhatIfPage(SweepWork::Sweep sweep = sweepShots, QWidget* parent = nullptr);
 
   void setResult(const std::optional<ProbeResult>& result);
   /// While it plays rows without a reference stay where they are.

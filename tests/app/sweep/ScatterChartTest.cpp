@@ -60,3 +60,15 @@ TEST_F(ScatterChartTest, PaintsNothingAndOneAndMany) {
     chart_.grab();
   }
 }
+
+TEST_F(ScatterChartTest, NamesScenesWhereThereAreSeveral) {
+  EXPECT_TRUE(chart_.scenes().empty());
+  const QPointF before = chart_.placeOf(chart_.points()[0]);
+  chart_.setPoints({{0, "Fan · few", Qt::red, {0.01, 0.004}, true, 0, "Fan"},
+                    {1, "Fan · much", Qt::blue, {0.05, 0.001}, true, 0, "Fan"},
+                    {2, "Fence · few", Qt::red, {0.02, 0.002}, true, 1, "Fence"}});
+  ASSERT_EQ(chart_.scenes().size(), 2u);
+  EXPECT_EQ(chart_.scenes()[1].sceneName, "Fence");
+  EXPECT_GT(chart_.placeOf(chart_.points()[0]).y(), before.y()) << "their names stand above";
+  EXPECT_FALSE(chart_.grab().toImage().isNull());
+}

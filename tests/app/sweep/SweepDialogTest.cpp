@@ -2,9 +2,11 @@
 #include "app/dialogs/SweepDialog.h"
 
 #include "app/dialogs/SweepChoices.h"
+#include "app/dialogs/SweepScenes.h"
 #include "app/views/plots/CurveChart.h"
 #include "app/views/plots/ScatterChart.h"
 #include "core/base/Error.h"
+#include "core/scene/SceneSource.h"
 #include "core/settings/Presets.h"
 #include "tests/app/WindowFixture.h"
 
@@ -43,13 +45,13 @@ class SweepDialogTest : public FakeWindow {
   }
   void TearDown() override { delete dialog_; } // its thread uses what is below
 
-  /// Flicker falls and everything else rises with the place of the settings, in hundredths.
+  /// Flicker falls and everything else rises with the place of the entry, in hundredths.
   void measure(const ShotSweepRequest& request, const SettingsMeasured& measured, const Progress& progress) {
     {
       const std::lock_guard lock(mutex_);
       request_ = request;
     }
-    const auto count = static_cast<int>(request.settings.size());
+    const auto count = static_cast<int>(request.count());
     for (int index = 0; index < count; ++index) {
       do report(progress, "Measuring settings", index, count);
       while (isHeld_ && index == 2);
@@ -79,6 +81,17 @@ class SweepDialogTest : public FakeWindow {
       list->item(line)->setCheckState(std::ranges::count(ids, id) > 0 ? Qt::Checked : Qt::Unchecked);
     }
   }
+  QListWidgetItem* scene(const QString& source) const {
+    const QListWidget* list = dialog_->scenes();
+    for (int line = 0; line < list->count(); ++line)
+      if (list->item(line)->data(Qt::UserRole).toString() == source) return list->item(line);
+    return nullptr;
+  }
+  QComboBox* box(const QString& name) const {
+    for (QComboBox* each : dialog_->findChildren<QComboBox*>())
+      if (each->accessibleName() == name) return each;
+    return nullptr;
+  }
   void chooseAxis(const char* path) {
     QComboBox* axis = dialog_->choices()->axis();
     ASSERT_GE(axis->findData(QString(path)), 0) << path;
@@ -104,8 +117,9 @@ TEST_F(SweepDialogTest, MeasuresThePresetsThatAreTicked) {
   const ShotSweepRequest asked = request();
   ASSERT_EQ(asked.settings.size(), 3u);
   EXPECT_TRUE(asked.settings[0].settings == session.presets().settings());
-  EXPECT_EQ(asked.shot.source, "builtin:fan");
-  EXPECT_EQ(asked.shot.size, glm::ivec2(64, 36));
+  ASSERT_EQ(asked.shots.size(), 1u);
+  EXPECT_EQ(asked.shots[0].source, "builtin:fan");
+  EXPECT_EQ(asked.shots[0].size, glm::ivec2(64, 36));
   EXPECT_EQ(asked.metrics.referenceSamples, 16);
   for (const SweepSettings& each : asked.settings) {
     if (each.name == asked.settings[0].name) continue;
@@ -152,11 +166,9 @@ TEST_F(SweepDialogTest, ShowsTheFrontOfTheChosenMetrics) {
   measureAll();
   for (const ScatterPoint& point : dialog_->scatter()->points()) EXPECT_TRUE(point.isOnFront);
   // With RMSE, which rises as well, only the first is.
-  QComboBox* box = nullptr;
-  for (QComboBox* each : dialog_->findChildren<QComboBox*>())
-    if (each->accessibleName() == "Metric upwards") box = each;
-  ASSERT_NE(box, nullptr);
-  box->setCurrentIndex(box->findData(static_cast<int>(Metric::Rmse)));
+  QComboBox* upwards = box("Metric upwards");
+  ASSERT_NE(upwards, nullptr);
+  upwards->setCurrentIndex(upwards->findData(static_cast<int>(Metric::Rmse)));
   EXPECT_EQ(std::ranges::count(dialog_->scatter()->points(), true, &ScatterPoint::isOnFront), 1);
   EXPECT_TRUE(dialog_->scatter()->points()[0].isOnFront);
 }
@@ -226,6 +238,87 @@ TEST_F(SweepDialogTest, EscapeEndsTheWorkFirst) {
   EXPECT_NE(button("Measure"), nullptr);
   EXPECT_TRUE(dialog_->isVisible());
   EXPECT_EQ(dialog_->series().measuredCount(), 2u);
+}
+
+TEST_F(SweepDialogTest, OffersWhatIsOpenAndTheOtherBuiltInScenes) {
+  const QListWidget* list = dialog_->scenes();
+  ASSERT_EQ(list->count(), static_cast<int>(builtinScenes().size()));
+  EXPECT_EQ(list->item(0)->text(), "Fan, as it is open");
+  EXPECT_EQ(list->item(0)->checkState(), Qt::Checked);
+  for (int line = 1; line < list->count(); ++line)
+    EXPECT_EQ(list->item(line)->checkState(), Qt::Unchecked) << line;
+  EXPECT_EQ(scene("builtin:fan"), nullptr) << "it is the first";
+}
+
+TEST_F(SweepDialogTest, MeasuresPresetsOnScenes) {
+  tickOnly({"", "fsr2", "minimal"});
+  EXPECT_TRUE(dialog_->table()->isColumnHidden(1));
+  ASSERT_NE(scene("builtin:fence"), nullptr);
+  dialog_->scenes()->setCurrentItem(scene("builtin:fence"));
+  QTest::keyClick(dialog_->scenes(), Qt::Key_Space);
+  ASSERT_EQ(scene("builtin:fence")->checkState(), Qt::Checked);
+  measureAll();
+  const ShotSweepRequest asked = request();
+  ASSERT_EQ(asked.shots.size(), 2u);
+  EXPECT_EQ(asked.shots[0].source, "builtin:fan");
+  EXPECT_EQ(asked.shots[1].source, "builtin:fence");
+  EXPECT_EQ(asked.shots[1].size, glm::ivec2(64, 36));
+  EXPECT_EQ(asked.count(), 6u);
+  ASSERT_EQ(dialog_->table()->topLevelItemCount(), 6);
+  EXPECT_FALSE(dialog_->table()->isColumnHidden(1));
+  for (int line = 0; line < 6; ++line)
+    EXPECT_EQ(dialog_->table()->topLevelItem(line)->text(1), line < 3 ? "Fan" : "Fence") << line;
+  EXPECT_EQ(dialog_->windowTitle().section(u',', 0, 1), "Sweep: Fan, Fence");
+  // Charts show all, or one scene.
+  EXPECT_EQ(dialog_->scatter()->scenes().size(), 2u);
+  EXPECT_EQ(dialog_->curves()->curves().size(), 6u);
+  QComboBox* shown = box("Scene of the charts");
+  ASSERT_NE(shown, nullptr);
+  ASSERT_TRUE(shown->isVisible());
+  shown->setCurrentIndex(shown->findText("Fence"));
+  ASSERT_EQ(dialog_->scatter()->points().size(), 3u);
+  EXPECT_EQ(dialog_->scatter()->points()[0].index, 3u);
+  EXPECT_EQ(dialog_->curves()->curves().size(), 3u);
+  EXPECT_EQ(dialog_->table()->topLevelItemCount(), 6) << "the table has all";
+}
+
+TEST_F(SweepDialogTest, TakesUpTheSettingsOfALineOfAnyScene) {
+  tickOnly({"", "fsr2", "minimal"});
+  scene("builtin:fence")->setCheckState(Qt::Checked);
+  measureAll();
+  dialog_->table()->setCurrentItem(dialog_->table()->topLevelItem(4));
+  QTest::mouseClick(button("Apply"), Qt::LeftButton);
+  EXPECT_TRUE(session.presets().settings() == request().settings[1].settings);
+  EXPECT_EQ(session.status().source, "builtin:fan");
+}
+
+TEST_F(SweepDialogTest, StopsBetweenScenesAndKeepsWhatItHas) {
+  isHeld_ = true;
+  tickOnly({"", "fsr2"});
+  scene("builtin:fence")->setCheckState(Qt::Checked);
+  QTest::mouseClick(button("Measure"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return dialog_->series().measuredCount() == 2; }));
+  QTest::keyClick(dialog_, Qt::Key_Escape);
+  EXPECT_NE(button("Measure"), nullptr);
+  EXPECT_EQ(dialog_->table()->topLevelItemCount(), 2);
+}
+
+TEST_F(SweepDialogTest, NeedsAScene) {
+  scene({})->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(button("Measure")->isEnabled());
+  scene("builtin:thin")->setCheckState(Qt::Checked);
+  EXPECT_TRUE(button("Measure")->isEnabled());
+}
+
+TEST_F(SweepDialogTest, ListsScenesAnewForAnotherThatIsOpened) {
+  scene("builtin:thin")->setCheckState(Qt::Checked);
+  window.openSource("builtin:fence");
+  ASSERT_TRUE(waitFor([&] { return session.status().source == "builtin:fence"; }));
+  settle();
+  EXPECT_EQ(dialog_->scenes()->item(0)->text(), "Fence, as it is open");
+  EXPECT_NE(scene("builtin:fan"), nullptr);
+  EXPECT_EQ(scene("builtin:fence"), nullptr);
+  EXPECT_EQ(scene("builtin:thin")->checkState(), Qt::Checked) << "what is ticked stays";
 }
 
 TEST_F(SweepDialogTest, SortsByNumbers) {

@@ -25,13 +25,24 @@ FrameMetrics frame(int number, std::optional<double> rmse, double psnr) {
   return made;
 }
 
-/// Four settings of which three are measured.
+/// Four settings of which three are measured, on one scene.
 SweepSeries series() {
   SweepSeries made;
-  made.begin({"first", "second, with a comma", "third", "fourth"}, {Metric::Rmse, Metric::Psnr});
+  made.begin({"first", "second, with a comma", "third", "fourth"}, {"Fan"}, {Metric::Rmse, Metric::Psnr});
   made.add(0, {frame(4, 0.25, 20), frame(5, 0.75, 30)});
   made.add(1, {frame(4, std::nullopt, 40), frame(5, 0.25, 50)});
   made.add(3, {frame(4, 1.0, 10), frame(5, 1.0, 10)});
+  return made;
+}
+
+/// Two settings on two scenes: the second has less error on the first scene and more on the other.
+SweepSeries onTwoScenes() {
+  SweepSeries made;
+  made.begin({"one", "other"}, {"Fan", "Fence, far"}, {Metric::Rmse, Metric::Psnr});
+  made.add(0, {frame(4, 0.5, 20)});
+  made.add(1, {frame(4, 0.25, 30)});
+  made.add(2, {frame(4, 2.0, 10)});
+  made.add(3, {frame(4, 4.0, 5)});
   return made;
 }
 
@@ -58,7 +69,7 @@ TEST(SweepSeries, DrawsACurveForEachThatIsMeasured) {
 
 TEST(SweepSeries, TellsCurvesApartWhenThePaletteIsAtItsEnd) {
   SweepSeries many;
-  many.begin(std::vector<QString>(20, QStringLiteral("one")), {Metric::Rmse});
+  many.begin(std::vector<QString>(20, QStringLiteral("one")), {"Fan"}, {Metric::Rmse});
   for (std::size_t index = 0; index < many.count(); ++index) many.add(index, {frame(0, 1.0, 1.0)});
   const std::vector<Curve> curves = many.curves(Metric::Rmse);
   for (std::size_t a = 0; a < curves.size(); ++a)
@@ -92,7 +103,55 @@ TEST(SweepSeries, CopiesExactNumbers) {
 
 TEST(SweepSeries, ForgetsWhatWasKnown) {
   SweepSeries all = series();
-  all.begin({"other"}, {Metric::Psnr});
+  all.begin({"other"}, {"Fan"}, {Metric::Psnr});
   EXPECT_EQ(all.measuredCount(), 0u);
   EXPECT_EQ(all.csv(), "settings,psnr\n");
+}
+
+TEST(SweepSeries, KnowsTheSettingsAndTheSceneOfEachEntry) {
+  const SweepSeries all = onTwoScenes();
+  ASSERT_EQ(all.count(), 4u);
+  EXPECT_EQ(all.settingsOf(2), 0u);
+  EXPECT_EQ(all.sceneOf(2), 1u);
+  EXPECT_EQ(all.name(2), "one");
+  EXPECT_EQ(all.sceneName(all.sceneOf(2)), "Fence, far");
+}
+
+// 2 and 4 would be beaten by 0.25, which is of another scene.
+TEST(SweepSeries, HasAFrontForEachScene) {
+  const std::vector<ScatterPoint> points = onTwoScenes().tradeOff(Metric::Rmse, Metric::Psnr);
+  ASSERT_EQ(points.size(), 4u);
+  const bool expected[] = {false, true, true, false};
+  for (std::size_t place = 0; place < 4; ++place) {
+    EXPECT_EQ(points[place].isOnFront, expected[place]) << place;
+    EXPECT_EQ(points[place].scene, place / 2);
+    EXPECT_EQ(points[place].color, points[place % 2].color) << "the same settings, the same color";
+  }
+  EXPECT_EQ(points[2].name, "Fence, far · one");
+  EXPECT_EQ(points[2].sceneName, "Fence, far");
+}
+
+TEST(SweepSeries, ShowsOneSceneByItself) {
+  const SweepSeries all = onTwoScenes();
+  const std::vector<ScatterPoint> points = all.tradeOff(Metric::Rmse, Metric::Psnr, 1);
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].index, 2u);
+  EXPECT_TRUE(points[0].isOnFront);
+  const std::vector<Curve> curves = all.curves(Metric::Rmse, 1);
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].name, "one");
+  EXPECT_EQ(curves[0].points, (std::vector<QPointF>{{4, 2.0}}));
+}
+
+TEST(SweepSeries, TellsCurvesOfScenesApartByTheirDashes) {
+  const std::vector<Curve> curves = onTwoScenes().curves(Metric::Rmse);
+  ASSERT_EQ(curves.size(), 4u);
+  EXPECT_EQ(curves[2].name, "Fence, far · one");
+  EXPECT_EQ(curves[0].color, curves[2].color);
+  EXPECT_NE(curves[0].dash, curves[2].dash);
+}
+
+TEST(SweepSeries, NamesTheSceneOfEachLineWhereThereAreSeveral) {
+  EXPECT_EQ(onTwoScenes().csv(), "scene,settings,rmse,psnr\nFan,one,0.5,20\nFan,other,0.25,30\n"
+                                 "\"Fence, far\",one,2,10\n\"Fence, far\",other,4,5\n");
 }

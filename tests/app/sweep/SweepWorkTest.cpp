@@ -33,6 +33,7 @@ struct Heard {
 
 ShotSweepRequest requestOf(std::size_t count) {
   ShotSweepRequest request;
+  request.shots.resize(1);
   request.settings.resize(count);
   return request;
 }

@@ -24,10 +24,11 @@ class ShotSweepTest : public taa::test::small::InspectorTest {
  protected:
   static ShotSweepRequest request() {
     ShotSweepRequest request;
-    request.shot.source = "builtin:fan";
-    request.shot.camera = "orbit";
-    request.shot.size = {taa::test::small::kWidth, taa::test::small::kHeight};
-    request.shot.restarts = {2};
+    taa::SessionFile& shot = request.shots.emplace_back();
+    shot.source = "builtin:fan";
+    shot.camera = "orbit";
+    shot.size = {taa::test::small::kWidth, taa::test::small::kHeight};
+    shot.restarts = {2};
     request.settings = {{"one", taa::preset("balanced").settings},
                         {"other", taa::test::small::otherSettings()}};
     request.metrics = {2, 3, {Metric::Rmse, Metric::MeanAlpha, Metric::Flicker}, 4};
@@ -36,10 +37,10 @@ class ShotSweepTest : public taa::test::small::InspectorTest {
   static std::vector<LaneMetrics> swept(const ShotSweepRequest& request) {
     return std::async(std::launch::async,
                       [&] {
-                        std::vector<LaneMetrics> all(request.settings.size());
-                        sweepShot(request,
-                                  [&](std::size_t index, const LaneMetrics& frames) { all[index] = frames; },
-                                  {});
+                        std::vector<LaneMetrics> all(request.count());
+                        sweepShots(request,
+                                   [&](std::size_t index, const LaneMetrics& frames) { all[index] = frames; },
+                                   {});
                         return all;
                       })
         .get();
@@ -71,7 +72,7 @@ TEST_F(ShotSweepTest, SaysWhereItIsAndStopsWhenItIsTold) {
   };
   std::size_t measured = 0;
   const auto stopped = [&] {
-    EXPECT_THROW(sweepShot(
+    EXPECT_THROW(sweepShots(
                      request(), [&](std::size_t, const LaneMetrics&) { ++measured; }, stopsInTheSecond),
                  taa::Cancelled);
   };
@@ -82,7 +83,35 @@ TEST_F(ShotSweepTest, SaysWhereItIsAndStopsWhenItIsTold) {
 
 TEST_F(ShotSweepTest, SaysWhatTheShotDoesNotHave) {
   ShotSweepRequest wrong = request();
-  wrong.shot.camera = "absent";
+  wrong.shots[0].camera = "absent";
   const std::string why = taa::test::errorOf([&] { swept(wrong); });
   EXPECT_NE(why.find("absent"), std::string::npos) << why;
+}
+
+// The second shot by itself is measured as it is behind the first one: neither knows of the other.
+TEST_F(ShotSweepTest, MeasuresEachOfSeveralShotsByItself) {
+  ShotSweepRequest both = request();
+  taa::SessionFile fence;
+  fence.source = "builtin:fence";
+  fence.size = both.shots[0].size;
+  both.shots.push_back(fence);
+  ASSERT_EQ(both.count(), 4u);
+  ShotSweepRequest alone = request();
+  alone.shots = {fence};
+  const std::vector<LaneMetrics> all = swept(both), first = swept(request()), second = swept(alone);
+  for (std::size_t index = 0; index < both.count(); ++index) {
+    EXPECT_EQ(both.shotOf(index).source, index < 2 ? "builtin:fan" : "builtin:fence");
+    EXPECT_EQ(both.settingsOf(index).name, index % 2 == 0 ? "one" : "other");
+    const LaneMetrics& expected = index < 2 ? first[index] : second[index - 2];
+    ASSERT_EQ(all[index].size(), expected.size());
+    for (std::size_t frame = 0; frame < expected.size(); ++frame)
+      EXPECT_EQ(all[index][frame].values, expected[frame].values) << index << ", " << frame;
+  }
+  EXPECT_NE(all[0][1].values, all[2][1].values) << "another scene, other numbers";
+}
+
+TEST_F(ShotSweepTest, SaysWhichShotHasNoSuchFrames) {
+  ShotSweepRequest far = request();
+  far.metrics.first = far.metrics.last = 240;
+  EXPECT_EQ(taa::test::errorOf([&] { swept(far); }), "builtin:fan has frames 0 to 239, so no frame 240");
 }
