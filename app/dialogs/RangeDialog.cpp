@@ -9,6 +9,7 @@
 #include "core/io/GifFile.h"
 
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -35,8 +36,9 @@ const char* const kEndings[] = {"png", "gif", "exr"}; // in the order of Sequenc
 RangeDialog::RangeDialog(const Session& session, const ViewArea& views, QWidget* parent)
     : QDialog(parent), session_(session), views_(views), form_(new QFormLayout), kind_(new QComboBox),
       extent_(new QComboBox), first_(new QSpinBox), last_(new QSpinBox), rate_(new QDoubleSpinBox),
-      rows_(new QListWidget), target_(new QLineEdit), note_(new QLabel),
-      start_(new QPushButton(tr("Export"))) {
+      rows_(new QListWidget), difference_(new QCheckBox(tr("Their difference from what the view is compared "
+                                                           "with"))),
+      target_(new QLineEdit), note_(new QLabel), start_(new QPushButton(tr("Export"))) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Export a range of frames"));
   makeFields();
@@ -95,6 +97,7 @@ void RangeDialog::makeFields() {
   form_->addRow(tr("Part"), extent_);
   form_->addRow(tr("Frames a second"), rate_);
   form_->addRow(tr("Values"), rows_);
+  form_->addRow(difference_);
   form_->addRow(tr("Into"), place);
   connect(browse, &QPushButton::clicked, this, &RangeDialog::browse);
   connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
@@ -108,6 +111,8 @@ void RangeDialog::makeFields() {
   connect(extent_, &QComboBox::currentIndexChanged, this, &RangeDialog::refresh);
   connect(target_, &QLineEdit::textChanged, this, &RangeDialog::refresh);
   connect(rows_, &QListWidget::itemChanged, this, &RangeDialog::refresh);
+  difference_->setChecked(views_.active()->comparison() && views_.active()->showing() == Showing::Difference);
+  connect(difference_, &QCheckBox::toggled, this, &RangeDialog::refresh);
 }
 
 // The rows that are in the views are chosen.
@@ -146,6 +151,8 @@ SequenceRequest RangeDialog::request() const {
   request.picture = view->pictureRequest(views_.comparedPresets(), extent);
   request.picture.referenceSamples = session_.status().referenceGoal;
   request.framesPerSecond = rate_->value();
+  if (difference_->isChecked() && request.picture.other)
+    request.differenceFrom = comparisonText(view->comparison());
   for (int index = 0; index < rows_->count(); ++index)
     if (rows_->item(index)->checkState() == Qt::Checked)
       request.ids.push_back(static_cast<IntermediateId>(rows_->item(index)->data(Qt::UserRole).toInt()));
@@ -169,6 +176,10 @@ void RangeDialog::refresh() {
   form_->setRowVisible(rate_, kind() == SequenceKind::Gif);
   form_->setRowVisible(extent_, kind() != SequenceKind::Exr);
   form_->setRowVisible(rows_, kind() == SequenceKind::Exr);
+  form_->setRowVisible(difference_, kind() == SequenceKind::Exr);
+  const bool compares = static_cast<bool>(views_.active()->comparison());
+  difference_->setEnabled(compares);
+  difference_->setToolTip(compares ? QString() : tr("The active view is compared with nothing"));
   const QString wrong = problem();
   start_->setEnabled(wrong.isEmpty());
   if (!wrong.isEmpty()) return note_->setText(wrong);
@@ -180,7 +191,7 @@ void RangeDialog::refresh() {
 QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const int count = wanted.last - wanted.first + 1;
   const QString first = QString::fromStdString(sequenceFile(wanted, wanted.first).filename().string());
-  QString text =
+  const QString text =
       kind() == SequenceKind::Gif
           ? tr("%1, frames: %2, of %3×%4 pixels, each shown for %5 ms (GIF counts in steps of 10 ms).")
                 .arg(first)
@@ -189,7 +200,13 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
                 .arg(wanted.picture.height)
                 .arg(10 * gifDelay(wanted.framesPerSecond))
           : tr("Files: %1, the first %2. They appear when all of them are made.").arg(count).arg(first);
-  if (kind() == SequenceKind::Exr || !showsOther(wanted.picture)) return text;
+  if (kind() != SequenceKind::Exr) return showsOther(wanted.picture) ? describeSides(wanted, text) : text;
+  if (wanted.differenceFrom.empty()) return text;
+  return tr("%1 They have the differences from %2, NaN where there is nothing to compare with.")
+      .arg(text, QString::fromStdString(wanted.differenceFrom));
+}
+
+QString RangeDialog::describeSides(const SequenceRequest& wanted, const QString& files) const {
   const ViewPanel* view = views_.active();
   const OtherSide& side = *wanted.picture.other;
   QString other = view->sideText(true);
@@ -199,11 +216,11 @@ QString RangeDialog::describe(const SequenceRequest& wanted) const {
   const QString both = tr("%1 and %2").arg(view->sideText(false), other);
   switch (wanted.picture.showing) {
   case Showing::Wipe:
-    return tr("%1 They show both sides, with the divider where it is: %2.").arg(text, both);
+    return tr("%1 They show both sides, with the divider where it is: %2.").arg(files, both);
   case Showing::Difference:
-    return tr("%1 They show the difference of %2.").arg(text, both);
+    return tr("%1 They show the difference of %2.").arg(files, both);
   default:
-    return tr("%1 They show the other side: %2.").arg(text, other);
+    return tr("%1 They show the other side: %2.").arg(files, other);
   }
 }
 

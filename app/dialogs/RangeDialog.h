@@ -5,6 +5,7 @@
 
 #include <QDialog>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -36,6 +37,7 @@ class RangeDialog : public QDialog {
   void browse();
   void refresh();
   QString describe(const SequenceRequest& wanted) const;
+  QString describeSides(const SequenceRequest& wanted, const QString& files) const;
   QString problem() const; ///< why it cannot begin; empty: it can
   SequenceKind kind() const;
   QString ending() const; ///< of its files, with the dot
@@ -47,6 +49,7 @@ class RangeDialog : public QDialog {
   QSpinBox *first_, *last_;
   QDoubleSpinBox* rate_;
   QListWidget* rows_;
+  QCheckBox* difference_; ///< from what the active view is compared with
   QLineEdit* target_;
   QLabel* note_;
   QPushButton* start_;

@@ -40,8 +40,9 @@ Pictures::Pictures(const RenderArguments& arguments, const std::vector<Intermedi
   if (!comparison_ && !(arguments.compareAs.empty() && arguments.otherStyle.empty()))
     throw UsageError("--compare-as and --other-style need --compare: " + std::string(kComparisonHelp));
   if (comparison_)
-    showing_ = arguments.compareAs.empty() ? Showing::Wipe
-                                           : understood("--compare-as", arguments.compareAs, showingNamed);
+    showing_ = !arguments.compareAs.empty() ? understood("--compare-as", arguments.compareAs, showingNamed)
+               : arguments.format == "exr"  ? Showing::Difference
+                                            : Showing::Wipe;
   check(ids);
   showsReference_ = std::ranges::any_of(
       ids, [this](IntermediateId id) { return isOfReference(id) || isOfReference(otherId(id)); });
@@ -49,7 +50,9 @@ Pictures::Pictures(const RenderArguments& arguments, const std::vector<Intermedi
 
 void Pictures::check(const std::vector<IntermediateId>& ids) const {
   if (!compares()) return;
-  if (arguments_.format == "exr") throw UsageError("--compare is of pictures: it needs --format png or gif");
+  if (arguments_.format == "exr" && showing_ != Showing::Difference)
+    throw UsageError("--compare-as " + arguments_.compareAs +
+                     " is of pictures: it needs --format png or gif; of values there is the difference");
   for (const IntermediateId id : ids) {
     const Intermediate &row = intermediate(id), &other = intermediate(otherId(id));
     if (showing_ == Showing::Difference && row.channels != other.channels)
@@ -74,7 +77,7 @@ IntermediateId Pictures::otherId(IntermediateId id) const {
   return comparison_.kind == OtherKind::Row ? comparison_.id : id;
 }
 
-Picture Pictures::draw(Inspector& inspector, IntermediateId id, int lane, const Progress& progress) const {
+PictureRequest Pictures::request(const Inspector& inspector, IntermediateId id, int lane) const {
   const Intermediate& row = intermediate(id);
   const ViewStyle first = styled(defaultStyle(row), arguments_.style);
   PictureRequest request{.id = id,
@@ -87,12 +90,16 @@ Picture Pictures::draw(Inspector& inspector, IntermediateId id, int lane, const 
                          .divider =
                              static_cast<int>(std::lround(arguments_.divider * inspector.shot().width())),
                          .referenceSamples = arguments_.referenceSamples};
-  if (!compares()) return shownPicture(inspector, request, progress);
+  if (!compares()) return request;
   if (showing_ == Showing::Difference) request.style = styled(differenceStyle(row), arguments_.style);
   OtherSide& other = request.other.emplace(otherSideOf(comparison_, id, 1));
   // The same row looks the same on both sides, as in a view.
   other.style = styled(other.id == id ? first : defaultStyle(intermediate(other.id)), arguments_.otherStyle);
-  return shownPicture(inspector, request, progress);
+  return request;
+}
+
+Picture Pictures::draw(Inspector& inspector, IntermediateId id, int lane, const Progress& progress) const {
+  return shownPicture(inspector, request(inspector, id, lane), progress);
 }
 
 } // namespace taa::cli

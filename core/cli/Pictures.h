@@ -21,6 +21,8 @@ class Pictures {
   int laneCount(const ShotPlan& plan) const { return compares() ? 1 : static_cast<int>(plan.lanes.size()); }
   /// Adds the lane that is compared with. Throws UsageError where there are several already.
   void addLane(ShotPlan& plan) const;
+  /// Both sides of a row, and how they are shown.
+  PictureRequest request(const Inspector& inspector, IntermediateId id, int lane) const;
   /// What a view at 1:1 shows.
   Picture draw(Inspector& inspector, IntermediateId id, int lane, const Progress& progress) const;
 

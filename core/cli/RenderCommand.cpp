@@ -92,14 +92,22 @@ std::vector<FrameLane> laneHeaders(const Inspector& inspector, const ShotPlan& p
   return lanes;
 }
 
-fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const std::vector<IntermediateId>& ids,
-                  const RenderArguments& arguments) {
+fs::path writeExr(Inspector& inspector, const ShotPlan& plan, const RenderArguments& arguments,
+                  const std::vector<IntermediateId>& ids, const Pictures& pictures,
+                  const Progress& progress) {
   fs::path path = exrPath(arguments, inspector.shot().frame());
   FrameFile frame{inspector.shot().source(),
                   inspector.shot().camera(),
                   inspector.shot().driver().renderer,
                   laneHeaders(inspector, plan),
                   {}};
+  if (pictures.compares()) {
+    exportDifferences(inspector, std::move(frame), ids, pictures.request(inspector, ids.front(), 0),
+                      arguments.compare, path, progress);
+    return path;
+  }
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
+    inspector.reference().makeRows(ids, arguments.referenceSamples, progress, lane);
   exportFrame(inspector, std::move(frame), ids, path);
   return path;
 }
@@ -202,10 +210,8 @@ void renderFrames(Inspector& inspector, const RenderArguments& arguments, const 
     report(progress, "Rendering", frame - range.first, range.count());
     // Only the way to the first frame is long enough to tell of.
     inspector.shot().seek(frame, frame == range.first ? progress : Progress());
-    for (int lane = 0; isExr && lane < inspector.shot().laneCount(); ++lane)
-      inspector.reference().makeRows(ids, arguments.referenceSamples, progress, lane);
     if (isExr) {
-      written(writeExr(inspector, plan, ids, arguments));
+      written(writeExr(inspector, plan, arguments, ids, pictures, progress));
       continue;
     }
     inspector.views().watch(ids);
@@ -233,7 +239,7 @@ SequenceRequest captureRequest(const RenderArguments& arguments, const ShotPlan&
   if (arguments.emit != RenderArguments().emit)
     throw UsageError("--emit: a capture has what the resolve is given and the resolved picture");
   if (!arguments.compare.empty() || !arguments.style.empty())
-    throw UsageError("--compare and --style are of pictures: they need --format png or gif");
+    throw UsageError("--compare and --style: a capture has neither differences nor pictures");
   if (arguments.isReferenceAsked) checkReferenceSamples(arguments.referenceSamples);
   SequenceRequest request;
   request.kind = SequenceKind::Capture;

@@ -57,9 +57,11 @@ void addList(CLI::App& app, ListArguments& list) {
 
 void addComparing(CLI::App& command, RenderArguments& render) {
   command.add_option("--compare", render.compare,
-                     "Of png and gif: what each is compared with, " + std::string(taa::kComparisonHelp));
+                     "What each is compared with, " + std::string(taa::kComparisonHelp) +
+                         "; an exr has the values of the differences then");
   command.add_option("--compare-as", render.compareAs,
-                     "How both are shown: wipe, which it is without this, first, other or difference");
+                     "Of png and gif: how both are shown: wipe, which it is without this, first, other or "
+                     "difference");
   command
       .add_option("--divider", render.divider, "Where a wipe goes over to the other side, share of the width")
       ->check(CLI::Range(0.0, 1.0))

@@ -32,6 +32,14 @@ void checkSides(const Inspector& inspector, const PictureRequest& request) {
         intermediate(request.id).name, intermediate(request.other->id).name));
 }
 
+/// The other side, with its frame.
+PictureSource madeOther(Inspector& inspector, const PictureRequest& request, const Progress& progress) {
+  const PictureSource other =
+      otherSource(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
+  if (other.frame) inspector.views().keepComparisonFrames({*other.frame}, progress);
+  return other;
+}
+
 } // namespace
 
 OtherSide otherSideOf(const Comparison& comparison, IntermediateId id, int presetLane) {
@@ -79,9 +87,7 @@ Picture shownPicture(Inspector& inspector, const PictureRequest& request, const 
     makeReference(inspector, request, first, progress);
     return draw(first, request.style);
   }
-  const PictureSource other =
-      otherSource(*request.other, inspector.shot().frame(), inspector.shot().frameCount());
-  if (other.frame) inspector.views().keepComparisonFrames({*other.frame}, progress);
+  const PictureSource other = madeOther(inspector, request, progress);
   if (request.showing != Showing::Other) makeReference(inspector, request, first, progress);
   makeReference(inspector, request, other, progress);
   switch (request.showing) {
@@ -92,6 +98,17 @@ Picture shownPicture(Inspector& inspector, const PictureRequest& request, const 
   default:
     return draw(other, request.other->style);
   }
+}
+
+PartialImage shownDifference(Inspector& inspector, const PictureRequest& request, const Progress& progress) {
+  assert(request.other);
+  PictureRequest both = request;
+  both.showing = Showing::Difference;
+  checkSides(inspector, both);
+  const PictureSource first{both.id, both.lane, {}}, other = madeOther(inspector, both, progress);
+  makeReference(inspector, both, first, progress);
+  makeReference(inspector, both, other, progress);
+  return inspector.views().values(first, other, {0, 0, inspector.shot().width(), inspector.shot().height()});
 }
 
 } // namespace taa

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/inspect/Comparison.h"
+#include "core/measure/compare/FrameBefore.h"
 #include "core/picture/PictureSource.h"
 #include "core/picture/ViewRequest.h"
 
@@ -42,5 +43,10 @@ Picture wiped(const Picture& first, const Picture& other, int divider);
 
 /// Makes what it lacks first: the frame of the other side, references. Throws Error, Cancelled.
 Picture shownPicture(Inspector& inspector, const PictureRequest& request, const Progress& progress = {});
+
+/// The values of both sides' difference, of the whole picture, whatever is shown of them. Expects an other
+/// side. As shownPicture().
+PartialImage shownDifference(Inspector& inspector, const PictureRequest& request,
+                             const Progress& progress = {});
 
 } // namespace taa

@@ -41,12 +41,20 @@ void addLane(OIIO::ImageSpec& spec, const FrameLane& lane) {
   addMatrix(spec, "previousViewFromWorld", lane.block.previousViewFromWorld);
 }
 
+void addDifference(OIIO::ImageSpec& spec, const FrameFile& frame, const FrameDifference& difference) {
+  spec.attribute("taa:comparedWith", difference.with);
+  spec.attribute("taa:otherRow", std::string(intermediate(difference.row).name));
+  if (difference.frame) spec.attribute("taa:otherFrame", *difference.frame);
+  const FrameLane& other = frame.lanes.at(static_cast<std::size_t>(difference.lane));
+  spec.attribute("taa:otherSettings", toJson(other.settings).dump());
+}
+
 OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm::ivec2& sizePx) {
   const Intermediate& row = intermediate(part.id);
   const FrameLane& lane = frame.lanes.at(static_cast<std::size_t>(part.lane));
   OIIO::ImageSpec spec(sizePx.x, sizePx.y, row.channels, OIIO::TypeFloat);
   spec.channelnames = channelNames(row, lane.settings.space);
-  spec.attribute("oiio:subimagename", partName(lane, part.id));
+  spec.attribute("oiio:subimagename", partName(lane, part));
   // Lossless; higher levels take longer and save nothing on the noise in the last bits of floats.
   spec.attribute("compression", "zip:1");
   spec.attribute("taa:format", kFormatVersion);
@@ -59,6 +67,7 @@ OIIO::ImageSpec specOf(const FrameFile& frame, const FramePart& part, const glm:
   spec.attribute("taa:unit", std::string(row.unit));
   spec.attribute("taa:description", std::string(row.description));
   addLane(spec, lane);
+  if (part.difference) addDifference(spec, frame, *part.difference);
   return spec;
 }
 
@@ -106,6 +115,10 @@ OpenPart openPart(const std::filesystem::path& path, const std::string& part) {
 std::string partName(const FrameLane& lane, IntermediateId id) {
   const std::string name(intermediate(id).name);
   return lane.name.empty() ? name : lane.name + "." + name;
+}
+
+std::string partName(const FrameLane& lane, const FramePart& part) {
+  return partName(lane, part.id) + (part.difference ? ".difference" : "");
 }
 
 namespace {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,19 @@ struct FrameLane {
   int referenceSamples = 0; ///< of the reference that rows are compared with; 0: there was none
 };
 
+/// What the values of a part are less of: the part is a difference.
+struct FrameDifference {
+  std::string with; ///< "motion:-1", as --compare has it
+  IntermediateId row = IntermediateId::resolved;
+  int lane = 0;               ///< index into FrameFile::lanes
+  std::optional<int> frame{}; ///< nothing: there is none before the first
+};
+
 struct FramePart {
   int lane = 0; ///< index into FrameFile::lanes
   IntermediateId id = IntermediateId::resolved;
   Image image = {}; ///< the row's channels; empty where the values are asked for one part at a time
+  std::optional<FrameDifference> difference{}; ///< NaN where there is nothing to compare with
 };
 
 struct FrameFile {
@@ -38,10 +48,13 @@ struct FrameFile {
 
 /// Name of a part: the intermediate's id, after the lane's name and a dot where there is one ("A.resolved").
 std::string partName(const FrameLane& lane, IntermediateId id);
+/// "A.resolved.difference" where it is one.
+std::string partName(const FrameLane& lane, const FramePart& part);
 
 /// Writes all parts, or nothing. Channels are named by the table; attributes start with "taa:" (source,
 /// camera, driver, lane, settings as JSON, frame, time, jitterPx, matrices, label, unit, description;
-/// referenceSamples in parts of the reference).
+/// referenceSamples in parts of the reference; comparedWith, otherRow, otherFrame and otherSettings in
+/// differences).
 /// Expects images of one size. Throws Error.
 void writeFrameFile(const std::filesystem::path& path, const FrameFile& frame);
 

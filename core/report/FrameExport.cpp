@@ -58,4 +58,42 @@ void exportFrame(Inspector& inspector, FrameFile frame, const std::vector<Interm
                  [&](const FramePart&) { return source.next(); });
 }
 
+namespace {
+
+PictureRequest rowSides(const PictureRequest& sides, IntermediateId id) {
+  PictureRequest request = sides;
+  if (request.other->id == sides.id) request.other->id = id;
+  request.id = id;
+  return request;
+}
+
+/// How fine the reference is stands in the head of the file: it is made before that.
+void makeReferences(Inspector& inspector, FrameFile& frame, const PictureRequest& request,
+                    const Progress& progress) {
+  const int samples = request.referenceSamples;
+  inspector.reference().makeRows({request.id}, samples, progress, request.lane);
+  inspector.reference().makeRows({request.other->id}, samples, progress, request.other->lane);
+  for (const int lane : {request.lane, request.other->lane})
+    frame.lanes.at(static_cast<std::size_t>(lane)).referenceSamples = inspector.reference().samples(lane);
+}
+
+} // namespace
+
+void exportDifferences(Inspector& inspector, FrameFile frame, const std::vector<IntermediateId>& ids,
+                       const PictureRequest& sides, const std::string& with,
+                       const std::filesystem::path& path, const Progress& progress) {
+  const InspectedShot& shot = inspector.shot();
+  for (const IntermediateId id : ids) {
+    const PictureRequest request = rowSides(sides, id);
+    makeReferences(inspector, frame, request, progress);
+    const PictureSource other = otherSource(*request.other, shot.frame(), shot.frameCount());
+    FrameDifference difference{with, other.id, other.lane, other.frame};
+    if (!other.alongMotion) difference.frame = other.frame.value_or(shot.frame());
+    frame.parts.push_back({sides.lane, id, {}, difference});
+  }
+  writeFrameFile(path, frame, {shot.width(), shot.height()}, [&](const FramePart& part) {
+    return shownDifference(inspector, rowSides(sides, part.id), progress).values;
+  });
+}
+
 } // namespace taa

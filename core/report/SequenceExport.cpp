@@ -85,8 +85,12 @@ void writeValues(Inspector& inspector, const SequenceRequest& request, const fs:
         inspector.shot().laneCount() > 1 ? std::string(1, static_cast<char>('A' + lane)) : "";
     frame.lanes.push_back({name, inspector.shot().usedSettings(lane), inspector.shot().info(lane),
                            inspector.views().inputs(lane).block});
-    inspector.reference().makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   }
+  if (!request.differenceFrom.empty())
+    return exportDifferences(inspector, std::move(frame), request.ids, request.picture,
+                             request.differenceFrom, path, stop);
+  for (int lane = 0; lane < inspector.shot().laneCount(); ++lane)
+    inspector.reference().makeRows(request.ids, request.picture.referenceSamples, stop, lane);
   exportFrame(inspector, std::move(frame), request.ids, path);
 }
 

@@ -29,6 +29,9 @@ struct SequenceRequest {
   PictureRequest picture;          ///< of PNG and GIF, for each frame; of EXR its reference's samples
   double framesPerSecond = 30.0;   ///< of a GIF
   std::vector<IntermediateId> ids; ///< of EXR
+  /// Of EXR: what the other side of `picture` is, in words, where differences from it are written instead of
+  /// rows; empty: rows.
+  std::string differenceFrom{};
   CaptureChoice capture;
 };
 

@@ -305,7 +305,8 @@ TEST(BatchMistakes, ComparingIsOfOnePictureAndWhatThereIs) {
   expectWrong({"--format", "png", "--compare", "colour"}, {"--compare", "colour", "preset:NAME"});
   expectWrong({"--format", "png", "--compare", "preset:loud"}, {"loud", "balanced"});
   expectWrong({"--format", "png", "--compare", "color", "--compare-as", "sideways"}, {"sideways", "wipe"});
-  expectWrong({"--compare", "color"}, {"--format png"});
+  expectWrong({"--compare", "color", "--compare-as", "wipe"}, {"wipe", "--format png"});
+  expectWrong({"--compare", "alpha"}, {"resolved has 3 channels", "alpha 1"});
   expectWrong({"--format", "png", "--compare-as", "wipe"}, {"--compare"});
   expectWrong({"--format", "png", "--compare", "alpha", "--compare-as", "difference"},
               {"resolved has 3 channels", "alpha 1"});

@@ -99,6 +99,31 @@ std::vector<std::uint8_t> pngBytes(const fs::path& path) {
   return bytes;
 }
 
+// Each frame against the one before it, pixel by pixel.
+TEST_F(SequenceExportTest, WritesDifferencesOfValues) {
+  const auto inspector = opened();
+  SequenceRequest wanted = request(SequenceKind::Exr, "difference.exr");
+  OtherSide& other = wanted.picture.other.emplace();
+  other.id = wanted.picture.id;
+  other.framesBefore = 1;
+  wanted.differenceFrom = "frame:-1";
+  ASSERT_EQ(exportSequence(*inspector, wanted, {}).size(), 3u);
+  for (int frame = wanted.first; frame <= wanted.last; ++frame) {
+    inspector->shot().seek(frame - 1);
+    const std::vector<Image> before = inspector->views().images(wanted.ids);
+    inspector->shot().seek(frame);
+    const std::vector<Image> now = inspector->views().images(wanted.ids);
+    for (std::size_t index = 0; index < wanted.ids.size(); ++index) {
+      const Intermediate& row = intermediate(wanted.ids[index]);
+      const Image written = readPart(sequenceFile(wanted, frame), std::string(row.name) + ".difference",
+                                     channelNames(row, inspector->shot().settings().space));
+      ASSERT_EQ(written.pixels.size(), now[index].pixels.size());
+      for (std::size_t texel = 0; texel < written.pixels.size(); ++texel)
+        ASSERT_EQ(written.pixels[texel], now[index].pixels[texel] - before[index].pixels[texel]) << row.name;
+    }
+  }
+}
+
 TEST_F(SequenceExportTest, WritesThePicturesOfTheFramesAndComesBack) {
   const auto inspector = opened();
   inspector->shot().seek(7);

@@ -17,6 +17,7 @@
 #include "tests/app/WindowFixture.h"
 #include "tests/support/ShaderFolder.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
@@ -278,6 +279,27 @@ TEST_F(SessionFiles, ARangeIsAskedForAndItsEndIsSaid) {
   renderer->tell(ExportResult{path("out.gif").toStdString(), 6});
   settle();
   EXPECT_TRUE(own->messages()->text().contains("out.gif"));
+}
+
+// What the view shows as a difference is offered as values.
+TEST_F(SessionFiles, ARangeOfValuesMayBeTheDifferenceThatTheViewShows) {
+  QTest::keyClick(own.get(), Qt::Key_D, Qt::ShiftModifier);
+  QTest::keyClick(own.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = own->findChild<RangeDialog*>();
+  ASSERT_TRUE(dialog);
+  auto* difference = dialog->findChild<QCheckBox*>();
+  ASSERT_TRUE(difference);
+  EXPECT_FALSE(difference->isVisible()) << "of pictures the view says it";
+  for (QComboBox* each : dialog->findChildren<QComboBox*>())
+    if (each->accessibleName() == "Kind of files") each->setCurrentIndex(2);
+  EXPECT_TRUE(difference->isVisible() && difference->isEnabled() && difference->isChecked());
+  SequenceRequest wanted = dialog->request();
+  EXPECT_EQ(wanted.kind, SequenceKind::Exr);
+  EXPECT_EQ(wanted.differenceFrom, "motion:-1");
+  ASSERT_TRUE(wanted.picture.other);
+  EXPECT_TRUE(wanted.picture.other->alongMotion);
+  QTest::keyClick(difference, Qt::Key_Space);
+  EXPECT_EQ(dialog->request().differenceFrom, "") << "the rows themselves";
 }
 
 TEST_F(SessionFiles, ARangeAsksOnceBeforeItReplacesFiles) {

@@ -130,3 +130,24 @@ TEST(FrameFile, LeavesNothingWhereItCannotBeWritten) {
   EXPECT_NE(errorOf([&] { writeFrameFile(path, everything({""})); }).find(path.string()), std::string::npos);
   EXPECT_FALSE(fs::exists(path.parent_path()));
 }
+
+TEST(FrameFile, SaysOfADifferenceWhatItIsFrom) {
+  taa::FrameFile frame{"builtin:fan", "still", "a driver", {}, {}};
+  frame.lanes = {{"A", {}, {}, {}}, {"B", {}, {}, {}}};
+  taa::applyAssignment(frame.lanes[1].settings, "rectify.method=none");
+  const taa::Image image = oddImage(IntermediateId::alpha, 1);
+  frame.parts.push_back(
+      {0, IntermediateId::alpha, image, taa::FrameDifference{"preset:raw", IntermediateId::alpha, 1, 7}});
+  EXPECT_EQ(partName(frame.lanes[0], frame.parts[0]), "A.alpha.difference");
+  writeFrameFile(exrPath("difference"), frame);
+  const auto attribute = [](const std::string& name) {
+    return taa::readPartAttribute(exrPath("difference"), "A.alpha.difference", "taa:" + name);
+  };
+  EXPECT_EQ(attribute("comparedWith"), "preset:raw");
+  EXPECT_EQ(attribute("otherRow"), "alpha");
+  EXPECT_EQ(attribute("otherFrame"), "7");
+  EXPECT_EQ(nlohmann::json::parse(attribute("otherSettings")), toJson(frame.lanes[1].settings));
+  const taa::Intermediate& row = taa::intermediate(IntermediateId::alpha);
+  EXPECT_TRUE(sameBits(taa::readPart(exrPath("difference"), "A.alpha.difference", taa::channelNames(row, {})),
+                       image));
+}
