@@ -13,6 +13,7 @@
 
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -61,9 +62,11 @@ QString metricTitle(Metric metric) {
 SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* parent, SweepWork::Sweep sweep)
     : QDialog(parent), session_(session), work_(std::move(sweep)),
       choices_(new SweepChoices(session, folder)), scenes_(new SweepScenes(session)),
-      frames_(new FramesField(session, kFirstFrames)), table_(new QTreeWidget), ofX_(new QComboBox),
-      ofY_(new QComboBox), ofCurves_(new QComboBox), ofScene_(new QComboBox), scatter_(new ScatterChart),
-      curves_(new CurveChart({}, tr("frame"))), bar_(new BackgroundBar(work_, tr("Measure"))) {
+      frames_(new FramesField(session, kFirstFrames)),
+      supersampling_(new QCheckBox(tr("Supersampling beside RMSE"))), table_(new QTreeWidget),
+      ofX_(new QComboBox), ofY_(new QComboBox), ofCurves_(new QComboBox), ofScene_(new QComboBox),
+      scatter_(new ScatterChart), curves_(new CurveChart({}, tr("frame"))),
+      bar_(new BackgroundBar(work_, tr("Measure"))) {
   setWindowTitle(tr("Sweep"));
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kUnit);
@@ -71,6 +74,9 @@ SweepDialog::SweepDialog(Session& session, const QString& folder, QWidget* paren
   left->addWidget(new QLabel(tr("Scenes")));
   left->addWidget(scenes_);
   left->addWidget(frames_);
+  left->addWidget(supersampling_);
+  supersampling_->setObjectName(QStringLiteral("supersampling"));
+  supersampling_->setToolTip(tableText(metricInfo(Metric::Supersampling).description));
   auto* sides = new QHBoxLayout;
   sides->setSpacing(3 * kUnit);
   sides->addLayout(left);
@@ -237,6 +243,7 @@ void SweepDialog::begin() {
   listMetrics();
   request.metrics = {frames_->first(), frames_->last(), metrics_, referenceSamples()};
   const QString sceneNames = QStringList(scenes.begin(), scenes.end()).join(QStringLiteral(", "));
+  request.hasSupersampling = supersampling_->isEnabled() && supersampling_->isChecked();
   series_.begin(std::move(names), std::move(scenes), metrics_);
   listScenes();
   table_->headerItem()->setText(SettingsColumn, choices_->title());
@@ -333,6 +340,7 @@ void SweepDialog::copy() {
 void SweepDialog::refresh() {
   const int count = static_cast<int>(choices_->chosen().size());
   const int scenes = static_cast<int>(scenes_->chosen().size());
+  supersampling_->setEnabled(!session_.status().capture && referenceSamples() > 0);
   apply_->setEnabled(chosen().has_value());
   copy_->setEnabled(series_.measuredCount() > 0);
   bar_->setReady(count > 0 && scenes > 0 && frames_->isOrdered() && session_.isOpen(),

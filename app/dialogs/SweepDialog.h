@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QPushButton;
 class QTreeWidget;
@@ -80,6 +81,7 @@ class SweepDialog : public QDialog {
   SweepChoices* choices_;
   SweepScenes* scenes_;
   FramesField* frames_;
+  QCheckBox* supersampling_; ///< beside RMSE
   QTreeWidget* table_;
   QComboBox *ofX_, *ofY_, *ofCurves_, *ofScene_;
   ScatterChart* scatter_;

@@ -58,6 +58,17 @@ std::vector<OverTime> kindsOf(const std::vector<Metric>& wanted) {
   return kindsOverTime(rows);
 }
 
+/// Those that history can have of a frame, with its own.
+int framesSinceStart(const ShotState& state, int frame) {
+  int count = 1;
+  for (; !startsHistory(state, frame); --frame) ++count;
+  return count;
+}
+
+bool hasSupersampling(const std::vector<Metric>& wanted) {
+  return std::ranges::find(wanted, Metric::Supersampling) != wanted.end();
+}
+
 /// Rows of a frame of one lane, in the order of the table.
 RowImages exposed(FrameMaker& maker, const ShotState& state, ShownFrame& made,
                   const std::vector<IntermediateId>& ids) {
@@ -95,6 +106,9 @@ FrameMetrics MetricsOfShot::measure(const std::vector<Metric>& wanted, int lane)
   if (!rows) return metrics;
   metrics.referenceSamples = rows->samples();
   addCompared(metrics, wanted, rows->compared(), {});
+  if (hasSupersampling(wanted))
+    metrics.at(Metric::Supersampling) =
+        reference_.errorOfFirst(framesSinceStart(player_.state(), metrics.frame), lane).rmse;
   return metrics;
 }
 
@@ -129,6 +143,14 @@ FrameMetrics MetricsOfShot::measureFrame(int frame, const std::vector<Metric>& w
     metrics.referenceSamples = samples;
     PictureComparison comparison(resolve.at(IntermediateId::output), reference->mean());
     addCompared(metrics, wanted, comparison, progress);
+    const int taken = framesSinceStart(state, frame);
+    if (hasSupersampling(wanted))
+      metrics.at(Metric::Supersampling) =
+          taken >= samples
+              ? 0.0
+              : pictureError(cursor.references.meanOfFirst(*state.frames, compared, taken, progress),
+                             comparison.reference())
+                    .rmse;
   }
   if (need.kinds.empty()) return metrics;
   for (const auto& [kind, maps] : overTime_.finish(cursor.window, need, resolve, progress))

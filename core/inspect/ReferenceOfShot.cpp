@@ -50,6 +50,13 @@ PictureError ReferenceOfShot::error(int lane) {
   return requiredRows(IntermediateId::reference, lane).compared().error();
 }
 
+PictureError ReferenceOfShot::errorOfFirst(int samples, int lane, const Progress& progress) {
+  const Image reference = requiredRows(IntermediateId::reference, lane).reference();
+  if (samples >= this->samples(lane)) return pictureError(reference, reference);
+  return pictureError(references_.meanOfFirst(*player_.state().frames, keyOf(lane), samples, progress),
+                      reference);
+}
+
 ReferenceKey ReferenceOfShot::keyOf(int lane) const {
   return {referenceRequest(player_.state().request(static_cast<std::size_t>(lane))), player_.shown().frame};
 }

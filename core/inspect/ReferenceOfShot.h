@@ -45,6 +45,8 @@ class ReferenceOfShot {
   void setBudget(std::size_t bytes);
   /// Of the output against it. Throws Error where there is none.
   PictureError error(int lane = 0);
+  /// The same of the mean of its first so many samples; draws them. Throws Error, Cancelled.
+  PictureError errorOfFirst(int samples, int lane = 0, const Progress& progress = {});
 
   // What other parts make of it
   /// Those of the frame on show; null where it has no reference.

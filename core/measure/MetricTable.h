@@ -44,6 +44,7 @@ enum class Metric : std::uint8_t {
   GeometryRemoved,
   GeometryLetThrough,
   GeometryThrownAway,
+  Supersampling,
 };
 
 struct MetricInfo {
@@ -62,7 +63,7 @@ struct MetricInfo {
   bool isCostly = false;       ///< takes seconds: made only where it is named
 };
 
-inline constexpr std::array<MetricInfo, 30> kMetrics{{
+inline constexpr std::array<MetricInfo, 31> kMetrics{{
     {Metric::MeanAlpha, "meanAlpha", "Mean α", "", 0, 1, "Mean weight of the current frame.", "alpha"},
     {Metric::Rejected, "rejected", "Rejected", "%", 0, 100,
      "Share of pixels whose history was rejected; all of them where history starts.", "rejectReason"},
@@ -210,6 +211,15 @@ inline constexpr std::array<MetricInfo, 30> kMetrics{{
      .needsReference = true,
      .isOverTime = true,
      .category = 3},
+    {.metric = Metric::Supersampling,
+     .id = "supersampling",
+     .label = "RMSE of supersampling",
+     .high = 0.1,
+     .description = "RMSE of the mean of as many samples a pixel of this instant as there were frames since "
+                    "history started: what the output of a picture at rest converges beside. Nothing of the "
+                    "resolve is in it, and it is 0 from as many as the reference has; it draws them anew.",
+     .needsReference = true,
+     .isCostly = true},
 }};
 
 constexpr const MetricInfo& metricInfo(Metric metric) {

@@ -95,16 +95,33 @@ void References::refine(FrameSource& frames, const ReferenceKey& key, int sample
     trim();
   }
   if (const auto given = frames.reference(key.frame)) return take(*given, samples, picture);
-  FrameRequest request = key.request;
+  drawSamples(frames, picture, samples, progress);
+}
+
+void References::drawSamples(FrameSource& frames, ReferencePicture& picture, int samples,
+                             const Progress& progress) {
+  FrameRequest request = picture.key.request;
   while (picture.samples < samples) {
     request.jitterPx = referencePointPx(picture.samples);
-    frames.draw(request, key.frame, drawn_);
-    gl::checkErrors(say<"drawing the reference of frame %1">(key.frame));
+    frames.draw(request, picture.key.frame, drawn_);
+    gl::checkErrors(say<"drawing the reference of frame %1">(picture.key.frame));
     addColors(drawn_.color.download(), picture.sums);
     ++picture.samples;
     report(progress, say<"Reference">(), picture.samples, samples);
   }
   drawn_ = {};
+}
+
+Image References::meanOfFirst(FrameSource& frames, const ReferenceKey& key, int samples,
+                              const Progress& progress) {
+  if (frames.reference(key.frame))
+    throw Error(say<"the reference of frame %1 came with the capture: there are no samples of which it is "
+                    "the mean">(key.frame));
+  const gl::PassGroup group(pass_group::kReference);
+  ReferencePicture picture{key, 0,
+                           std::vector<double>(std::size_t(3) * key.request.width * key.request.height)};
+  drawSamples(frames, picture, samples, progress);
+  return picture.mean();
 }
 
 const ReferencePicture& References::foundOrDrawn(FrameSource& frames, const ReferenceKey& key, int samples,

@@ -67,6 +67,10 @@ class References {
   const ReferencePicture& foundOrDrawn(FrameSource& frames, const ReferenceKey& key, int samples,
                                        const References& known, const Progress& progress);
 
+  /// The mean of the first so many samples of a reference, drawn anew and not kept. Throws Error, also where
+  /// a picture comes with the frames, which has none; Cancelled.
+  Image meanOfFirst(FrameSource& frames, const ReferenceKey& key, int samples, const Progress& progress);
+
   /// Of a part of a picture drawn by nothing but a scene, the same bits as of the whole: of the whole where
   /// that is known, else of parts that are, else drawn. `drawn`: what it may draw into. Throws Error.
   Image part(FrameSource& frames, const ReferenceKey& key, int samples, const gl::Rect& place,
@@ -80,6 +84,8 @@ class References {
 
  private:
   ReferencePicture& use(const ReferenceKey& key);
+  /// Until it has so many.
+  void drawSamples(FrameSource& frames, ReferencePicture& picture, int samples, const Progress& progress);
   const ReferencePart* findPart(const ReferenceKey& key, int samples, const gl::Rect& place) const;
   void drawPart(FrameSource& frames, ReferencePart& part, FrameInputs& drawn) const;
   std::size_t partBytes() const;

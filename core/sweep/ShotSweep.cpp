@@ -57,8 +57,11 @@ void sweepShots(const ShotSweepRequest& request, const SettingsMeasured& measure
     }
     const int before = static_cast<int>(index) * frames;
     const auto count = [&](int frame) { done = before + frame - request.metrics.first; };
+    MetricsRequest metrics = request.metrics;
+    if (request.hasSupersampling && index % request.settings.size() == 0)
+      metrics.wanted.push_back(Metric::Supersampling);
     inspector->shot().setSettings(request.settingsOf(index).settings);
-    measured(index, measureFrames(*inspector, request.metrics, between, count).front());
+    measured(index, measureFrames(*inspector, metrics, between, count).front());
   }
 }
 

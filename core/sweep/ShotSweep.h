@@ -18,6 +18,8 @@ struct ShotSweepRequest {
   std::vector<SessionFile> shots;      ///< all of them but their settings and lanes
   std::vector<SweepSettings> settings; ///< that are measured on each of them
   MetricsRequest metrics{};
+  /// Also Metric::Supersampling, of the first settings on each shot: it is that of all.
+  bool hasSupersampling = false;
 
   /// Shots slowest.
   std::size_t count() const { return shots.size() * settings.size(); }

@@ -3,6 +3,7 @@
 #include "app/style/Text.h"
 #include "core/sweep/ParetoFront.h"
 
+#include <QObject>
 #include <QStringList>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ namespace {
 constexpr std::array<Qt::PenStyle, 4> kSettingsDashes{Qt::SolidLine, Qt::DashLine, Qt::DotLine,
                                                       Qt::DashDotLine};
 constexpr std::size_t kPaletteColors = 8;
+const QColor kSupersamplingColor(128, 128, 128); // of no settings
 
 double lessIsBetter(Metric metric, double value) {
   return metricInfo(metric).isHigherBetter ? -value : value;
@@ -75,20 +77,30 @@ QColor SweepSeries::colorOf(std::size_t index) const {
   return curveColor(static_cast<int>(settingsOf(index) % kPaletteColors));
 }
 
+Curve SweepSeries::curveOf(std::size_t index, Metric metric) const {
+  Curve curve{fullName(index), colorOf(index), Qt::SolidLine, {}, {}};
+  for (const FrameMetrics& frame : frames_[index])
+    curve.points.emplace_back(frame.frame,
+                              frame.at(metric).value_or(std::numeric_limits<double>::quiet_NaN()));
+  return curve;
+}
+
 std::vector<Curve> SweepSeries::curves(Metric metric, std::optional<std::size_t> scene) const {
   std::vector<Curve> curves;
   for (std::size_t index = 0; index < count(); ++index) {
     if (!isMeasured(index) || (scene && sceneOf(index) != *scene)) continue;
+    if (metric == Metric::Rmse && mean(index, Metric::Supersampling)) {
+      Curve& line = curves.emplace_back(curveOf(index, Metric::Supersampling));
+      line.name = QObject::tr("supersampling");
+      if (!scene && scenes_.size() > 1)
+        line.name = QStringLiteral("%1 · %2").arg(sceneName(sceneOf(index)), line.name);
+      line.color = kSupersamplingColor;
+      line.dash = Qt::DashDotDotLine;
+    }
     const std::size_t dash = settingsOf(index) / kPaletteColors + (scene ? 0 : sceneOf(index));
-    Curve curve{scene ? name(index) : fullName(index),
-                colorOf(index),
-                kSettingsDashes[dash % kSettingsDashes.size()],
-                {},
-                {}};
-    for (const FrameMetrics& frame : frames_[index])
-      curve.points.emplace_back(frame.frame,
-                                frame.at(metric).value_or(std::numeric_limits<double>::quiet_NaN()));
-    curves.push_back(std::move(curve));
+    Curve& curve = curves.emplace_back(curveOf(index, metric));
+    if (scene) curve.name = name(index);
+    curve.dash = kSettingsDashes[dash % kSettingsDashes.size()];
   }
   return curves;
 }

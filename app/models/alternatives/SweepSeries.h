@@ -47,7 +47,8 @@ class SweepSeries {
   std::optional<double> mean(std::size_t index, Metric metric) const;
 
   /// Over frames, of those that are measured, of one scene or, without, of all; what is not known of a frame
-  /// is a gap. The same settings have the same color.
+  /// is a gap. The same settings have the same color. Of RMSE the line of supersampling comes with each scene
+  /// of which it is known.
   std::vector<Curve> curves(Metric metric, std::optional<std::size_t> scene = {}) const;
   /// Means of those that have both, with the Pareto front of each scene: less of both is better, or more
   /// where the metric says so. Numbers of different scenes compare no settings.
@@ -59,6 +60,7 @@ class SweepSeries {
  private:
   QString fullName(std::size_t index) const;
   QColor colorOf(std::size_t index) const;
+  Curve curveOf(std::size_t index, Metric metric) const;
 
   std::vector<Metric> metrics_;
   std::vector<QString> settings_, scenes_;

@@ -16,7 +16,8 @@ namespace taa {
 
 /// The metrics that are of such two pictures alone.
 constexpr bool isOfPictures(Metric metric) {
-  return metricInfo(metric).needsReference && !metricInfo(metric).isOverTime;
+  return metricInfo(metric).needsReference && !metricInfo(metric).isOverTime &&
+         metric != Metric::Supersampling;
 }
 
 class PictureComparison {

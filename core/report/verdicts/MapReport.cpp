@@ -1,8 +1,8 @@
 #include "core/report/verdicts/MapReport.h"
 
 #include "core/inspect/Inspector.h"
+#include "core/inspect/verdicts/WorstOfShot.h"
 #include "core/io/FrameJson.h"
-#include "core/verdict/parts/PartsRows.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,10 +20,13 @@ namespace {
 constexpr IntermediateId kRowsOfCategories[] = {IntermediateId::verdictMap, IntermediateId::geometryVerdict,
                                                 IntermediateId::rejectReason};
 
+/// All that pixels can be worst by: amounts against the reference, the signed error by its amount.
 std::vector<IntermediateId> rowsOfErrorsHere() {
-  std::vector<IntermediateId> ids{IntermediateId::referenceErrorAbs};
-  for (std::size_t part = 0; part < kErrorParts; ++part)
-    ids.push_back(rowOfPart(static_cast<ErrorPart>(part)));
+  std::vector<IntermediateId> ids;
+  for (const Intermediate& row : kIntermediates) {
+    const bool isAmount = WorstOfShot::rowOf(row.id) == row.id && categoryText(row.id, 0).empty();
+    if (isAmount && needsReference(row.id) && row.id != IntermediateId::referenceError) ids.push_back(row.id);
+  }
   return ids;
 }
 

@@ -90,11 +90,17 @@ ordered_json laneValues(const VerdictOfLane& lane) {
       {"reference", channelsJson(lane.answer.error.reference)},
       {"parts", splitJson(lane.answer.error.sum)},
       {"rows", ordered_json::array()},
-      {"frames", ordered_json::array()}};
+      {"frames", ordered_json::array()},
+      {"strays", ordered_json::array()}};
   for (const VerdictRow& row : verdict.rows) json["rows"].push_back(rowJson(row));
   for (const ErrorOfFrame& entry : lane.answer.error.frames)
     json["frames"].push_back(
         {{"frame", entry.frame}, {"weight", numberJson(entry.weight)}, {"parts", splitJson(entry.split)}});
+  for (const StraySamples& stray : lane.answer.error.strays)
+    json["strays"].push_back({{"frame", stray.frame},
+                              {"object", stray.object},
+                              {"pull", channelsJson(stray.pull)},
+                              {"weight", numberJson(stray.weight)}});
   if (lane.remedies) json["remedies"] = remediesJson(*lane.remedies);
   return json;
 }

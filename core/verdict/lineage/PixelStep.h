@@ -34,6 +34,7 @@ struct PixelStep {
   double scale = 1.0;         ///< how much larger its surface is shown than a frame before, along each axis
   double historyLength = 1.0; ///< N
   int object = 0;             ///< whose motion it follows; 0: the sky
+  int sampled = 0;            ///< object that the middle one of its samples is of; 0: the sky
 };
 
 } // namespace taa

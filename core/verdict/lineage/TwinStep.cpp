@@ -217,6 +217,7 @@ PixelStep pixelStep(const twin::Inputs& inputs, const Settings& settings, const 
   step.scale = scaleOf(at);
   step.historyLength = at.value(IntermediateId::historyLength);
   step.object = static_cast<int>(at.details.geometry.object);
+  step.sampled = static_cast<int>(at.value(IntermediateId::objectId));
   return step;
 }
 

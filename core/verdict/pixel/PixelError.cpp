@@ -31,6 +31,8 @@ struct InRowOrder {
 /// A pixel of an older frame: its share in today's, and its color.
 struct ErrorNode {
   glm::dvec3 weight{0.0}, color{0.0};
+  // What rectification on the way left of the share, and what of that was read of something else.
+  glm::dvec3 carried{0.0}, strayed{0.0};
 };
 using ErrorNodes = std::map<glm::ivec2, ErrorNode, InRowOrder>;
 
@@ -49,6 +51,7 @@ glm::ivec2 pixelAt(const glm::dvec2& positionPx) {
 /// What truth changed between a frame and the one before at a pixel.
 struct TrueChange {
   glm::dvec3 ghost{0.0}, lag{0.0}, blur{0.0};
+  bool isGhost = false;
   int object = -1;         ///< that history was read of, where it is a ghost
   bool isOfMotion = false; ///< the surface's own motion would have led to less than half of that ghost
 };
@@ -59,7 +62,7 @@ class ErrorWalk {
       : source_(source), options_(options), found_(found) {}
 
   void begin() {
-    nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0)};
+    nodes_[found_.pixel] = {glm::dvec3(1.0), glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0)};
     source_.expect(found_.frame, {found_.pixel.x, found_.pixel.y, 1, 1});
   }
   bool isDone() const { return nodes_.empty(); }
@@ -71,6 +74,9 @@ class ErrorWalk {
   bool isFollowed(const ErrorNode& node) const;
   std::vector<PixelStep> takeSteps(int frame);
   void follow(const glm::ivec2& pixel, const ErrorNode& node, const PixelStep& step, ErrorOfFrame& entry);
+  void readHistory(const PixelStep& step, const ErrorNode& node, bool isGhost);
+  void addStray(int object, const glm::dvec3& weight, const glm::dvec3& color);
+  void listStrays(int frame);
   TrueChange trueChange(int frame, const glm::ivec2& pixel, const PixelStep& step, const glm::dvec3& truth);
 
   EvidenceSource& source_;
@@ -78,6 +84,9 @@ class ErrorWalk {
   PixelError& found_;
   ErrorNodes nodes_, before_; // of the frame that is visited, and of the one before it
   double heaviest_ = 0.0, heaviestGhost_ = 0.0;
+  // Of the frame that is visited: pull by object, and the share of all samples.
+  std::map<int, glm::dvec3> strays_;
+  double sampled_ = 0.0;
 };
 
 void ErrorWalk::leave(int frame, const glm::ivec2& pixel, const ErrorNode& node, ErrorOfFrame& entry) {
@@ -99,7 +108,19 @@ void ErrorWalk::visit(int frame) {
       leave(frame, pixel, node, entry);
   if (entry.ghostObject < 0) entry.ghostPixel = entry.pixel;
   found_.frames.push_back(entry);
+  listStrays(frame);
   nodes_ = std::move(before_);
+}
+
+void ErrorWalk::addStray(int object, const glm::dvec3& weight, const glm::dvec3& color) {
+  if (!(largest(weight) > 0.0)) return;
+  strays_.try_emplace(object, glm::dvec3(0.0)).first->second += weight * (color - found_.reference);
+}
+
+void ErrorWalk::listStrays(int frame) {
+  for (const auto& [object, pull] : strays_) found_.strays.push_back({frame, object, pull, sampled_});
+  strays_.clear();
+  sampled_ = 0.0;
 }
 
 bool ErrorWalk::isFollowed(const ErrorNode& node) const {
@@ -140,6 +161,8 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
     entry.isChanging = hasFlag(flags, StepFlag::Changes);
   }
   entry.weight += meanOf(node.weight);
+  addStray(step.sampled, node.strayed * step.alpha, step.current);
+  sampled_ += meanOf(node.carried * step.alpha);
   const glm::dvec3 samples = node.weight * step.alpha;
   of(entry.split, ErrorPart::Aliasing) += samples * (step.current - truth);
   if (step.history.empty()) { // all of it is of this frame
@@ -149,15 +172,11 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
   }
   const glm::dvec3 history = node.weight - samples;
   glm::dvec3 read(0.0);
-  for (const HistoryRead& tap : step.history) {
-    read += tap.weight * tap.color;
-    ErrorNode& older = before_[tap.texel];
-    older.weight += tap.weight * history;
-    older.color = tap.color;
-  }
+  for (const HistoryRead& tap : step.history) read += tap.weight * tap.color;
   of(entry.split, ErrorPart::Rectification) += node.weight * became - samples * step.current - history * read;
-  if (!(largest(history) > 0.0)) return;
-  const TrueChange change = trueChange(entry.frame, pixel, step, truth);
+  const TrueChange change =
+      largest(history) > 0.0 ? trueChange(entry.frame, pixel, step, truth) : TrueChange{};
+  readHistory(step, node, change.isGhost);
   of(entry.split, ErrorPart::Ghost) += history * change.ghost;
   of(entry.split, ErrorPart::Lag) += history * change.lag;
   of(entry.split, ErrorPart::Blur) += history * change.blur;
@@ -166,6 +185,19 @@ void ErrorWalk::follow(const glm::ivec2& pixel, const ErrorNode& node, const Pix
     entry.ghostPixel = pixel;
     entry.ghostObject = change.object;
     entry.isGhostOfMotion = change.isOfMotion;
+  }
+}
+
+void ErrorWalk::readHistory(const PixelStep& step, const ErrorNode& node, bool isGhost) {
+  const glm::dvec3 history = node.weight - node.weight * step.alpha;
+  const glm::dvec3 kept = (1.0 - step.rectified) * (1.0 - step.alpha);
+  const glm::dvec3 carried = kept * node.carried, strayed = isGhost ? carried : kept * node.strayed;
+  for (const HistoryRead& tap : step.history) {
+    ErrorNode& older = before_[tap.texel];
+    older.weight += tap.weight * history;
+    older.color = tap.color;
+    older.carried += tap.weight * carried;
+    older.strayed += tap.weight * strayed;
   }
 }
 
@@ -182,6 +214,7 @@ TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const Pixel
   if (isOfOtherSurface(&way.x, read, pixel)) {
     const bool wasSeen = way.x == way.x; // NaN: it was not
     change.ghost = all;
+    change.isGhost = true;
     change.isOfMotion =
         wasSeen && 2.0 * glm::length(pixelColorAt(earlier, pixelAt(place)) - truth) < glm::length(all);
     change.object = static_cast<int>(pixelColorAt(source_.steps(frame - 1), pixelAt(step.historyPosition)).z);
@@ -196,7 +229,18 @@ TrueChange ErrorWalk::trueChange(int frame, const glm::ivec2& pixel, const Pixel
 void ErrorWalk::end(int frame) {
   if (nodes_.empty()) return;
   ErrorOfFrame& last = found_.frames.back();
-  for (const auto& [pixel, node] : nodes_) leave(frame, pixel, node, last);
+  double most = -1.0;
+  for (const auto& [pixel, node] : nodes_) {
+    leave(frame, pixel, node, last);
+    const int shown = static_cast<int>(source_.steps(frame).texel(pixel.x, pixel.y).z);
+    addStray(shown, node.strayed, node.color);
+    sampled_ += meanOf(node.carried);
+    const double error = largest(node.weight * (node.color - pixelColorAt(source_.reference(frame), pixel)));
+    if (error <= most) continue;
+    most = error;
+    found_.older = OlderPlace{frame, pixel};
+  }
+  listStrays(frame);
 }
 
 } // namespace

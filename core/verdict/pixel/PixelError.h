@@ -9,6 +9,11 @@
 // The third term is a ghost where history was of something else, else lag and blur (rules and tolerance of
 // core/verdict/parts/FrameErrors.h). The terms of all pixels of a frame are added up; where the way ends, the
 // error that is left is `Older`. All parts of all frames sum up to the error.
+//
+// Which frame truth changed in says when a ghost came in, not what is seen in it: on the way a surface may be
+// crossed that is darker than what lies behind and before it. That is told by the samples: with w the share
+// that a sample s has in today's color, less what rectification replaced (core/verdict/lineage), and today's
+// reference R, those beyond a ghost pull today's color by Σ w·(s − R) from it, each for its object.
 #pragma once
 
 #include "core/base/Progress.h"
@@ -20,6 +25,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -33,6 +39,9 @@ inline glm::dvec3& of(ErrorSplit& split, ErrorPart part) {
 inline const glm::dvec3& of(const ErrorSplit& split, ErrorPart part) {
   return split[static_cast<std::size_t>(part)];
 }
+
+/// Frames that verdicts follow an error over.
+inline constexpr int kFollowedFrames = 16;
 
 /// What came in with one frame.
 struct ErrorOfFrame {
@@ -48,12 +57,30 @@ struct ErrorOfFrame {
   bool isChanging = false;      ///< its material changes without motion
 };
 
+/// Samples of one frame and one object that history was read of instead of today's surface.
+struct StraySamples {
+  int frame = 0;
+  int object = 0;       ///< 0: the sky
+  glm::dvec3 pull{0.0}; ///< Σ w·(s − R), scene-linear
+  double weight = 0.0;  ///< Σ w of all samples of the frame, mean of the channels
+};
+
+/// Where most of an error lies that is older than the frames that were followed.
+struct OlderPlace {
+  int frame = 0;
+  glm::ivec2 pixel{0};
+};
+
 struct PixelError {
   int frame = 0;
   glm::ivec2 pixel{0};
   glm::dvec3 resolved{0.0}, reference{0.0};
   std::vector<ErrorOfFrame> frames; ///< latest first; ends where history starts or counts no more
   ErrorSplit sum{};                 ///< of all frames
+  /// Latest first, of a frame by object. What is left before the last frame counts as a sample of what it
+  /// showed then.
+  std::vector<StraySamples> strays;
+  std::optional<OlderPlace> older; ///< nothing: history starts within the frames that were followed
   glm::dvec3 error() const { return resolved - reference; }
 };
 

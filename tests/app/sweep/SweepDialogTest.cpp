@@ -308,6 +308,17 @@ TEST_F(SweepDialogTest, StopsBetweenScenesAndKeepsWhatItHas) {
   EXPECT_EQ(dialog_->table()->topLevelItemCount(), 2);
 }
 
+TEST_F(SweepDialogTest, MeasuresSupersamplingWhenItIsTicked) {
+  tickOnly({"fsr2"});
+  measureAll();
+  EXPECT_FALSE(request().hasSupersampling);
+  auto* tick = dialog_->findChild<QCheckBox*>("supersampling");
+  ASSERT_TRUE(tick && tick->isEnabled());
+  QTest::keyClick(tick, Qt::Key_Space);
+  measureAll();
+  EXPECT_TRUE(request().hasSupersampling);
+}
+
 TEST_F(SweepDialogTest, NeedsAScene) {
   scene({})->setCheckState(Qt::Unchecked);
   EXPECT_FALSE(button("Measure")->isEnabled());

@@ -155,3 +155,19 @@ TEST(SweepSeries, NamesTheSceneOfEachLineWhereThereAreSeveral) {
   EXPECT_EQ(onTwoScenes().csv(), "scene,settings,rmse,psnr\nFan,one,0.5,20\nFan,other,0.25,30\n"
                                  "\"Fence, far\",one,2,10\n\"Fence, far\",other,4,5\n");
 }
+
+// Of the first settings of a scene it is known, and it is that of all.
+TEST(SweepSeries, PutsTheLineOfSupersamplingBesideRmse) {
+  SweepSeries all = onTwoScenes();
+  FrameMetrics with = frame(4, 0.5, 20);
+  with.at(Metric::Supersampling) = 0.125;
+  all.add(0, {with});
+  const std::vector<Curve> curves = all.curves(Metric::Rmse);
+  ASSERT_EQ(curves.size(), 5u);
+  EXPECT_EQ(curves[0].name, "Fan · supersampling");
+  EXPECT_EQ(curves[0].points, (std::vector<QPointF>{{4, 0.125}}));
+  EXPECT_EQ(curves[1].points, (std::vector<QPointF>{{4, 0.5}}));
+  EXPECT_EQ(all.curves(Metric::Rmse, 0)[0].name, "supersampling");
+  EXPECT_EQ(all.curves(Metric::Rmse, 1).size(), 2u) << "it is not known of that scene";
+  EXPECT_EQ(all.curves(Metric::Psnr).size(), 4u);
+}

@@ -110,6 +110,15 @@ TEST_F(ShotSweepTest, MeasuresEachOfSeveralShotsByItself) {
   EXPECT_NE(all[0][1].values, all[2][1].values) << "another scene, other numbers";
 }
 
+TEST_F(ShotSweepTest, MeasuresTheLineOfSupersamplingOnceAShot) {
+  ShotSweepRequest with = request();
+  with.metrics.referenceSamples = 8;
+  with.hasSupersampling = true;
+  const std::vector<LaneMetrics> all = swept(with);
+  EXPECT_TRUE(all[0][1].at(Metric::Supersampling));
+  EXPECT_FALSE(all[1][1].at(Metric::Supersampling)) << "it is the same of all settings";
+}
+
 TEST_F(ShotSweepTest, SaysWhichShotHasNoSuchFrames) {
   ShotSweepRequest far = request();
   far.metrics.first = far.metrics.last = 240;

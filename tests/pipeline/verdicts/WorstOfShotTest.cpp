@@ -125,4 +125,10 @@ TEST_F(WorstOfShotTest, TheBatchCountsAllPixelsAndSplitsTheError) {
   ASSERT_EQ(error["worst"].size(), 2u);
   const int x = error["worst"][0]["pixel"][0], y = error["worst"][0]["pixel"][1];
   EXPECT_EQ(error["worst"][0]["error"].get<float>(), std::fabs(*ghost.at(x, y)));
+  // By every row of amounts against the reference that a key goes through in the window.
+  for (const char* row :
+       {"referenceErrorAbs", "relativeError", "flip", "ssimMap", "ghost", "flicker", "errorGhost", "errorLag",
+        "errorBlur", "errorAliasing", "errorRectification", "errorOlder"})
+    EXPECT_TRUE(lane["errors"].contains(row)) << row;
+  EXPECT_EQ(lane["errors"].size(), 12u) << lane["errors"].dump();
 }

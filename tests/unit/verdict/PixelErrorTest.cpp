@@ -1,97 +1,20 @@
 // The error of a pixel by part and frame, of frames made by hand.
 #include "core/verdict/pixel/PixelError.h"
 
-#include "core/probe/SurfaceSteps.h"
+#include "tests/support/verdicts/MadeEvidence.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <random>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using taa::ErrorPart;
 using taa::of;
-
-constexpr int kWidth = 8, kHeight = 4;
-
-/// Frames of 8×4 pixels: what each was resolved from is made up, what it resolved to follows.
-class MadeEvidence : public taa::EvidenceSource {
- public:
-  struct Pixel {
-    glm::dvec3 alpha{0.25}, current{0.0}, added{0.0}; ///< added: what the resolve made of it besides
-    glm::dvec2 read{0.0};                             ///< px, where history was read
-    std::vector<std::pair<glm::ivec2, double>> taps;
-  };
-  struct Frame {
-    std::array<Pixel, kWidth * kHeight> pixels{};
-    std::array<glm::dvec3, kWidth * kHeight> resolved{};
-    taa::twin::Texels reference{taa::Image(kWidth, kHeight, 3)},
-        steps{taa::Image(kWidth, kHeight, taa::kStepChannels)};
-    bool starts = false;
-  };
-
-  static std::size_t indexOf(const glm::ivec2& pixel) {
-    return static_cast<std::size_t>(pixel.y * kWidth + pixel.x);
-  }
-  /// Resolves a frame on the one before.
-  void add(int number, Frame frame) {
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
-        Pixel& pixel = frame.pixels[indexOf({x, y})];
-        if (frame.starts) pixel.alpha = glm::dvec3(1.0);
-        glm::dvec3 history(0.0);
-        if (!frame.starts)
-          for (const auto& [at, weight] : pixel.taps)
-            history += weight * frames_.at(number - 1).resolved[indexOf(at)];
-        frame.resolved[indexOf({x, y})] =
-            pixel.alpha * pixel.current + (1.0 - pixel.alpha) * history + pixel.added;
-      }
-    frames_[number] = std::move(frame);
-  }
-  const Frame& at(int number) const { return frames_.at(number); }
-
-  taa::PixelStep step(int frame, const glm::ivec2& pixel) override {
-    const Frame& made = frames_.at(frame);
-    const Pixel& of = made.pixels[indexOf(pixel)];
-    taa::PixelStep step;
-    step.alpha = of.alpha;
-    step.current = of.current;
-    step.resolved = made.resolved[indexOf(pixel)];
-    step.historyPosition = of.read;
-    if (!made.starts)
-      for (const auto& [at, weight] : of.taps)
-        step.history.push_back({at, weight, frames_.at(frame - 1).resolved[indexOf(at)]});
-    return step;
-  }
-  taa::twin::PixelRecord record(int, const glm::ivec2&) override { return {}; }
-  const taa::twin::Texels& reference(int frame) override { return frames_.at(frame).reference; }
-  const taa::twin::Texels& steps(int frame) override { return frames_.at(frame).steps; }
-
- private:
-  std::map<int, Frame> frames_;
-};
-
-/// Nothing moves, all of history is the pixel's own; object 1 everywhere, reference and samples of one value.
-MadeEvidence::Frame stillFrame(double value) {
-  MadeEvidence::Frame frame;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      MadeEvidence::Pixel& pixel = frame.pixels[MadeEvidence::indexOf({x, y})];
-      pixel.current = glm::dvec3(value);
-      pixel.read = glm::dvec2(x + 0.5, y + 0.5);
-      pixel.taps = {{{x, y}, 1.0}};
-      for (int channel = 0; channel < 3; ++channel)
-        frame.reference.at(x, y)[channel] = static_cast<float>(value);
-      frame.steps.at(x, y)[2] = 1.0f;
-    }
-  return frame;
-}
+using namespace taa::test;
 
 glm::dvec3 sumOf(const taa::PixelError& found) {
   glm::dvec3 sum(0.0);
@@ -106,14 +29,14 @@ TEST(PixelError, PartsOfAnyFramesSumUpToTheError) {
   for (int number = 0; number < 9; ++number) {
     MadeEvidence::Frame frame = stillFrame(0.0);
     frame.starts = number == 0;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kMadeHeight; ++y)
+      for (int x = 0; x < kMadeWidth; ++x) {
         MadeEvidence::Pixel& pixel = frame.pixels[MadeEvidence::indexOf({x, y})];
         pixel.current = {value(random), value(random), value(random)};
         pixel.alpha = glm::dvec3(value(random));
         pixel.added = glm::dvec3(0.1 * value(random));
         const double weight = value(random);
-        pixel.taps = {{{(x + number) % kWidth, y}, weight}, {{x, (y + 1) % kHeight}, 1.1 - weight}};
+        pixel.taps = {{{(x + number) % kMadeWidth, y}, weight}, {{x, (y + 1) % kMadeHeight}, 1.1 - weight}};
         for (int channel = 0; channel < 3; ++channel)
           frame.reference.at(x, y)[channel] = static_cast<float>(value(random));
         if (value(random) < 0.3) frame.steps.at(x, y)[0] = std::numeric_limits<float>::quiet_NaN();
@@ -174,6 +97,72 @@ TEST(PixelError, IsAGhostWhereHistoryWasReadBesideItsSurface) {
   for (int channel = 0; channel < 3; ++channel) before.reference.at(4, 2)[channel] = 0.8f;
   evidence.add(0, before);
   EXPECT_FALSE(pixelError(evidence, 1, {4, 2}).frames[0].isGhostOfMotion) << "to much the same";
+}
+
+/// By object, of all frames.
+std::map<int, double> pullsOf(const taa::PixelError& found) {
+  std::map<int, double> pulls;
+  for (const taa::StraySamples& stray : found.strays) pulls[stray.object] += stray.pull.x;
+  return pulls;
+}
+
+TEST(PixelError, TellsWhatIsSeenInAGhostFromWhatItCameInBehind) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame bright = coveredFrame(0.9, 5);
+  bright.starts = true;
+  evidence.add(0, bright);
+  evidence.add(1, coveredFrame(0.6, 1));
+  evidence.add(2, coveredFrame(0.0, 2)); // darker than what is before and behind it
+  evidence.add(3, coveredFrame(0.55, 9));
+  const taa::PixelError found = pixelError(evidence, 3, {2, 1});
+  // Shares of the samples: 1/4, 3/4 of 1/4 … and, of the first, all that is left.
+  ASSERT_EQ(found.strays.size(), 3u);
+  EXPECT_EQ(found.strays[0].frame, 2);
+  EXPECT_EQ(found.strays[2].frame, 0);
+  EXPECT_NEAR(pullsOf(found)[2], 0.75 * 0.25 * (0.0 - 0.55), 1e-7);
+  EXPECT_NEAR(pullsOf(found)[1], 0.75 * 0.75 * 0.25 * (0.6 - 0.55), 1e-7);
+  EXPECT_NEAR(pullsOf(found)[5], 0.75 * 0.75 * 0.75 * (0.9 - 0.55), 1e-7);
+  EXPECT_FALSE(pullsOf(found).contains(9)) << "today's surface";
+  EXPECT_NEAR(found.strays[0].weight, 0.75 * 0.25, 1e-12);
+  EXPECT_NEAR(found.strays[2].weight, 0.75 * 0.75 * 0.75, 1e-12);
+  EXPECT_NEAR(of(found.frames[1].split, ErrorPart::Ghost).x, 0.75 * 0.75 * (0.6 - 0.0), 1e-7)
+      << "most came in with the dark one";
+  EXPECT_EQ(found.frames[1].ghostObject, 1);
+}
+
+TEST(PixelError, TakesNothingFromSamplesThatRectificationReplaced) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame before = coveredFrame(0.8, 6);
+  before.starts = true;
+  evidence.add(0, before);
+  MadeEvidence::Frame now = coveredFrame(0.2, 1);
+  MadeEvidence::Pixel& pixel = now.pixels[MadeEvidence::indexOf({2, 1})];
+  pixel.rectified = 0.75;
+  pixel.added = glm::dvec3(0.75 * 0.75 * (0.2 - 0.8));
+  evidence.add(1, now);
+  const taa::PixelError found = pixelError(evidence, 1, {2, 1});
+  EXPECT_NEAR(found.error().x, 0.25 * 0.75 * 0.6, 1e-7);
+  EXPECT_NEAR(pullsOf(found)[6], 0.25 * 0.75 * 0.6, 1e-7);
+}
+
+TEST(PixelError, KnowsWhatIsLeftOfAGhostBeforeTheWindow) {
+  MadeEvidence evidence;
+  MadeEvidence::Frame first = coveredFrame(0.8, 6);
+  first.starts = true;
+  evidence.add(0, first);
+  MadeEvidence::Frame second = stillFrame(0.8);
+  for (int y = 0; y < kMadeHeight; ++y)
+    for (int x = 0; x < kMadeWidth; ++x) second.steps.at(x, y)[2] = 6.0f;
+  evidence.add(1, second);
+  evidence.add(2, coveredFrame(0.2, 1));
+  taa::LineageOptions options;
+  options.frames = 1;
+  const taa::PixelError found = pixelError(evidence, 2, {2, 1}, options);
+  EXPECT_NEAR(pullsOf(found)[6], 0.75 * 0.6, 1e-7);
+  ASSERT_TRUE(found.older);
+  EXPECT_EQ(found.older->frame, 1);
+  EXPECT_EQ(found.older->pixel, glm::ivec2(2, 1));
+  EXPECT_FALSE(pixelError(evidence, 2, {2, 1}).older) << "history starts in the window";
 }
 
 TEST(PixelError, KnowsWhatIsBlendedOverAndWhatChangesWithoutMotion) {

@@ -126,6 +126,18 @@ TEST(TwinStep, EachChannelHasItsAlpha) {
   expectNear(step.alpha * step.current + (1.0 - step.alpha) * history, step.resolved, 1e-6, "the mix");
 }
 
+TEST(TwinStep, TellsWhatItsSampleIsOfFromWhatItFollows) {
+  Settings settings = test::plainSettings();
+  settings.dilate.method = DilateMethod::Closest3x3;
+  twin::Inputs inputs = test::mottledFrame(12, 10, 1);
+  for (float& object : inputs.objectId.pixels) object = 3.0f;
+  *inputs.objectId.at(kPixel.x, kPixel.y) = 7.0f;
+  *inputs.depth.at(kPixel.x + 1, kPixel.y) = 0.2f; // half as far away
+  const PixelStep step = pixelStep(inputs, settings, kPixel);
+  EXPECT_EQ(step.sampled, 7);
+  EXPECT_EQ(step.object, 3);
+}
+
 TEST(TwinStep, ReadsNothingBeyondABlackBorder) {
   Settings settings = test::plainSettings();
   twin::Inputs inputs = test::mottledFrame(12, 10, 1);
