@@ -6,6 +6,7 @@
 #include "core/inspect/verdicts/EvidenceFrames.h"
 #include "core/inspect/verdicts/RemedyTrial.h"
 #include "core/scene/SceneOutline.h"
+#include "core/verdict/pixel/OlderError.h"
 #include "core/verdict/pixel/VerdictText.h"
 
 #include <glm/geometric.hpp>
@@ -33,7 +34,7 @@ const ErrorOfFrame* mostOfGhost(const PixelError& error) {
 }
 
 void addGhost(VerdictEvidence& evidence, EvidenceFrames& frames) {
-  const ErrorOfFrame* most = mostOfGhost(evidence.error);
+  const ErrorOfFrame* most = mostOfGhost(evidence.older ? *evidence.older : evidence.error);
   if (!most) return;
   evidence.ghostFrame = most->frame;
   evidence.ghostRecord = frames.record(most->frame, most->ghostPixel);
@@ -87,6 +88,7 @@ VerdictAnswer VerdictOfShot::of(const VerdictQuestion& question, const Progress&
   options.frames = kVerdictFrames;
   evidence.moments = frames.moments(question.frame, question.pixel, kVerdictFrames);
   evidence.error = pixelError(frames, question.frame, question.pixel, options, progress);
+  evidence.older = olderError(frames, evidence.error, goesOn);
   const SurfaceMoment& oldest = evidence.moments.back();
   evidence.endsHidden = static_cast<int>(evidence.moments.size()) < kVerdictFrames &&
                         !startsHistory(frames.state(), oldest.frame);

@@ -1,5 +1,6 @@
 #include "core/verdict/pixel/PixelVerdict.h"
 
+#include "core/verdict/pixel/OlderError.h"
 #include "core/verdict/pixel/SurfaceMoments.h"
 
 #include <glm/geometric.hpp>
@@ -8,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -46,17 +48,19 @@ bool isRestart(const twin::PixelRecord& record) {
 class Judge {
  public:
   Judge(const VerdictEvidence& evidence, const Settings& settings)
-      : evidence_(evidence), settings_(settings), now_(evidence.moments.front()) {}
+      : evidence_(evidence), origin_(evidence.older ? *evidence.older : evidence.error), settings_(settings),
+        now_(evidence.moments.front()) {}
 
   PixelVerdict verdict();
 
  private:
   void measure();
   void findPart();
-  void findPartOfOlder();
   void findOnset();
   void conclude();
   void concludeGhost();
+  void nameGhost();
+  void findLastOf(int object);
   void concludeSamples();
   void concludeHistory();
   void concludeLag();
@@ -72,6 +76,7 @@ class Judge {
   bool wasBlendedOver() const;
 
   const VerdictEvidence& evidence_;
+  const PixelError& origin_; // where the error came in
   const Settings& settings_;
   const SurfaceMoment& now_;
   PixelVerdict found_;
@@ -98,52 +103,29 @@ void Judge::measure() {
   found_.flicker = flickerOf(evidence_.moments);
 }
 
-// A part's share is what of the error points its way: the shares sum up to 1.
 void Judge::findPart() {
-  const glm::dvec3 error = evidence_.error.error();
-  const double square = glm::dot(error, error);
-  if (square == 0.0) return;
-  for (std::size_t part = 0; part < kErrorParts; ++part) {
-    const double share = glm::dot(evidence_.error.sum[part], error) / square;
-    if (share <= found_.share) continue;
-    found_.share = share;
-    found_.part = static_cast<ErrorPart>(part);
-  }
-  if (found_.part == ErrorPart::Older) findPartOfOlder();
-}
-
-// An error older than the frames that are followed is the part's that they go on making it by: which, made at
-// that rate from the start, comes to half of it or more.
-void Judge::findPartOfOlder() {
-  const std::vector<ErrorOfFrame>& frames = evidence_.error.frames;
-  const double followed = frames.empty() ? 0.0 : 1.0 - frames.back().weight;
-  if (followed <= 0.0) return;
-  const glm::dvec3 error = evidence_.error.error();
-  double most = 0.5 * followed * glm::dot(error, error);
-  for (std::size_t part = 0; part < kErrorParts; ++part) {
-    const double made = glm::dot(evidence_.error.sum[part], error);
-    if (static_cast<ErrorPart>(part) == ErrorPart::Older || made < most) continue;
-    most = made;
-    found_.part = static_cast<ErrorPart>(part);
-  }
+  const MainPart main = mainPart(evidence_.error);
+  found_.share = main.share;
+  found_.part = evidence_.older ? mainPart(*evidence_.older).part : main.part;
 }
 
 // It came in with the oldest frame that brought an eighth of what the one that brought most did.
 void Judge::findOnset() {
-  const glm::dvec3 error = evidence_.error.error();
+  const glm::dvec3 error = origin_.error();
   const auto brought = [&](const ErrorOfFrame& entry) {
     return glm::dot(of(entry.split, found_.part), error);
   };
   double most = 0.0;
-  for (const ErrorOfFrame& entry : evidence_.error.frames) {
+  for (const ErrorOfFrame& entry : origin_.frames) {
     if (brought(entry) <= most) continue;
     most = brought(entry);
     found_.causeFrame = entry.frame;
   }
-  for (const ErrorOfFrame& entry : evidence_.error.frames)
+  for (const ErrorOfFrame& entry : origin_.frames)
     if (brought(entry) >= most / 8.0) found_.since = entry.frame;
-  const glm::dvec3 older = of(evidence_.error.sum, ErrorPart::Older);
-  found_.isOlder = found_.part == ErrorPart::Older || glm::dot(older, error) > 0.25 * glm::dot(error, error);
+  const glm::dvec3 today = evidence_.error.error();
+  found_.isOlder = evidence_.older.has_value() || found_.part == ErrorPart::Older ||
+                   glm::dot(of(evidence_.error.sum, ErrorPart::Older), today) > 0.25 * glm::dot(today, today);
 }
 
 void Judge::conclude() {
@@ -195,10 +177,42 @@ bool Judge::isNoFlicker() const {
 
 void Judge::concludeGhost() {
   found_.kind = VerdictKind::Ghost;
-  for (const ErrorOfFrame& entry : evidence_.error.frames)
+  nameGhost();
+  found_.stage = stageOfGhost();
+}
+
+// The object whose samples pull the pixel furthest the error's way; where none does, as behind what
+// rectification made of them, what history was read of.
+void Judge::nameGhost() {
+  const glm::dvec3 error = origin_.error();
+  std::map<int, double> pulls; // by object
+  for (const StraySamples& stray : origin_.strays) pulls[stray.object] += glm::dot(stray.pull, error);
+  double most = 0.0;
+  for (const auto& [object, pull] : pulls) {
+    if (pull <= most) continue;
+    most = pull;
+    found_.causeObject = object;
+  }
+  if (found_.causeObject) return findLastOf(*found_.causeObject);
+  for (const ErrorOfFrame& entry : origin_.frames)
     if (entry.frame == evidence_.ghostFrame && entry.ghostObject >= 0) found_.causeObject = entry.ghostObject;
   if (evidence_.ghostFrame >= 0) found_.causeFrame = evidence_.ghostFrame - 1; // what was seen there then
-  found_.stage = stageOfGhost();
+}
+
+// The latest frame that shows the object at least half as far off as any does: all of what a frame is sampled
+// of, for the first samples of a history, and what is older than those followed, count many times.
+void Judge::findLastOf(int object) {
+  const auto offOf = [&](const StraySamples& stray) {
+    return stray.object == object && stray.weight > 0.0 ? glm::dot(stray.pull, origin_.error()) / stray.weight
+                                                        : 0.0;
+  };
+  double most = 0.0;
+  for (const StraySamples& stray : origin_.strays) most = std::max(most, offOf(stray));
+  for (const StraySamples& stray : origin_.strays) {
+    if (most == 0.0 || offOf(stray) < 0.5 * most) continue;
+    found_.causeFrame = stray.frame;
+    return;
+  }
 }
 
 // The first in the order of the stages that did not do what it is there for.
@@ -207,7 +221,7 @@ Stage Judge::stageOfGhost() {
   const glm::dvec2 used(glm::vec2(twin::at(record, RowId::dilatedMotion)));
   addGhostRow(RowId::dilatedMotion);
   if (settings_.reproject.method == ReprojectMethod::InPlace) return Stage::Reproject;
-  const bool isOfMotion = std::ranges::any_of(evidence_.error.frames, [&](const ErrorOfFrame& entry) {
+  const bool isOfMotion = std::ranges::any_of(origin_.frames, [&](const ErrorOfFrame& entry) {
     return entry.frame == evidence_.ghostFrame && entry.isGhostOfMotion;
   });
   if (isOfMotion && evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
@@ -247,7 +261,7 @@ const SurfaceMoment* Judge::restart() const {
 double Judge::meanBias() const {
   glm::dvec3 sum(0.0);
   double sizes = 0.0;
-  for (const ErrorOfFrame& entry : evidence_.error.frames) {
+  for (const ErrorOfFrame& entry : origin_.frames) {
     sum += of(entry.split, ErrorPart::Aliasing);
     sizes += glm::length(of(entry.split, ErrorPart::Aliasing));
   }
@@ -257,7 +271,7 @@ double Judge::meanBias() const {
 /// Whether all of four samples or more are off one way, so that no number of them mends it.
 bool Judge::isFiltered() const {
   constexpr double kOneWay = 0.8;
-  const auto sampled = std::ranges::count_if(evidence_.error.frames, [](const ErrorOfFrame& entry) {
+  const auto sampled = std::ranges::count_if(origin_.frames, [](const ErrorOfFrame& entry) {
     return of(entry.split, ErrorPart::Aliasing) != glm::dvec3(0.0);
   });
   const bool isEnough = sampled > 3 && recordValue(now_.record, RowId::historyLength) > 3.5;
@@ -311,23 +325,24 @@ void Judge::concludeHistory() {
 
 /// Whether something was blended over the surface in the frame that brought most, or in the one before it.
 bool Judge::wasBlendedOver() const {
-  return std::ranges::any_of(evidence_.error.frames, [&](const ErrorOfFrame& entry) {
+  return std::ranges::any_of(origin_.frames, [&](const ErrorOfFrame& entry) {
     return (entry.frame == found_.causeFrame || entry.frame == found_.causeFrame - 1) && entry.isBlendedOver;
   });
 }
 
 // A surface looks other than it did because something was blended over it, because its material changes
-// without motion, or because the light did. What was there before all frames that are followed, and nothing
-// in them goes on making, went away: a ghost.
+// without motion, or because the light did. Which of them, or whether something else was there, is not known
+// of what is older than all frames that were followed.
 void Judge::concludeLag() {
   for (const RowId id : {RowId::historyRaw, RowId::historyRectified, RowId::clipAmount, RowId::alpha})
     addRow(id, now_);
   const bool isUnguarded = settings_.rectify.method == RectifyMethod::None;
   found_.stage = Stage::RectifyHistory;
   found_.kind = VerdictKind::Lag;
-  if (found_.part == ErrorPart::Older || wasBlendedOver()) {
+  if (found_.part == ErrorPart::Older) return;
+  if (wasBlendedOver()) {
     found_.kind = VerdictKind::Ghost;
-    found_.isBlended = found_.part == ErrorPart::Lag;
+    found_.isBlended = true;
     if (isUnguarded) found_.stage = Stage::ValidateHistory;
     return;
   }
@@ -345,7 +360,7 @@ void Judge::addRow(RowId id, const SurfaceMoment& moment, std::optional<double> 
 }
 
 void Judge::addGhostRow(RowId id, std::optional<double> limit) {
-  for (const ErrorOfFrame& entry : evidence_.error.frames)
+  for (const ErrorOfFrame& entry : origin_.frames)
     if (entry.frame == evidence_.ghostFrame)
       found_.rows.push_back(
           {id, entry.frame, entry.ghostPixel, recordValue(evidence_.ghostRecord, id), limit});

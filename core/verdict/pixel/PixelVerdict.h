@@ -44,9 +44,11 @@ extern const std::array<VerdictKindInfo, 9> kVerdictKinds;
 /// All that is judged.
 struct VerdictEvidence {
   PixelError error;
+  std::optional<PixelError> older{};  ///< that it comes from, where most of it does (olderError())
   std::vector<SurfaceMoment> moments; ///< latest first, along the surface's true motion while it was seen
   bool endsHidden = false;            ///< before the last of them the surface was not seen, as far as known
-  twin::PixelRecord ghostRecord{};    ///< of the pixel through which most of the ghost came in
+  // Of `older` where it is known.
+  twin::PixelRecord ghostRecord{}; ///< of the pixel through which most of the ghost came in
   std::optional<glm::dvec2>
       ghostMotion{};   ///< px, true one of what that pixel shows; nothing: not seen before
   int ghostFrame = -1; ///< −1: no ghost came in
@@ -58,7 +60,7 @@ inline constexpr double kVisibleError = static_cast<double>(kSeenDifference);
 /// And may change from frame to frame by this much.
 inline constexpr double kVisibleFlicker = 5.0 / 255.0;
 /// Frames that are looked at.
-inline constexpr int kVerdictFrames = 16;
+inline constexpr int kVerdictFrames = kFollowedFrames;
 
 /// A value that decided something.
 struct VerdictRow {
@@ -76,11 +78,11 @@ struct PixelVerdict {
   bool isBlended = false;         ///< a ghost is of what was blended over the surface
   double error = 0.0;             ///< largest channel's, as shown, 0 to 1
   double flicker = 0.0;           ///< upper quartile of its change against the frames beside, as shown
-  ErrorPart part{};               ///< the one that most of the error is
+  ErrorPart part{};               ///< what most of the error is; Older: what it was then is not known
   double share = 0.0;             ///< of the error that it explains; more than 1 where others work against it
   int since = 0;                  ///< frame it came in with; the frame itself where it is of that alone
   bool isOlder = false;           ///< it was there before the window
-  int causeFrame = 0;             ///< frame of what is seen in it
+  int causeFrame = 0;             ///< frame of what is seen in it; of a ghost the latest
   std::optional<int> causeObject; ///< that a ghost is of, as it is drawn; 0: the sky
   std::vector<VerdictRow> rows;   ///< four or five that decided it
 };

@@ -108,6 +108,9 @@ std::string reasonOf(const PixelVerdict& verdict, const Settings& settings) {
       return say<"its material changes without motion, and no mask says so">();
     return say<"the mask is set, and history counts all the same">();
   case VerdictKind::Lag:
+    if (verdict.part == ErrorPart::Older)
+      return say<"history is of before that, and whether the light was another then, or something else was "
+                 "there, is not known">();
     return say<"what is seen has changed, and %1">(pulledText(verdict, settings));
   }
   return {};
@@ -120,8 +123,8 @@ std::string faultText(const PixelVerdict& verdict, int frame, const std::string&
     text = say<"%1 of %2">(text, *verdict.causeObject == 0 ? say<"the sky">()
                                  : object.empty()          ? say<"object %1">(*verdict.causeObject)
                                                            : object);
-  if (verdict.part == ErrorPart::Older && verdict.kind == VerdictKind::Ghost)
-    text = say<"%1, more than %2 frames ago">(text, frame - verdict.since);
+  if (verdict.part == ErrorPart::Older && verdict.kind == VerdictKind::Lag)
+    text = say<"%1, since before frame %2">(text, verdict.since);
   else if (verdict.kind == VerdictKind::Ghost || verdict.kind == VerdictKind::DisocclusionRestart)
     text = say<"%1, %2">(text, agoText(frame - verdict.causeFrame));
   else if (verdict.kind == VerdictKind::Lag || verdict.kind == VerdictKind::Aliasing)

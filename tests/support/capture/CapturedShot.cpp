@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -102,18 +103,23 @@ std::shared_ptr<const capture::DecodedFrame> CapturedShot::frame(int index) {
 }
 
 void CapturedShot::write(const std::filesystem::path& folder, bool hasOutput) {
-  std::filesystem::create_directories(folder);
-  capture::Manifest written = manifest();
-  written.planes.clear();
-  for (int index = 0; index < frames_; ++index) {
+  writeCapture(folder, manifest(), [&](int index) {
     capture::DecodedFrame decoded = *frame(index);
     if (hasOutput) decoded.output = decoded.color;
-    for (const auto& [kind, plane] : capture::encode(written, decoded)) {
-      const capture::PlaneSource& source = written.planes[kind] = sourceOf(kind, plane);
+    return decoded;
+  });
+}
+
+void writeCapture(const std::filesystem::path& folder, capture::Manifest manifest,
+                  const std::function<capture::DecodedFrame(int)>& frame) {
+  std::filesystem::create_directories(folder);
+  manifest.planes.clear();
+  for (int index = 0; index < static_cast<int>(manifest.frames.size()); ++index)
+    for (const auto& [kind, plane] : capture::encode(manifest, frame(index))) {
+      const capture::PlaneSource& source = manifest.planes[kind] = sourceOf(kind, plane);
       capture::writeRawPlane(folder / capture::planeFile(source, index), plane, *source.raw);
     }
-  }
-  writeFile(folder / capture::kManifestName, capture::manifestText(written));
+  writeFile(folder / capture::kManifestName, capture::manifestText(manifest));
 }
 
 } // namespace taa::test

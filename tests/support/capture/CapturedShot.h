@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -35,5 +36,9 @@ class CapturedShot {
   FrameRequest request_;
   int frames_;
 };
+
+/// Writes the frames that `manifest` has as files of 32 bits a value, and capture.json.
+void writeCapture(const std::filesystem::path& folder, capture::Manifest manifest,
+                  const std::function<capture::DecodedFrame(int)>& frame);
 
 } // namespace taa::test

@@ -3,6 +3,7 @@
 #include "core/settings/Parameters.h"
 #include "core/verdict/pixel/Remedies.h"
 #include "core/verdict/pixel/VerdictText.h"
+#include "tests/support/verdicts/JudgedPixel.h"
 
 #include <gtest/gtest.h>
 
@@ -21,33 +22,8 @@ using taa::Settings;
 using taa::Stage;
 using taa::VerdictEvidence;
 using taa::VerdictKind;
-
-/// A pixel of frame 40 that is what it should be, in as many moments as a verdict looks at.
-VerdictEvidence healthy() {
-  VerdictEvidence evidence;
-  evidence.error.frame = 40;
-  for (int age = 0; age < taa::kVerdictFrames; ++age) {
-    taa::SurfaceMoment moment;
-    moment.frame = 40 - age;
-    moment.resolved = moment.reference = glm::dvec3(0.5);
-    taa::twin::at(moment.record, IntermediateId::alpha).x = 0.1f;
-    taa::twin::at(moment.record, IntermediateId::historyLength).x = 19.0f;
-    evidence.moments.push_back(moment);
-    taa::ErrorOfFrame entry;
-    entry.frame = moment.frame;
-    evidence.error.frames.push_back(entry);
-  }
-  evidence.error.resolved = evidence.error.reference = glm::dvec3(0.5);
-  return evidence;
-}
-
-/// Adds an error that came in `age` frames ago.
-void addError(VerdictEvidence& evidence, ErrorPart part, int age, const glm::dvec3& error) {
-  of(evidence.error.frames[static_cast<std::size_t>(age)].split, part) += error;
-  of(evidence.error.sum, part) += error;
-  evidence.error.resolved += error;
-  evidence.moments.front().resolved += error;
-}
+using taa::test::addError;
+using taa::test::healthy;
 
 VerdictEvidence ghostOf(int object, int age) {
   VerdictEvidence evidence = healthy();
@@ -72,10 +48,25 @@ TEST(PixelVerdict, NamesAGhostWithItsObjectAndTheFrameThatShowedIt) {
   EXPECT_EQ(verdict.part, ErrorPart::Ghost);
   EXPECT_NEAR(verdict.share, 1.0, 1e-12);
   EXPECT_EQ(verdict.since, 35);
-  EXPECT_EQ(verdict.causeFrame, 34); // what history was read of in the frame before
+  EXPECT_EQ(verdict.causeFrame, 34); // no sample tells: what history was read of in the frame before
   EXPECT_EQ(verdict.causeObject, 5);
   const std::string sentence = verdictSentence(verdict, 40, "red bar", Settings{});
   EXPECT_TRUE(sentence.starts_with("Ghost of red bar, 6 frames ago: ")) << sentence;
+}
+
+TEST(PixelVerdict, NamesTheObjectWhoseSamplesMakeTheErrorOfAGhost) {
+  VerdictEvidence evidence = ghostOf(1, 2);
+  evidence.error.strays = {{38, 2, {-0.3, 0.0, 0.0}, 0.2}, // the other way
+                           {38, 5, {0.03, 0.0, 0.0}, 0.2}, // hardly seen
+                           {37, 5, {0.1, 0.0, 0.0}, 0.2},  {36, 5, {0.15, 0.0, 0.0}, 0.2},
+                           {35, 5, {0.3, 0.0, 0.0}, 0.8}, // of much, as where history starts
+                           {35, 1, {0.4, 0.0, 0.0}, 0.8},  {35, 3, {0.0, 0.9, 0.0}, 0.8}}; // across
+  const taa::PixelVerdict verdict = judge(evidence, Settings{});
+  EXPECT_EQ(verdict.kind, VerdictKind::Ghost);
+  EXPECT_EQ(verdict.causeObject, 5) << "1 has what does most, 5 does more together";
+  EXPECT_EQ(verdict.causeFrame, 37) << "the latest that shows it half as far off as any";
+  const std::string sentence = verdictSentence(verdict, 40, "blade", Settings{});
+  EXPECT_TRUE(sentence.starts_with("Ghost of blade, 3 frames ago: ")) << sentence;
 }
 
 TEST(PixelVerdict, BlamesTheFirstStageThatCouldHaveStoppedAGhost) {
@@ -168,34 +159,6 @@ TEST(PixelVerdict, CallsNothingFlickerThatMotionOrAFilterDoes) {
     EXPECT_EQ(judge(sampled, Settings{}).kind, direction > 0.0 ? VerdictKind::Blur : VerdictKind::Flicker)
         << "all samples are off one way, or not";
   }
-}
-
-/// Nine tenths of today's color are older than the frames that are followed, and off.
-VerdictEvidence offForLong() {
-  VerdictEvidence evidence = healthy();
-  of(evidence.error.sum, ErrorPart::Older) = glm::dvec3(0.18);
-  evidence.error.resolved += 0.18;
-  evidence.moments.front().resolved += 0.18;
-  evidence.error.frames.back().weight = 0.9;
-  return evidence;
-}
-
-TEST(PixelVerdict, FollowsAnOldErrorOnInWhatIsStillMade) {
-  VerdictEvidence going = offForLong();
-  for (int age = 0; age < 10; ++age) addError(going, ErrorPart::Aliasing, age, glm::dvec3(0.002));
-  const taa::PixelVerdict made = judge(going, Settings{});
-  EXPECT_EQ(made.part, ErrorPart::Aliasing);
-  EXPECT_EQ(made.kind, VerdictKind::Blur);
-  EXPECT_EQ(made.stage, Stage::FilterCurrent);
-  EXPECT_TRUE(made.isOlder);
-
-  VerdictEvidence fading = offForLong(); // at this rate the frames would have made a tenth of it
-  addError(fading, ErrorPart::Aliasing, 0, glm::dvec3(0.002));
-  const taa::PixelVerdict gone = judge(fading, Settings{});
-  EXPECT_EQ(gone.part, ErrorPart::Older);
-  EXPECT_EQ(gone.kind, VerdictKind::Ghost);
-  const std::string sentence = verdictSentence(gone, 40, "", Settings{});
-  EXPECT_TRUE(sentence.starts_with("Ghost, more than 15 frames ago: ")) << sentence;
 }
 
 TEST(PixelVerdict, CallsFlickerOfWhatIsBrighterThanWhiteAHighlights) {
