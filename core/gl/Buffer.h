@@ -46,6 +46,7 @@ class Mesh {
   Mesh(std::span<const std::byte> vertices, std::size_t stride, std::span<const VertexAttribute> attributes,
        std::span<const std::uint32_t> indices, PrimitiveKind kind, const std::string& label);
   unsigned vertexArray() const { return vertexArray_; }
+  const Buffer& indices() const { return indices_; }
   int indexCount() const { return indexCount_; }
   PrimitiveKind kind() const { return kind_; }
   std::size_t bytes() const { return vertices_.bytes() + indices_.bytes(); }

@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -38,6 +39,17 @@ Handle<ObjectKind::VertexArray> emptyVertexArray() {
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   return Handle<ObjectKind::VertexArray>(id);
+}
+
+GLenum primitiveMode(PrimitiveKind kind) {
+  static constexpr GLenum kModes[] = {GL_TRIANGLES, GL_LINES, GL_POINTS};
+  return kModes[static_cast<int>(kind)];
+}
+
+void setScissor(const std::optional<Rect>& part) {
+  if (!part) return glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part->x, part->y, part->width, part->height);
 }
 
 Handle<ObjectKind::Framebuffer> newFramebuffer() {
@@ -84,8 +96,8 @@ Framebuffer::Framebuffer(int width, int height, const std::string& label)
   glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
 }
 
-void Framebuffer::clearColor(int index, const glm::vec4& value) {
-  glDisable(GL_SCISSOR_TEST);
+void Framebuffer::clearColor(int index, const glm::vec4& value, const std::optional<Rect>& part) {
+  setScissor(part);
   glClearNamedFramebufferfv(id_, GL_COLOR, index, &value.x);
 }
 
@@ -95,8 +107,8 @@ void Framebuffer::clearColorUint(int index, std::uint32_t value) {
   glClearNamedFramebufferuiv(id_, GL_COLOR, index, values);
 }
 
-void Framebuffer::clearDepth(float value) {
-  glDisable(GL_SCISSOR_TEST);
+void Framebuffer::clearDepth(float value, const std::optional<Rect>& part) {
+  setScissor(part);
   glDepthMask(GL_TRUE);
   glClearNamedFramebufferfv(id_, GL_DEPTH, 0, &value);
 }
@@ -106,12 +118,7 @@ RenderPass::RenderPass(const Framebuffer& target, const RenderState& state, cons
   glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label.c_str());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
   glViewport(0, 0, target.width(), target.height());
-  if (state.scissor) {
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(state.scissor->x, state.scissor->y, state.scissor->width, state.scissor->height);
-  } else {
-    glDisable(GL_SCISSOR_TEST);
-  }
+  setScissor(state.scissor);
   // Depth writes need the depth test enabled.
   if (state.depthTest || state.depthWrite) {
     glEnable(GL_DEPTH_TEST);
@@ -175,10 +182,17 @@ void RenderPass::drawFullscreen() {
 }
 
 void RenderPass::draw(const Mesh& mesh, int instances) {
-  static constexpr GLenum kModes[] = {GL_TRIANGLES, GL_LINES, GL_POINTS};
   glBindVertexArray(mesh.vertexArray());
-  glDrawElementsInstanced(kModes[static_cast<int>(mesh.kind())], mesh.indexCount(), GL_UNSIGNED_INT, nullptr,
-                          instances);
+  glDrawElementsInstanced(primitiveMode(mesh.kind()), mesh.indexCount(), GL_UNSIGNED_INT, nullptr, instances);
+}
+
+void RenderPass::draw(const Mesh& mesh, const Buffer& indices, std::size_t first, std::size_t count) {
+  assert((first + count) * sizeof(std::uint32_t) <= indices.bytes());
+  glVertexArrayElementBuffer(mesh.vertexArray(), indices.id());
+  glBindVertexArray(mesh.vertexArray());
+  glDrawElements(primitiveMode(mesh.kind()), static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                 std::bit_cast<const void*>(first * sizeof(std::uint32_t)));
+  glVertexArrayElementBuffer(mesh.vertexArray(), mesh.indices().id());
 }
 
 void copyColor(const Framebuffer& from, const Framebuffer& to) {

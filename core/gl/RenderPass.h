@@ -8,6 +8,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,9 +28,10 @@ class Framebuffer {
   Framebuffer(const std::vector<Attachment>& colors, const Texture* depth, const std::string& label);
   /// No attachments: for passes that write by image stores only.
   Framebuffer(int width, int height, const std::string& label);
-  void clearColor(int index, const glm::vec4& value);
+  /// `part`: what is cleared; default: all.
+  void clearColor(int index, const glm::vec4& value, const std::optional<Rect>& part = {});
   void clearColorUint(int index, std::uint32_t value);
-  void clearDepth(float value);
+  void clearDepth(float value, const std::optional<Rect>& part = {});
   unsigned id() const { return id_; }
   int width() const { return width_; }
   int height() const { return height_; }
@@ -73,6 +75,8 @@ class RenderPass {
   void blending(unsigned attachment, Blending blending);
   void drawFullscreen(); ///< one triangle that covers the target; no attributes
   void draw(const Mesh& mesh, int instances = 1);
+  /// With `count` other indices than its own: of 32 bits, those in `indices` from number `first` on.
+  void draw(const Mesh& mesh, const Buffer& indices, std::size_t first, std::size_t count);
 };
 
 /// Texels of the first color target of `from` into that of `to`, which has the same size: numbers stay what

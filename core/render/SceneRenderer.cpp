@@ -42,6 +42,15 @@ std::array<InputTexture, 8> inputTextures(const InputSettings& settings) {
            {&FrameInputs::overlay, gl::Format::RGBA16F, "overlay", settings.blended == BlendedAs::After}}};
 }
 
+/// Whether the second is the first at another place of the pixel, as the samples of a reference are. (Forms
+/// of jitter other than the translation may move things by pixels.)
+bool differsInJitterOnly(const FrameRequest& a, const FrameRequest& b) {
+  if (!a.jitterPx || !b.jitterPx || a.jitter.projection != JitterProjection::Translation) return false;
+  FrameRequest same = b;
+  same.jitterPx = a.jitterPx;
+  return same == a;
+}
+
 } // namespace
 
 void fitTexture(gl::Texture& texture, const glm::ivec2& sizePx, gl::Format format, const char* label) {
@@ -94,14 +103,23 @@ struct SceneRenderer::Impl {
   ReactivePass reactive;
   std::unique_ptr<FogPass> fog; ///< where the scene has some
   gl::Buffer frame{sizeof(shared::FrameBlock), nullptr, "frame"};
+  /// What was drawn last.
+  struct Prepared {
+    FrameRequest request;
+    int frame = 0;
+    View view;
+    bool isWarmUp = false; ///< not all of it that is seen
+  };
+  std::optional<Prepared> last;
 
   Impl(std::shared_ptr<const Scene> scene_, const Progress& progress)
       : scene(std::move(scene_)), resources(*scene, progress), gbuffer(*scene),
         fog(scene->fog.empty() ? nullptr : std::make_unique<FogPass>()) {}
 
   void draw(const FrameRequest& request, int frame, FrameInputs& out, const Progress& warmUp);
-  void drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
-                    const Progress& warmUp);
+  /// The view, with which the passes are ready to draw.
+  const View& prepare(const FrameRequest& request, int frame, const Progress& warmUp);
+  void drawSurfaces(const View& view, const FrameInputs& out, const Progress& warmUp);
   void drawBlended(const InputSettings& settings, const FrameInputs& out, const Progress& warmUp);
   void drawFog(const FrameRequest& request, const View& view, FrameInputs& out);
 };
@@ -115,17 +133,28 @@ SceneRenderer::~SceneRenderer() = default;
 SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
 SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
-void SceneRenderer::Impl::drawSurfaces(const FrameRequest& request, const View& view, const FrameInputs& out,
-                                       const Progress& warmUp) {
+const View& SceneRenderer::Impl::prepare(const FrameRequest& request, int number, const Progress& warmUp) {
+  const bool isKnown = last && !last->isWarmUp && !warmUp && last->frame == number;
+  if (isKnown && differsInJitterOnly(last->request, request)) {
+    setJitter(last->view, *request.jitterPx);
+    return last->view;
+  }
+  last.reset();
+  Prepared next{request, number, viewAt(*scene, request, number), static_cast<bool>(warmUp)};
+  gbuffer.prepare(*scene, request.inputs, next.view, warmUp);
+  return last.emplace(std::move(next)).view;
+}
+
+void SceneRenderer::Impl::drawSurfaces(const View& view, const FrameInputs& out, const Progress& warmUp) {
   std::vector<gl::Attachment> attachments{
       {&out.color}, {&out.motion}, {&out.normal}, {&out.objectId}, {&out.previousDepth}};
   const gl::Framebuffer background(attachments, &out.depth, "background");
   if (out.mask) attachments.push_back({&out.mask});
   // Every pixel is written by a surface or by the sky, so only depth and mask need to start from something.
   gl::Framebuffer target(attachments, &out.depth, "frame inputs");
-  target.clearDepth(0.0f);
-  if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f));
-  gbuffer.draw(*scene, resources, request.inputs, view, frame, target, warmUp);
+  target.clearDepth(0.0f, view.part);
+  if (out.mask) target.clearColor(GBufferPass::kMaskAttachment, glm::vec4(0.0f), view.part);
+  gbuffer.draw(*scene, resources, frame, target, warmUp);
   sky.draw(frame, background, view.part);
 }
 
@@ -153,19 +182,19 @@ void SceneRenderer::Impl::drawFog(const FrameRequest& request, const View& view,
 
 void SceneRenderer::Impl::draw(const FrameRequest& request, int number, FrameInputs& out,
                                const Progress& warmUp) {
-  const View view = viewAt(*scene, request, number);
+  const View& view = prepare(request, number, warmUp);
   fitInputs(request, out);
   out.info = view.info;
   out.block = view.block;
   frame.update(0, &view.block, sizeof(view.block));
 
-  drawSurfaces(request, view, out, warmUp);
+  drawSurfaces(view, out, warmUp);
   if (request.inputs.mask == MaskSource::AutoReactive) reactive.keepOpaque(out.color);
   drawBlended(request.inputs, out, warmUp);
-  if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask);
+  if (request.inputs.mask == MaskSource::AutoReactive) reactive.draw(out.color, out.mask, view.part);
   drawFog(request, view, out);
-  if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out);
-  if (NoisePass::isNeeded(request.inputs)) noise.draw(request.inputs, frame, out);
+  if (isFromDepth(request.inputs.motion)) cameraMotion.draw(request.inputs.motion, frame, out, view.part);
+  if (NoisePass::isNeeded(request.inputs)) noise.draw(request.inputs, frame, out, view.part);
 }
 
 void SceneRenderer::draw(const FrameRequest& request, int frame, FrameInputs& out) {
@@ -199,6 +228,7 @@ const DrawCounts& SceneRenderer::counts() const {
 }
 
 void SceneRenderer::setCulling(bool culls) {
+  impl_->last.reset();
   impl_->gbuffer.setCulling(culls);
 }
 

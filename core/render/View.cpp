@@ -3,12 +3,14 @@
 #include "core/render/Cameras.h"
 #include "core/render/FrameClock.h"
 #include "core/render/SceneRenderer.h"
+#include "core/render/passes/FogCones.h"
 #include "core/render/passes/Lights.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace taa {
@@ -21,6 +23,13 @@ void fillSky(const Sky& sky, shared::FrameBlock& block) {
   block.skyGround = glm::vec4(sky.ground, 0.0f);
   block.sunDirection = glm::vec4(glm::normalize(sky.sunDirection), sky.sunEnabled ? 1.0f : 0.0f);
   block.sunColor = glm::vec4(sky.sunColor, 0.0f);
+}
+
+/// The texels that are wanted; clamping the fog's history reads around them.
+std::optional<gl::Rect> drawnPart(const Scene& scene, const FrameRequest& request, const glm::ivec2& sizePx) {
+  if (!request.part || request.inputs.fogHistory == FogHistory::None || !drawsFog(scene, request.inputs))
+    return request.part;
+  return gl::grown(*request.part, 1, sizePx);
 }
 
 } // namespace
@@ -43,8 +52,9 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   View view;
   view.info = frameInfo(scene, request, frame);
   view.projection = request.jitter.projection;
-  view.part = request.part;
-  const glm::vec2 sizePx(drawnSize({request.width, request.height}, request.inputs.renderScale));
+  const glm::ivec2 drawnPx = drawnSize({request.width, request.height}, request.inputs.renderScale);
+  const glm::vec2 sizePx(drawnPx);
+  view.part = drawnPart(scene, request, drawnPx);
   const double time = frameTime(scene, frame);
   const int previous = previousFrame(scene, frame);
   const double previousTime = frameTime(scene, previous);
@@ -55,8 +65,8 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   if (request.inputs.motion == MotionSource::CurrentProjectionAsPrinted)
     previousCamera.clipFromView = camera.clipFromView; // manual §26, D16
   const glm::vec2 previousJitter = frameInfo(scene, request, previous).jitterPx;
-  fillCameras({camera, previousCamera, sizePx, view.info.jitterPx, previousJitter, view.projection},
-              view.block);
+  view.cameras = {camera, previousCamera, sizePx, view.info.jitterPx, previousJitter, view.projection};
+  fillCameras(view.cameras, view.block);
   fillSky(scene.sky, view.block);
   view.lights = lightBlock(scene, view.pose);
   view.nodes = nodeStates(scene, request.motionModes, time, previousTime);
@@ -66,6 +76,12 @@ View viewAt(const Scene& scene, const FrameRequest& request, int frame) {
   const float bias = request.inputs.mipBias;
   fillStorage(request.inputs.precision, bias, frame, view.block);
   return view;
+}
+
+void setJitter(View& view, const glm::vec2& jitterPx) {
+  view.info.jitterPx = jitterPx;
+  view.cameras.jitterPx = view.cameras.previousJitterPx = jitterPx;
+  fillCameras(view.cameras, view.block);
 }
 
 } // namespace taa

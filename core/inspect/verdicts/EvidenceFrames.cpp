@@ -16,9 +16,13 @@ namespace taa {
 
 namespace {
 
+/// Side of the tiles of references and steps: small, because each sample of a reference is drawn as far as
+/// they reach, and where surfaces are dense that costs most of a verdict.
+constexpr int kEvidenceTile = 4;
+
 /// The tiles that a part lies in, as far as the picture goes.
 gl::Rect tilesOf(const gl::Rect& part, const glm::ivec2& sizePx) {
-  constexpr int kTile = twin::Texels::kTile;
+  constexpr int kTile = kEvidenceTile;
   const int left = std::max(part.x, 0) / kTile * kTile, top = std::max(part.y, 0) / kTile * kTile;
   const auto endOf = [](int end, int size) { return std::min((end + kTile - 1) / kTile * kTile, size); };
   return {left, top, endOf(part.x + part.width, sizePx.x) - left,
@@ -83,7 +87,7 @@ const twin::Texels& EvidenceFrames::reference(int frame) {
   const auto fetch = [this, frame](int x, int y, int width, int height) {
     return referencePart(frame, {x, y, width, height});
   };
-  return means_[frame] = twin::Texels(state().width, state().height, 3, fetch);
+  return means_[frame] = twin::Texels(state().width, state().height, 3, fetch, kEvidenceTile);
 }
 
 const twin::Texels& EvidenceFrames::steps(int frame) {
@@ -100,7 +104,7 @@ const twin::Texels& EvidenceFrames::steps(int frame) {
   const auto fetch = [this, frame](int x, int y, int width, int height) {
     return stepsPart(frame, {x, y, width, height});
   };
-  return steps_[frame] = twin::Texels(state().width, state().height, kStepChannels, fetch);
+  return steps_[frame] = twin::Texels(state().width, state().height, kStepChannels, fetch, kEvidenceTile);
 }
 
 // Where a moment lies near what is expected, it is drawn together with that.

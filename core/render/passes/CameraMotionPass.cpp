@@ -35,11 +35,12 @@ CameraMotionPass CameraMotionPass::reloaded() const {
   return pass;
 }
 
-void CameraMotionPass::draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out) {
+void CameraMotionPass::draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out,
+                            const std::optional<gl::Rect>& part) {
   assert(isFromDepth(source));
   if (!programs_.contains(source)) programs_.emplace(source, compileCameraMotion(source));
   const gl::Framebuffer target({{&out.motion}, {&out.previousDepth}}, nullptr, "camera motion");
-  gl::RenderPass pass(target, {}, "CameraMotionPass");
+  gl::RenderPass pass(target, {.scissor = part}, "CameraMotionPass");
   pass.program(programs_.at(source));
   pass.uniformBlock(2, frame);
   pass.texture(0, out.depth, nearest_);

@@ -7,6 +7,7 @@
 #include "core/settings/Settings.h"
 
 #include <map>
+#include <optional>
 
 namespace taa {
 
@@ -16,9 +17,11 @@ bool isFromDepth(MotionSource source);
 class CameraMotionPass {
  public:
   CameraMotionPass();
-  /// From `out.depth` into `out.motion` and `out.previousDepth`. `frame` holds the view's block. Expects
-  /// a source that isFromDepth(); throws Error when its program does not compile.
-  void draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out);
+  /// From `out.depth` into `out.motion` and `out.previousDepth`. `frame` holds the view's block; `part`: what
+  /// is drawn, default all. Expects a source that isFromDepth(); throws Error when its program does not
+  /// compile.
+  void draw(MotionSource source, const gl::Buffer& frame, const FrameInputs& out,
+            const std::optional<gl::Rect>& part = {});
   /// One with the programs of this one, compiled again.
   CameraMotionPass reloaded() const;
 

@@ -3,7 +3,6 @@
 #include "core/render/SceneRenderer.h"
 
 #include <cassert>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,12 +14,6 @@ void fitTo(const gl::Texture& color, gl::Texture& texture, const char* label) {
   if (texture && texture.size() == color.size() && texture.format() == color.format()) return;
   texture = gl::Texture();
   texture = gl::Texture(color.size(), color.format(), label);
-}
-
-/// The part that is wanted, with what clamping the fog's history reads around it.
-std::optional<gl::Rect> readAround(const View& view, const gl::Texture& color) {
-  if (!view.part) return {};
-  return gl::grown(*view.part, 1, {color.width(), color.height()});
 }
 
 std::string fogHistoryPrelude(FogHistory history) {
@@ -81,7 +74,7 @@ void FogPass::draw(const Scene& scene, const FrameRequest& request, const View& 
   block_.update(0, &block, sizeof(block));
   {
     const gl::Framebuffer target({{&marched_}, {hasHistory ? &before_ : nullptr}}, nullptr, "fog march");
-    gl::RenderPass pass(target, {.scissor = readAround(view, out.color)}, "FogPass march");
+    gl::RenderPass pass(target, {.scissor = view.part}, "FogPass march");
     pass.program(programs.march);
     pass.uniformBlock(2, frame);
     pass.uniformBlock(7, block_);

@@ -1,14 +1,14 @@
 #include "core/render/passes/GBufferPass.h"
 
 #include "core/base/Say.h"
+#include "core/render/passes/ClipSides.h"
 #include "core/scene/Deform.h"
 
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -23,56 +23,6 @@ namespace {
 glm::mat4 normalMatrix(const glm::mat3& m, float sign) {
   return glm::mat4(
       glm::mat3(sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])));
-}
-
-constexpr float kBeyondAll = std::numeric_limits<float>::max();
-
-/// What is seen of clip space divided by w, along x and y.
-struct ClipSides {
-  glm::vec2 low{-1.0f}, high{1.0f};
-};
-
-/// Of the part that is wanted, with a margin for jitter and the width of points and lines.
-ClipSides clipSides(const View& view) {
-  constexpr float marginPx = 3.0f;
-  const glm::vec2 sizePx = view.block.sizePx;
-  const gl::Rect part =
-      view.part.value_or(gl::Rect{0, 0, static_cast<int>(sizePx.x), static_cast<int>(sizePx.y)});
-  const glm::vec2 from = glm::vec2(part.x, part.y) - marginPx;
-  const glm::vec2 to = glm::vec2(part.x + part.width, part.y + part.height) + marginPx;
-  const glm::vec2 low = 2.0f * from / sizePx - 1.0f, high = 2.0f * to / sizePx - 1.0f;
-  return {{low.x, -high.y}, {high.x, -low.y}}; // rows go down, y goes up
-}
-
-/// How far from the camera a box reaches, or nothing when it lies wholly outside one of the planes of the
-/// view. The distance is view depth less a constant; only its order matters. `jitter` is
-/// FrameBlock::printedJitter, which may move near or far things by more than the margin.
-std::optional<float> farthestPoint(const Bounds& box, const glm::mat4& clipFromModel, const ClipSides& sides,
-                                   const glm::vec4& jitter) {
-  if (box.isEmpty()) return kBeyondAll;
-  std::array<int, 5> outside{};
-  float farthest = std::numeric_limits<float>::lowest();
-  for (int corner = 0; corner < 8; ++corner) {
-    glm::vec4 clip =
-        clipFromModel * glm::vec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                                  corner & 4 ? box.max.z : box.min.z, 1.0f);
-    clip.x += jitter.x * clip.w + jitter.z * clip.z;
-    clip.y += jitter.y * clip.w + jitter.w * clip.z;
-    outside[0] += clip.x > sides.high.x * clip.w;
-    outside[1] += clip.x < sides.low.x * clip.w;
-    outside[2] += clip.y > sides.high.y * clip.w;
-    outside[3] += clip.y < sides.low.y * clip.w;
-    outside[4] += clip.z > clip.w; // before the near plane, which has depth 1
-    farthest = std::max(farthest, clip.w - clip.z);
-  }
-  if (std::ranges::find(outside, 8) != outside.end()) return std::nullopt;
-  return farthest;
-}
-
-/// How far from the camera the middle of a box is, in the same unit.
-float middleDistance(const Bounds& box, const glm::mat4& clipFromModel) {
-  const glm::vec4 clip = clipFromModel * glm::vec4(box.isEmpty() ? glm::vec3(0.0f) : box.center(), 1.0f);
-  return clip.w - clip.z;
 }
 
 bool isBlended(BlendedAs blended) {
@@ -234,9 +184,27 @@ Bounds GBufferPass::boundsOf(const Scene& scene, const View& view, const Item& i
                         view.pose.time);
 }
 
-void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
+GBufferPass::IndexRange GBufferPass::indicesBeside(std::span<const HalfSpace> outside, const Item& item,
+                                                   const Primitive& primitive, const Wind& wind) {
+  const Variant& variant = item.variant;
+  if (primitive.topology != Topology::Triangles || variant.influenceSets > 0 || variant.morphed ||
+      variant.cached || primitive.indices.size() <= 3 * TriangleGroups::kMaxTriangles)
+    return {};
+  const std::pair key(item.mesh, item.primitive);
+  auto groups = groups_.find(key);
+  if (groups == groups_.end()) groups = groups_.emplace(key, TriangleGroups(primitive, wind)).first;
+  const std::size_t first = partIndices_.size();
+  groups->second.append(primitive, outside, partIndices_);
+  const std::size_t count = partIndices_.size() - first;
+  if (count < primitive.indices.size()) return {false, first, count};
+  partIndices_.resize(first);
+  return {};
+}
+
+void GBufferPass::findVisible(const Scene& scene, const View& view, bool culls) {
   visible_.clear();
   blended_.clear();
+  partIndices_.clear();
   counts_ = {};
   const ClipSides sides = clipSides(view);
   for (std::size_t index = 0; index < items_.size(); ++index) {
@@ -251,14 +219,20 @@ void GBufferPass::prepare(const Scene& scene, const View& view, bool culls) {
     const glm::vec4 jitter = item.variant.printedJitter ? view.block.printedJitter : glm::vec4(0.0f);
     const auto distance = farthestPoint(boundsOf(scene, view, item), block.clipFromModel, sides, jitter);
     if (culls && !distance) continue;
+    IndexRange indices;
+    if (culls && view.part)
+      indices = indicesBeside(beyondSides(block.clipFromModel, sides, jitter), item, primitive,
+                              scene.materials[static_cast<std::size_t>(item.material)].wind);
+    if (!indices.isWhole && indices.count == 0) continue;
     ++counts_.drawn;
-    counts_.triangles += primitive.indices.size() / 3;
+    counts_.triangles += (indices.isWhole ? primitive.indices.size() : indices.count) / 3;
     if (item.variant.blended)
-      blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index});
+      blended_.push_back({false, middleDistance(primitive.bounds, block.clipFromModel), index, indices});
     else
       // What deforms comes last.
-      visible_.push_back(
-          {item.variant.masked, item.variant.deforms() ? kBeyondAll : distance.value_or(kBeyondAll), index});
+      visible_.push_back({item.variant.masked,
+                          item.variant.deforms() ? kBeyondAll : distance.value_or(kBeyondAll), index,
+                          indices});
   }
   // Masked ones last, because they cannot hide what is behind them before they are shaded. The far end of a
   // thing decides, so that walls and grounds come after what stands before them.
@@ -310,17 +284,32 @@ void GBufferPass::apply(const InputSettings& settings, const Scene& scene, const
   }
 }
 
-void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
-                       const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
-                       const Progress& warmUp) {
+void GBufferPass::prepare(const Scene& scene, const InputSettings& settings, const View& view,
+                          const Progress& warmUp) {
   if (items_.empty()) return;
   apply(settings, scene, view, warmUp);
   prepareDeformation(scene, view);
-  prepare(scene, view, culls_ && !warmUp);
+  findVisible(scene, view, culls_ && !warmUp);
   if (warmUp) keepOneOfEach();
+  uploadPrepared(view);
+  part_ = view.part;
+}
+
+void GBufferPass::uploadPrepared(const View& view) {
   lightBlock_.update(0, &view.lights, sizeof(view.lights));
   drawBlocks_.update(0, staging_.data(), staging_.size());
-  part_ = view.part;
+  if (partIndices_.empty()) return;
+  const std::size_t bytes = partIndices_.size() * sizeof(std::uint32_t);
+  if (partIndexBuffer_.bytes() < bytes) {
+    partIndexBuffer_ = gl::Buffer();
+    partIndexBuffer_ = gl::Buffer(std::bit_ceil(bytes), nullptr, "indices of a part");
+  }
+  partIndexBuffer_.update(0, partIndices_.data(), bytes);
+}
+
+void GBufferPass::draw(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+                       const gl::Framebuffer& target, const Progress& warmUp) {
+  if (items_.empty()) return;
   gl::RenderPass pass(target, {.depthTest = true, .depthWrite = true, .scissor = part_}, "GBufferPass");
   drawItems(scene, resources, frame, visible_, pass, warmUp);
 }
@@ -351,7 +340,11 @@ void GBufferPass::drawItems(const Scene& scene, const SceneResources& resources,
     if (item.variant.deforms()) resources.bindDeformation(pass, item.mesh, item.primitive);
     pass.culling(!scene.materials[static_cast<std::size_t>(item.material)].doubleSided,
                  mirrored_[visible.item]);
-    pass.draw(resources.mesh(item.mesh, item.primitive));
+    const gl::Mesh& mesh = resources.mesh(item.mesh, item.primitive);
+    if (visible.indices.isWhole)
+      pass.draw(mesh);
+    else
+      pass.draw(mesh, partIndexBuffer_, visible.indices.first, visible.indices.count);
   }
 }
 

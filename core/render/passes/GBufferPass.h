@@ -9,13 +9,16 @@
 #include "core/render/passes/Lights.h"
 #include "core/scene/DeformBounds.h"
 #include "core/scene/ObjectClass.h"
+#include "core/scene/TriangleGroups.h"
 #include "core/settings/Settings.h"
 #include "shaders/shared/DrawBlock.h"
 
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -28,14 +31,16 @@ class GBufferPass {
 
   explicit GBufferPass(const Scene& scene);
 
-  /// Into `target`: attachments in the order of shaders/scene/mesh.frag, and depth. `frame` holds the view's
-  /// block. Leaves out what the settings blend.
-  /// Compiles variants that are new first; throws Error when their shader does not. With `warmUp`, here and
-  /// in drawBlended(), one item of each variant is drawn, whether it is seen or not: that is when some
-  /// drivers compile. Reports for each compiled and each drawn.
-  void draw(const Scene& scene, const SceneResources& resources, const InputSettings& settings,
-            const View& view, const gl::Buffer& frame, const gl::Framebuffer& target,
-            const Progress& warmUp = {});
+  /// Finds what is drawn of a view, at any jitter that setJitter() gives it. Compiles variants that are new;
+  /// throws Error when their shader does not. With `warmUp`, here and where is drawn, it is one item of each
+  /// variant, whether it is seen or not: that is when some drivers compile. Reports for each compiled and
+  /// each drawn.
+  void prepare(const Scene& scene, const InputSettings& settings, const View& view,
+               const Progress& warmUp = {});
+  /// What was prepared, into `target`: attachments in the order of shaders/scene/mesh.frag, and depth.
+  /// `frame` holds the view's block. Leaves out what the settings blend.
+  void draw(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
+            const gl::Framebuffer& target, const Progress& warmUp = {});
 
   /// Whether draw() left something out that may be seen.
   bool hasBlended() const { return !blended_.empty(); }
@@ -44,7 +49,7 @@ class GBufferPass {
   void drawBlended(const Scene& scene, const SceneResources& resources, const gl::Buffer& frame,
                    const gl::Framebuffer& target, const Progress& warmUp = {});
 
-  /// Of the last draw(), with what it left to drawBlended().
+  /// Of the last view, with what draw() leaves to drawBlended().
   const DrawCounts& counts() const { return counts_; }
   /// For tests: whether what lies outside the view is left out, as it is at first. No bit depends on it.
   void setCulling(bool culls) { culls_ = culls; }
@@ -78,17 +83,27 @@ class GBufferPass {
   gl::Program compile(const Variant& variant) const;
   /// Sets what the settings ask for in every item's variant and compiles what is new.
   void apply(const InputSettings& settings, const Scene& scene, const View& view, const Progress& warmUp);
+  /// Which indices of an item's mesh are drawn: all, or some that stand among partIndices_.
+  struct IndexRange {
+    bool isWhole = true;
+    std::size_t first = 0, count = 0;
+  };
   /// An item that may be seen; drawn in their order, front to back, or back to front where it is blended.
   struct Visible {
     bool masked = false;
     float distance = 0.0f; ///< of its far end; of its middle where it is blended
     std::size_t item = 0;
+    IndexRange indices;
     bool operator<(const Visible& other) const {
       return std::tie(masked, distance, item) < std::tie(other.masked, other.distance, other.item);
     }
   };
   /// Fills the blocks of all items, `visible_` and `blended_`.
-  void prepare(const Scene& scene, const View& view, bool culls);
+  void findVisible(const Scene& scene, const View& view, bool culls);
+  /// Those of triangles that do not lie wholly in one of the half spaces, as far as that is found out.
+  IndexRange indicesBeside(std::span<const HalfSpace> outside, const Item& item, const Primitive& primitive,
+                           const Wind& wind);
+  void uploadPrepared(const View& view);
   /// What is in the lists, but one of each variant.
   void keepOneOfEach();
   void reportWarmUp(const Progress& warmUp, std::size_t done) const;
@@ -112,10 +127,13 @@ class GBufferPass {
   int jointCount_ = 0;                   ///< of all skins
   std::vector<glm::mat4> jointMatrices_; ///< of this frame, then of the previous one
   gl::Buffer joints_, morphWeights_;
-  std::map<std::pair<int, int>, DeformExtent> extents_; ///< by mesh and primitive, of those that deform
+  std::map<std::pair<int, int>, DeformExtent> extents_;  ///< by mesh and primitive, of those that deform
+  std::map<std::pair<int, int>, TriangleGroups> groups_; ///< likewise; of what was drawn in parts
   std::vector<Visible> visible_, blended_;
+  std::vector<std::uint32_t> partIndices_;
+  gl::Buffer partIndexBuffer_; ///< starts with them
   DrawCounts counts_;
-  std::optional<gl::Rect> part_; ///< of the view of the last draw()
+  std::optional<gl::Rect> part_; ///< of the last view
   bool culls_ = true;
 };
 

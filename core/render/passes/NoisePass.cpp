@@ -30,7 +30,8 @@ NoisePass NoisePass::reloaded() const {
   return pass;
 }
 
-void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out) {
+void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out,
+                     const std::optional<gl::Rect>& part) {
   assert(isNeeded(settings));
   const Variant variant{settings.noise, settings.noiseTriangular == Switch::On,
                         settings.range == DynamicRange::Ldr};
@@ -42,7 +43,7 @@ void NoisePass::draw(const InputSettings& settings, const gl::Buffer& frame, Fra
   block_.update(0, &block, sizeof(block));
 
   const gl::Framebuffer target({{&other_}}, nullptr, "noise");
-  gl::RenderPass pass(target, {}, "NoisePass");
+  gl::RenderPass pass(target, {.scissor = part}, "NoisePass");
   pass.program(programs_.at(variant));
   pass.uniformBlock(2, frame);
   pass.uniformBlock(6, block_);

@@ -9,6 +9,7 @@
 
 #include <compare>
 #include <map>
+#include <optional>
 
 namespace taa {
 
@@ -17,9 +18,10 @@ class NoisePass {
   NoisePass();
   /// Whether settings leave anything to do.
   static bool isNeeded(const InputSettings& settings);
-  /// Replaces `out.color` by itself, clipped and with the noise of its frame; `frame` holds the view's block.
-  /// Expects isNeeded(); throws Error when its program does not compile.
-  void draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out);
+  /// Replaces `out.color` by itself, clipped and with the noise of its frame; `frame` holds the view's block;
+  /// `part`: what is drawn, default all. Expects isNeeded(); throws Error when its program does not compile.
+  void draw(const InputSettings& settings, const gl::Buffer& frame, FrameInputs& out,
+            const std::optional<gl::Rect>& part = {});
   /// One with the programs of this one, compiled again.
   NoisePass reloaded() const;
 

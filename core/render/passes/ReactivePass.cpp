@@ -27,10 +27,11 @@ void ReactivePass::keepOpaque(const gl::Texture& color) {
   opaque_.copyFrom(color);
 }
 
-void ReactivePass::draw(const gl::Texture& color, const gl::Texture& mask) {
+void ReactivePass::draw(const gl::Texture& color, const gl::Texture& mask,
+                        const std::optional<gl::Rect>& part) {
   if (program_.id() == 0) program_ = compileReactive();
   const gl::Framebuffer target({{&mask}}, nullptr, "reactive");
-  gl::RenderPass pass(target, {}, "ReactivePass");
+  gl::RenderPass pass(target, {.scissor = part}, "ReactivePass");
   pass.program(program_);
   pass.texture(0, opaque_, nearest_);
   pass.texture(1, color, nearest_);

@@ -3,6 +3,8 @@
 
 #include "core/gl/RenderPass.h"
 
+#include <optional>
+
 namespace taa {
 
 class ReactivePass {
@@ -13,8 +15,8 @@ class ReactivePass {
 
   /// Keeps a copy of the opaque picture.
   void keepOpaque(const gl::Texture& color);
-  /// Into the first channel of `mask`, where it is larger.
-  void draw(const gl::Texture& color, const gl::Texture& mask);
+  /// Into the first channel of `mask`, where it is larger. `part`: what is drawn, default all.
+  void draw(const gl::Texture& color, const gl::Texture& mask, const std::optional<gl::Rect>& part = {});
 
  private:
   gl::Sampler nearest_;

@@ -4,8 +4,9 @@
 
 namespace taa::twin {
 
-Texels::Texels(int width_, int height_, int channels_, Fetch fetch)
-    : lazy_(std::make_shared<Lazy>(Lazy{std::move(fetch), {}})) {
+Texels::Texels(int width_, int height_, int channels_, Fetch fetch, int tile)
+    : lazy_(std::make_shared<Lazy>(Lazy{std::move(fetch), tile, {}})) {
+  assert(tile > 0);
   width = width_;
   height = height_;
   channels = channels_;
@@ -13,13 +14,14 @@ Texels::Texels(int width_, int height_, int channels_, Fetch fetch)
 
 glm::vec4 Texels::fetched(int x, int y) const {
   assert(x >= 0 && x < width && y >= 0 && y < height);
-  const std::pair corner(x / kTile * kTile, y / kTile * kTile);
+  const int side = lazy_->tile;
+  const std::pair corner(x / side * side, y / side * side);
   auto tile = lazy_->tiles.find(corner);
   if (tile == lazy_->tiles.end())
     tile =
         lazy_->tiles
-            .emplace(corner, lazy_->fetch(corner.first, corner.second, std::min(kTile, width - corner.first),
-                                          std::min(kTile, height - corner.second)))
+            .emplace(corner, lazy_->fetch(corner.first, corner.second, std::min(side, width - corner.first),
+                                          std::min(side, height - corner.second)))
             .first;
   return tile->second.texel(x - corner.first, y - corner.second);
 }

@@ -14,7 +14,7 @@ namespace taa::twin {
 /// same however much of it is there.
 class Texels : public Image {
  public:
-  /// Side of the tiles, which begin at multiples of it: holds what most pixels read of a picture.
+  /// Side of tiles that hold what most pixels read of a picture.
   static constexpr int kTile = 16;
   /// The part whose upper left corner is (x, y).
   using Fetch = std::function<Image(int x, int y, int width, int height)>;
@@ -22,8 +22,9 @@ class Texels : public Image {
   Texels() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a picture is one that is all there
   Texels(Image image) : Image(std::move(image)) {}
-  /// Read by `fetch`, which must be able to as long as somebody reads.
-  Texels(int width_, int height_, int channels_, Fetch fetch);
+  /// Read by `fetch`, which must be able to as long as somebody reads, in tiles that begin at multiples of
+  /// their side.
+  Texels(int width_, int height_, int channels_, Fetch fetch, int tile = kTile);
 
   glm::vec4 texel(int x, int y) const { return lazy_ ? fetched(x, y) : Image::texel(x, y); }
   bool empty() const { return !lazy_ && Image::empty(); }
@@ -31,6 +32,7 @@ class Texels : public Image {
  private:
   struct Lazy {
     Fetch fetch;
+    int tile = kTile;
     std::map<std::pair<int, int>, Image> tiles;
   };
   glm::vec4 fetched(int x, int y) const;

@@ -57,7 +57,9 @@ TEST_F(PartlyResolvedTest, HoldsWhatWholeFramesHold) {
                                                                {"builtin:fan", "balanced"},
                                                                {"builtin:fence", "fsr2"},
                                                                {"builtin:gallery", "hdrp-taau"},
-                                                               {"builtin:cut", "raptor"}};
+                                                               {"builtin:cut", "raptor"},
+                                                               {"builtin:crowd", "balanced"},
+                                                               {"builtin:foliage", "sharp"}};
   for (const auto& [source, presetId] : shots) {
     ShotPlayer player(test::kSceneShotPx);
     player.open(test::sceneShot(source, presetId));
