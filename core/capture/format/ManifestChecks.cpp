@@ -171,11 +171,11 @@ void requireNumbers(const CapturedFrame& frame, const Manifest& manifest, std::s
   if (frame.number < 0) throw Error(say<"\"%1\" is below 0">(framePath(i, "number")));
   for (const double jitter : {frame.jitter.x, frame.jitter.y})
     requireWithin(jitter, -kMaxStatedJitter, kMaxStatedJitter, framePath(i, "jitter"));
-  requireWithin(frame.preExposure, 1e-12, 1e12, framePath(i, "preExposure"));
+  requireWithin(frame.preExposure, kMinPreExposure, kMaxPreExposure, framePath(i, "preExposure"));
   if (frame.preExposure != 1.0 && !manifest.conventions.color.preExposed)
     throw Error(say<"\"%1\" is %2, but \"%3\" is off">(
         framePath(i, "preExposure"), numberText(frame.preExposure), "conventions.color.preExposed"));
-  if (frame.seconds) requireWithin(*frame.seconds, -1e9, 1e9, framePath(i, "seconds"));
+  if (frame.seconds) requireWithin(*frame.seconds, -kMaxSeconds, kMaxSeconds, framePath(i, "seconds"));
 }
 
 /// What is stated of some frames is stated of all.

@@ -9,7 +9,9 @@ namespace taa::capture {
 
 inline constexpr int kManifestFormat = 1;
 inline constexpr std::size_t kMaxText = 4096, kMaxNotes = 1000;
-inline constexpr double kMaxStatedJitter = 1e6, kMaxMatrixElement = 1e30; ///< of either sign
+inline constexpr double kMaxStatedJitter = 1e6, kMaxMatrixElement = 1e30,
+                        kMaxSeconds = 1e9; ///< of either sign
+inline constexpr double kMinPreExposure = 1e-12, kMaxPreExposure = 1e12;
 
 /// As checkManifest(), without the beginning: throws Error that names the key at fault by its path in the
 /// file.

@@ -180,10 +180,10 @@ ordered_json frameSchema() {
       {"projection", reference("matrix", "From view to clip space.")},
       {"previousView", reference("matrix", "Of the frame before; without, what that frame states.")},
       {"previousProjection", reference("matrix", "Of the frame before; without, what that frame states.")},
-      {"preExposure", withDescription(numberSchema("number", 1e-12, 1e12),
+      {"preExposure", withDescription(numberSchema("number", kMinPreExposure, kMaxPreExposure),
                                       "What color was multiplied with; see conventions.color.preExposed.")},
       {"cut", {{"type", "boolean"}, {"description", "Whether history starts here."}}},
-      {"seconds", withDescription(numberSchema("number", -1e9, 1e9),
+      {"seconds", withDescription(numberSchema("number", -kMaxSeconds, kMaxSeconds),
                                   "The time of the frame, rising; of all frames or of none.")},
       {"planes", reference("planes", "Instead of the capture's planes of the same names.")},
   };

@@ -4,6 +4,7 @@
 #include "core/base/Say.h"
 #include "core/capture/format/ShownText.h"
 #include "core/capture/import/FolderScan.h"
+#include "core/capture/import/SideLimits.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -170,6 +171,7 @@ void takeSide(FolderPlan& plan, const std::vector<SideFile>& sides, const Pictur
     const SideFrames* list = listFor(side, main);
     if (!list) continue;
     plan.side = *list;
+    plan.sideName = shownText(side.file);
     plan.nearPlane = side.nearPlane;
     plan.farPlane = side.farPlane;
     plan.manifest.name = side.name;
@@ -203,6 +205,7 @@ void addFrames(FolderPlan& plan, const std::vector<int>& numbers, const std::vec
     frame.number = number;
     plan.manifest.frames.push_back(std::move(frame));
   }
+  keepWithinLimits(plan.manifest.frames, plan.sideName, plan.unsure);
 }
 
 void sayPlanes(FolderPlan& plan, const PictureSequence& main) {

@@ -19,6 +19,7 @@ struct FolderPlan {
   Manifest manifest; ///< all but conventions
   std::map<PlaneKind, StoredType> types;
   std::optional<SideFrames> side;
+  std::string sideName;                   ///< of its file, to be shown
   double nearPlane = 0.0, farPlane = 0.0; ///< as the side file says; 0: it does not
   std::vector<std::string> found, unsure; ///< sentences
 };

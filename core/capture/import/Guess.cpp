@@ -94,6 +94,7 @@ class Guesser {
   void takeMatrices();
   void takeJitter();
   void takeColor();
+  void takeExposure();
   void takeMotionValues();
   void takePlanes();
   void takeValues();
@@ -160,11 +161,21 @@ void Guesser::takeJitter() {
 }
 
 void Guesser::takeColor() {
+  takeExposure();
   if (!isNormalized(plan_, PlaneKind::Color)) return;
   stated().color.encoding = ColorEncoding::Srgb;
   if (!isFixed("color.encoding"))
     out_.unsure.push_back(
         say<"color is stored as integers: it is taken as encoded for a screen (color.encoding=srgb)">());
+}
+
+void Guesser::takeExposure() {
+  const bool isStated = std::ranges::any_of(
+      plan_.manifest.frames, [](const CapturedFrame& frame) { return frame.preExposure != 1.0; });
+  if (!isStated || isFixed("color.preExposed")) return;
+  stated().color.preExposed = true;
+  out_.unsure.push_back(say<"%1 states pre-exposures: color is taken as multiplied with them "
+                            "(color.preExposed=on)">(plan_.sideName));
 }
 
 void Guesser::takeMotionValues() {
@@ -208,6 +219,10 @@ void Guesser::takeValues() {
 }
 
 void Guesser::askAll() {
+  // Rows and color are read as they are stated; all else is asked.
+  plan_.manifest.conventions = stated();
+  if (!stated().color.preExposed)
+    for (CapturedFrame& frame : plan_.manifest.frames) frame.preExposure = 1.0;
   FrameSamples samples(folder_, plan_.manifest, kPairs, progress_);
   QuestionRules rules{like_.empty() ? Adopt::Best : Adopt::SureOnes, fixed_};
   // Motion by what is not yet known of depth, depth by that motion, and what depth makes of it.

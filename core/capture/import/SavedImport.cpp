@@ -81,6 +81,9 @@ SavedImport saveImport(const fs::path& folder, const Manifest& manifest, const f
     files = filesOf(manifest);
   else if (way != ".")
     forSources(written, [&](PlaneSource& source) { source.file = (way / source.file).generic_string(); });
+  // A side file may state what color was not multiplied with.
+  if (!written.conventions.color.preExposed)
+    for (CapturedFrame& frame : written.frames) frame.preExposure = 1.0;
   const std::string text = manifestText(written);
   SavedImport saved{out / kManifestName};
   if (!replace) refuseToReplace(importedFiles(folder, manifest, out));

@@ -69,7 +69,7 @@ std::optional<double> finiteOf(const json* value) {
 std::string plainTextOf(const json* value) {
   if (!value || !value->is_string()) return "";
   std::string text = value->get<std::string>();
-  return isPlainText(text) ? text.substr(0, kMaxText) : "";
+  return isPlainText(text) && text.size() <= kMaxText ? text : "";
 }
 
 /// [x, y] or {"x": …, "y": …}.
@@ -180,8 +180,8 @@ CapturedFrame frameOf(const json& object, int index, SideFrames& out) {
   }
   takeJitter(fields, frame, out);
   takeMatrices(fields, frame, out);
-  if (const auto exposure = finiteOf(fields.of({"preexposure"})); exposure && *exposure > 0.0)
-    frame.preExposure = *exposure;
+  if (const auto exposure = finiteOf(fields.of({"preexposure"})))
+    if (*exposure >= kMinPreExposure && *exposure <= kMaxPreExposure) frame.preExposure = *exposure;
   if (const json* cut = fields.of({"cut", "cameracut", "reset", "resethistory"}); cut && cut->is_boolean())
     frame.cut = cut->get<bool>();
   frame.seconds = finiteOf(fields.of({"seconds", "time", "timeseconds"}));
@@ -201,11 +201,11 @@ void takeList(const json& list, const std::string& name, SideFile& out) {
   out.lists.push_back(std::move(frames));
 }
 
-/// {"1": "door"} or ["nothing", "door"].
+/// {"1": "door"} or ["nothing", "door"]: 0 is no object.
 void takeObjects(const json* value, SideFile& out) {
   if (!value) return;
   if (value->is_array())
-    for (std::size_t i = 0; i < value->size(); ++i)
+    for (std::size_t i = 1; i < value->size(); ++i)
       if (const std::string name = plainTextOf(&(*value)[i]); !name.empty())
         out.objects[static_cast<std::uint32_t>(i)] = name;
   if (!value->is_object()) return;
@@ -213,7 +213,8 @@ void takeObjects(const json* value, SideFile& out) {
     std::uint32_t id = 0;
     const auto end = key.data() + key.size();
     const auto read = std::from_chars(key.data(), end, id);
-    if (read.ec == std::errc() && read.ptr == end && name.is_string()) out.objects[id] = plainTextOf(&name);
+    if (read.ec == std::errc() && read.ptr == end && id > 0 && name.is_string())
+      out.objects[id] = plainTextOf(&name);
   }
 }
 

@@ -61,13 +61,22 @@ const FileKind& kindOf(const UntrustedFile& file, const std::string& name) {
       say<"%1 is no EXR, PNG, HDR, TIFF or DDS file; a raw plane has to be stated as one (\"raw\")">(name));
 }
 
+/// Without the folders of a file in quotes: they may be long, and the reason stands behind them.
+std::string withoutQuotedFolders(std::string said) {
+  const std::size_t open = said.find("\"/");
+  const std::size_t close = open == std::string::npos ? open : said.find('"', open + 1);
+  if (close != std::string::npos) said.erase(open + 1, said.rfind('/', close) - open);
+  return said;
+}
+
 /// What OpenImageIO says in its last error, on one line.
 std::string failureOf(const OIIO::ImageInput& input) {
   const std::string said = input.geterror();
   if (said.find("ubsampl") != std::string::npos)
     return say<
         "it stores luminance and chroma (Y, RY, BY) or other channels of reduced size; save it as RGB">();
-  return said.empty() ? say<"it is damaged">() : shownText(said.substr(0, said.find('\n')));
+  if (said.empty()) return say<"it is damaged">();
+  return shownText(withoutQuotedFolders(said.substr(0, said.find('\n'))));
 }
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const UntrustedFile& file, const std::string& name) {
@@ -148,6 +157,8 @@ PartFound findPart(OIIO::ImageInput& input, const PlaneRequest& request) {
   if (parts.empty()) throw Error(say<"cannot read %1: %2">(request.file, failureOf(input)));
   // Asking for the part after the last one leaves a message behind.
   (void)input.geterror();
+  if (missing.empty() && std::ranges::all_of(parts, &std::string::empty))
+    throw Error(say<"%1 has no part \"%2\": its parts have no names">(request.file, shownText(part)));
   if (missing.empty())
     throw Error(say<"%1 has no part \"%2\"; it has %3">(request.file, shownText(part), listed(parts)));
   throw Error(say<"%1 has no channel \"%2\"; it has %3">(request.file, shownText(missing), listed(channels)));

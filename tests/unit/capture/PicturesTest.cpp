@@ -367,6 +367,24 @@ TEST_F(Pictures, OfAnotherSizeAreNamed) {
   expectMessage("frame 7, color: it has 6 × 4 px; the capture says 8 × 4 px");
 }
 
+TEST_F(Pictures, WithoutNamesOfPartsSaySo) {
+  writePicture(folder / "color.exr", specOf({"R", "G", "B"}, OIIO::TypeFloat), OIIO::TypeFloat, ramp(3));
+  add(PlaneKind::Color, "color.exr", {}, "beauty");
+  expectMessage("frame 7, color: color.exr has no part \"beauty\": its parts have no names");
+}
+
+// Folders are as long as they are, and a message has its end where 100 bytes of it were shown.
+TEST_F(Pictures, ThatAreCutOffAreRefusedWithoutTheirFolders) {
+  writePicture(folder / "cut.exr", specOf({"R", "G", "B"}, OIIO::TypeFloat), OIIO::TypeFloat, ramp(3));
+  const std::string whole = readFile(folder / "cut.exr");
+  add(PlaneKind::Color, "cut.exr", {});
+  for (const std::size_t length : {whole.size() - 10, std::size_t(100)}) {
+    writeFile(folder / "cut.exr", std::string_view(whole).substr(0, length));
+    expectMessage("cut.exr");
+    EXPECT_EQ(message().find(folder.string()), std::string::npos) << message();
+  }
+}
+
 // Whatever happens to a file, it is read or refused in a sentence, soon.
 TEST_F(Pictures, TruncatedAndDamagedAreRefusedInTime) {
   const auto begin = std::chrono::steady_clock::now();

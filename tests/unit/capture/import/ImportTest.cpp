@@ -245,6 +245,59 @@ TEST_F(ImportTest, IsWrittenBesideOrAboveItsFiles) {
   EXPECT_EQ(std::distance(fs::directory_iterator(other), fs::directory_iterator()), 6);
 }
 
+// Of a picture that stands on its head the y of motion and jitter would point the other way.
+TEST_F(ImportTest, AsksOfRowsAsTheCallerStatesThem) {
+  writeSquare(folder_, scene_, stated_);
+  const std::size_t row = 5 * MovingSquare::kWidth;
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    const std::vector<float> values = squareFrame(scene_, stated_, frame);
+    std::vector<float> flipped;
+    for (std::size_t first = values.size(); first > 0; first -= row)
+      flipped.insert(flipped.end(), values.begin() + static_cast<std::ptrdiff_t>(first - row),
+                     values.begin() + static_cast<std::ptrdiff_t>(first));
+    writeExr(folder_ / ("frame.000" + std::to_string(frame + 1) + ".exr"),
+             {"R", "G", "B", "velocity.X", "velocity.Y"}, flipped);
+  }
+  const Guess guess = guessCapture(folder_, "", {"rows=bottomFirst"});
+  EXPECT_EQ(guess.manifest.conventions.motion.yAxis, VerticalAxis::Down);
+  EXPECT_EQ(guess.manifest.conventions.jitter.yAxis, VerticalAxis::Down);
+  EXPECT_TRUE(findingOf(guess.findings, "motion.yAxis").isSure);
+  for (const Finding& finding : measureConventions(folder_, guess.manifest))
+    EXPECT_FALSE(finding.contradicts()) << finding.question;
+}
+
+// Each frame is twice as bright as the one before in its file, and as bright in the scene.
+TEST_F(ImportTest, TakesPreExposuresOfASideFile) {
+  writeSquare(folder_, scene_, stated_);
+  std::string frames;
+  for (int frame = 0; frame < MovingSquare::kFrames; ++frame) {
+    std::vector<float> values = squareFrame(scene_, stated_, frame);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (i % 5 < 3) values[i] *= static_cast<float>(1 << frame);
+    writeExr(folder_ / ("frame.000" + std::to_string(frame + 1) + ".exr"),
+             {"R", "G", "B", "velocity.X", "velocity.Y"}, values);
+    const glm::dvec2 jitter = MovingSquare::jitterPx(frame);
+    frames += std::string(frame == 0 ? "" : ", ") + R"({"frame": )" + std::to_string(frame + 1) +
+              R"(, "preExposure": )" + std::to_string(1 << frame) + R"(, "jitter": [)" +
+              std::to_string(jitter.x) + ", " + std::to_string(jitter.y) + "]}";
+  }
+  writeFile(folder_ / "frames.json", R"({"frames": [)" + frames + "]}");
+  const Guess guess = guessCapture(folder_, "", {});
+  EXPECT_TRUE(guess.manifest.conventions.color.preExposed);
+  EXPECT_TRUE(saysSomeOf(guess.unsure, "frames.json states pre-exposures"));
+  EXPECT_TRUE(findingOf(guess.findings, "motion.direction").isSure) << "frames are compared as they were lit";
+  const auto capture = openCapture(folder_.string());
+  const std::vector<float> last = squareFrame(scene_, stated_, MovingSquare::kFrames - 1);
+  EXPECT_EQ(capture->frame(MovingSquare::kFrames - 1)->color.pixels[0], last[0]);
+
+  Manifest other = guessCapture(folder_, "", {"color.preExposed=off"}).manifest;
+  EXPECT_EQ(other.frames[2].preExposure, 1.0) << "what color was not multiplied with";
+  other = guess.manifest;
+  other.conventions.color.preExposed = false;
+  static_cast<void>(saveImport(folder_, other, folder_, false, {}));
+  EXPECT_EQ(readManifest(folder_).frames[2].preExposure, 1.0);
+}
+
 TEST_F(ImportTest, OpensAFolderThatNobodyDescribed) {
   writeSquare(folder_, scene_, stated_);
   const auto capture = openCapture(folder_.string());

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -123,7 +125,8 @@ TEST(SideFile, KnowsKeysHoweverTheyAreWritten) {
   const fs::path folder = test::temporaryFolder() / "side";
   fs::create_directories(folder);
   writeFile(folder / "a.json", R"({"Clip start": 0.5, "Frames": [{"Frame Number": 7, "jitterUv": {"x": 0.25,
-"Y": -0.5}, "cameraCut": true, "elements": 3}, {"frame_number": 8, "jitter_uv": [0, 0.125]}]})");
+"Y": -0.5}, "cameraCut": true, "elements": 3}, {"frame_number": 8, "jitter_uv": [0, 0.125],
+"pre-exposure": 0}], "Object IDs": ["nothing", "door"]})");
   const std::optional<SideFile> side = readSideFile(folder, "a.json");
   fs::remove_all(folder);
   ASSERT_TRUE(side && side->lists.size() == 1);
@@ -134,6 +137,8 @@ TEST(SideFile, KnowsKeysHoweverTheyAreWritten) {
   EXPECT_EQ(frames.frames.at(7).jitter, glm::dvec2(0.25, -0.5));
   EXPECT_TRUE(frames.frames.at(7).cut);
   EXPECT_EQ(frames.frames.at(8).jitter, glm::dvec2(0.0, 0.125));
+  EXPECT_EQ(frames.frames.at(8).preExposure, 1.0) << "0 is none";
+  EXPECT_EQ(side->objects, (std::map<std::uint32_t, std::string>{{1, "door"}})) << "0 is no object";
 }
 
 } // namespace taa::capture
