@@ -18,52 +18,52 @@ struct Cure {
   void (*apply)(Settings&);
 };
 
-using Fault = VerdictKind;
+using Wrong = VerdictKind;
 
 // Likely ones first (manual, techniques; the cures of the sources that each kind is described in).
 const std::array<Cure, 29>& cures() {
   static const std::array<Cure, 29> kCures{{
-      {{Fault::Ghost}, [](Settings& s) { s.reproject.method = ReprojectMethod::Motion; }},
-      {{Fault::Ghost, Fault::Lag}, [](Settings& s) { s.rectify.method = RectifyMethod::ClipToFiltered; }},
-      {{Fault::Ghost}, [](Settings& s) { s.validate.depth = Switch::On; }},
-      {{Fault::Ghost}, [](Settings& s) { s.validate.object = Switch::On; }},
-      {{Fault::Ghost, Fault::Lag}, [](Settings& s) { s.neighborhood.box = BoxKind::Intersection; }},
-      {{Fault::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
-      {{Fault::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
-      {{Fault::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
-      {{Fault::Ghost, Fault::Lag, Fault::MaskSmear},
+      {{Wrong::Ghost}, [](Settings& s) { s.reproject.method = ReprojectMethod::Motion; }},
+      {{Wrong::Ghost, Wrong::Lag}, [](Settings& s) { s.rectify.method = RectifyMethod::ClipToFiltered; }},
+      {{Wrong::Ghost}, [](Settings& s) { s.validate.depth = Switch::On; }},
+      {{Wrong::Ghost}, [](Settings& s) { s.validate.object = Switch::On; }},
+      {{Wrong::Ghost, Wrong::Lag}, [](Settings& s) { s.neighborhood.box = BoxKind::Intersection; }},
+      {{Wrong::Ghost}, [](Settings& s) { s.validate.offScreen = OffScreen::Reject; }},
+      {{Wrong::Ghost}, [](Settings& s) { s.validate.action = RejectAction::Restart; }},
+      {{Wrong::Ghost}, [](Settings& s) { s.dilate.method = DilateMethod::Closest3x3; }},
+      {{Wrong::Ghost, Wrong::Lag, Wrong::MaskSmear},
        [](Settings& s) {
          s.rectify.method = RectifyMethod::ClipToFiltered;
          s.neighborhood.box = BoxKind::Variance;
          s.neighborhood.gamma = 1.0f;
        }},
-      {{Fault::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Responsive; }},
-      {{Fault::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Reactive; }},
-      {{Fault::HighlightFlicker}, [](Settings& s) { s.blend.tone = ToneWeight::Luma; }},
-      {{Fault::HighlightFlicker}, [](Settings& s) { s.space.tone = ToneSpace::ReinhardLuma; }},
-      {{Fault::HighlightFlicker}, [](Settings& s) { s.current.lumaWeighted = Switch::On; }},
-      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing},
+      {{Wrong::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Responsive; }},
+      {{Wrong::MaskSmear}, [](Settings& s) { s.weight.mask = MaskAlpha::Reactive; }},
+      {{Wrong::HighlightFlicker}, [](Settings& s) { s.blend.tone = ToneWeight::Luma; }},
+      {{Wrong::HighlightFlicker}, [](Settings& s) { s.space.tone = ToneSpace::ReinhardLuma; }},
+      {{Wrong::HighlightFlicker}, [](Settings& s) { s.current.lumaWeighted = Switch::On; }},
+      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing},
        [](Settings& s) { s.weight.source = AlphaSource::HistoryLength; }},
-      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing, Fault::DisocclusionRestart},
+      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing, Wrong::DisocclusionRestart},
        [](Settings& s) { s.current.filter = CurrentFilter::Gaussian; }},
-      {{Fault::DisocclusionRestart}, [](Settings& s) { s.blend.restart = Restart::Blurred; }},
-      {{Fault::DisocclusionRestart}, [](Settings& s) { s.current.filter = CurrentFilter::Tent; }},
-      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.rectify.instability = Switch::On; }},
-      {{Fault::Flicker, Fault::Blur}, [](Settings& s) { s.rectify.locks = Switch::On; }},
-      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.weight.lumaFlicker = Switch::On; }},
-      {{Fault::Flicker, Fault::HighlightFlicker}, [](Settings& s) { s.weight.nearClamp = Switch::On; }},
-      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing},
+      {{Wrong::DisocclusionRestart}, [](Settings& s) { s.blend.restart = Restart::Blurred; }},
+      {{Wrong::DisocclusionRestart}, [](Settings& s) { s.current.filter = CurrentFilter::Tent; }},
+      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.rectify.instability = Switch::On; }},
+      {{Wrong::Flicker, Wrong::Blur}, [](Settings& s) { s.rectify.locks = Switch::On; }},
+      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.weight.lumaFlicker = Switch::On; }},
+      {{Wrong::Flicker, Wrong::HighlightFlicker}, [](Settings& s) { s.weight.nearClamp = Switch::On; }},
+      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing},
        [](Settings& s) {
          s.weight.minimum *= 0.5f;
          s.weight.alpha *= 0.5f;
        }},
-      {{Fault::Flicker, Fault::HighlightFlicker, Fault::Aliasing, Fault::Blur},
+      {{Wrong::Flicker, Wrong::HighlightFlicker, Wrong::Aliasing, Wrong::Blur},
        [](Settings& s) { s.neighborhood.gamma = std::min(2.0f * s.neighborhood.gamma, 4.0f); }},
-      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.depth = Switch::Off; }},
-      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.object = Switch::Off; }},
-      {{Fault::Aliasing, Fault::Flicker}, [](Settings& s) { s.validate.flicker = Switch::On; }},
-      {{Fault::Blur}, [](Settings& s) { s.history.filter = HistoryFilter::CatmullRom9; }},
-      {{Fault::Blur}, [](Settings& s) { s.current.filter = CurrentFilter::BlackmanHarris; }},
+      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.depth = Switch::Off; }},
+      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.object = Switch::Off; }},
+      {{Wrong::Aliasing, Wrong::Flicker}, [](Settings& s) { s.validate.flicker = Switch::On; }},
+      {{Wrong::Blur}, [](Settings& s) { s.history.filter = HistoryFilter::CatmullRom9; }},
+      {{Wrong::Blur}, [](Settings& s) { s.current.filter = CurrentFilter::BlackmanHarris; }},
   }};
   return kCures;
 }
