@@ -40,32 +40,32 @@ class ToPlot {
   SpaceSettings box_, plot_;
 };
 
-/// A half space: dot(normal, point) ≤ limit.
-struct HalfSpace {
+/// What lies before a wall of a slab: dot(normal, point) ≤ limit.
+struct SlabWall {
   glm::dvec3 normal{0.0};
   double limit = 0.0;
 };
 
 /// Both walls of the slabs across `directions`.
-std::vector<HalfSpace> planesAround(const std::vector<glm::vec3>& points,
-                                    const std::vector<glm::vec3>& directions) {
-  std::vector<HalfSpace> planes;
+std::vector<SlabWall> wallsAround(const std::vector<glm::vec3>& points,
+                                  const std::vector<glm::vec3>& directions) {
+  std::vector<SlabWall> walls;
   for (const glm::vec3& direction : directions)
     for (const double sign : {-1.0, 1.0}) {
       const glm::dvec3 normal = sign * glm::dvec3(direction);
       double limit = std::numeric_limits<double>::lowest();
       for (const glm::vec3& point : points) limit = std::max(limit, glm::dot(normal, glm::dvec3(point)));
-      planes.push_back({normal, limit});
+      walls.push_back({normal, limit});
     }
-  return planes;
+  return walls;
 }
 
-/// What all planes leave of the line of points a + t·d.
-std::optional<std::pair<double, double>> clipped(const std::vector<HalfSpace>& planes, const glm::dvec3& a,
+/// What all walls leave of the line of points a + t·d.
+std::optional<std::pair<double, double>> clipped(const std::vector<SlabWall>& walls, const glm::dvec3& a,
                                                  const glm::dvec3& d, double slack) {
   double from = -1e9, to = 1e9;
-  for (const HalfSpace& plane : planes) {
-    const double slope = glm::dot(plane.normal, d), rest = plane.limit - glm::dot(plane.normal, a);
+  for (const SlabWall& wall : walls) {
+    const double slope = glm::dot(wall.normal, d), rest = wall.limit - glm::dot(wall.normal, a);
     if (std::abs(slope) < 1e-12) {
       if (rest < -slack) return {};
     } else if (slope > 0) {
@@ -120,21 +120,21 @@ ColorScene colorScene(const twin::PixelRecord& record, const twin::Details& deta
 
 std::vector<Segment> hullEdges(const std::vector<glm::vec3>& points,
                                const std::vector<glm::vec3>& directions) {
-  const std::vector<HalfSpace> planes = planesAround(points, directions);
+  const std::vector<SlabWall> walls = wallsAround(points, directions);
   glm::vec3 low = points.front(), high = low;
   for (const glm::vec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
   const double size = static_cast<double>(glm::length(high - low));
   std::vector<Segment> edges;
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      const glm::dvec3 along = glm::cross(planes[i].normal, planes[j].normal);
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    for (std::size_t j = i + 1; j < walls.size(); ++j) {
+      const glm::dvec3 along = glm::cross(walls[i].normal, walls[j].normal);
       const double squared = glm::dot(along, along);
       if (squared == 0.0) continue; // parallel
-      const glm::dvec3 on = (planes[i].limit * glm::cross(planes[j].normal, along) +
-                             planes[j].limit * glm::cross(along, planes[i].normal)) /
+      const glm::dvec3 on = (walls[i].limit * glm::cross(walls[j].normal, along) +
+                             walls[j].limit * glm::cross(along, walls[i].normal)) /
                             squared;
       const glm::dvec3 d = along / std::sqrt(squared);
-      const auto part = clipped(planes, on, d, 1e-6 * size);
+      const auto part = clipped(walls, on, d, 1e-6 * size);
       if (!part || part->second - part->first < 1e-4 * size) continue;
       edges.emplace_back(glm::vec3(on + part->first * d), glm::vec3(on + part->second * d));
     }

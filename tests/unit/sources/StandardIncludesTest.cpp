@@ -41,7 +41,7 @@ constexpr std::pair<std::string_view, std::string_view> kHeaders[] = {
      "swap_ranges ranges::includes ranges::set_intersection"},
     {"array", "array get to_array size_t ptrdiff_t begin end size initializer_list"},
     {"atomic", "atomic"},
-    {"bit", "bit_cast bit_width endian has_single_bit countr_zero popcount"},
+    {"bit", "bit_cast bit_ceil bit_width endian has_single_bit countr_zero popcount"},
     {"cctype", "isalnum isalpha isdigit isspace isupper isxdigit tolower toupper isprint iscntrl"},
     {"charconv", "chars_format from_chars to_chars"},
     {"chrono", "chrono chrono_literals milli"},
