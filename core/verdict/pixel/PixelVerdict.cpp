@@ -224,20 +224,23 @@ Stage Judge::stageOfGhost() {
   const bool isOfMotion = std::ranges::any_of(origin_.frames, [&](const ErrorOfFrame& entry) {
     return entry.frame == evidence_.ghostFrame && entry.isGhostOfMotion;
   });
-  if (isOfMotion && evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
-    const bool isNeighbors = twin::at(record, RowId::dilatedOffset) != glm::vec4(0.0f);
-    addGhostRow(RowId::dilatedOffset);
-    return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
-  }
   const ValidateSettings& validate = settings_.validate;
   const bool tests = isOn(validate.depth) || isOn(validate.object) || isOn(validate.objectClass) ||
                      isOn(validate.normal) || validate.velocity != VelocityTest::None;
+  const bool isUnguarded = !tests && settings_.rectify.method == RectifyMethod::None;
+  if (isOfMotion && evidence_.ghostMotion && glm::distance(used, *evidence_.ghostMotion) > 0.5) {
+    const bool isNeighbors = twin::at(record, RowId::dilatedOffset) != glm::vec4(0.0f);
+    // Beside edges dilation reads amiss by design: to find that out is what tests and rectification are for.
+    if (!isNeighbors || !isUnguarded) {
+      addGhostRow(RowId::dilatedOffset);
+      return isNeighbors ? Stage::DilateMotion : Stage::Inputs;
+    }
+  }
   addGhostRow(RowId::depthMismatch, recordValue(record, RowId::depthAllowed));
   addGhostRow(RowId::rejectReason);
   addGhostRow(RowId::clipAmount);
   addGhostRow(RowId::alpha);
-  if (tests || settings_.rectify.method == RectifyMethod::None) return Stage::ValidateHistory;
-  return Stage::RectifyHistory;
+  return tests || isUnguarded ? Stage::ValidateHistory : Stage::RectifyHistory;
 }
 
 // Rectification that left history as it was in all but a few frames made none of it.

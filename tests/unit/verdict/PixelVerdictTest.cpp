@@ -92,6 +92,12 @@ TEST(PixelVerdict, BlamesMotionThatIsNotTheSurfaces) {
   EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::Inputs);
   taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedOffset) = {1.0f, 0.0f, 0.0f, 0.0f};
   EXPECT_EQ(judge(evidence, Settings{}).stage, Stage::DilateMotion);
+  Settings unguarded;
+  unguarded.validate.depth = taa::Switch::Off;
+  unguarded.rectify.method = taa::RectifyMethod::None;
+  EXPECT_EQ(judge(evidence, unguarded).stage, Stage::ValidateHistory) << "dilation reads amiss beside edges";
+  taa::twin::at(evidence.ghostRecord, IntermediateId::dilatedOffset) = glm::vec4(0.0f);
+  EXPECT_EQ(judge(evidence, unguarded).stage, Stage::Inputs) << "no guard mends a wrong motion";
 }
 
 TEST(PixelVerdict, TellsWhatComesAndGoesFromWhatFades) {
