@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -168,23 +169,35 @@ void checkAccessors(const Json& root) {
         throw Error(listPlace("meshes", i) + say<"the accessor of its indices has no %1">("bufferView"));
 }
 
-void checkImages(const GltfDocument& document) {
-  const Json& images = arrayOf(document.json, "images");
+/// How many bytes the image's own file or data URI has; 0 for one in a buffer.
+std::uint64_t imageBytes(const GltfDocument& document, const Json& image) {
+  const auto uri = image.find("uri");
+  if ((uri == image.end()) != image.contains("bufferView"))
+    throw Error(say<"it must have either a uri or a bufferView">());
+  if (uri == image.end()) return 0;
+  const std::string text = uri->get<std::string>();
+  const std::uint64_t bytes = text.starts_with("data:")
+                                  ? dataUriBytes(text)
+                                  : std::filesystem::file_size(resolveGltfUri(document.folder, text));
+  if (bytes == 0) throw Error(say<"it is empty">());
+  return bytes;
+}
+
+void findImageFaults(GltfDocument& document) {
+  const auto images = document.json.find("images");
+  if (images == document.json.end()) return;
+  document.imageFaults.resize(images->size());
   std::uint64_t total = 0;
-  for (std::size_t i = 0; i < images.size(); ++i) try {
-      const auto uri = images[i].find("uri");
-      if ((uri == images[i].end()) != images[i].contains("bufferView"))
-        throw Error(say<"it must have either a uri or a bufferView">());
-      if (uri == images[i].end()) continue;
-      const std::string text = uri->get<std::string>();
-      const std::uint64_t bytes = text.starts_with("data:")
-                                      ? dataUriBytes(text)
-                                      : std::filesystem::file_size(resolveGltfUri(document.folder, text));
+  for (std::size_t i = 0; i < images->size(); ++i) try {
+      const std::uint64_t bytes = imageBytes(document, (*images)[i]);
+      if (total + bytes > kMaxImageBytes)
+        throw Error(say<"with it the images have more than %1 bytes">(kMaxImageBytes));
       total += bytes;
-      if (bytes == 0) throw Error(say<"it is empty">());
-      if (total > kMaxImageBytes) throw Error(say<"the images have more than %1 bytes">(kMaxImageBytes));
-    } catch (const Error& error) {
-      throw Error(listPlace("images", i) + error.what());
+    } catch (const std::exception& error) { // ours, or the file system's
+      document.imageFaults[i] = error.what();
+      Json& image = (*images)[i]; // tinygltf refuses a file for such an image, and would read it
+      image.erase("bufferView");
+      image["uri"] = "data:image/png;base64,AAAA";
     }
 }
 
@@ -257,7 +270,7 @@ void checkGltfData(GltfDocument& document) {
   checkBuffers(document);
   checkViews(document.json);
   checkAccessors(document.json);
-  checkImages(document);
+  findImageFaults(document);
 }
 
 void checkGltfGraph(const Json& root) {

@@ -15,8 +15,9 @@ namespace taa {
 struct GltfContext {
   const tinygltf::Model& model;
   Scene& scene;
+  const std::vector<std::string>& imageFaults; ///< GltfDocument's
   std::vector<int>
-      sceneNode; ///< for each node of the file its index in the scene, −1 when that scene leaves it out
+      sceneNode{}; ///< for each node of the file its index in the scene, −1 when that scene leaves it out
   std::size_t vertices = 0; ///< made so far
   std::size_t indices = 0;  ///< made so far
 

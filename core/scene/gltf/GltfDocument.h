@@ -7,14 +7,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace taa {
 
 struct GltfDocument {
   Json json;
-  std::string binary;           ///< the BIN chunk of a .glb
-  bool isBinary = false;        ///< a .glb
-  std::filesystem::path folder; ///< where the files lie that it names
+  std::string binary;                   ///< the BIN chunk of a .glb
+  bool isBinary = false;                ///< a .glb
+  std::filesystem::path folder;         ///< where the files lie that it names
+  std::vector<std::string> imageFaults; ///< for each image why it cannot be shown; empty: nothing is known
 };
 
 // All of these throw Error with "place: reason"; the loader puts the file's name before it.
@@ -25,7 +27,8 @@ GltfDocument readGltfDocument(const std::filesystem::path& file);
 /// The type of every property and the range of every index, from one table.
 void checkGltfTypes(const Json& root);
 
-/// Buffers (which get their real lengths), views, accessors and images: everything lies inside what holds it.
+/// Buffers (which get their real lengths), views and accessors: everything lies inside what holds it. An
+/// image that does not, or that is not there, has a fault instead.
 void checkGltfData(GltfDocument& document);
 
 /// Nodes are trees, scenes list their roots, animations refer to their own samplers.

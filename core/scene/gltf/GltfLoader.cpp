@@ -65,7 +65,7 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   importGltf(document, model);
   Scene scene;
   scene.name = file.filename().string();
-  GltfContext context{model, scene, {}};
+  GltfContext context{model, scene, document.imageFaults};
   warnOfExtensions(context);
   addGltfMaterials(context, progress);
   report(progress, say<"Building meshes">(), 0, 1);

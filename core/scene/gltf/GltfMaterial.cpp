@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,7 +89,7 @@ glm::mat3 uvTransform(const Value& extension) {
 class MaterialReader {
  public:
   MaterialReader(GltfContext& context, const Progress& progress)
-      : context_(context), progress_(progress), sceneImage_(context.model.images.size(), -1) {}
+      : context_(context), progress_(progress), sceneImage_(context.model.images.size()) {}
 
   Material read(const tinygltf::Material& source) {
     Material material;
@@ -110,6 +111,9 @@ class MaterialReader {
     material.normalTexture = slot(source.normalTexture);
     material.occlusionTexture = slot(source.occlusionTexture);
     material.emissiveTexture = slot(source.emissiveTexture);
+    // Without its picture a factor would hold all over, where the picture says nearly nowhere.
+    if (isMissing(source.emissiveTexture, material.emissiveTexture)) material.emissive = glm::vec3(0.0f);
+    if (isMissing(pbr.metallicRoughnessTexture, material.metallicRoughnessTexture)) material.metallic = 0.0f;
     return material;
   }
 
@@ -127,6 +131,11 @@ class MaterialReader {
   static AlphaMode alphaMode(const std::string& mode) {
     if (mode == "MASK") return AlphaMode::Mask;
     return mode == "BLEND" ? AlphaMode::Blend : AlphaMode::Opaque;
+  }
+
+  template <class Info>
+  static bool isMissing(const Info& info, const TextureSlot& slot) {
+    return info.index >= 0 && slot.image < 0;
   }
 
   template <class Info>
@@ -154,33 +163,44 @@ class MaterialReader {
     return slot;
   }
 
-  /// The image's index in the scene, decoded when it is asked for the first time.
+  /// The image's index in the scene, decoded when it is asked for the first time; −1 when it cannot be shown,
+  /// of which the user is told.
   int image(std::size_t source) {
-    int& index = sceneImage_[source];
-    if (index >= 0) return index;
+    std::optional<int>& index = sceneImage_[source];
+    if (index) return *index;
     report(progress_, say<"Decoding images">(), static_cast<int>(context_.scene.images.size()),
            static_cast<int>(sceneImage_.size()));
-    const tinygltf::Image& encoded = context_.model.images[source];
     try {
-      SceneImage decoded = decodeImage(encoded.image);
-      pixels_ += decoded.rgba.size() / 4;
-      if (pixels_ > kMaxPixels) throw Error(say<"with it the images have more than %1 pixels">(kMaxPixels));
-      decoded.name = encoded.name.empty() ? encoded.uri : encoded.name;
-      context_.scene.images.push_back(std::move(decoded));
+      context_.scene.images.push_back(decoded(source));
+      index = static_cast<int>(context_.scene.images.size()) - 1;
     } catch (const Error& error) {
+      const tinygltf::Image& encoded = context_.model.images[source];
       const std::string name = encoded.uri.empty() ? encoded.name : encoded.uri;
-      throw Error(gltfPlace("images", source) + (name.empty() ? "" : " (" + name + ")") + ": " +
-                  error.what());
+      const std::string place = gltfPlace("images", source) + (name.empty() ? "" : " (" + name + ")");
+      context_.warn(say<"%1 is not shown: %2. What it covers is plain.">(place, error.what()));
+      index = -1;
     }
-    index = static_cast<int>(context_.scene.images.size()) - 1;
-    return index;
+    return *index;
+  }
+
+  SceneImage decoded(std::size_t source) {
+    if (!context_.imageFaults[source].empty()) throw Error(context_.imageFaults[source]);
+    const tinygltf::Image& encoded = context_.model.images[source];
+    if (encoded.image.empty()) throw Error(say<"its file cannot be read">());
+    SceneImage image = decodeImage(encoded.image);
+    const std::size_t pixels = image.rgba.size() / 4;
+    if (pixels_ + pixels > kMaxPixels)
+      throw Error(say<"with it the images have more than %1 pixels">(kMaxPixels));
+    pixels_ += pixels;
+    image.name = encoded.name.empty() ? encoded.uri : encoded.name;
+    return image;
   }
 
   static constexpr std::size_t kMaxPixels = std::size_t(1) << 28; ///< of all images: 1 GiB
 
   GltfContext& context_;
   const Progress& progress_;
-  std::vector<int> sceneImage_; ///< for each image of the file its index in the scene, −1 when not decoded
+  std::vector<std::optional<int>> sceneImage_; ///< image() of each image of the file that was asked for
   std::size_t pixels_ = 0;
 };
 
