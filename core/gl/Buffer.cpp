@@ -17,8 +17,8 @@ Buffer::Buffer(std::size_t bytes, const void* data, const std::string& label) : 
   glCreateBuffers(1, &id);
   id_ = Handle<ObjectKind::Buffer>(id);
   glNamedBufferStorage(id_, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_STORAGE_BIT);
-  glObjectLabel(GL_BUFFER, id_, -1, label.c_str());
-  checkErrors(what);
+  labelObject(ObjectKind::Buffer, id_, label);
+  checkAllocated(label, what);
 }
 
 void Buffer::update(std::size_t offset, const void* data, std::size_t bytes) {
@@ -41,7 +41,7 @@ Mesh::Mesh(std::span<const std::byte> vertices, std::size_t stride,
   GLuint id = 0;
   glCreateVertexArrays(1, &id);
   vertexArray_ = Handle<ObjectKind::VertexArray>(id);
-  glObjectLabel(GL_VERTEX_ARRAY, vertexArray_, -1, label.c_str());
+  labelObject(ObjectKind::VertexArray, vertexArray_, label);
   glVertexArrayVertexBuffer(vertexArray_, 0, vertices_.id(), 0, static_cast<GLsizei>(stride));
   glVertexArrayElementBuffer(vertexArray_, indices_.id());
   for (const VertexAttribute& attribute : attributes) {

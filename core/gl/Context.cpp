@@ -155,13 +155,27 @@ std::optional<std::size_t> availableMemory(const Driver& driver) {
   return static_cast<std::size_t>(kibibytes[0]) * 1024;
 }
 
-void checkErrors(const std::string& what) {
+namespace {
+
+GLenum takeWorstError() {
   GLenum worst = GL_NO_ERROR;
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
     if (worst != GL_OUT_OF_MEMORY) worst = error;
-  if (worst == GL_NO_ERROR) return;
+  return worst;
+}
+
+} // namespace
+
+void checkErrors(const std::string& what) {
+  const GLenum worst = takeWorstError();
   if (worst == GL_OUT_OF_MEMORY) throwOutOfMemory(what);
-  throw Error(say<"%1: GL reports error %2">(what, worst));
+  if (worst != GL_NO_ERROR) throw Error(say<"%1: GL reports error %2">(what, worst));
+}
+
+void checkAllocated(const std::string& label, const std::string& what) {
+  const GLenum worst = takeWorstError();
+  if (worst == GL_OUT_OF_MEMORY) throwOutOfMemory(what);
+  if (worst != GL_NO_ERROR) throw Error(say<"cannot make %1: GL reports error %2">(label, worst));
 }
 
 void throwOutOfMemory(const std::string& what) {

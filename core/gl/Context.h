@@ -56,7 +56,10 @@ std::optional<std::size_t> availableMemory(const Driver& driver);
 /// Throws Error naming `what` when GL has run out of memory or reported another error since the last check.
 void checkErrors(const std::string& what);
 
-/// The Error of checkErrors() for memory that has run out.
+/// The same of what was made under `label`; `what` is said only of memory that has run out.
+void checkAllocated(const std::string& label, const std::string& what);
+
+/// The Error of both for memory that has run out.
 [[noreturn]] void throwOutOfMemory(const std::string& what);
 
 } // namespace taa::gl

@@ -1,9 +1,39 @@
-// How each kind of GL object is freed and asked for.
+// How each kind of GL object is freed, asked for and named.
 #include "core/gl/Handle.h"
+
+#include "core/base/Text.h"
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
+
 namespace taa::gl {
+
+namespace {
+
+GLenum identifierOf(ObjectKind kind) {
+  switch (kind) {
+  case ObjectKind::Buffer:
+    return GL_BUFFER;
+  case ObjectKind::Framebuffer:
+    return GL_FRAMEBUFFER;
+  case ObjectKind::Program:
+    return GL_PROGRAM;
+  case ObjectKind::ProgramPipeline:
+    return GL_PROGRAM_PIPELINE;
+  case ObjectKind::Sampler:
+    return GL_SAMPLER;
+  case ObjectKind::Shader:
+    return GL_SHADER;
+  case ObjectKind::Texture:
+    return GL_TEXTURE;
+  case ObjectKind::VertexArray:
+    return GL_VERTEX_ARRAY;
+  }
+  return GL_NONE;
+}
+
+} // namespace
 
 void destroyObject(ObjectKind kind, unsigned id) noexcept {
   if (id == 0) return;
@@ -47,6 +77,12 @@ bool isObject(ObjectKind kind, unsigned id) {
     return glIsVertexArray(id);
   }
   return false;
+}
+
+void labelObject(ObjectKind kind, unsigned id, const std::string& label) {
+  constexpr std::size_t kMaxBytes = 255; // GL_MAX_LABEL_LENGTH, which labels are shorter than, is 256 or more
+  const std::string shown = shortened(label, kMaxBytes);
+  glObjectLabel(identifierOf(kind), id, static_cast<GLsizei>(shown.size()), shown.data());
 }
 
 } // namespace taa::gl

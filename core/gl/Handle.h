@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 
 namespace taa::gl {
@@ -24,6 +25,8 @@ enum class ObjectKind : std::uint8_t {
 void destroyObject(ObjectKind kind, unsigned id) noexcept;
 /// Whether the current context has such an object.
 bool isObject(ObjectKind kind, unsigned id);
+/// For debuggers of GL and its own messages. As much of `label` as every driver takes.
+void labelObject(ObjectKind kind, unsigned id, const std::string& label);
 
 template <ObjectKind kind>
 class Handle {

@@ -165,7 +165,7 @@ Program::Program(const ShaderSource& vertex, const ShaderSource& fragment, const
   const bool isAlone = handsOnNothing(vertex);
   if (isAlone) vertexStage_ = sharedVertexStage(vertex);
   compile(vertex, fragment);
-  glObjectLabel(GL_PROGRAM, id_, -1, label.c_str());
+  labelObject(ObjectKind::Program, id_, label);
   if (!isAlone) return;
   GLuint pipeline = 0;
   glCreateProgramPipelines(1, &pipeline);

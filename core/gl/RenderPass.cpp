@@ -83,7 +83,7 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Texture* d
   const Texture& first = attached == colors.end() ? *depth : *attached->texture;
   width_ = first.width();
   height_ = first.height();
-  glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
+  labelObject(ObjectKind::Framebuffer, id_, label);
   const GLenum status = glCheckNamedFramebufferStatus(id_, GL_DRAW_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
   throw Error(say<"cannot draw into %1: GL reports framebuffer status %2">(label, status));
@@ -93,7 +93,7 @@ Framebuffer::Framebuffer(int width, int height, const std::string& label)
     : id_(newFramebuffer()), width_(width), height_(height) {
   glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
   glNamedFramebufferParameteri(id_, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
-  glObjectLabel(GL_FRAMEBUFFER, id_, -1, label.c_str());
+  labelObject(ObjectKind::Framebuffer, id_, label);
 }
 
 void Framebuffer::clearColor(int index, const glm::vec4& value, const std::optional<Rect>& part) {

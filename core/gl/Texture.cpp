@@ -109,8 +109,8 @@ Texture::Texture(const TextureSize& size, Format format, const std::string& labe
     glTextureStorage3D(id_, size_->levels, internalFormat, size.width, size.height, size.layers);
   else
     glTextureStorage2D(id_, size_->levels, internalFormat, size.width, size.height);
-  glObjectLabel(GL_TEXTURE, id_, -1, label.c_str());
-  checkErrors(what);
+  labelObject(ObjectKind::Texture, id_, label);
+  checkAllocated(label, what);
 }
 
 std::size_t Texture::bytes() const {

@@ -1,6 +1,7 @@
 #include "core/render/SceneResources.h"
 
 #include "core/base/Say.h"
+#include "core/base/Text.h"
 #include "core/gl/Context.h"
 #include "shaders/shared/MaterialBlock.h"
 
@@ -45,6 +46,11 @@ gl::TextureWrap textureWrap(Wrap wrap) {
     return gl::TextureWrap::ClampToEdge;
   }
   return gl::TextureWrap::Repeat;
+}
+
+/// A file's own name, of any length, as part of a label.
+std::string shownName(const std::string& name) {
+  return shortened(name, 64);
 }
 
 shared::MaterialBlock materialBlock(const Material& material) {
@@ -151,7 +157,7 @@ void SceneResources::uploadMeshes(const Scene& scene, const Progress& progress) 
                                        : gl::Mesh(std::as_bytes(std::span(primitive.vertices)),
                                                   sizeof(Vertex), kAttributes, primitive.indices,
                                                   primitiveKind(primitive.topology),
-                                                  "mesh: " + scene.meshes[index].name));
+                                                  "mesh: " + shownName(scene.meshes[index].name)));
     }
   }
 }
@@ -167,8 +173,9 @@ void SceneResources::uploadTextures(const Scene& scene, const Progress& progress
   for (auto& [key, texture] : textures_) {
     const SceneImage& image = scene.images[static_cast<std::size_t>(key.first)];
     report(progress, say<"Uploading textures">(), done, total);
-    texture = gl::Texture({image.width, image.height, 0, 0},
-                          key.second ? gl::Format::SRGBA8 : gl::Format::RGBA8, "texture: " + image.name);
+    texture =
+        gl::Texture({image.width, image.height, 0, 0}, key.second ? gl::Format::SRGBA8 : gl::Format::RGBA8,
+                    "texture: " + shownName(image.name));
     texture.uploadBytes(image.rgba);
     report(progress, say<"Making mip levels">(), done, total);
     texture.generateMipmaps();

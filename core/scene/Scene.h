@@ -83,6 +83,7 @@ struct Light {
   float range = 0.0f;                                       ///< 0: unlimited
   float innerConeAngle = 0.0f, outerConeAngle = 0.7853982f; ///< radians, spot
 };
+inline constexpr int kMaxLights = 64; ///< of a scene, the sun among them
 
 /// The sky: a vertical gradient and a sun disk, radiance in scene-referred linear units.
 struct Sky {

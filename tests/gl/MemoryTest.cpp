@@ -6,6 +6,8 @@
 #include "core/gl/Texture.h"
 #include "tests/support/GlTest.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -115,6 +117,17 @@ TEST_F(MemoryTest, AnAllocationThatFailsLeavesNothingBehindAndSaysWhatItWas) {
   taa::gl::failAllocationsAfter(-1);
   const Texture fourth({4, 4}, Format::R32F, "fourth");
   EXPECT_EQ(taa::gl::memoryInUse(), before + 128u);
+}
+
+TEST_F(MemoryTest, AnErrorThatIsNotOfMemoryIsNotToldForOne) {
+  glEnable(0xFFFF); // there is no such thing
+  try {
+    const Buffer buffer(4, nullptr, "third");
+    ADD_FAILURE() << "the error was not told";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot make third: GL reports error 1280");
+  }
+  EXPECT_EQ(context().takeMessages().size(), 1u);
 }
 
 } // namespace

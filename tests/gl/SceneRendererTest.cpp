@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -281,6 +282,16 @@ TEST_F(SceneRendererTest, NumbersObjectsInTheOrderOfTheNodes) {
   const FrameInputs inputs = draw(scene);
   EXPECT_EQ(objectAt(inputs, kWidth / 4, kMiddleY), 1.0f);
   EXPECT_EQ(objectAt(inputs, 3 * kWidth / 4, kMiddleY), 2.0f);
+}
+
+// Drivers refuse labels from 256 bytes on, and what an object is made with adds to its name.
+TEST_F(SceneRendererTest, TakesNamesOfAnyLength) {
+  for (const std::size_t length : {241u, 256u, 100000u}) {
+    Scene scene = emptyScene();
+    addQuad(scene, {0, 0, 0}, kRight, kUp);
+    scene.meshes[0].name = std::string(length, 'x');
+    EXPECT_EQ(objectAt(draw(scene), kMiddleX, kMiddleY), 1.0f) << length;
+  }
 }
 
 TEST_F(SceneRendererTest, LightsAMatteWhitePlaneByTheCosine) {

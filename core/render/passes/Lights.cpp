@@ -5,6 +5,8 @@
 
 namespace taa {
 
+static_assert(kMaxLights == shared::kMaxLights);
+
 namespace {
 
 bool isDrawnAs(const Light& light, bool directional) {

@@ -70,6 +70,7 @@ Scene build(const std::filesystem::path& file, const Progress& progress) {
   addGltfMaterials(context, progress);
   report(progress, say<"Building meshes">(), 0, 1);
   addGltfNodes(context);
+  keepStrongestLights(context);
   checkRestTransforms(context);
   addGltfMeshes(context);
   addGltfAnimations(context);

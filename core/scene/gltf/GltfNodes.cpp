@@ -5,11 +5,15 @@
 #include "core/scene/Pose.h"
 #include "core/scene/gltf/GltfContext.h"
 
+#include <glm/geometric.hpp>
 #include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -136,6 +140,31 @@ void addGltfNodes(GltfContext& context) {
     for (auto child = children.rbegin(); child != children.rend(); ++child)
       open.push_back({*child, context.sceneNode[source]});
   }
+}
+
+void keepStrongestLights(GltfContext& context) {
+  std::vector<Light>& lights = context.scene.lights;
+  const std::size_t most = kMaxLights, count = lights.size();
+  if (count <= most) return;
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto rank = [&](std::size_t index) {
+    const Light& light = lights[index];
+    const float luminance = glm::dot(light.color, glm::vec3(0.2126f, 0.7152f, 0.0722f)); // Rec. 709
+    return std::pair(light.kind == LightKind::Directional, luminance * light.intensity);
+  };
+  std::ranges::stable_sort(order, std::ranges::greater{}, rank);
+  order.resize(most);
+  std::ranges::sort(order); // as the file has them
+  std::vector<Light> kept;
+  for (Node& node : context.scene.nodes) node.light = -1;
+  for (const std::size_t index : order) {
+    context.scene.nodes[static_cast<std::size_t>(lights[index].node)].light = static_cast<int>(kept.size());
+    kept.push_back(lights[index]);
+  }
+  lights = std::move(kept);
+  context.warn(
+      say<"The file has %1 lights; the %2 strongest are drawn, directional ones first.">(count, most));
 }
 
 void checkRestTransforms(const GltfContext& context) {

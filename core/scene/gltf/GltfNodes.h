@@ -9,6 +9,9 @@ struct GltfContext;
 /// GltfContext::sceneNode.
 void addGltfNodes(GltfContext& context);
 
+/// Leaves kMaxLights of the scene's lights, and says so: directional ones first, then by candela at rest.
+void keepStrongestLights(GltfContext& context);
+
 /// Throws Error when the world transform of a node at rest is not finite.
 void checkRestTransforms(const GltfContext& context);
 

@@ -67,6 +67,32 @@ TEST(GltfLoader, ReadsMaterialsCamerasAndLights) {
   EXPECT_FALSE(scene.sky.sunEnabled) << "the file brings its own light";
 }
 
+// Point lights of 1 to 70 cd behind a sun of 0.001 lx, which has no place to be weighed by, and the file's
+// spot light of 5 cd, whose color has a luminance of 0.57.
+TEST(GltfLoader, DrawsTheStrongestOfMoreLightsThanItCanAndSaysSo) {
+  GltfSample sample;
+  const auto addLight = [&](const char* type, double intensity) {
+    nlohmann::json& lights = sample.json["extensions"]["KHR_lights_punctual"]["lights"];
+    const std::size_t index = lights.size();
+    lights.push_back({{"type", type}, {"intensity", intensity}});
+    const std::size_t node = sample.json["nodes"].size();
+    sample.json["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", index}}}}}});
+    sample.json["scenes"][0]["nodes"].push_back(node);
+  };
+  for (int candela = 70; candela > 0; --candela) addLight("point", candela);
+  addLight("directional", 0.001);
+  const Scene scene = openScene(sample.writeEmbedded("lamps").string());
+  ASSERT_EQ(scene.lights.size(), 64u);
+  EXPECT_EQ(scene.lights.front().intensity, 70.0f);
+  EXPECT_EQ(scene.lights[62].intensity, 8.0f) << "63 of 70 cd and below, not the spot light's 2.9";
+  EXPECT_EQ(scene.lights[63].kind, LightKind::Directional);
+  for (std::size_t index = 0; index < scene.lights.size(); ++index)
+    EXPECT_EQ(scene.nodes[static_cast<std::size_t>(scene.lights[index].node)].light, static_cast<int>(index));
+  EXPECT_EQ(std::ranges::count_if(scene.nodes, [](const Node& node) { return node.light >= 0; }), 64);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_EQ(scene.warnings[0], "The file has 72 lights; the 64 strongest are drawn, directional ones first.");
+}
+
 TEST(GltfLoader, PlaysTheAnimationAndFitsTheShotToIt) {
   const Scene scene = openScene(GltfSample().writeEmbedded("animated").string());
   ASSERT_EQ(scene.animations.size(), 1u);
