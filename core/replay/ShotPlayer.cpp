@@ -136,12 +136,12 @@ ShownFrame* ShotPlayer::find(const std::optional<int>& frame) {
   return found == comparisonFrames_.end() ? nullptr : &*found;
 }
 
-// A lane as the only one, without anything exposed.
-ShownFrame ShotPlayer::replayed(int lane, std::vector<Checkpoints>& kept, int frame, std::size_t budget,
-                                const Progress& progress) {
+// Without anything exposed.
+ShownFrame ShotPlayer::replayed(const ShotState& state, std::vector<Checkpoints>& kept, int frame,
+                                std::size_t budget, const Progress& progress) {
   const auto watched = std::exchange(maker_.watched, {});
   try {
-    ShownFrame made = maker_.replay(onlyLane(lane), kept, frame, budget, progress);
+    ShownFrame made = maker_.replay(state, kept, frame, budget, progress);
     maker_.watched = watched;
     return made;
   } catch (...) {
@@ -156,7 +156,7 @@ ShownFrame ShotPlayer::makeInBackground(int frame, TraceCursor& cursor, const Pr
   std::vector<Checkpoints> kept(1);
   kept[0] = checkpoints_[static_cast<std::size_t>(lane)];
   if (cursor.history) kept[0].keep(cursor.frame, cursor.history);
-  ShownFrame made = replayed(lane, kept, frame, 0, progress);
+  ShownFrame made = replayed(onlyLane(lane), kept, frame, 0, progress);
   cursor = {frame, made.lanes[0].current};
   return made;
 }
@@ -164,9 +164,16 @@ ShownFrame ShotPlayer::makeInBackground(int frame, TraceCursor& cursor, const Pr
 ShownFrame ShotPlayer::makeInBackground(int frame, Checkpoints& kept, const Progress& progress, int lane) {
   std::vector<Checkpoints> all{kept};
   all[0].keepAll(checkpoints_[static_cast<std::size_t>(lane)]);
-  ShownFrame made = replayed(lane, all, frame, budget_ / 2, progress);
+  ShownFrame made = replayed(onlyLane(lane), all, frame, budget_ / 2, progress);
   kept = std::move(all[0]);
   return made;
+}
+
+ShownFrame ShotPlayer::makeInBackground(int frame, const std::vector<Settings>& lanes,
+                                        std::vector<Checkpoints>& kept, const Progress& progress) {
+  ShotState state = state_;
+  state.lanes = lanes;
+  return replayed(state, kept, frame, 0, progress);
 }
 
 void ShotPlayer::open(ShotState next) {

@@ -63,6 +63,10 @@ class ShotPlayer {
   /// The same for going back frame by frame: what it is reached from is looked for in `kept` as well, which
   /// what is resolved on the way is added to, up to half of what checkpoints may use.
   ShownFrame makeInBackground(int frame, Checkpoints& kept, const Progress& progress, int lane = 0);
+  /// Any frame with other settings side by side, likewise. `kept`: for each of them what it is reached from;
+  /// of what is resolved on the way the last stays there.
+  ShownFrame makeInBackground(int frame, const std::vector<Settings>& lanes, std::vector<Checkpoints>& kept,
+                              const Progress& progress);
 
   // Changing what it is a function of
   /// Another source, at frame 0.
@@ -87,7 +91,7 @@ class ShotPlayer {
   void reloadShaders();
 
  private:
-  ShownFrame replayed(int lane, std::vector<Checkpoints>& kept, int frame, std::size_t budget,
+  ShownFrame replayed(const ShotState& state, std::vector<Checkpoints>& kept, int frame, std::size_t budget,
                       const Progress& progress);
   void show(ShownFrame&& next);
   void keepShown();
